@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
-import argparse
 import importlib
 import os
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
+from types import ModuleType
+
+import click
 
 from .harness import ROOT, run_tasks
 
@@ -31,74 +34,71 @@ PARTS = (
     "counts",
     "threads",
 )
-# Only where they are asked for.
-LARGE = ("plastic_zones_large",)
+LARGE = ("plastic_zones_large",)  # only where they are asked for
+USUAL = tuple(name for name in PARTS if name not in LARGE)
+PAGE = ROOT / "docs" / "benchmarks.md"
 
 
-def arguments(given: list[str] | None = None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
-    usual = [name for name in PARTS if name not in LARGE]
-    parser.add_argument(
-        "parts", nargs="*", help=f"default: {', '.join(usual)}; also: {', '.join(LARGE)}"
-    )
-    parser.add_argument("--quick", action="store_true", help="small sizes, about two minutes")
-    parser.add_argument("--threads", type=int, default=1, help="OMP_NUM_THREADS (1)")
-    parser.add_argument("--output", type=Path, default=ROOT / "results" / "benchmarks")
-    parser.add_argument(
-        "--docs", action="store_true", help="also put their tables into docs/benchmarks.md"
-    )
-    parser.add_argument(
-        "--notes", action="store_true", help="only make the sentences below its tables anew"
-    )
-    chosen = parser.parse_args(given)
-    unknown = set(chosen.parts) - set(PARTS)
-    if unknown:
-        parser.error(f"unknown part {', '.join(sorted(unknown))}: choose from {', '.join(PARTS)}")
-    chosen.parts = chosen.parts or usual
-    return chosen
+@click.command(help=__doc__)
+@click.argument("parts", nargs=-1, metavar="[PART]...", type=click.Choice(PARTS))
+@click.option("--quick", is_flag=True, help="Small sizes, about two minutes.")
+@click.option("--threads", default=1, help="OMP_NUM_THREADS (1).")
+@click.option("--output", type=Path, default=ROOT / "results" / "benchmarks", help="Folder.")
+@click.option("--docs", is_flag=True, help="Also put their tables into docs/benchmarks.md.")
+@click.option("--notes", is_flag=True, help="Only make the sentences below its tables anew.")
+def main(
+    parts: tuple[str, ...], quick: bool, threads: int, output: Path, docs: bool, notes: bool
+) -> None:
+    """Measure parts, or all but the large ones; exit code 1 when a measurement fails."""
+    if notes:
+        write_notes()
+    else:
+        sys.exit(measure(parts or USUAL, quick, threads, output.resolve(), docs))
 
 
-def main(given: list[str] | None = None) -> int:
-    chosen = arguments(given)
-    os.environ["OMP_NUM_THREADS"] = str(chosen.threads)
+def module(name: str) -> ModuleType:
+    return importlib.import_module(f"benchmarks.{name}")
+
+
+def write_notes() -> None:
+    """Make the sentences of the page of its tables."""
+    from . import tables
+
+    text = tables.noted(PAGE.read_text(encoding="utf-8"), [module(name) for name in PARTS])
+    PAGE.write_text(text, encoding="utf-8")
+
+
+def measure(names: Sequence[str], quick: bool, threads: int, folder: Path, docs: bool) -> int:
+    """Measure parts and write their tables and diagrams."""
+    os.environ["OMP_NUM_THREADS"] = str(threads)
     os.environ.setdefault("MPLBACKEND", "Agg")
     # Only now: matplotlib reads its backend when it is imported.
     from . import plots, tables
 
-    page = ROOT / "docs" / "benchmarks.md"
-    if chosen.notes:
-        every = [importlib.import_module(f"benchmarks.{name}") for name in PARTS]
-        page.write_text(tables.noted(page.read_text(encoding="utf-8"), every), encoding="utf-8")
-        return 0
-    folder = chosen.output.resolve()
     (folder / "data").mkdir(parents=True, exist_ok=True)
-    parts = [importlib.import_module(f"benchmarks.{name}") for name in chosen.parts]
+    parts = [module(name) for name in names]
     rows = []
     start = time.perf_counter()
     for part in parts:
-        rows += run_tasks(part.tasks(chosen.quick, folder / "data"), report=print_now)
+        rows += run_tasks(part.tasks(quick, folder / "data"), report=click.echo)
         table = tables.frame(rows)
         table.to_csv(folder / "work_precision.csv", index=False)
         (folder / "work_precision.md").write_text(tables.report(table, parts), encoding="utf-8")
         plots.write(table[table["part"] == part.NAME], part, folder)
-    if chosen.docs:
-        old = page.read_text(encoding="utf-8")
+    if docs:
+        old = PAGE.read_text(encoding="utf-8")
         text = tables.report(table, parts, times=False)
-        titles = [importlib.import_module(f"benchmarks.{name}").TITLE for name in PARTS]
+        titles = [module(name).TITLE for name in PARTS]
         text = tables.with_sections(tables.inside_markers(old), text, titles)
         # Sentences of the table as it is read, with the digits that it has.
         made = tables.noted(tables.between_markers(old, text), parts)
-        page.write_text(made, encoding="utf-8")
+        PAGE.write_text(made, encoding="utf-8")
     failed = [row for row in rows if "failed" in row]
-    print(f"{len(rows)} measurements in {time.perf_counter() - start:.0f} s: {folder}")
+    click.echo(f"{len(rows)} measurements in {time.perf_counter() - start:.0f} s: {folder}")
     for row in failed:
-        print(f"failed: {row['part']}, {row['case']}, {row['options']}: {row['failed']}")
+        click.echo(f"failed: {row['part']}, {row['case']}, {row['options']}: {row['failed']}")
     return 1 if failed else 0
 
 
-def print_now(line: str) -> None:
-    print(line, flush=True)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    main(prog_name="python -m benchmarks")

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One thread and two beside processes that are always busy: processor time and clock.
 
-    $ python -m benchmarks.busy [ROUNDS]
-
 One and two threads take turns, so that what else the machine does meets both. Two threads should
 cost at most 1.3 times the processor time of one beside busy processes, and not be slower.
 """
@@ -17,6 +15,8 @@ import sys
 import time
 import warnings
 from collections.abc import Iterator
+
+import click
 
 import samcontact as sc
 
@@ -88,7 +88,13 @@ def beside(count: int) -> Iterator[None]:
             process.wait()
 
 
-def main(rounds: int) -> None:
+@click.command(help=__doc__)
+@click.argument("rounds", default=5)
+@click.option("--case", hidden=True, help="Only its times, in this process.")
+def main(rounds: int, case: str | None) -> None:
+    if case:
+        solve(case)
+        return
     print(
         "busy  case                   clock of 1 [s]  clock 2/1  processor of 1 [s]  processor 2/1"
     )
@@ -109,7 +115,4 @@ def main(rounds: int) -> None:
 
 
 if __name__ == "__main__":
-    if sys.argv[1:2] == ["--case"]:
-        solve(sys.argv[2])
-    else:
-        main(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
+    main(prog_name="python -m benchmarks.busy")

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 import samcontact as sc
+from gallery.profiles import von_mises
 
 from .harness import Meter, Task, largest_error, work_of
-from .operators import von_mises
 from .steel import HEAVY_LOAD, LOAD, balls
 
 NAME = "counts"

@@ -24,8 +24,9 @@ from typing import Any, TypeVar
 import numpy as np
 import scipy.ndimage  # noqa: F401  (loaded by the first solve of a process: no part of its time)
 
+from .study import ROOT
+
 T = TypeVar("T")
-ROOT = Path(__file__).resolve().parents[1]
 SHORT = 0.5  # s: what is shorter is timed three times, and the best time counts
 
 

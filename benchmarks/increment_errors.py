@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Errors by the increments as they are stated and as they are, for the table in docs/theory.md.
+"""Errors by the increments, stated and true, for the table in docs/theory/accuracy.md.
 
 The scenes serve tests/unit/simulation/test_increment_errors.py too.
 """
@@ -14,7 +14,7 @@ import numpy as np
 
 import samcontact as sc
 
-from .finite_elements.tables import table
+from .study import table
 
 STEEL = sc.Material.elastic(210e9, 0.3)
 ALUMINIUM = sc.Material.elastic(70e9, 0.2)

@@ -15,6 +15,7 @@ import numpy as np
 from scipy.interpolate import RegularGridInterpolator
 
 import samcontact as sc
+from gallery.profiles import von_mises
 
 from .harness import Meter, Task, largest_error, relative_error, rms_error
 from .steel import LOAD, STEEL, balls
@@ -146,11 +147,6 @@ def apply(meter: Meter, cells: int, profile: str, file: str, method: str) -> dic
         "volume_applications": 1,
         "errors": errors,
     }
-
-
-def von_mises(s: np.ndarray) -> np.ndarray:
-    normal = (s[0] - s[1]) ** 2 + (s[1] - s[2]) ** 2 + (s[2] - s[0]) ** 2
-    return np.sqrt(0.5 * normal + 3 * (s[3] ** 2 + s[4] ** 2 + s[5] ** 2))
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:

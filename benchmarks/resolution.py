@@ -6,13 +6,7 @@ One rough surface, made of waves, is pressed onto steel on finer and finer grids
 
 from __future__ import annotations
 
-import argparse
-import os
-import sys
-import warnings
-from concurrent.futures import ProcessPoolExecutor
 from itertools import pairwise
-from multiprocessing import get_context
 from typing import Any
 
 import numpy as np
@@ -20,13 +14,13 @@ import scipy
 
 import samcontact as sc
 import samcontact.diagnostics.resolution as resolution
+from gallery.profiles import von_mises
 
-from .harness import ROOT, peak_memory
+from .harness import peak_memory
 from .roughness import heights, surface_rms, wave_amplitudes
 from .steel import STEEL
+from .study import Record, Study, table
 
-PAGE = ROOT / "docs" / "rough_resolution.md"
-FIGURE = ROOT / "docs" / "figures" / "rough_resolution.png"
 SHORTEST = 16e-6  # m, wavelength
 WAVES = 8  # of the shortest along a side
 SIDE = WAVES * SHORTEST
@@ -93,7 +87,7 @@ it, always towards too large an area. A round spot d cells across has {round:.2f
 with the same S/N.
 
 The contact area of states and results has this taken off where spots are small, and locates the
-edge within the cells where they are not: docs/theory.md, "Contact area". The tables are of counted
+edge within the cells where they are not: docs/theory/contact.md. The tables are of counted
 cells, and the mean pressure of these is too low by as much as the area is too large. Plastic
 strain and the residual stress below the surface are largest in spots that are wider than the mean,
 and are better by far.
@@ -127,27 +121,23 @@ def gap(grid: sc.Grid) -> np.ndarray:
     return rough + BOWL * rms * side**8
 
 
-def solve(fine: int, parts: int = 1) -> list[dict[str, float]]:
+def run(of: str, fine: int, parts: int) -> list[Record]:
     """A row for each load, on a grid of so many cells for each of the shortest waves.
 
-    Each load is reached from the one before in so many increments.
+    Each load is reached from the one before in so many increments; memory is that of all.
     """
     n, cell = WAVES * fine, SHORTEST / fine
     grid = sc.Grid(n, n, cell, cell, dz=cell)
     simulation = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap(grid), tol=1e-3)
     rows = []
     for before, percent in pairwise((0.0, *PERCENT)):
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", sc.ResolutionWarning)
-            for share in np.linspace(before, percent, parts + 1)[1:]:
-                state = simulation.step(load=share / 100 * HARDNESS * SIDE**2)
+        for share in np.linspace(before, percent, parts + 1)[1:]:
+            state = simulation.step(load=share / 100 * HARDNESS * SIDE**2)
         _, spots = scipy.ndimage.label(state.pressure > 0, structure=np.ones((3, 3)))
         surface, below = residual_stress(state)
         rows.append(
             {
                 "percent": percent,
-                "fine": fine,
-                "parts": parts,
                 "spots": spots,
                 "area": float(np.mean(state.pressure > 0)),
                 "uncertainty": resolution.area_uncertainty(state.pressure),
@@ -158,14 +148,13 @@ def solve(fine: int, parts: int = 1) -> list[dict[str, float]]:
                 "peak": float(state.pressure.max()),
             }
         )
-    return rows
+    return [row | {"memory": float(peak_memory())} for row in rows]
 
 
-def von_mises(stress: np.ndarray) -> np.ndarray:
-    """Of tensors, components first."""
-    xx, yy, zz, yz, xz, xy = stress
-    normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
-    return np.asarray(np.sqrt(0.5 * normal + 3 * (yz**2 + xz**2 + xy**2)))
+def points(quick: bool) -> list[Record]:
+    grids = [{"of": "grids", "fine": n, "parts": 1} for n in (QUICK if quick else FINE)]
+    more = [{"of": "increments", "fine": PARTED, "parts": parts} for parts in PARTS]
+    return grids if quick else [*grids, *more]
 
 
 def residual_stress(state: sc.State) -> tuple[float, float]:
@@ -178,12 +167,7 @@ def residual_stress(state: sc.State) -> tuple[float, float]:
     return surface, below
 
 
-def measured(fine: int, parts: int = 1) -> tuple[list[dict[str, float]], float]:
-    """The rows of a grid, and the memory it took [bytes]."""
-    return solve(fine, parts), float(peak_memory())
-
-
-def references(rows: list[dict[str, float]]) -> dict[str, float]:
+def references(rows: list[Record]) -> dict[str, float]:
     """What the rows of one load, coarsest first, tend to: see the page."""
     coarse, fine = rows[-2:]
     area = 2 * fine["area"] - coarse["area"]
@@ -193,7 +177,7 @@ def references(rows: list[dict[str, float]]) -> dict[str, float]:
     }
 
 
-def errors(rows: list[dict[str, float]]) -> list[dict[str, float]]:
+def errors(rows: list[Record]) -> list[Record]:
     """Relative, with sign, of the rows of one load."""
     exact = references(rows)
     return [{name: row[name] / exact[name] - 1 for name in SERIES} for row in rows]
@@ -205,7 +189,7 @@ def order(values: list[float]) -> float:
     return float(np.log2((middle - coarse) / (fine - middle)))
 
 
-def table(rows: list[dict[str, float]]) -> str:
+def area_table(rows: list[Record]) -> str:
     """What counting cells is wrong by."""
     head = (
         "cells of the shortest wave", "spots", "cells across a spot", "contact area [%]",
@@ -221,10 +205,10 @@ def table(rows: list[dict[str, float]]) -> str:
                 f"{1e-9 * row['pressure']:.3f}", percent(error["pressure"]),
             )
         )  # fmt: skip
-    return markdown(head, lines)
+    return table(head, lines)
 
 
-def strain_table(rows: list[dict[str, float]]) -> str:
+def strain_table(rows: list[Record]) -> str:
     head = (
         "cells of the shortest wave", "largest plastic strain [%]", "error [%]",
         "residual von Mises below 0.8 µm [MPa]", "error [%]", "in the first layer [MPa]",
@@ -239,39 +223,36 @@ def strain_table(rows: list[dict[str, float]]) -> str:
                 f"{1e-6 * row['surface']:.0f}", f"{1e-9 * row['peak']:.2f}",
             )
         )  # fmt: skip
-    return markdown(head, lines)
+    return table(head, lines)
 
 
 def percent(share: float) -> str:
     return f"{round(100 * share, 1) + 0.0:.1f}"
 
 
-def markdown(head: tuple[str, ...], lines: list[tuple[str, ...]]) -> str:
-    every = [head, ("---",) * len(head), *lines]
-    return "\n".join(f"| {' | '.join(line)} |" for line in every)
-
-
-def parts_table(rows: list[dict[str, float]]) -> str:
+def parts_table(rows: list[Record]) -> str:
     """Of the first load, in more and more increments."""
     head = "increments", *(f"{SERIES[name]} [{unit}]" for name, (unit, _) in UNITS.items())
     lines = []
     for row in rows:
         values = (f"{row[name] * factor:#.4g}" for name, (_, factor) in UNITS.items())
         lines.append((str(row["parts"]), *values))
-    return markdown(head, lines)
+    return table(head, lines)
 
 
-def by_load(rows: list[dict[str, float]]) -> dict[float, list[dict[str, float]]]:
+def by_load(rows: list[Record]) -> dict[float, list[Record]]:
     return {load: [row for row in rows if row["percent"] == load] for load in PERCENT}
 
 
-def page(rows: list[dict[str, float]], memory: float, parted: list[dict[str, float]]) -> str:
+def page(records: list[Record]) -> str:
+    rows = [record for record in records if record["of"] == "grids"]
+    parted = [row for row in records if row["of"] == "increments" and row["percent"] == PERCENT[0]]
     tables, ratios = [], []
     for load, mine in by_load(rows).items():
         orders = f"{order([row['area'] for row in mine]):.1f}" if len(mine) > 2 else "unknown"
         tables += [
             f"## Load {load / 100 * HARDNESS * SIDE**2:.3g} N",
-            table(mine),
+            area_table(mine),
             strain_table(mine),
             f"Observed order of the area, of the three finest grids: {orders}.",
         ]
@@ -281,19 +262,21 @@ def page(rows: list[dict[str, float]], memory: float, parted: list[dict[str, flo
     return TEXT.format(
         longest=1e6 * SIDE / LONGEST, shortest=1e6 * SHORTEST, hurst=HURST, slope=SLOPE,
         cells=WAVES * int(rows[-1]["fine"]), parted=PARTED, parts=parts_table(parted),
-        memory=1e-9 * memory, tables="\n\n".join(tables),
+        memory=1e-9 * rows[-1]["memory"], tables="\n\n".join(tables),
         side=resolution.AREA_OF_A_SIDE, low=min(ratios), high=max(ratios), round=spot / 100,
         eight=spot / 8, four=spot / 4, warn=100 * resolution.UNCERTAIN,
         fail=100 * resolution.TOO_UNCERTAIN,
     )  # fmt: skip
 
 
-def draw(rows: list[dict[str, float]]) -> Any:
-    import matplotlib.pyplot as plt
+def draw(records: list[Record]) -> dict[str, Any]:
+    from matplotlib.figure import Figure
 
     from .plots import COLOURS, MARKERS
 
-    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.8), sharey=True, layout="constrained")
+    rows = [record for record in records if record["of"] == "grids"]
+    figure = Figure(figsize=(9.0, 3.8), layout="constrained")
+    axes = figure.subplots(1, 2, sharey=True)
     for ax, (load, mine) in zip(axes, by_load(rows).items(), strict=True):
         fine = [row["fine"] for row in mine]
         for n, (name, told) in enumerate(SERIES.items()):
@@ -314,37 +297,13 @@ def draw(rows: list[dict[str, float]]) -> Any:
     axes[0].set_ylim(0.05, 30.0)  # below it is chance
     axes[0].yaxis.set_major_formatter("{x:g}")
     axes[1].legend(fontsize="small", loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    return figure
+    return {"rough_resolution.png": figure}
 
 
-def in_a_process(fine: int, parts: int) -> tuple[list[dict[str, float]], float]:
-    """Measured in one of its own: the memory is that of one grid."""
-    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
-        rows, memory = pool.submit(measured, fine, parts).result()
-    print(*rows, f"{memory / 1e9:.2f} GB", sep="\n", flush=True)
-    return rows, memory
-
-
-def main(given: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="python -m benchmarks.resolution")
-    parser.add_argument("--quick", action="store_true", help=f"grids of {QUICK} cells a wave only")
-    parser.add_argument("--docs", action="store_true", help=f"write {PAGE.relative_to(ROOT)}")
-    chosen = parser.parse_args(given)
-    os.environ.setdefault("OMP_NUM_THREADS", "1")
-    os.environ.setdefault("MPLBACKEND", "Agg")
-    rows: list[dict[str, float]] = []
-    memory = 0.0
-    for fine in QUICK if chosen.quick else FINE:
-        mine, memory = in_a_process(fine, 1)
-        rows += mine
-    parted = [in_a_process(PARTED, parts)[0][0] for parts in PARTS]
-    if chosen.docs:
-        PAGE.write_text(page(rows, memory, parted), encoding="utf-8")
-        draw(rows).savefig(FIGURE, dpi=120)
-    else:
-        print(page(rows, memory, parted))
-    return 0
-
+STUDY = Study(
+    "resolution", "How fine a rough contact must be.", points, run, page, draw,
+    document="rough_resolution", fresh=True,
+)  # fmt: skip
 
 if __name__ == "__main__":
-    sys.exit(main())
+    STUDY.main()

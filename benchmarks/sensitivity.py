@@ -8,32 +8,26 @@ wants a finer mesh, a limit, or a sentence. --docs writes docs/sensitivity.md fr
 
 from __future__ import annotations
 
-import argparse
 import importlib
-import os
 import re
-import sys
-import warnings
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
-from pathlib import Path
+from functools import cache
 from typing import Any
 from unittest import mock
 
-import pandas as pd
-
+import samcontact as sc
 from gallery import moves
 from gallery.moves import CHANGES
 from gallery.parts import PARTS as FIGURES
+from samcontact import asperities
 
-from .harness import ROOT
+from .study import Record, Study, table
 
 PARTS = tuple(FIGURES)
 
 # The contact of tugging moves by whole cells: its increments can be halved when its cells are.
 AFTER = {("tugging", "increments"): "cells"}
-PAGE = ROOT / "docs" / "sensitivity.md"
 HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.sensitivity --docs -->
 # What the gallery's numbers depend on
@@ -57,7 +51,6 @@ MESHES = {
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 ROUNDING = 1e-8
-Row = dict[str, Any]
 
 
 def resized(
@@ -76,8 +69,6 @@ def resized(
 @contextmanager
 def changed(what: str | None) -> Iterator[None]:
     """Grids and steps that parts of the gallery make are finer, or larger, in one respect."""
-    import samcontact as sc
-    from samcontact import asperities
 
     def grid(*sizes: Any) -> Any:
         return real_grid(*resized(what, *sizes))
@@ -115,14 +106,13 @@ def changed(what: str | None) -> Iterator[None]:
                 yield
 
 
-def stated(task: tuple[str, str | None, bool]) -> dict[str, list[float]]:
+@cache
+def stated(name: str, what: str | None, coarse: bool) -> dict[str, list[float]]:
     """All numbers of each stated value; nothing where the scene cannot be computed so."""
-    name, what, quick = task
     part = importlib.import_module(f"gallery.{name}")
-    with warnings.catch_warnings(), changed(what):
-        warnings.simplefilter("ignore")
+    with changed(what):
         try:
-            entries = part.stated(part.compute(quick))
+            entries = part.stated(part.compute(coarse))
         except Exception as error:  # told in the table: the others go on
             return {"(not computed)": [float("nan")], str(error)[:60]: []}
     return {
@@ -133,49 +123,53 @@ def stated(task: tuple[str, str | None, bool]) -> dict[str, list[float]]:
     }
 
 
-def moved(before: list[float], after: list[float] | None) -> float:
-    """Largest change [%] of a list of numbers, over the largest of them."""
+def moved(before: list[float], after: list[float] | None) -> float | None:
+    """Largest change [%] of a list of numbers, over the largest of them; None of others."""
     if not before or after is None or len(after) != len(before):
-        return float("nan")
+        return None
     if max(map(abs, [*before, *after])) < ROUNDING:
         return 0.0
     scale = max(map(abs, before)) or 1.0
     return 100 * max(abs(b - a) for b, a in zip(before, after, strict=True)) / scale
 
 
-def compared(part: str, mesh: str, found: dict[str | None, dict[str, list[float]]]) -> list[Row]:
-    """A row for each stated value; a column for each change is empty where it was not made."""
-    rows = []
-    for quantity, given in found[None].items():
-        row: Row = {"part": part, "mesh": mesh, "quantity": quantity, "values": given}
-        for what in CHANGES:
-            before = found[AFTER.get((part, what))].get(quantity, []) if what in found else []
-            row[f"{what} [%]"] = moved(before, found.get(what, {}).get(quantity))
-        rows.append(row)
-    return rows
+def points(quick: bool) -> list[Record]:
+    mesh = "coarse" if quick else "page"
+    return [{"of": part, "mesh": mesh, "change": what} for part in PARTS
+            for what in ("none", *CHANGES)]  # fmt: skip
 
 
-def page(table: Path) -> str:
+def run(of: str, mesh: str, change: str) -> Record:
+    """The numbers of a part, or how much a change of its mesh moves them."""
+    coarse = mesh == "coarse"
+    if change == "none":
+        return {"values": stated(of, None, coarse)}
+    before, after = stated(of, AFTER.get((of, change)), coarse), stated(of, change, coarse)
+    found = {
+        name: moved(before.get(name, []), after.get(name)) for name in stated(of, None, coarse)
+    }
+    return {"moves": {name: percent for name, percent in found.items() if percent is not None}}
+
+
+def page(records: list[Record]) -> str:
     """The table as a page of the docs; values that never move by more than 0.5 % are counted."""
     text = [HEAD]
     for part in PARTS:
-        found = [row for row in moves.of_part(part, table) if row.values]
+        found = [row for row in moves.of_part(part, records) if row.values]
         meshes = moves.note(found)
         text.append(f"## {importlib.import_module(f'gallery.{part}').TITLE}\n")
         text.append(MESHES[meshes])
         shown = [row for row in found if not row.largest or row.largest.percent > 0.5]
         if steady := len(found) - len(shown):
             text.append(f"{steady} of {len(found)} values move by less than 0.5 %.\n")
-        if shown:
-            text.append("| value | numbers | cells | layers | increments | window |")
-            text.append("| --- | --- | --- | --- | --- | --- |")
+        lines = []
         for row in shown:
             numbers = ", ".join(f"{number:.4g}" for number in row.values[:6])
             more = ", ..." if len(row.values) > 6 else ""
             cells = [cell(row.by.get(what), meshes == moves.BOTH) for what in CHANGES]
-            text.append(f"| {row.quantity} | {numbers}{more} | {' | '.join(cells)} |")
-        if shown:
-            text.append("")
+            lines.append([row.quantity, f"{numbers}{more}", *cells])
+        if lines:
+            text.append(table(["value", "numbers", *CHANGES], lines) + "\n")
     return "\n".join(text)
 
 
@@ -185,43 +179,10 @@ def cell(move: moves.Move | None, mixed: bool) -> str:
     return f"({move.percent:.2f})" if mixed and not move.own else f"{move.percent:.2f}"
 
 
-def updated(file: Path, rows: list[Row]) -> pd.DataFrame:
-    """The kept table with these rows in place of those of their parts and mesh."""
-    new = {(row["part"], row["mesh"]) for row in rows}
-    kept = pd.read_csv(file).to_dict("records") if file.exists() else []
-    rows = rows + [row for row in kept if (row["part"], row["mesh"]) not in new]
-    rows.sort(key=lambda row: (PARTS.index(row["part"]), row["mesh"] == "coarse"))
-    return pd.DataFrame(rows)
-
-
-def main(given: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="python -m benchmarks.sensitivity")
-    parser.add_argument("parts", nargs="*", default=PARTS)
-    parser.add_argument("--quick", action="store_true", help="the coarse meshes of the tests")
-    parser.add_argument("--changes", nargs="+", choices=CHANGES, default=CHANGES)
-    parser.add_argument("--processes", type=int, default=1)
-    parser.add_argument("--output", type=Path, default=moves.TABLE)
-    parser.add_argument("--docs", action="store_true", help=f"write {PAGE.relative_to(ROOT)} of it")
-    chosen = parser.parse_args(given)
-    if chosen.docs:
-        PAGE.write_text(page(chosen.output), encoding="utf-8")
-        return 0
-    os.environ["OMP_NUM_THREADS"] = "1"
-    computed = (None, *chosen.changes)
-    tasks = [(part, what, chosen.quick) for part in chosen.parts for what in computed]
-    with ProcessPoolExecutor(chosen.processes) as pool:
-        found = dict(zip(tasks, pool.map(stated, tasks), strict=True))
-    mesh = "coarse" if chosen.quick else "page"
-    rows: list[Row] = []
-    for part in chosen.parts:
-        of_part = {what: found[part, what, chosen.quick] for what in computed}
-        rows += compared(part, mesh, of_part)
-    chosen.output.parent.mkdir(parents=True, exist_ok=True)
-    table = updated(chosen.output, rows)
-    table.to_csv(chosen.output, index=False)
-    print(table.drop(columns="values").round(2).to_string(index=False))
-    return 0
-
+STUDY = Study(
+    "sensitivity", "How much the gallery's stated numbers move with their meshes.", points, run,
+    page, lasting=True, keeps_quick=True,
+)  # fmt: skip
 
 if __name__ == "__main__":
-    sys.exit(main())
+    STUDY.main()

@@ -13,6 +13,8 @@ import pandas as pd
 
 import samcontact as sc
 
+from . import study
+
 BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
 # Columns in this order, where they have values; errors come after "across", others at the end.
 FIRST = ("part", "case", "method", "options", "cells", "across")
@@ -51,9 +53,9 @@ def cell(value: Any) -> str:
 def markdown(table: pd.DataFrame) -> str:
     """A table without its empty columns."""
     kept = table.dropna(axis="columns", how="all")
-    lines = [list(kept.columns), ["---"] * len(kept.columns)]
-    lines += [[cell(value) for value in row] for row in kept.itertuples(index=False)]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+    return study.table(
+        list(kept.columns), [list(map(cell, row)) for row in kept.itertuples(index=False)]
+    )
 
 
 def report(table: pd.DataFrame, parts: list[ModuleType], *, times: bool = True) -> str:

@@ -1,29 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.theory --docs: the tables of numbers in docs/theory.md, computed anew.
+"""python -m benchmarks.theory --docs: the tables of numbers in docs/theory, computed anew.
 
 Each lies between markers that name the function below that makes it.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
 import re
-import sys
 import warnings
 from collections.abc import Callable, Sequence
 
+import click
 import numpy as np
 
 import samcontact as sc
 from samcontact import shakedown
 
 from . import increment_errors
-from .finite_elements.tables import table
-from .harness import ROOT
 from .steel import LOAD, balls
+from .study import ROOT, table
 
-PAGE = ROOT / "docs" / "theory.md"
+PAGES = sorted((ROOT / "docs" / "theory").glob("*.md"))
 MARKED = re.compile(r"(<!-- table: (\w+) -->\n).*?(<!-- end of table -->)", re.DOTALL)
 RIGID, STEEL = sc.Material.rigid(), sc.Material.elastic(210e9, 0.3)
 FRICTIONS = (0.0, 0.1, 0.2, 0.3, 0.35, 0.4, 0.5)
@@ -265,20 +263,18 @@ def page(text: str, made: dict[str, str]) -> str:
     return MARKED.sub(replaced, text)
 
 
-def main(given: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="python -m benchmarks.theory", description=__doc__)
-    parser.add_argument("tables", nargs="*", help=f"default: all of {', '.join(TABLES)}")
-    parser.add_argument("--docs", action="store_true", help="put them into docs/theory.md")
-    chosen = parser.parse_args(given)
-    unknown = set(chosen.tables) - set(TABLES)
-    if unknown:
-        parser.error(f"unknown table {', '.join(sorted(unknown))}: choose of {', '.join(TABLES)}")
-    made = {name: TABLES[name]() for name in chosen.tables or TABLES}
-    print(*made.values(), sep="\n\n")
-    if chosen.docs:
-        PAGE.write_text(page(PAGE.read_text(encoding="utf-8"), made), encoding="utf-8")
-    return 0
+@click.command(help=__doc__)
+@click.argument("names", nargs=-1, metavar="[TABLE]...", type=click.Choice(list(TABLES)))
+@click.option("--docs", is_flag=True, help="Put them into docs/theory.")
+def main(names: tuple[str, ...], docs: bool) -> None:
+    made = {name: TABLES[name]() for name in names or TABLES}
+    click.echo("\n\n".join(made.values()))
+    if docs:
+        for file in PAGES:
+            text = file.read_text(encoding="utf-8")
+            if (new := page(text, made)) != text:
+                file.write_text(new, encoding="utf-8")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main(prog_name="python -m benchmarks.theory")

@@ -7,24 +7,15 @@ one at a time: with the filter that has a length in metres, and with the thesis'
 
 from __future__ import annotations
 
-import argparse
-import json
-import os
-import sys
-import warnings
-from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
-from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from .harness import ROOT
+import samcontact as sc
+from gallery.wear import ELASTIC, FRICTION, RADIUS, STEEL, THRESHOLD
 
-PAGE = ROOT / "docs" / "wear_convergence.md"
-KEPT = Path(__file__).with_suffix(".json")
+from .study import Record, Study, by_group, table_of
+
 SMOOTHING = 7.2e-6  # m: spreads as far as a moving mean over half a wavelength of 50 um
 HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.wear_convergence --docs -->
@@ -68,54 +59,59 @@ COMPARED = {
 }
 
 
-@dataclass
-class Scene:
-    """One run: cells and layers [m], load increments, and what smooths the border."""
-
-    dx: float
-    dz: float
-    increments: int
-    filter: dict[str, Any]
-
-    def grid(self, side: float, depth: float) -> Any:
-        import samcontact as sc
-
-        count = 2 * round(0.5 * side / self.dx) + 1
-        return sc.Grid(count, count, self.dx, self.dx, round(depth / self.dz), self.dz)
+FILTERS: dict[str, dict[str, Any]] = {
+    "gaussian": {"smoothing_length": SMOOTHING},
+    "lens": {"smoothing_length": 300e-6 / 12**0.5},
+}
+"""What smooths the border; else a window in cells."""
 
 
-def solve(scene: Scene, side: float, depth: float, load: float, rough: bool, cycles: int) -> Any:
+def solve(
+    point: Record, side: float, depth: float, load: float, rough: bool, cycles: int
+) -> sc.wear.WearResult:
     """The wear, with the thesis's ball and steel."""
-    import samcontact as sc
-    from gallery.wear import ELASTIC, FRICTION, RADIUS, STEEL, THRESHOLD
-
-    grid = scene.grid(side, depth)
+    dx, dz = point["dx"], point["dz"]
+    count = 2 * round(0.5 * side / dx) + 1
+    grid = sc.Grid(count, count, dx, dx, round(depth / dz), dz)
     relief = sc.Relief(sc.surfaces.sinusoidal(grid, 0.5e-6, 50e-6, 50e-6)) if rough else None
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return sc.wear.run(
-            grid,
-            ELASTIC,
-            STEEL,
-            sc.surfaces.paraboloid(grid, RADIUS),
-            cycle=sc.paths.load_unload(load=load, increments=scene.increments, unload_increments=1),
-            threshold=THRESHOLD,
-            cycles=cycles,
-            friction=FRICTION,
-            relief2=relief,
-            progress=False,
-            **scene.filter,
-        )
+    window = {"window": point["window"], "order": 1} if "window" in point else {}
+    return sc.wear.run(
+        grid,
+        ELASTIC,
+        STEEL,
+        sc.surfaces.paraboloid(grid, RADIUS),
+        cycle=sc.paths.load_unload(load=load, increments=point["increments"], unload_increments=1),
+        threshold=THRESHOLD,
+        cycles=cycles,
+        friction=FRICTION,
+        relief2=relief,
+        progress=False,
+        **FILTERS.get(point["of"], window),
+    )
 
 
-def running_in(scene: Scene) -> dict[str, str]:
-    found = solve(scene, 335e-6, 20e-6, 30.0, True, 16)
+def run(**point: Any) -> Record:
+    """What the line of a mesh shows."""
+    return {"line": lens(point) if point["of"] == "lens" else running_in(point)}
+
+
+def mesh(point: Record) -> dict[str, str]:
+    """The first cells of a line."""
+    return {
+        "dx [µm]": f"{1e6 * point['dx']:.3g}",
+        "dz [µm]": f"{1e6 * point['dz']:.3g}",
+        "increments": str(point["increments"]),
+    }
+
+
+def running_in(point: Record) -> dict[str, str]:
+    found = solve(point, 335e-6, 20e-6, 30.0, True, 16)
     x, y = found.x(), found.grid.y
     middle = np.hypot(x[:, None], y[None, :]) < 75e-6
     last = found.cycles[-1]
     worn = np.cumsum(found.rate)
     cycles = f"{len(found.cycles) - 1}" if found.stopped else "does not stop in 16"
-    return _mesh(scene) | {
+    return {
         "cycles that wear": cycles,
         "for 99 % of the volume": str(int(np.searchsorted(worn / worn[-1], 0.99)) + 1),
         "volume [µm³]": f"{1e18 * found.rate.sum():.0f}",
@@ -125,44 +121,31 @@ def running_in(scene: Scene) -> dict[str, str]:
     }
 
 
-def lens(scene: Scene) -> dict[str, str]:
-    found = solve(scene, 3.6e-3, 650e-6, 2000.0, False, 3)
-    values = _mesh(scene)
-    for cycle in found.cycles:
-        values[f"volume of cycle {cycle.number} [mm³]"] = f"{1e9 * sum(cycle.volume):.4f}"
-    values["depth after the first [µm]"] = f"{1e6 * found.cycles[0].depth[0]:.1f}"
-    values["largest pressure, cycles 1 to 3 [GPa]"] = ", ".join(
-        f"{1e-9 * cycle.max_pressure:.2f}" for cycle in found.cycles
-    )
-    return values
-
-
-def _mesh(scene: Scene) -> dict[str, str]:
-    return {
-        "dx [µm]": f"{1e6 * scene.dx:.3g}",
-        "dz [µm]": f"{1e6 * scene.dz:.3g}",
-        "increments": str(scene.increments),
+def lens(point: Record) -> dict[str, str]:
+    found = solve(point, 3.6e-3, 650e-6, 2000.0, False, 3)
+    volumes = {f"volume of cycle {one.number} [mm³]": f"{1e9 * sum(one.volume):.4f}"
+               for one in found.cycles}  # fmt: skip
+    pressures = ", ".join(f"{1e-9 * cycle.max_pressure:.2f}" for cycle in found.cycles)
+    return volumes | {
+        "depth after the first [µm]": f"{1e6 * found.cycles[0].depth[0]:.1f}",
+        "largest pressure, cycles 1 to 3 [GPa]": pressures,
     }
 
 
-def scenes() -> Iterator[tuple[str, Callable[[Scene], dict[str, str]], Scene]]:
+def points(quick: bool) -> list[Record]:
     um = 1e-6
-    smooth = {"smoothing_length": SMOOTHING}
     meshes = [(5, 1, 1), (10 / 3, 1, 1), (2.5, 1, 1), (5 / 3, 1, 1), (1.25, 1, 1), (2.5, 0.5, 1),
               (2.5, 0.25, 1), (2.5, 1, 2), (2.5, 1, 4), (5 / 3, 0.5, 2)]  # fmt: skip
-    for dx, dz, increments in meshes:
-        yield "gaussian", running_in, Scene(dx * um, dz * um, increments, smooth)
-    for dx, window in ((5, 5), (25 / 7, 7), (25 / 9, 9), (25 / 15, 15)):
-        thesis = {"window": window, "order": 1}
-        yield "cells", running_in, Scene(dx * um, um, 1, thesis)
-    for dx, dz, increments in ((60, 24, 1), (45, 24, 1), (30, 24, 1), (45, 12, 1), (45, 24, 4)):
-        wide = {"smoothing_length": 300 * um / 12**0.5}
-        yield "lens", lens, Scene(dx * um, dz * um, increments, wide)
-
-
-def _run(task: tuple[str, Callable[[Scene], dict[str, str]], Scene]) -> dict[str, str]:
-    _, study, scene = task
-    return study(scene)
+    wide = [(60, 24, 1), (45, 24, 1), (30, 24, 1), (45, 12, 1), (45, 24, 4)]
+    found = [
+        {"of": name, "dx": dx * um, "dz": dz * um, "increments": increments}
+        for name, some in (("gaussian", meshes), ("lens", wide))
+        for dx, dz, increments in some
+    ]
+    windows = ((5, 5), (25 / 7, 7), (25 / 9, 9), (25 / 15, 15))
+    found += [{"of": "cells", "dx": dx * um, "dz": um, "increments": 1, "window": window}
+              for dx, window in windows]  # fmt: skip
+    return [point for point in found if point["of"] == "lens"][:1] if quick else found
 
 
 def spread(rows: list[dict[str, str]], finest: float, names: tuple[str, ...]) -> str:
@@ -176,51 +159,18 @@ def spread(rows: list[dict[str, str]], finest: float, names: tuple[str, ...]) ->
     return f"Between the meshes with dx up to {finest:g} µm: {', '.join(parts)}."
 
 
-def table(rows: list[dict[str, str]]) -> str:
-    lines = [list(rows[0]), ["---"] * len(rows[0]), *(list(row.values()) for row in rows)]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
-
-
-Rows = dict[str, list[dict[str, str]]]
-"""Lines of each table, as they are written."""
-
-
-def kept() -> Rows:
-    found: Rows = json.loads(KEPT.read_text(encoding="utf-8"))
-    return found
-
-
-def page(rows: Rows) -> str:
+def page(records: list[Record]) -> str:
     """All of it."""
-    parts = [
-        f"{text}\n{table(rows[name])}\n\n{spread(rows[name], *COMPARED[name])}\n"
-        if name in COMPARED
-        else f"{text}\n{table(rows[name])}\n"
-        for name, text in TEXTS.items()
-    ]
-    return "\n".join([HEAD, *parts])
+    parts = [HEAD]
+    for name, text in TEXTS.items():
+        rows = [mesh(record) | record["line"] for record in by_group(records)[name]]
+        parts.append(f"{text}\n{table_of(rows)}\n")
+        if name in COMPARED:
+            parts[-1] += f"\n{spread(rows, *COMPARED[name])}\n"
+    return "\n".join(parts)
 
 
-def main(given: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="python -m benchmarks.wear_convergence")
-    parser.add_argument("--processes", type=int, default=1)
-    parser.add_argument("--docs", action="store_true", help=f"write {PAGE.relative_to(ROOT)}")
-    chosen = parser.parse_args(given)
-    os.environ["OMP_NUM_THREADS"] = "1"
-    tasks = list(scenes())
-    show = partial(print, flush=True)
-    rows: Rows = {name: [] for name in TEXTS}
-    with ProcessPoolExecutor(chosen.processes) as pool:
-        for (name, *_), row in zip(tasks, pool.map(_run, tasks), strict=True):
-            rows[name].append(row)
-            show(name, row)
-    if chosen.docs:
-        KEPT.write_text(json.dumps(rows, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-        PAGE.write_text(page(rows), encoding="utf-8")
-    else:
-        show(page(rows))
-    return 0
-
+STUDY = Study("wear_convergence", "What wear and running-in depend on.", points, run, page)
 
 if __name__ == "__main__":
-    sys.exit(main())
+    STUDY.main()

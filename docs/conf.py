@@ -29,6 +29,7 @@ extensions = [
     "cards",
     "case_schema",
     "executed",
+    "modules",
 ]
 exclude_patterns = ["_ext", "notebooks/.ipynb_checkpoints"]
 nitpicky = False  # units in numpydoc types are no references

@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
-import csv
+import json
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-TABLE = Path(__file__).parents[1] / "benchmarks" / "sensitivity.csv"
+TABLE = Path(__file__).parents[1] / "benchmarks" / "sensitivity.json"
 CHANGES = ("cells", "layers", "increments", "window")
 OWN = """Moves: by how much the numbers change at most when the cells, layers or increments of the
 page's mesh are halved, or its window is made larger ([sensitivity](../sensitivity.md)).
@@ -48,17 +49,22 @@ def words(quantity: str) -> str:
     return "".join(letter for letter in quantity if letter.isalpha())
 
 
-def of_part(name: str, table: Path = TABLE) -> list[Moves]:
+def kept() -> list[dict[str, Any]]:
+    """Records of `python -m benchmarks.sensitivity`."""
+    found: list[dict[str, Any]] = json.loads(TABLE.read_text(encoding="utf-8"))
+    return found
+
+
+def of_part(name: str, records: list[dict[str, Any]]) -> list[Moves]:
     """Those of the page's mesh; of the coarse one where a change was not computed on it."""
     found: dict[bool, list[Moves]] = {True: [], False: []}
-    with table.open(encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file):
-            if row["part"] == name:
-                own = row["mesh"] == "page"
-                given = {change: row[f"{change} [%]"] for change in CHANGES}
-                by = {change: Move(float(text), own) for change, text in given.items() if text}
-                values = [float(text) for text in row["values"].strip("[]").split(",") if text]
-                found[own].append(Moves(row["quantity"], values, by))
+    for record in (record for record in records if record["of"] == name):
+        own = record["mesh"] == "page"
+        if "values" in record:
+            found[own] = [Moves(key, values, {}) for key, values in record["values"].items()]
+        for moves in found[own]:
+            if moves.quantity in record.get("moves", {}):
+                moves.by[record["change"]] = Move(record["moves"][moves.quantity], own)
     if not found[True]:
         return found[False]
     done = {change for moves in found[True] for change in moves.by}

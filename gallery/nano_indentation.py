@@ -13,8 +13,10 @@ import samcontact as sc
 
 from .bodies import RIGID
 from .drawing import gridded
-from .page import Number, Picture, Statement
+from .page import Picture
+from .stated import Number, Stated, Statement
 
+SAID = Stated("nano_indentation")
 TITLE = "Nano-indentation"
 INTRODUCTION = """
 A spherical tip of radius 105 µm, taken as rigid, is pressed on nitrided steel (E = 210 GPa,
@@ -28,7 +30,6 @@ shown here.
 TIP = 105e-6
 LOAD = 0.650
 STEEL = sc.Material.swift(E=210e9, nu=0.3, B=1240e6, C=30.0, n=0.085)
-THESIS = {"interference": 372e-9, "elastic": 349e-9, "cells": 23188}
 MESH = 31, 17, 44
 """Of the thesis: cells along x, y and z."""
 SHOWN = 4
@@ -112,47 +113,23 @@ def stated(results: Results) -> list[Number | Statement]:
     difference = difference_of_the_drives(results)
     radius = float(np.sqrt(top.contact_area / np.pi))
     flattened = top.pressure.max() < elastic.p0 and radius > elastic.a
+    say = SAID.on(results.mesh)
     return [
-        Number(
-            "largest interference",
-            THESIS["interference"] * 1e9,
-            top.approach * 1e9,
-            "nm",
-            results.mesh,
-            tolerance=0.005,
-        ),
-        Number(
-            "elastic interference at this load",
-            THESIS["elastic"] * 1e9,
-            elastic.approach * 1e9,
-            "nm",
-            "closed form",
-            tolerance=0.005,
-        ),
-        Statement(
-            "load and interference control",
-            "coincide",
-            f"load differs by {100 * difference:.2f} % of its peak at most",
-            difference < 0.01,
-            results.mesh,
-            "Loading and unloading, at other points of the curve in the two runs; the difference "
-            "contains the interpolation between increments.",
-        ),
-        Statement(
-            "pressure against Hertz's",
-            "flattened",
-            f"maximum {top.pressure.max() * 1e-9:.2f} GPa (Hertz {elastic.p0 * 1e-9:.2f} GPa), "
-            f"contact radius {radius * 1e6:.2f} µm (Hertz {elastic.a * 1e6:.2f} µm)",
+        say.number("largest interference", top.approach * 1e9),
+        say.number("elastic interference", elastic.approach * 1e9),
+        say.trend("control", difference < 0.01, 100 * difference),
+        say.trend(
+            "pressure",
             bool(flattened),
-            results.mesh,
+            top.pressure.max() * 1e-9,
+            elastic.p0 * 1e-9,
+            radius * 1e6,
+            elastic.a * 1e6,
         ),
-        Number(
-            "cells of the thesis's mesh",
-            THESIS["cells"],
+        say.number(
+            "cells",
             float(math.prod(MESH)),
-            "",
-            f"here {results.grid.nx}x{grid.ny}x{grid.nz}",
-            tolerance=0.0,
+            mesh=f"here {results.grid.nx}x{grid.ny}x{grid.nz}",
         ),
     ]
 

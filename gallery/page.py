@@ -9,57 +9,19 @@ thesis says beside what was computed; `figures(results)` lists the figures.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Any, Protocol
 
 from matplotlib.figure import Figure
+from PIL import Image
 
 from . import moves
+from .stated import Number, Statement
 
 _IMAGE: dict[str, Any] = {
     "dpi": 80, "metadata": {"Software": None}, "bbox_inches": "tight", "pad_inches": 0.08
 }  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Number:
-    """A number that the thesis states."""
-
-    quantity: str
-    thesis: float
-    ours: float
-    unit: str
-    mesh: str
-    tolerance: float = 0.05
-    """Largest relative difference."""
-    remark: str = ""
-    """E.g. what a converged mesh gives where the two differ."""
-    converged: float | None = None
-    """What a mesh study gives, where it contradicts the thesis; `holds` then compares with it."""
-
-    @property
-    def difference(self) -> float:
-        """Relative to the thesis."""
-        return self.ours / self.thesis - 1
-
-    @property
-    def holds(self) -> bool:
-        expected = self.thesis if self.converged is None else self.converged
-        return abs(self.ours / expected - 1) <= self.tolerance
-
-
-@dataclass(frozen=True)
-class Statement:
-    """A trend that the thesis states in words."""
-
-    quantity: str
-    thesis: str
-    ours: str
-    holds: bool
-    mesh: str
-    remark: str = ""
-    contradicted: bool = False
-    """Whether a mesh study contradicts the thesis; `holds` is then about what that found."""
 
 
 @dataclass(frozen=True)
@@ -69,6 +31,14 @@ class Picture:
     name: str
     caption: str
     figure: Figure
+
+    def save(self, folder: Path) -> None:
+        """Write NAME.png with a palette: a third of the bytes that all colours take."""
+        drawn = BytesIO()
+        self.figure.savefig(drawn, **_IMAGE)
+        with Image.open(drawn) as image:
+            few = image.convert("RGB").quantize(256)
+        few.save(folder / f"{self.name}.png", optimize=True, dpi=(_IMAGE["dpi"], _IMAGE["dpi"]))
 
 
 class Part(Protocol):
@@ -128,10 +98,10 @@ def write(name: str, part: Part, results: Any, folder: Path) -> list[Number | St
         f"<!-- Written by: python -m gallery {name} -->",
         f"# {part.TITLE}\n",
         part.INTRODUCTION.strip() + "\n",
-        table(entries, moves.of_part(name)),
+        table(entries, moves.of_part(name, moves.kept())),
     ]
     for picture in part.figures(results):
-        picture.figure.savefig(folder / f"{picture.name}.png", **_IMAGE)
+        picture.save(folder)
         text.append(f"![{picture.caption}]({picture.name}.png)\n\n{picture.caption}\n")
     (folder / f"{name}.md").write_text("\n".join(text), encoding="utf-8")
     return entries

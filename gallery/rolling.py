@@ -14,10 +14,12 @@ import samcontact as sc
 from .bodies import CERAMIC, STEEL_52100, STEEL_M50
 from .drawing import axes, finish
 from .limits import first_order
-from .page import Number, Picture, Statement
+from .page import Picture
 from .profiles import succession
+from .stated import Number, Stated, Statement
 from .track import BALL, RADIUS, Cycle, Mesh, Run, ellipse, roll
 
+SAID = Stated("rolling")
 TITLE = "Rolling, and its cycles"
 INTRODUCTION = """
 Sections 3.2.1.1 and 3.2.1.2 of the thesis: a ceramic ball of 9.525 mm diameter rolls over a flat of
@@ -78,16 +80,15 @@ def stated_bearing(results: Results) -> list[Number | Statement]:
     soft, hard = (results.bearing[name].steady for name in ("52100", "M50"))
     p0 = results.bearing["M50"].p0
     return [
-        Number("Hertz pressure at 460 N", 4.2, p0 * 1e-9, "GPa", "closed form", tolerance=0.01),
-        Statement(
-            "steady prints at 460 N, 52100 and M50",
-            "curves, no numbers",
-            f"{soft.depth * 1e9:.0f} and {hard.depth * 1e9:.0f} nm deep, {soft.width() * 1e6:.0f} "
-            f"and {hard.width() * 1e6:.0f} µm wide",
+        SAID.number("pressure at 460 N", p0 * 1e-9),
+        SAID.trend(
+            "prints at 460 N",
             0 < hard.depth < soft.depth and hard.width() < soft.width(),
-            results.bearing_mesh,
-            remark="Width: between the points of zero displacement. The steel of the higher yield "
-            "stress takes the smaller print.",
+            soft.depth * 1e9,
+            hard.depth * 1e9,
+            soft.width() * 1e6,
+            hard.width() * 1e6,
+            mesh=results.bearing_mesh,
         ),
     ]
 
@@ -102,26 +103,24 @@ def stated_depth(results: Results) -> list[Number | Statement]:
     deepest, pressed_depth = float(first.along.max()), float(pressed.along.max())
     inside = (first.x > 4 * a) & (first.x < run.way - 2 * a)
     change = float(np.ptp(first.along[inside])) / first.depth
+    say = SAID.on(mesh)
     return [
-        Number("Hertz contact radius at 5.7 GPa", 310.0, a * 1e6, "µm", "closed form"),
-        Number("load at 5.7 GPa", 1152.9, BALL.load, "N", "closed form", tolerance=0.001),
-        Statement(
-            "largest depth of the print, rolled and only pressed",
-            "higher for rolling",
-            f"{deepest * 1e6:.2f} and {pressed_depth * 1e6:.2f} µm",
+        say.number("contact radius", a * 1e6),
+        say.number("load", BALL.load),
+        say.trend(
+            "rolled and pressed",
             deepest > 1.1 * pressed_depth,
-            mesh,
+            deepest * 1e6,
+            pressed_depth * 1e6,
         ),
-        Statement(
-            "depth of the print along the way",
-            "decreases after a transient, asymptotic after a few contact radii",
-            f"{deepest * 1e6:.2f} µm at x/a = {first.x[first.along.argmax()] / a:.1f}, "
-            f"{first.depth * 1e6:.2f} µm at {first.steady / a:.1f}, varies by "
-            f"{100 * change:.1f} % from 4 a to 2 a before the end",
+        say.trend(
+            "depth along the way",
             first.depth < 0.85 * deepest and change < 0.03,
-            mesh,
-            remark="With cells of a/8, a/12 and a/16, each as long as a step, the depth at 60 % of "
-            "2 mm is 1.067, 1.077 and 1.081 µm, the largest 1.449, 1.470 and 1.481 µm.",
+            deepest * 1e6,
+            first.x[first.along.argmax()] / a,
+            first.depth * 1e6,
+            first.steady / a,
+            100 * change,
         ),
     ]
 
@@ -129,22 +128,10 @@ def stated_depth(results: Results) -> list[Number | Statement]:
 def stated_shoulders(results: Results) -> list[Number | Statement]:
     mesh, first = results.mesh, results.rolled.cycles[0]
     before, beyond, beside = (1e9 * height for height in first.shoulders())
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "shoulders at the ends of the print",
-            "higher where the ball is unloaded than where it is loaded",
-            f"{beyond:.0f} and {before:.0f} nm",
-            beyond > 1.5 * before,
-            mesh,
-        ),
-        Statement(
-            "shoulder beyond the end against those beside the track",
-            "slightly lower",
-            f"{beyond:.0f} and {beside:.0f} nm",
-            0.75 * beside < beyond < beside,
-            mesh,
-            remark="Stated in 3.2.1.3 for k = 1.",
-        ),
+        say.trend("end shoulders", beyond > 1.5 * before, beyond, before),
+        say.trend("side shoulders", 0.75 * beside < beyond < beside, beyond, beside),
     ]
 
 
@@ -153,21 +140,21 @@ def stated_cycles(results: Results) -> list[Number | Statement]:
     depths = [cycle.depth for cycle in results.repeated.cycles]
     growth = np.diff(depths) / depths[-1]
     counters = run.counters
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "print after 1, 2 and 3 cycles",
-            "stabilised after 2 or 3 cycles",
-            ", ".join(f"{depth * 1e6:.3f}" for depth in depths) + " µm in the steady region",
+        say.trend(
+            "print by cycles",
             0 < growth[1] < 0.5 * growth[0] and growth[1] < 0.015,
-            mesh,
+            [depth * 1e6 for depth in depths],
         ),
-        Statement(
-            f"work of two cycles of {run.way * 1e3:.2g} mm, a step for each cell",
-            "not stated",
-            f"{run.increments} increments, {counters['plastic_iterations']} plastic iterations, "
-            f"{counters['contact_iterations']} contact iterations, {counters['halvings']} halvings",
+        say.trend(
+            "work",
             counters["halvings"] == 0 and counters["plastic_iterations"] < 15 * run.increments,
-            mesh,
+            run.increments,
+            counters["plastic_iterations"],
+            counters["contact_iterations"],
+            counters["halvings"],
+            way=run.way * 1e3,
         ),
     ]
 
@@ -189,30 +176,19 @@ def stated_largest(results: Results) -> list[Number | Statement]:
     loaded, elastic = float(results.rolled.loaded.max()), BALL.max_von_mises(0.3)[0]
     percent = [100 * strain for strain in results.strains.values()]
     limit = first_order(list(results.strains), percent, "cells and steps per radius")
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "largest von Mises stress under load, second cycle",
-            "lower than the elastic one",
-            f"{loaded * 1e-9:.2f} and {elastic * 1e-9:.2f} GPa",
-            loaded < 0.9 * elastic,
-            mesh,
+        say.trend("stress under load", loaded < 0.9 * elastic, loaded * 1e-9, elastic * 1e-9),
+        say.number(
+            "largest plastic strain",
+            limit.value,
+            error=limit.error,
+            made_of=limit.text,
+            gamma=100 * gamma,
         ),
-        Number(
-            "largest plastic strain after two cycles", 0.9, limit.value, "%",
-            "limit of small cells and steps", converged=0.959,
-            remark=f"In words, approximately 0.9 %. Extrapolated, ± {limit.error:.2g} %, from "
-            f"{limit.text}; the figures have {100 * gamma:.3g} %. First order: it is the length of "
-            "a step that matters, the mesh hardly does.",
-        ),
-        Number("its depth, the Hertz depth", 0.48, gamma_depth / a, "a", mesh),
-        Number(
-            "largest residual von Mises stress on the axis of the track", 570.0, stress * 1e-6,
-            "MPa", mesh, converged=605.0,
-            remark="In words, up to 10 % of 5.7 GPa. Converged 605 MPa: 602 to 603 MPa with a/8, "
-            "a/12 and a/16 after one cycle of 2 mm, 606 MPa with layers of a/16, 607 MPa in two "
-            "cycles; a grid 1.6 times as long or as wide gives the same four digits.",
-        ),
-    ]  # fmt: skip
+        say.number("strain depth", gamma_depth / a),
+        say.number("residual stress", stress * 1e-6),
+    ]
 
 
 def stated_residual(results: Results) -> list[Number | Statement]:
@@ -226,43 +202,29 @@ def stated_residual(results: Results) -> list[Number | Statement]:
     signs = ", ".join(succession(second.profile("hydrostatic"), 2e-3 * BALL.p0))
     wanted = "tensile, compressive, tensile"
     again = np.abs(second.von_mises_across - first.von_mises_across).max()
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "bands of high residual von Mises stress",
-            "at the Hertz depth, and two at the surface near the border of the contact, inside "
-            "the print",
-            f"{stress * 1e-6:.0f} MPa at z/a = {depth / a:.2f}; at the surface "
-            f"{second.von_mises_across[:, 0].max() * 1e-6:.0f} MPa at y/a = ±{band / a:.2f}, "
-            f"{second.von_mises_across[middle, 0] * 1e-6:.0f} in the middle",
+        say.trend(
+            "residual bands",
             0.4 < depth / a < 0.6
             and 0.4 * a < band < half_width
             and second.von_mises_across[:, 0].max() > 2 * second.von_mises_across[middle, 0],
-            mesh,
-            remark="The surface: the middle of the first layer. Half the width of the print is "
-            f"{half_width / a:.2f} a.",
+            stress * 1e-6,
+            depth / a,
+            second.von_mises_across[:, 0].max() * 1e-6,
+            band / a,
+            second.von_mises_across[middle, 0] * 1e-6,
+            half_width=half_width / a,
         ),
-        Statement(
-            "residual hydrostatic stress below the middle of the track",
-            wanted,
-            signs,
-            signs == wanted,
-            mesh,
-        ),
-        Statement(
-            "residual hydrostatic stress at the surface",
-            "tensile, with maxima on both sides of the middle",
-            f"{surface.max():.0f} MPa at y/a = ±{tension / a:.2f}, {surface[middle]:.0f} in the "
-            "middle",
+        say.trend("hydrostatic below", signs == wanted, signs, thesis=wanted),
+        say.trend(
+            "hydrostatic at surface",
             tension > 0.3 * a and 0 < surface[middle] < 0.8 * surface.max(),
-            mesh,
+            surface.max(),
+            tension / a,
+            surface[middle],
         ),
-        Statement(
-            "residual von Mises stress after the first and second cycle",
-            "almost no difference",
-            f"at most {again * 1e-6:.0f} MPa apart in the section",
-            float(again) < 0.1 * stress,
-            mesh,
-        ),
+        say.trend("residual by cycles", float(again) < 0.1 * stress, again * 1e-6),
     ]
 
 

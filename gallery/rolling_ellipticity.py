@@ -11,10 +11,12 @@ from matplotlib.axes import Axes
 
 from .bodies import CERAMIC, STEEL_52100
 from .drawing import axes, finish, hertz_curve
-from .page import Number, Picture, Statement
-from .profiles import each, falls, grows, succession, top
+from .page import Picture
+from .profiles import falls, grows, succession, top
+from .stated import Number, Stated, Statement
 from .track import BALL, Mesh, Run, both_cycles, ellipse, roll, table_ellipse
 
+SAID = Stated("rolling_ellipticity")
 TITLE = "Rolling, effect of the ellipticity"
 INTRODUCTION = """
 Section 3.2.1.3 of the thesis: a ceramic ellipsoid rolls twice by 4 mm along the minor axis of its
@@ -29,7 +31,7 @@ a is 310.8 µm, p0 is 5.7 GPa; profiles are taken at 60 % of the way.
 
 BODIES = (CERAMIC, STEEL_52100)
 LOAD = 1152.9
-RATIOS = {2: 2.97069, 4: 8.82498, 8: 26.21624, 16: 77.88023}
+RATIOS = (2, 4, 8, 16)
 """R_y / R_x of table 3.2."""
 
 
@@ -68,29 +70,17 @@ def contacts(results: Results) -> list[Number | Statement]:
     table = [table_ellipse(k, k * LOAD) for k in RATIOS]
     widest = max(abs(contact.p0 / BALL.p0 - 1) for contact in table)
     return [
-        Statement(
-            "Hertz pressure of the radii and loads of table 3.2, k = 2, 4, 8, 16",
-            "5.7 GPa",
-            f"{each([contact.p0 * 1e-9 for contact in table])} GPa",
+        SAID.trend(
+            "pressure of the table",
             widest > 0.1,
-            "closed form",
-            contradicted=True,
-            remark="Exact. Their k is "
-            + each([contact.k for contact in table])
-            + ", their semi-minor axis "
-            + each([contact.a_x * 1e6 for contact in table])
-            + " µm.",
+            [contact.p0 * 1e-9 for contact in table],
+            ratios=[contact.k for contact in table],
+            minor=[1e6 * contact.a_x for contact in table],
         ),
-        *(
-            Number(
-                f"R_y / R_x for k = {k}", RATIOS[k], exact[k], "", "closed form", 0.07,
-                "The thesis takes k^(pi/2), an approximation." if k == 4 else "",
-            )
-            for k in RATIOS
-        ),
-        Number("semi-major axis of k = 16", 4972.208, ellipse(16).a_y * 1e6, "µm", "closed form"),
-        Number("4 mm over the semi-minor axis", 12.9, 4e-3 / BALL.a, "", "closed form"),
-    ]  # fmt: skip
+        *(SAID.number("ratio of radii", exact[k], at=k) for k in RATIOS),
+        SAID.number("semi major axis", ellipse(16).a_y * 1e6),
+        SAID.number("distance", 4e-3 / BALL.a),
+    ]
 
 
 def print_trends(results: Results) -> list[Number | Statement]:
@@ -104,37 +94,24 @@ def print_trends(results: Results) -> list[Number | Statement]:
     x = np.linspace(-2 * BALL.a, 2.4e-3, 400)
     along = [np.interp(x, cycle.x, cycle.along) for cycle in steady]
     change = [float(np.abs(b - a).max()) * 1e6 for a, b in pairwise(along)]
+    say = SAID.on(mesh, which=name)
     return [
-        Statement(f"depth of the steady print, {name}", "decreases", f"{each(depths)} µm",
-                  falls(depths), mesh),
-        Statement(f"its width over a, {name}", "increases", each(widths), grows(widths), mesh),
-        Statement(
-            f"shoulder beyond the end, {name}",
-            "increases significantly",
-            f"{each(beyond)} nm",
-            grows(beyond) and beyond[-1] > 2 * beyond[0],
-            mesh,
-        ),
-        Statement(f"shoulders beside the track, {name}", "decrease", f"{each(beside)} nm",
-                  falls(beside), mesh),
-        Statement(
+        say.trend("depth", falls(depths), depths),
+        say.trend("width", grows(widths), widths),
+        say.trend("shoulder beyond end", grows(beyond) and beyond[-1] > 2 * beyond[0], beyond),
+        say.trend("shoulders beside track", falls(beside), beside),
+        say.trend(
             "highest shoulder",
-            "k = 1: beside the track, beyond its end slightly lower; higher k: beyond the end",
-            f"beyond over beside {each([b / s for b, s in zip(beyond, beside, strict=True)])}",
             0.7 < beyond[0] / beside[0] < 1.0
             and all(b > s for b, s in zip(beyond[1:], beside[1:], strict=True)),
-            mesh,
+            [b / s for b, s in zip(beyond, beside, strict=True)],
         ),
-        Statement(
-            "largest change of the print along the track from one k to the next",
-            "k = 16 close to the line contact",
-            f"{each(change)} µm",
+        say.trend(
+            "line contact",
             change[-1] < min(0.5 * max(change), 0.25 * steady[-1].depth * 1e6),
-            mesh,
-            remark="By how much the last doubling of k still changes it. Far ahead and behind, a "
-            "line contact differs: its displacement has no limit.",
+            change,
         ),
-    ]  # fmt: skip
+    ]
 
 
 def pressure_trends(results: Results) -> list[Number | Statement]:
@@ -144,14 +121,13 @@ def pressure_trends(results: Results) -> list[Number | Statement]:
     own = [run.p_max() / run.p0 for run in runs.values()]
     drops = -np.diff(tops)
     return [
-        Statement(
-            f"largest pressure when steady, {name}",
-            "falls further below 5.7 GPa with k, to that of a line contact",
-            f"{each(tops)} GPa",
+        SAID.trend(
+            "pressure",
             tops[0] == max(tops) and abs(drops[-1]) < 0.3 * drops[0],
-            mesh,
-            remark="Because the elastic pressure of the table's radii and loads is lower: over "
-            f"that it is {each(own)}. With 5.7 GPa indeed it rises, see the last rows.",
+            tops,
+            mesh=mesh,
+            which=name,
+            own=own,
         )
     ]
 
@@ -172,43 +148,37 @@ def profile_trends(results: Results) -> list[Number | Statement]:
     ]
     share = [float(a) / s for a, (s, _) in zip(apart, stress, strict=True)]
     a = BALL.a
+    say = SAID.on(mesh, which=name)
     return [
-        Statement(f"largest plastic strain, {name}", "decreases",
-                  f"{each([100 * g for g, _ in gamma])} %", falls([g for g, _ in gamma]), mesh),
-        Statement(
-            f"its depth z/a, {name}",
-            "increases, as the elastic 0.48 for a point and 0.8 for a line contact",
-            each([z / a for _, z in gamma]),
+        say.trend("strain", falls([g for g, _ in gamma]), [100 * g for g, _ in gamma]),
+        say.trend(
+            "strain depth",
             grows([z for _, z in gamma][:-1])
             and abs(gamma[0][1] / a - 0.48) < 0.03
             and abs(gamma[-1][1] / a - 0.78) < 0.08,
-            mesh,
+            [z / a for _, z in gamma],
         ),
-        Statement(f"lowest plastic strain of 0.001 %, z/a, {name}", "extends in depth",
-                  each([z / a for z in lowest]), lowest[-1] > 1.5 * lowest[0], mesh),
-        Statement(
-            f"largest von Mises stress under load, {name}",
-            "decreases, its depth increases",
-            f"{each([s * 1e-9 for s, _ in loaded])} GPa at z/a = "
-            + each([z / a for _, z in loaded]),
+        say.trend("lowest strain", lowest[-1] > 1.5 * lowest[0], [z / a for z in lowest]),
+        say.trend(
+            "stress under load",
             loaded[-1][0] < loaded[0][0] == max(s for s, _ in loaded)
             and loaded[-1][1] > 1.3 * loaded[0][1],
-            mesh,
+            [s * 1e-9 for s, _ in loaded],
+            [z / a for _, z in loaded],
         ),
-        Statement(
-            f"largest residual von Mises stress, {name}",
-            "up to 10 % of p0 for k = 1",
-            f"{each([100 * s / BALL.p0 for s, _ in stress])} % of p0",
+        say.trend(
+            "residual stress",
             falls([s for s, _ in stress]) and abs(stress[0][0] / BALL.p0 - 0.106) < 0.006,
-            mesh,
-            remark="10.6 % when converged, see [rolling, and its cycles](rolling.md).",
+            [100 * s / BALL.p0 for s, _ in stress],
         ),
-        Statement("the same after the first and the second cycle", "almost no difference",
-                  f"at most {100 * max(share):.1f} % of it apart", max(share) < 0.1, mesh),
-        Statement(f"residual hydrostatic stress from the surface down, {name}", wanted,
-                  wanted if set(signs) == {wanted} else "; ".join(signs),
-                  all(found == wanted for found in signs), mesh),
-    ]  # fmt: skip
+        say.trend("residual by cycles", max(share) < 0.1, 100 * max(share)),
+        say.trend(
+            "hydrostatic",
+            all(found == wanted for found in signs),
+            wanted if set(signs) == {wanted} else "; ".join(signs),
+            thesis=wanted,
+        ),
+    ]
 
 
 def at_pressure(results: Results) -> list[Number | Statement]:
@@ -218,35 +188,13 @@ def at_pressure(results: Results) -> list[Number | Statement]:
     gamma = [100 * run.steady.peak("gamma")[0] for run in runs.values()]
     stress = [1e-6 * run.steady.peak("von_mises")[0] for run in runs.values()]
     depths = [run.steady.depth * 1e6 for run in runs.values()]
+    say = SAID.on(mesh, which=name)
     return [
-        Statement(
-            f"with 5.7 GPa for every k: largest pressure, {name}",
-            "see above",
-            f"{each(tops)} GPa",
-            grows(tops),
-            mesh,
-            remark="The longer contact of a higher k has less room to spread.",
-        ),
-        Statement(
-            f"with 5.7 GPa: largest plastic strain, {name}", "decreases", f"{each(gamma)} %",
-            falls(gamma) and gamma[list(runs).index(8)] > 1.7 * 0.4, mesh,
-            remark="For k = 8, 5.7 GPa make nearly twice the 0.4 % that the thesis states.",
-        ),
-        Statement(
-            f"with 5.7 GPa: largest residual von Mises stress, {name}", "not stated",
-            f"{each(stress)} MPa", stress[-1] < stress[0], mesh,
-        ),
-        Statement(
-            f"with 5.7 GPa: depth of the steady print, {name}",
-            "decreases",
-            f"{each(depths)} µm",
-            depths[1] > depths[0] and falls(depths[1:]),
-            mesh,
-            contradicted=True,
-            remark="Deeper for k = 2 than for k = 1, with a/5 and a/8: the trend of the thesis "
-            "needs the lower pressure of its radii.",
-        ),
-    ]  # fmt: skip
+        say.trend("exact pressure", grows(tops), tops),
+        say.trend("exact strain", falls(gamma) and gamma[list(runs).index(8)] > 1.7 * 0.4, gamma),
+        say.trend("exact residual stress", stress[-1] < stress[0], stress),
+        say.trend("exact depth", depths[1] > depths[0] and falls(depths[1:]), depths),
+    ]
 
 
 def figures(results: Results) -> list[Picture]:

@@ -12,10 +12,12 @@ import samcontact as sc
 
 from .bodies import CERAMIC, ELASTIC, STEEL_52100
 from .drawing import axes, finish
-from .page import Number, Picture, Statement
-from .profiles import each, grows
+from .page import Picture
+from .profiles import grows
+from .stated import Number, Stated, Statement
 from .track import BALL, Mesh, Run, both_cycles, roll, table_ellipse
 
+SAID = Stated("rolling_load")
 TITLE = "Rolling, effect of the load"
 INTRODUCTION = """
 Section 3.2.1.3 of the thesis, tables 3.2 and 3.3: a ceramic ellipsoid rolls twice by 4 mm along the
@@ -32,32 +34,7 @@ two cycles. Tensile stress is positive.
 K = 8
 LOADS = {4.2: 3689.8, 5.7: 9223.2, 6.5: 13677.2, 8.0: 25499.0}
 BODIES = (CERAMIC, STEEL_52100)
-STRAIN = {4.2: 0.05, 5.7: 0.4, 6.5: 0.8, 8.0: 2.1}
-STRESS = {4.2: 40.0, 5.7: 253.0, 6.5: 445.0, 8.0: 935.0}
 HERTZ_DEPTH = 0.78
-FINE_STRESS = {4.2: 48.2, 8.0: 867.0}
-FINE_COMPRESSION, FINE_TENSION = -573.0, 101.0
-STRESS_NOTE = {
-    4.2: "52, 50 and 48 MPa with cells of a/5, a/8 and a/16.",
-    5.7: "278, 267 and 265 MPa with cells of a/5, a/8 and a/10.",
-    8.0: "867 MPa with a/8 and a/10, 878 and 874 MPa after one cycle with a/8 and a/16. 4 mm are "
-    "less than the width of the contact: 16 mm give a steady 931 MPa (a/6).",
-}
-HYDROSTATIC_NOTE = (
-    "Second cycle: -585 and -573 MPa with a/5 and a/10; first: -582 and -581 MPa with a/10 and "
-    "a/16. A longer or deeper grid, or layers half as thick, change it by less than 1 MPa; 16 mm "
-    "give -599 MPa. The exact sum over the plastic strain of one section, continued without end "
-    "along the track, gives -604 MPa where the track of 26 a it is from has -588 MPa (a/5)."
-)
-STRAIN_NOTE = (
-    "Of the whole plane y = 0: it is near the start. With cells and steps of a/16 0.0518, 0.797 "
-    "and 2.15 % at 4.2, 6.5 and 8 GPa."
-)
-SURFACE_NOTE = (
-    "It falls along the way: for 8 GPa from 250 MPa at 6 a to a steady 140 MPa on a way of 16 mm "
-    "(a/6), where the second layer has 164 MPa; it is there with layers of a/10 and a/20, "
-    "and in the exact sum of the remark on the lowest stress."
-)
 
 
 @dataclass
@@ -96,62 +73,38 @@ def contacts(results: Results) -> list[Number | Statement]:
     ratios = [run.contact.k for run in runs.values()]
     kept = [BALL.a * 1e6 * pressure / 5.7 for pressure in runs]
     return [
-        Statement(
-            "Hertz pressure and k of the radii and loads",
-            "4.2, 5.7, 6.5, 8 GPa, 8",
-            f"{each(actual)} GPa, {ratios[0]:.3g}",
+        SAID.trend(
+            "pressure of the table",
             all(value < 0.87 * name for value, name in zip(actual, runs, strict=True)),
-            "closed form",
-            remark="Exact, with elliptic integrals. A pressure of 5.7 GPa on the stated semi-axes "
-            "needs R_x = 3.80 mm and R_y / R_x = 25.3.",
-            contradicted=True,
+            actual,
+            ratios[0],
         ),
-        Number(
-            "semi-minor axis at 8 GPa, as the table has it", 436.2, kept[-1], "µm", "closed form"
-        ),
+        SAID.number("semi minor axis", kept[-1]),
     ]
 
 
 def numbers(results: Results) -> list[Number | Statement]:
     runs, mesh = results.runs, results.mesh
-    entries: list[Number | Statement] = []
-    for name, run in runs.items():
-        ours = 100 * float(run.steady.gamma.max())
-        entries.append(Number(f"largest plastic strain, {name:g} GPa", STRAIN[name], ours, "%",
-                              mesh, 0.06, STRAIN_NOTE if name == 8 else ""))  # fmt: skip
+    say = SAID.on(mesh)
+    strains = [100 * float(run.steady.gamma.max()) for run in runs.values()]
     steady = [100 * run.steady.peak("gamma")[0] for run in runs.values()]
-    entries.append(
-        Statement(
-            "the same in the steady region",
-            "profiles, no other numbers",
-            f"{each(steady)} %",
-            all(value < number for value, number in zip(steady[1:], list(STRAIN.values())[1:],
-                                                       strict=True)),
-            mesh,
-            remark="0.0508, 0.70 and 1.90 % at 4.2, 6.5 and 8 GPa with cells and steps of a/16.",
-        )
-    )  # fmt: skip
-    for name, run in runs.items():
-        ours = 1e-6 * run.steady.peak("von_mises")[0]
-        entries.append(
-            Number(f"largest residual von Mises stress, {name:g} GPa", STRESS[name], ours, "MPa",
-                   mesh, 0.1, STRESS_NOTE.get(name, ""), converged=FINE_STRESS.get(name))
-        )  # fmt: skip
+    lower = zip(steady[1:], [*SAID.values("strain").values()][1:], strict=True)
+    stresses = [1e-6 * run.steady.peak("von_mises")[0] for run in runs.values()]
     last = runs[8.0].steady
     below = last.z > 1.5 * runs[8.0].a
     profile = last.profile("hydrostatic") * 1e-6
     return [
-        *entries,
-        Number("lowest residual hydrostatic stress, 8 GPa", -390.0, float(profile.min()), "MPa",
-               mesh, remark=HYDROSTATIC_NOTE, converged=FINE_COMPRESSION),
-        Number("highest below the compressive zone, 8 GPa", 180.0, float(profile[below].max()),
-               "MPa", mesh, remark="See the remark before.", converged=FINE_TENSION),
-        Number("largest depth of the print, 8 GPa", 6.93, float(last.along.max()) * 1e6, "µm",
-               mesh),
-        Number("depth in the stationary region, 8 GPa", 2.96, last.depth * 1e6, "µm", mesh,
-               remark="At half of the way it is 3.04 µm (a/10), at 80 % 2.72; on a way of 16 mm "
-               "2.53 (a/6)."),
-    ]  # fmt: skip
+        *(say.number("strain", ours, at=at) for at, ours in zip(runs, strains, strict=True)),
+        say.trend("steady strain", all(value < number for value, number in lower), steady),
+        *(
+            say.number("residual stress", ours, at=at)
+            for at, ours in zip(runs, stresses, strict=True)
+        ),
+        say.number("compression", float(profile.min())),
+        say.number("tension", float(profile[below].max())),
+        say.number("largest depth", float(last.along.max()) * 1e6),
+        say.number("steady depth", last.depth * 1e6),
+    ]
 
 
 def trends(results: Results) -> list[Number | Statement]:
@@ -159,29 +112,15 @@ def trends(results: Results) -> list[Number | Statement]:
     depths = [run.steady.peak("gamma")[1] * 1e6 for run in runs.values()]
     zones = [np.ptp(run.z[run.steady.profile("gamma") > 0]) * 1e6 for run in runs.values()]
     loaded = float(runs[8.0].loaded_axis[-1].max())
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "depth of the largest plastic strain, from 4.2 to 8 GPa",
-            "increases with the load",
-            f"{each(depths, '.0f')} µm",
-            grows(depths),
-            mesh,
-        ),
-        Statement(
-            "plastic zone, from 4.2 to 8 GPa",
-            "grows significantly with the load",
-            f"{each(zones, '.0f')} µm high on the axis",
-            grows(zones) and zones[-1] > 2 * zones[0],
-            mesh,
-        ),
-        Statement(
-            "largest von Mises stress under load on the axis, 8 GPa",
-            "close to the elastic solution",
-            f"{loaded * 1e-9:.2f} GPa, elastic {results.elastic.max() * 1e-9:.2f}",
+        say.trend("strain depth", grows(depths), depths),
+        say.trend("plastic zone", grows(zones) and zones[-1] > 2 * zones[0], zones),
+        say.trend(
+            "stress under load",
             0.7 < loaded / results.elastic.max() < 0.95,
-            mesh,
-            remark="No number is stated. It cannot exceed the yield stress, which is 3.09 GPa at a "
-            "plastic strain of 1.8 %.",
+            loaded * 1e-9,
+            results.elastic.max() * 1e-9,
         ),
     ]
 
@@ -198,23 +137,15 @@ def hydrostatic_trends(results: Results) -> list[Number | Statement]:
     runs, mesh = results.runs, results.mesh
     surface = [run.steady.profile("hydrostatic")[0] * 1e-6 for run in runs.values()]
     ends = [zero(run) / (HERTZ_DEPTH * run.a) for run in runs.values()]
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "tensile zone at the surface, from 4.2 to 8 GPa",
-            "gone at 6.5 GPa and above",
-            f"{each(surface, '.0f')} MPa in the first layer",
-            min(surface) > 0 and surface[-1] > surface[0],
-            mesh,
-            remark=SURFACE_NOTE,
-            contradicted=True,
-        ),
-        Statement(
-            "end of the compressive zone, 6.5 and 8 GPa",
-            "about two Hertz depths, tensile below",
-            f"{ends[2]:.1f} and {ends[3]:.1f} Hertz depths",
+        say.trend("tensile surface", min(surface) > 0 and surface[-1] > surface[0], surface),
+        say.trend(
+            "compressive zone",
             1.7 < ends[2] < 2.6 and ends[2] < ends[3] < 3.2,
-            mesh,
-            remark=f"The Hertz depth of a line contact, {HERTZ_DEPTH} of the semi-minor axis.",
+            ends[2],
+            ends[3],
+            hertz_depth=HERTZ_DEPTH,
         ),
     ]
 
@@ -242,8 +173,8 @@ def strains(results: Results) -> Picture:
     figure, (left, right) = axes()
     curves(left, results, "gamma", 100.0)
     curves(right, results, "von_mises", 1e-6)
-    marks(left, STRAIN)
-    marks(right, STRESS)
+    marks(left, SAID.values("strain"))
+    marks(right, SAID.values("residual stress"))
     finish(left, "depth [µm]", "equivalent plastic strain [%]")
     finish(right, "depth [µm]", "residual von Mises stress [MPa]")
     return Picture(

@@ -11,10 +11,12 @@ import samcontact as sc
 
 from .bodies import CERAMIC, ELASTIC, MICRO_STRAIN, STEEL_52100
 from .drawing import axes, finish, hertz_curve
-from .page import Number, Picture, Statement
+from .page import Picture
 from .profiles import each, grows, top
+from .stated import Number, Stated, Statement
 from .track import BALL, Mesh, Run, ellipse, roll
 
+SAID = Stated("rolling_two_bodies")
 TITLE = "Pressed and rolled"
 INTRODUCTION = """
 Section 3.2.2 of the thesis: what rolling changes. First two bodies of steel 52100 with a circular
@@ -111,22 +113,28 @@ def stated_rolled(results: Results, found: dict[Key, Curves]) -> list[Statement]
     entries = []
     for (pair, k), c in found.items():
         entries.append(
-            Statement(
-                f"largest pressure over p0, pressed and rolled, {pair}, k = {k}, {loads} GPa",
-                "significantly higher when rolled",
-                f"{percents(c.pressed)} and {percents(c.rolled)}",
+            SAID.trend(
+                "pressure rolled",
                 bool(np.all(c.rolled > c.pressed)) and c.rolled[-1] > 1.02 * c.pressed[-1],
-                mesh,
+                percents(c.pressed),
+                percents(c.rolled),
+                mesh=mesh,
+                pair=pair,
+                k=k,
+                loads=loads,
             )
         )
         entries.append(
-            Statement(
-                f"largest plastic strain, pressed and rolled, {pair}, k = {k}, {loads} GPa",
-                "significantly higher when rolled",
-                f"{percents(c.pressed_gamma)} and {percents(c.rolled_gamma)}",
+            SAID.trend(
+                "strain rolled",
                 c.rolled_gamma[-1] > 1.15 * c.pressed_gamma[-1]
                 and bool(np.all(c.rolled_gamma >= 0.98 * c.pressed_gamma)),
-                mesh,
+                percents(c.pressed_gamma),
+                percents(c.rolled_gamma),
+                mesh=mesh,
+                pair=pair,
+                k=k,
+                loads=loads,
             )
         )
     return entries
@@ -141,13 +149,15 @@ def stated_second_body(results: Results, found: dict[Key, Curves]) -> list[State
                  (two.rolled_gamma, one.rolled_gamma)]  # fmt: skip
         change = ", ".join(f"{100 * (b[-1] / a[-1] - 1):.1f}" for b, a in lower)
         entries.append(
-            Statement(
-                f"pressure and strain, pressed and rolled, EP_EP against E_EP, k = {k}",
-                "both lower, the pressure pronouncedly",
-                f"pressure {change.split(', ')[0]} and {change.split(', ')[1]} %, strain "
-                f"{change.split(', ')[2]} and {change.split(', ')[3]} % at the highest load",
+            SAID.trend(
+                "two plastic bodies",
                 all(bool(np.all(b < a)) for b, a in lower),
-                results.mesh,
+                change.split(", ")[0],
+                change.split(", ")[1],
+                change.split(", ")[2],
+                change.split(", ")[3],
+                mesh=results.mesh,
+                k=k,
             )
         )
     return entries
@@ -156,23 +166,18 @@ def stated_second_body(results: Results, found: dict[Key, Curves]) -> list[State
 def stated_geometry(results: Results, found: dict[Key, Curves]) -> list[Statement]:
     mesh = results.mesh
     round_, long = found["E_EP", 1], found["E_EP", 8]
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "largest pressure and strain, k = 1 against 8, E_EP rolled at the highest load",
-            "affected by the geometry of the contact",
-            f"{100 * round_.rolled[-1]:.1f} and {100 * long.rolled[-1]:.1f} % of p0, "
-            f"{100 * round_.rolled_gamma[-1]:.2f} and {100 * long.rolled_gamma[-1]:.2f} %",
+        say.trend(
+            "geometry",
             abs(round_.rolled[-1] / long.rolled[-1] - 1) > 0.01
             and abs(round_.rolled_gamma[-1] / long.rolled_gamma[-1] - 1) > 0.02,
-            mesh,
+            100 * round_.rolled[-1],
+            100 * long.rolled[-1],
+            100 * round_.rolled_gamma[-1],
+            100 * long.rolled_gamma[-1],
         ),
-        Statement(
-            "pressed a second time without rolling, 8 GPa",
-            "stabilised after one cycle",
-            f"plastic strain grows by {100 * again(results):.2g} %",
-            again(results) < 1e-4,
-            mesh,
-        ),
+        say.trend("pressed again", again(results) < 1e-4, 100 * again(results)),
     ]
 
 
@@ -201,47 +206,23 @@ def stated_hardening(results: Results) -> list[Number | Statement]:
         for run in runs.values()
     ]
     name = each(runs, "g")
+    say = SAID.on(mesh, which=name)
     return [
-        Statement(
-            f"largest pressure, pressed, E_t / E = {name}",
-            "curves, no numbers",
-            each(pressed) + " GPa",
-            grows(pressed) and pressed[-1] < 5.7,
-            mesh,
+        say.trend("hardening pressed", grows(pressed) and pressed[-1] < 5.7, pressed),
+        say.trend(
+            "hardening rolled", all(r > p for r, p in zip(rolled, pressed, strict=True)), rolled
         ),
-        Statement(
-            "the same, rolled",
-            "another shape, higher than pressed",
-            each(rolled) + " GPa",
-            all(r > p for r, p in zip(rolled, pressed, strict=True)),
-            mesh,
-        ),
-        Statement(
-            "steady regime within the first cycle",
-            "reached",
-            f"largest pressure varies by {100 * max(steady):.1f} % at most in the last steps",
-            max(steady) < 0.02,
-            mesh,
-        ),
-        Statement(
-            f"place of the largest pressure x/a, rolled to +x, E_t / E = {name}",
-            "not symmetric, on the side of the rolling direction",
-            each(places, "+.3f"),
+        say.trend("steady regime", max(steady) < 0.02, 100 * max(steady)),
+        say.trend(
+            "pressure place",
             min(places) > 0 and max(skew) < 1e-6,
-            mesh,
-            remark="By a parabola through three cells. The resultant lies at "
-            + ", ".join(f"{lean(run)[1]:+.3f}" for run in runs.values())
-            + " a in the plane y = 0. Pressed, the profile is symmetric.",
+            places,
+            places=[lean(run)[1] for run in runs.values()],
         ),
-        Statement(
-            "largest pressure across the track, rolled",
-            "in the middle",
-            "in the middle"
-            + (f", {100 * beside[0]:.1f} % higher beside it for E_t = 0" if beside[0] > 0 else ""),
+        say.trend(
+            "pressure across",
             max(beside) < 0.01 and max(beside[1:]) == 0,
-            mesh,
-            remark="Without hardening the profile is flat, and the plastic strain reaches 6 %, "
-            "more than small-strain theory can bear.",
+            f", {100 * beside[0]:.1f} % higher beside it for E_t = 0" if beside[0] > 0 else "",
         ),
     ]
 

@@ -12,10 +12,12 @@ from samcontact.plotting import wear
 
 from .bodies import ELASTIC
 from .drawing import axes, finish
-from .page import Number, Picture, Statement
+from .page import Picture
+from .stated import Number, Stated, Statement
 from .wear import E_STAR, FRICTION, RADIUS, STEEL, THRESHOLD
 from .wear import HERTZ as SMOOTH
 
+SAID = Stated("running_in")
 TITLE = "Running-in of a rough surface"
 INTRODUCTION = """
 Section 5.2.2 of the thesis: the balls and the steel of [wear of a flat surface](wear.md) under
@@ -32,13 +34,6 @@ LOAD, AMPLITUDE, WAVELENGTH = 30.0, 0.5e-6, 50e-6
 SMOOTHING = 0.5 * WAVELENGTH / 12**0.5
 CREST = 0.25 * WAVELENGTH
 STATED_CYCLES = 7
-CYCLES_NOTE = (
-    "What is left to the last cycles is less than a thousandth each, and thinner layers make more "
-    "of them. The thesis's 7 are a number of its cells and its window: a moving mean over 5 x 5 "
-    "cells of 5 µm gives 8, smaller cells do not stop."
-)
-ROUGHNESS_NOTE = "Standard deviation of the heights within 75 µm of the middle."
-STRAIN_NOTE = "Below the surface it is up to 0.3 %, where it is not connected to the surface."
 
 
 @dataclass
@@ -75,19 +70,13 @@ def stated_begin(results: Results) -> list[Statement]:
     micro = float(STEEL.yield_stress(20e-6))
     critical = sc.critical.onset_sliding(RADIUS, E_STAR, 0.3, micro, FRICTION)
     return [
-        Statement(
-            "the same load on smooth surfaces",
-            "purely elastic",
-            f"yield begins at {critical.load:.0f} N",
-            critical.load > LOAD,
-            "closed form",
-        ),
-        Statement(
-            "largest pressure of the first cycle",
-            "magnitude of that of the smooth surfaces under 2000 N",
-            f"{first.max_pressure * 1e-9:.2f} GPa; {SMOOTH.p0 * 1e-9:.2f} GPa (Hertz)",
+        SAID.trend("smooth surfaces", critical.load > LOAD, critical.load),
+        SAID.trend(
+            "first pressure",
             0.7 < first.max_pressure / SMOOTH.p0 < 1.4,
-            results.mesh,
+            first.max_pressure * 1e-9,
+            SMOOTH.p0 * 1e-9,
+            mesh=results.mesh,
         ),
     ]
 
@@ -96,29 +85,11 @@ def stated_cycles(results: Results) -> list[Statement]:
     found, mesh = results.wear, results.mesh
     worn = len(found.cycles) - 1
     share = found.rate[:2].sum() / found.rate.sum()
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "running-in",
-            "a surface profile that does not change any more",
-            f"nothing wears in cycle {worn + 1}",
-            found.stopped,
-            mesh,
-        ),
-        Statement(
-            "cycles until then",
-            f"a few: {STATED_CYCLES}",
-            f"{worn}",
-            2 <= worn <= STATED_CYCLES,
-            mesh,
-            remark=CYCLES_NOTE,
-        ),
-        Statement(
-            "volume of the first two cycles over that of all",
-            "not stated",
-            f"{100 * share:.1f} %",
-            share > 0.99,
-            mesh,
-        ),
+        say.trend("running", found.stopped, worn + 1),
+        say.trend("cycles", 2 <= worn <= STATED_CYCLES, worn, stated_cycles=STATED_CYCLES),
+        say.trend("first cycles", share > 0.99, 100 * share),
     ]
 
 
@@ -129,38 +100,25 @@ def stated_end(results: Results) -> list[Statement]:
     x, y = found.x(), found.grid.y
     middle = np.hypot(x[:, None], y[None, :]) < 75e-6
     before, after = (float(found.profile(n)[middle].std()) for n in (0, -1))
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "roughness under the contact",
-            "a flattening of the roughness pattern",
-            f"{1e6 * before:.3f} µm, {1e6 * after:.3f} µm in the end",
-            after < 0.8 * before,
-            mesh,
-            remark=ROUGHNESS_NOTE,
+        say.trend("roughness", after < 0.8 * before, 1e6 * before, 1e6 * after),
+        say.trend(
+            "plastic strain", last.surface_strain[0] <= THRESHOLD, 100 * last.surface_strain[0]
         ),
-        Statement(
-            "plastic strain then",
-            "lower than the threshold of 0.2 %",
-            f"{100 * last.surface_strain[0]:.3f} % at the surface",
-            last.surface_strain[0] <= THRESHOLD,
-            mesh,
-            remark=STRAIN_NOTE,
-        ),
-        Statement(
-            "largest pressure and von Mises stress, first and last cycle",
-            "the stress level decreases with cycles",
-            f"{first.max_pressure * 1e-9:.2f} and {last.max_pressure * 1e-9:.2f} GPa, "
-            f"{first.max_von_mises * 1e-9:.2f} and {last.max_von_mises * 1e-9:.2f} GPa",
+        say.trend(
+            "stress level",
             last.max_pressure < 0.97 * first.max_pressure
             and last.max_von_mises < 0.92 * first.max_von_mises,
-            mesh,
+            first.max_pressure * 1e-9,
+            last.max_pressure * 1e-9,
+            first.max_von_mises * 1e-9,
+            last.max_von_mises * 1e-9,
         ),
-        Statement(
-            "volume lost by the surface, and removed",
-            "conserved by the smoothing",
-            f"the same to {conserved:.0e}" if conserved > 0 else "the same",
+        say.trend(
+            "volume",
             conserved < 1e-12,
-            mesh,
+            f"the same to {conserved:.0e}" if conserved > 0 else "the same",
         ),
     ]
 

@@ -14,9 +14,11 @@ from samcontact.asperities import Collision, Tugging
 from samcontact.plotting import tugging
 
 from .limits import first_order
-from .page import Number, Picture, Statement
+from .page import Picture
 from .profiles import each, grows
+from .stated import Number, Stated, Statement
 
+SAID = Stated("tugging")
 TITLE = "Tugging of two asperities"
 INTRODUCTION = """
 Part 4 of the thesis: two spheres of 1 m radius, perfectly plastic with 0.9115 GPa, slide past each
@@ -24,7 +26,8 @@ other at a constant height, without friction and without rotating. Forces, energ
 are divided by their values at the onset of yield (Green 2005). X is the offset of the centres,
 negative before they are aligned, R = 0.5 m. A positive tangential force resists the motion; the
 thesis's figures show both forces of the first pass. The kinematics are derived anew, see
-[theory](../theory.md#tugging): the thesis's equations (4.2), (4.13) and (4.15) contain slips.
+[theory](../theory/moving_contacts.md#tugging): the thesis's equations (4.2), (4.13) and (4.15)
+contain slips.
 """
 
 STEEL = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)
@@ -71,9 +74,9 @@ def stated(results: Results) -> list[Number | Statement]:
 
 def critical_values(results: Results) -> list[Number | Statement]:
     return [
-        Number("critical interference", 2.2143e-4, CRITICAL.interference, "m", "closed form", 1e-4),
-        Number("critical load", 3.461e5, CRITICAL.load, "N", "closed form", 1e-4),
-        Number("critical energy", 30.654, CRITICAL.energy, "J", "closed form", 1e-4),
+        SAID.number("critical interference", CRITICAL.interference),
+        SAID.number("critical load", CRITICAL.load),
+        SAID.number("critical energy", CRITICAL.energy),
     ]
 
 
@@ -101,44 +104,34 @@ def forces(results: Results) -> list[Number | Statement]:
     last = list(runs.values())[-1]
     x, f = curve(last, "force_x")
     before, after = (float(np.trapezoid(np.where(part, f, 0.0), x)) for part in (x < 0, x > 0))
+    say = SAID.on(mesh, which=name)
     return [
-        Statement(
-            f"tangential force against its antisymmetric image, over its maximum, {name}",
-            "antisymmetric for low interference, not for high",
-            f"{each([100 * value for value in odd])} %",
+        say.trend(
+            "tangential force",
             max(odd[:2]) < 0.01 and odd[-1] > 0.5 and grows(odd),
-            mesh,
+            [100 * value for value in odd],
         ),
-        Statement(
-            f"normal force against its symmetric image, {name}",
-            "symmetric for low, less asymmetric than the tangential one for high",
-            f"{each([100 * value for value in even])} %",
-            max(even[:2]) < 0.01 and all(e < o for e, o in zip(even, odd, strict=True))
+        say.trend(
+            "normal force",
+            max(even[:2]) < 0.01
+            and all(e < o for e, o in zip(even, odd, strict=True))
             and grows(even[1:]),
-            mesh,
+            [100 * value for value in even],
         ),
-        Statement(
-            f"tangential force when aligned, over its maximum, {name}",
-            "vanishes for low interference, does not for high",
-            f"{each([100 * value for value in of_peak])} %",
+        say.trend(
+            "tangential force aligned",
             abs(of_peak[0]) < 0.005 and of_peak[-1] > 0.2 and grows(of_peak),
-            mesh,
+            [100 * value for value in of_peak],
         ),
-        Statement(
-            "work before and after being aligned, highest interference",
-            "most is taken before, little is given back after",
-            f"{before / CRITICAL.energy:.3g} and {after / CRITICAL.energy:.3g} U_c",
-            0 < -after < 0.5 * before,
-            mesh,
+        say.trend(
+            "work", 0 < -after < 0.5 * before, before / CRITICAL.energy, after / CRITICAL.energy
         ),
-        Statement(
-            "elastic spheres, highest interference",
-            "not stated",
-            f"net energy {float(results.elastic.series.net_energy[0]) / CRITICAL.energy:.1g} U_c",
+        say.trend(
+            "elastic spheres",
             abs(float(results.elastic.series.net_energy[0])) < 1e-6 * CRITICAL.energy,
-            mesh,
+            float(results.elastic.series.net_energy[0]) / CRITICAL.energy,
         ),
-    ]  # fmt: skip
+    ]
 
 
 def at_exit(result: Tugging) -> float:
@@ -160,36 +153,17 @@ def ratios(results: Results) -> list[Number | Statement]:
         x, ratio = curve(run, "load_ratio")
         touching = np.isfinite(ratio)
         aligned.append(float(np.interp(0.0, x[touching], ratio[touching])))
+    say = SAID.on(mesh, which=name)
     return [
-        Statement(
-            "load ratio at the end of the contact, " + each([r for r in runs if r >= 9]),
-            "tends to 0.045",
-            each(high, ".3f"),
+        say.trend(
+            "load ratio end",
             all(-0.055 < value < -0.03 for value in high),
-            mesh,
-            remark=EXIT_NOTE,
+            high,
+            ratios=[ratio for ratio in runs if ratio >= 9],
         ),
-        Statement(f"largest load ratio, at the start, {name}", "increases with the interference",
-                  each(entry), grows(entry), mesh),
-        Statement(f"load ratio when aligned, {name}", "not nil, grows with the interference",
-                  each(aligned, ".2g"),
-                  grows(aligned) and aligned[-1] > 3e-3, mesh),
-    ]  # fmt: skip
-
-
-EXIT_NOTE = (
-    "Extrapolated to where the undeformed spheres part. The line of centres leans by 0.045 and "
-    "0.058 there, at 9 and 15; the slope of what has piled up takes part of it off. With 24, 36 "
-    "and 48 increments -0.038, -0.038, -0.038 at 9, and -0.042, -0.041, -0.040 at 15, where the "
-    "contact goes on for a while and reaches -0.048."
-)
-ENERGY_NOTE = "Of first order in the increments, and below its limit: see the next row."
-LIMIT_NOTE = "First order: the error is by how much both pairs of neighbours disagree."
-DEPTH_NOTE = (
-    "At 9, the interference of the thesis's example of cost: 24.5, 25.0, 25.2 % with 24, 36 and 48 "
-    "increments; at 15: 30.6, 31.3, 31.5 %."
-)
-AGAIN_NOTE = "What is left for the next passes is of the order of the error of the first one."
+        say.trend("largest load ratio", grows(entry), entry),
+        say.trend("load ratio aligned", grows(aligned) and aligned[-1] > 3e-3, aligned),
+    ]
 
 
 def energies(results: Results) -> list[Number | Statement]:
@@ -205,25 +179,24 @@ def energies(results: Results) -> list[Number | Statement]:
     share = [d / r.collision.interference for d, r in zip(deepest, runs.values(), strict=True)]
     limit = first_order(list(results.energies), list(results.energies.values()), "increments")
     again = results.again.series.net_energy.values / results.again.series.net_energy.values[0]
+    say = SAID.on(mesh, which=name)
     return [
-        Statement(f"net energy over the critical one, {name}", "grows with the interference",
-                  each(net), grows(net), mesh, ENERGY_NOTE),
-        Statement("net energy over the critical one, ω/ωc = 9, limit of small increments",
-                  "not stated", f"{limit.value:.4g} ± {limit.error:.1g}",
-                  limit.error < 0.03 * limit.value and abs(limit.value / 189.5 - 1) < 0.03,
-                  "extrapolated",
-                  f"From {limit.text}. {LIMIT_NOTE}"),
-        Statement("work of the forces against dissipation and residual energy, from ω/ωc = 3",
-                  "not stated", f"within {100 * max(missing):.1f} %", max(missing) < 0.03, mesh,
-                  "First order in the increments."),
-        Statement(f"largest residual displacement over the interference, {name}",
-                  "up to 25 %", f"{each([100 * s for s in share])} %",
-                  grows(share) and 0.22 < share[list(runs).index(9.0)] < 0.27,
-                  mesh, DEPTH_NOTE),
-        Statement("net energy of three passes over that of the first, highest interference",
-                  "not stated", f"{each(list(again), '.2g')}", 0.2 > again[1] > again[2],
-                  mesh, AGAIN_NOTE),
-    ]  # fmt: skip
+        say.trend("net energy", grows(net), net),
+        say.trend(
+            "net energy limit",
+            limit.error < 0.03 * limit.value and abs(limit.value / 189.5 - 1) < 0.03,
+            limit.value,
+            limit.error,
+            limit=limit.text,
+        ),
+        say.trend("energy balance", max(missing) < 0.03, 100 * max(missing)),
+        say.trend(
+            "residual displacement",
+            grows(share) and 0.22 < share[list(runs).index(9.0)] < 0.27,
+            [100 * s for s in share],
+        ),
+        say.trend("three passes", 0.2 > again[1] > again[2], again),
+    ]
 
 
 def figures(results: Results) -> list[Picture]:

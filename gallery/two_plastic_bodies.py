@@ -12,9 +12,11 @@ import samcontact as sc
 
 from .bodies import ELASTIC, STEEL_52100, STEEL_M50, square
 from .drawing import axes, finish, hertz_curve
-from .page import Number, Picture, Statement
+from .page import Picture
 from .profiles import succession, top
+from .stated import Number, Stated, Statement
 
+SAID = Stated("two_plastic_bodies")
 TITLE = "Two inelastic bodies"
 INTRODUCTION = """
 Section 2.3.1.4 of the thesis: two balls of 15 mm radius (equivalent radius 7.5 mm), steel 52100, to
@@ -26,7 +28,7 @@ Hertz contact radius at 11 179 N; values up to 1900 N come from a finer grid.
 RADIUS = 7.5e-3
 PEAK = 11179.0
 MICRO_YIELD = 1476.7e6  # at a plastic strain of 20e-6
-LC = {"E_EP": 1649.0, "EP_EP": 1743.0}  # as stated
+LC = SAID.values("critical load")
 PAIRS = {
     "E_EP": (ELASTIC, STEEL_52100),
     "EP_EP": (STEEL_52100, STEEL_52100),
@@ -130,28 +132,19 @@ def difference(results: Results, other: str) -> tuple[np.ndarray, np.ndarray]:
     return one.load, 100 * np.abs(one.p_max / two.p_max - 1)
 
 
-CRITICAL_NOTES = {
-    "E_EP": "Converged: 1571 N (16 and 32 cells per radius, 10 to 40 increments). The 0.18 % "
-    "that the thesis states for the same balls at 1500 N (Table 2.1) agrees with that: the "
-    "strain grows from 0.184 to 0.2 % between 1500 and 1571 N.",
-    "EP_EP": "Converged: 1685 N; see the remark before.",
-}
-
-
 def stated(results: Results) -> list[Number | Statement]:
     peak, cases = results.peak, results.cases
     return [
-        Number("Hertz pressure at 11 179 N", 8.0, peak.p0 * 1e-9, "GPa", "closed form"),
-        Number("its contact radius", 817.0, peak.a * 1e6, "µm", "closed form"),
+        SAID.number("peak pressure", peak.p0 * 1e-9),
+        SAID.number("peak radius", peak.a * 1e6),
         *(
-            Number(f"L_c, {pair}", LC[pair], cases[pair].critical, "N", results.low_mesh,
-                   remark=CRITICAL_NOTES[pair])
+            SAID.number("critical load", cases[pair].critical, mesh=results.low_mesh, at=pair)
             for pair in LC
         ),
         *stated_pressure(results),
         *stated_axis(results),
         *stated_beyond(results),
-    ]  # fmt: skip
+    ]
 
 
 def stated_pressure(results: Results) -> list[Number | Statement]:
@@ -160,33 +153,13 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
     load, percent = difference(results, "EP_EP")
     below = float(percent[load <= LC["EP_EP"]].max())
     other = float(difference(results, "M50 against 52100")[1][-1])
+    say = SAID.on(low_mesh)
     return [
-        Number(
-            "p_max over Hertz pressure at 1743 N, EP_EP", 0.95, at_lc, "", low_mesh,
-            remark="In words, 5 % lower than Hertz; converged, it is 6.1 % at 1743 N and 5.9 % at "
-            "the L_c computed here. For one inelastic body it is 3.5 % at 1743 N, and at 1500 N "
-            "finite elements confirm the pressure to 0.02 % (docs/validation.md).",
-        ),
-        Statement(
-            "p_max of E_EP above that of EP_EP, L/L_c < 1",
-            "less than 3 %",
-            f"at most {below:.2f} %",
-            below < 3,
-            low_mesh,
-        ),
-        Number(
-            "p_max of E_EP above that of EP_EP at 11 179 N", 11.0, float(percent[-1]), "%", mesh,
-            remark="In words, up to 11 %. Converged: 10.6 %; 16 increments without error control "
-            "give 10.4 %.",
-        ),
-        Statement(
-            "the same with two hardening laws: 52100 against M50, M50 taken as elastic",
-            "lower than for identical laws",
-            f"{other:.1f} % against {percent[-1]:.1f} %",
-            other < percent[-1],
-            mesh,
-        ),
-    ]  # fmt: skip
+        say.number("pressure at the critical load", at_lc),
+        say.trend("pressure below the critical load", below < 3, below),
+        say.number("peak pressure of one", float(percent[-1]), mesh=mesh),
+        say.trend("two hardening laws", other < percent[-1], other, percent[-1], mesh=mesh),
+    ]
 
 
 def stated_axis(results: Results) -> list[Number | Statement]:
@@ -201,35 +174,19 @@ def stated_axis(results: Results) -> list[Number | Statement]:
         abs(np.max(one.hydrostatic[part]) - np.max(two.hydrostatic[part])) / p0
         for part in (one.z < 0.4 * a, one.z > a)
     ]
+    say = SAID.on(mesh)
     return [
-        Number("depth z/a of the largest residual compression, E_EP", 0.68, depth, "", mesh),
-        Statement(
-            "the same, E_EP and EP_EP",
-            "deeper than the Hertz depth of 0.48",
-            f"{depth:.2f} and {depth2:.2f}",
-            min(depth, depth2) > 0.5,
-            mesh,
-        ),
-        Statement(
-            "residual hydrostatic stress at the Hertz depth",
-            "minimum smaller when one body is elastic",
-            f"{value:.4f} p0 (E_EP), {value2:.4f} p0 (EP_EP)",
-            value < value2,
-            mesh,
-        ),
-        Statement(
-            "residual hydrostatic stress on the axis, from the surface down",
-            wanted,
-            "; ".join(f"{pair}: {found}" for pair, found in signs.items()),
+        say.number("compression depth", depth),
+        say.trend("compression depth of both", min(depth, depth2) > 0.5, depth, depth2),
+        say.trend("compression", value < value2, value, value2),
+        say.trend(
+            "hydrostatic",
             all(found == wanted for found in signs.values()),
-            mesh,
+            "; ".join((f"{pair}: {found}" for pair, found in signs.items())),
+            thesis=wanted,
         ),
-        Statement(
-            "difference between E_EP and EP_EP in the tensile zones",
-            "almost none, important in the compressive zone",
-            f"{max(gaps):.4f} p0 against {abs(value - value2):.4f} p0",
-            max(gaps) < 0.25 * abs(value - value2),
-            mesh,
+        say.trend(
+            "tension", max(gaps) < 0.25 * abs(value - value2), max(gaps), abs(value - value2)
         ),
     ]
 
@@ -237,12 +194,11 @@ def stated_axis(results: Results) -> list[Number | Statement]:
 def stated_beyond(results: Results) -> list[Number | Statement]:
     pressures, strains = results.beyond
     p0 = float(np.interp(0.02, strains, pressures))
+    say = SAID.on(results.mesh)
     return [
-        Number("Hertz pressure at a plastic strain of 2 %, E_EP", 8.12, p0 * 1e-9, "GPa",
-               results.mesh),
-        Number("the same over the micro-yield stress of 1477 MPa", 5.5, p0 / MICRO_YIELD, "",
-               results.mesh),
-    ]  # fmt: skip
+        say.number("pressure at 2 %", p0 * 1e-9),
+        say.number("pressure over yield", p0 / MICRO_YIELD),
+    ]
 
 
 def figures(results: Results) -> list[Picture]:

@@ -13,8 +13,10 @@ from samcontact.plotting import wear
 
 from .bodies import ELASTIC
 from .drawing import axes, finish
-from .page import Number, Picture, Statement
+from .page import Picture
+from .stated import Number, Stated, Statement
 
+SAID = Stated("wear")
 TITLE = "Wear of a flat surface"
 INTRODUCTION = """
 Section 5.2.1 of the thesis: two balls of 15 mm radius, smooth, pressed together thirteen times by
@@ -23,7 +25,7 @@ with more than 0.2 % of accumulated plastic strain is removed. Steel of Swift's 
 C = 16, n = 0.067. The thesis does not say whether both balls yield, nor which window its filter
 has: here body 2 yields and wears, body 1 is elastic, and the window is 300 µm, of second order.
 After the border is smoothed the plastic strain either moves up by the exact depth, as the thesis
-describes it, or by what the surface lost ([theory](../theory.md), wear and running-in).
+describes it, or by what the surface lost ([theory](../theory/wear.md)).
 
 Wear does not stop, as stated. Its rate is constant when the strain moves up by what the surface
 lost; by the exact depth it falls. But both leave the range of the theory in the second cycle. The
@@ -39,25 +41,6 @@ RADIUS, LOAD, FRICTION, THRESHOLD, CYCLES = 7.5e-3, 2000.0, 0.4, 2e-3, 13
 WINDOW = 300e-6
 E_STAR = sc.hertz.effective_modulus(ELASTIC, STEEL)
 HERTZ = sc.hertz.point(R=RADIUS, E_star=E_STAR, load=LOAD)
-PRESSURE_NOTE = (
-    "The exact onset for a friction of 0.4, at the surface. 1500 N strain it by 0.25 % (layers "
-    "of 12 µm), little more than the threshold."
-)
-RATE_NOTE = (
-    "Cells and layers of 60 and 16, 60 and 12, 45 and 12, 45 and 6, 30 and 12 µm give 0.038, "
-    "0.037, 0.037, 0.039 and 0.041 mm³ a cycle; single cycles come within 6 to 12 % of the mean, "
-    "on coarse time steps or layers up to 28 %: a rim that breaks is sensitive to everything. A "
-    "window of 930 µm, the size of the contact, gives 0.071 ± 10 %. A moving mean over 930 µm "
-    "gives no constant rate but 0.0025 to 0.051, rising. When both balls yield the rate is about "
-    "the same, and each loses it when both wear (60 and 24 µm)."
-)
-EXACT_NOTE = (
-    "0.024 to 0.010 with 60 and 24 µm, 0.030 to 0.009 with 30 and 12 µm. A moving mean over 270 "
-    "µm (30 and 12 µm) gives 0.012 ± 8 % in cycles 8 to 13, after 0.039 in the fourth; one over "
-    "660 or 900 µm (60 and 24 µm), more than the contact radius of 462 µm, spreads the wear so "
-    "widely that it stops after three or seven cycles."
-)
-STRAIN_NOTE = "Beyond 5 % the theory of small strains has no meaning."
 TITLES = ("strain moved by the exact depth", "by what the surface lost")
 STEADY = slice(3, None)
 """Cycles after the third."""
@@ -109,23 +92,17 @@ def stated_first_cycle(results: Results) -> list[Statement]:
         RADIUS, E_STAR, 0.3, float(STEEL.yield_stress(20e-6)), FRICTION
     )
     return [
-        Statement(
-            "pressure against that at which yield begins",
-            "just above the critical one",
-            f"{HERTZ.p0 * 1e-9:.2f} GPa (Hertz), {(HERTZ.load / critical.load) ** (1 / 3):.2f} "
-            "times as much",
+        SAID.trend(
+            "onset of yield",
             HERTZ.load > 2 * critical.load,
-            "closed form",
-            remark=PRESSURE_NOTE,
-            contradicted=True,
+            HERTZ.p0 * 1e-9,
+            (HERTZ.load / critical.load) ** (1 / 3),
         ),
-        Statement(
-            "plastic zone of the first cycle",
-            "found at the surface, as for friction above 0.3",
-            f"largest plastic strain {100 * first.max_equivalent_plastic_strain[0]:.2f} %, in the "
-            "first layer",
+        SAID.trend(
+            "first plastic zone",
             first.max_equivalent_plastic_strain == first.surface_strain,
-            results.mesh,
+            100 * first.max_equivalent_plastic_strain[0],
+            mesh=results.mesh,
         ),
     ]
 
@@ -134,41 +111,34 @@ def stated_rate(results: Results) -> list[Statement]:
     found, mesh = results.exact, results.mesh
     falling, rate = (1e9 * run.rate[STEADY] for run in (found, results.smoothed))
     spread = rate.max() / rate.mean() - 1, rate.min() / rate.mean() - 1
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "wear in thirteen cycles",
-            "leads to a non-stabilised state",
-            f"goes on; {1e9 * results.smoothed.rate.sum():.2f} mm³ in all, "
-            f"{1e9 * found.rate.sum():.2f} where strain moves by the exact depth",
+        say.trend(
+            "thirteen cycles",
             all(
                 run.rate[-1] > run.rate[0] and len(run.cycles) == CYCLES
                 for run in (found, results.smoothed)
             ),
-            mesh,
+            1e9 * results.smoothed.rate.sum(),
+            1e9 * found.rate.sum(),
         ),
-        Statement(
-            "wear rate, cycles 4 to 13, strain moved by what the surface lost",
-            "constant",
-            f"{rate.mean():.3f} mm³ a cycle; {found.rate[0] * 1e9:.4f} in the first cycle",
+        say.trend(
+            "wear rate",
             rate.mean() > 1e9 * found.rate[0],
-            mesh,
-            remark=RATE_NOTE,
+            rate.mean(),
+            found.rate[0] * 1e9,
         ),
-        Statement(
-            "single cycles against this mean",
-            "constant",
-            f"{100 * spread[0]:+.0f} and {100 * spread[1]:+.0f} %",
+        say.trend(
+            "single cycles",
             max(spread[0], -spread[1]) < results.allowed,
-            mesh,
+            100 * spread[0],
+            100 * spread[1],
         ),
-        Statement(
-            "wear rate, cycles 4 to 13, strain moved by the exact depth",
-            "constant",
-            f"{falling[0]:.3f} falling to {falling[-1]:.3f} mm³ a cycle",
+        say.trend(
+            "exact wear rate",
             0.1 < falling[-3:].mean() / falling[:3].mean() < 0.7,
-            mesh,
-            remark=EXACT_NOTE,
-            contradicted=True,
+            falling[0],
+            falling[-1],
         ),
     ]
 
@@ -179,28 +149,19 @@ def stated_largest(results: Results) -> list[Statement]:
     pressure = max(cycle.max_pressure for cycle in found.cycles)
     strain = max(cycle.max_equivalent_plastic_strain[0] for cycle in found.cycles)
     conserved = max(abs(c.lost[0] / c.volume[0] - 1) for c in found.cycles)
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "largest pressure in the first cycle, and in thirteen",
-            "figures, no numbers",
-            f"{first.max_pressure * 1e-9:.2f} and {pressure * 1e-9:.1f} GPa",
+        say.trend(
+            "pressure",
             pressure > 2 * first.max_pressure,
-            mesh,
+            first.max_pressure * 1e-9,
+            pressure * 1e-9,
         ),
-        Statement(
-            "largest plastic strain in thirteen cycles",
-            "figures, no numbers",
-            f"{100 * strain:.0f} %",
-            strain > 0.05,
-            mesh,
-            remark=STRAIN_NOTE,
-        ),
-        Statement(
-            "volume lost by the surface, and removed",
-            "conserved by the smoothing",
-            f"the same to {conserved:.0e}" if conserved > 0 else "the same",
+        say.trend("plastic strain", strain > 0.05, 100 * strain),
+        say.trend(
+            "volume",
             conserved < 1e-12,
-            mesh,
+            f"the same to {conserved:.0e}" if conserved > 0 else "the same",
         ),
     ]
 

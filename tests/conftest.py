@@ -21,6 +21,8 @@ LONG = (
     "validation/test_gallery.py",
     "structure/test_site.py",
     "notebooks/test_notebooks.py",
+    "unit/plotting/test_default_images.py",
+    "unit/simulation/",
     "validation/",
     "faults/",
     "stability/",

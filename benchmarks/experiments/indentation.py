@@ -81,7 +81,7 @@ def perfect(stiffness: float, cells: int) -> Print:
     return press(sc.Material.perfect_plastic(E, NU, Y), radius, guess * Y, cells)
 
 
-def hardening(exponent: float, radius: float, cells: int) -> Print:
+def hardening(exponent: float, to_radius: float, cells: int) -> Print:
     """Of a body whose stress grows with this power of the plastic strain.
 
     At a contact radius of 0.02 R, E* a/(Y R) is 40 with Y at the representative strain.
@@ -90,8 +90,8 @@ def hardening(exponent: float, radius: float, cells: int) -> Print:
     Y = E_STAR * 0.02 / 40.0
     C = 1e-2 * at * 1e6  # microstrain
     body = sc.Material.swift(E, NU, B=Y / (C + 1e6 * at) ** exponent, C=C, n=exponent)
-    stress = float(body.yield_stress(REPRESENTATIVE * radius))
-    return press(body, radius * RADIUS, 2.8 * stress, cells)
+    stress = float(body.yield_stress(REPRESENTATIVE * to_radius))
+    return press(body, to_radius * RADIUS, 2.8 * stress, cells)
 
 
 def hertz(stiffness: float) -> float:

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page and its figure, from what `solve` has found."""
+"""Indentation from first yield to the fully plastic range: points, page and figure."""
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 from typing import Any
@@ -12,9 +11,23 @@ import numpy as np
 
 import samcontact as sc
 
-from ..wear_convergence import table
-from .__main__ import CELLS, EXPONENTS, KEPT, RADII
-from .indentation import E_STAR, INCREMENTS, Print, cavity, first_yield, hertz
+from ..study import Record, Study, table_of
+from .indentation import (
+    E_STAR,
+    INCREMENTS,
+    Print,
+    cavity,
+    first_yield,
+    hardening,
+    hertz,
+    perfect,
+)
+
+STIFFNESSES = (2.0, 2.5, 3.0, 4.0, 6.0, 9.0, 13.0, 20.0, 30.0, 45.0, 65.0, 100.0)
+CELLS = (10, 14, 20)
+SLOW = 60.0  # from which on the finest grid is left out
+EXPONENTS = (0.1, 0.2, 0.3)
+RADII = (0.02, 0.04)
 
 TABOR = (2.6, 3.0)
 """2.8 +- 0.2."""
@@ -32,19 +45,42 @@ VICKERS_STRAIN = 0.08
 TEXT = Path(__file__).with_name("template.md")
 
 
-def kept() -> dict[str, list[tuple[float, Print]]]:
-    found = json.loads(KEPT.read_text(encoding="utf-8"))
+Prints = list[tuple[float, Print]]
+"""Each with the stiffness that was asked for, or the exponent of its hardening."""
+
+
+def points(quick: bool) -> list[Record]:
+    found: list[Record] = [
+        {"of": "perfect", "stiffness": stiffness, "cells": cells}
+        for stiffness in STIFFNESSES
+        for cells in (CELLS if stiffness < SLOW else CELLS[:2])
+    ]
+    found += [{"of": "hardening", "exponent": exponent, "cells": CELLS[0], "to_radius": radius}
+              for exponent in EXPONENTS for radius in RADII]  # fmt: skip
+    return [found[0], found[-1]] if quick else found
+
+
+def run(of: str, **point: Any) -> Record:
+    found = perfect(**point) if of == "perfect" else hardening(**point)
+    return found._asdict()
+
+
+def prints(records: list[Record]) -> dict[str, Prints]:
+    """Prints of each group."""
     return {
-        name: [(first, Print(*values)) for first, *values in rows] for name, rows in found.items()
-    }
+        name: [(record[first], Print(*(record[field] for field in Print._fields)))
+               for record in records if record["of"] == name]
+        for name, first in (("perfect", "stiffness"), ("hardening", "exponent"))
+    }  # fmt: skip
 
 
-def finest(rows: list[tuple[float, Print]]) -> list[Print]:
+def finest(rows: Prints) -> list[Print]:
     """The last of each load."""
     return list(dict(rows).values())
 
 
-def page(found: dict[str, list[tuple[float, Print]]]) -> str:
+def page(records: list[Record]) -> str:
+    found = prints(records)
     curve = finest(found["perfect"])
     x, values = (np.array([getattr(one, k) for one in curve]) for k in ("stiffness", "constraint"))
     yielded = x > 3.5
@@ -58,7 +94,7 @@ def page(found: dict[str, list[tuple[float, Print]]]) -> str:
     factors = np.array([one.constraint for _, one in found["hardening"]])
     return TEXT.read_text(encoding="utf-8").format(
         first=first_yield(),
-        perfect=table(curve_table(found["perfect"])),
+        perfect=table_of(curve_table(found["perfect"])),
         finest=max(one.stiffness for _, one in found["perfect"] if one.cells == 20),
         cells=f"{', '.join(map(str, CELLS[:-1]))} and {CELLS[-1]}",
         increments=INCREMENTS,
@@ -72,10 +108,10 @@ def page(found: dict[str, list[tuple[float, Print]]]) -> str:
         most=values[-1],
         peak=max(one.max_pressure / one.yield_stress for one in curve),
         last=x[-1],
-        hardening=table(hardening_table(found["hardening"])),
+        hardening=table_of(hardening_table(found["hardening"])),
         off=math.ceil(100 * max(0.0, factors.max() / TABOR[1] - 1, 1 - factors.min() / TABOR[0])),
         meyer=max(abs(power - 2 - n) for n, power in powers.items()),
-        honest=table(honest_table(curve)),
+        honest=table_of(honest_table(curve)),
         swift=1e-9 * swift,
         harder=100 * (swift * 2.8 / vickers - 1),
         hardness=HARDNESS,
@@ -84,7 +120,7 @@ def page(found: dict[str, list[tuple[float, Print]]]) -> str:
     )
 
 
-def curve_table(rows: list[tuple[float, Print]]) -> list[dict[str, Any]]:
+def curve_table(rows: Prints) -> list[dict[str, Any]]:
     lines = []
     for asked in dict(rows):
         grids = [one for first, one in rows if first == asked]
@@ -104,7 +140,7 @@ def curve_table(rows: list[tuple[float, Print]]) -> list[dict[str, Any]]:
     return lines
 
 
-def hardening_table(rows: list[tuple[float, Print]]) -> list[dict[str, Any]]:
+def hardening_table(rows: Prints) -> list[dict[str, Any]]:
     powers = meyer(rows)
     return [
         {
@@ -119,7 +155,7 @@ def hardening_table(rows: list[tuple[float, Print]]) -> list[dict[str, Any]]:
     ]
 
 
-def meyer(rows: list[tuple[float, Print]]) -> dict[float, float]:
+def meyer(rows: Prints) -> dict[float, float]:
     """Power of the radius with which the load grows, of each exponent."""
     found = {}
     for n in EXPONENTS:
@@ -129,7 +165,7 @@ def meyer(rows: list[tuple[float, Print]]) -> dict[float, float]:
     return found
 
 
-def spread(rows: list[tuple[float, Print]]) -> float:
+def spread(rows: Prints) -> float:
     """How far mean pressures of coarser grids are from those of the finest at most."""
     last = dict(rows)
     return max(abs(one.constraint / last[asked].constraint - 1) for asked, one in rows)
@@ -156,9 +192,10 @@ def honest_table(curve: list[Print]) -> list[dict[str, Any]]:
     return lines
 
 
-def draw(found: dict[str, list[tuple[float, Print]]]) -> Any:
+def draw(records: list[Record]) -> dict[str, Any]:
     from matplotlib.figure import Figure
 
+    found = prints(records)
     figure = Figure(figsize=(6.4, 4.4), layout="constrained")
     ax = figure.subplots()
     ax.axhspan(*TABOR, color="0.9", label="Tabor, 2.8 ± 0.2")
@@ -184,4 +221,7 @@ def draw(found: dict[str, list[tuple[float, Print]]]) -> Any:
     ax.set_xticks([1, 2, 5, 10, 20, 50, 100, 200], ["1", "2", "5", "10", "20", "50", "100", "200"])
     ax.grid(alpha=0.3)
     ax.legend(frameon=False, fontsize=8, loc="lower right")
-    return figure
+    return {"experiments.png": figure}
+
+
+STUDY = Study("experiments", "Indentation beside what experiments found.", points, run, page, draw)

@@ -11,16 +11,17 @@ import samcontact as sc
 from samcontact import hertz
 from samcontact.surfaces import paraboloid
 
-from ..accuracy import finest
 from ..accuracy_cases import BALL, SWIFT
 from ..accuracy_cases import STEEL as WITHOUT_FLOW
 from ..steel import ELASTIC, RADIUS, STEEL
+from ..truth import finest
 from . import balls_deck as deck
 from . import calculix
 from .tables import (
     Points,
     Runs,
     apart,
+    both,
     error_against,
     numbers,
     points,
@@ -140,53 +141,54 @@ def numbers_of(file: Path) -> dict[str, float]:
     }
 
 
-def measure_accuracy() -> dict[str, Runs]:
-    """The scene to accuracies, and what it tends to with finer grids and more increments."""
-    case = {
-        "body1": WITHOUT_FLOW, "body2": SWIFT, "surface": BALL,
-        "path": [{"approach": 1e-3 * deck.APPROACH}, {"approach": 0.0}],
-    }  # fmt: skip
-    truth = finest(case, TRUTH)
-    found: dict[str, Runs] = {"truth": {"limit": {q: truth[n] for q, n in ASKED_FOR.items()}}}
-    found["runs"] = {}
-    for asked in ASKED:
-        timed = []
-        for _ in range(REPEATS):
-            start = time.process_time()
-            run = sc.to_accuracy(case, asked, quantities=list(ASKED_FOR.values()))
-            timed.append(time.process_time() - start)
-        values = {quantity: run.values[name] for quantity, name in ASKED_FOR.items()}
-        cells = run.grid.nx * run.grid.ny * len(run.states[-1].depths)
-        found["runs"][f"{asked:g}"] = {"cells": cells, "seconds": min(timed), **values}
-        print("to an accuracy", asked, found["runs"][f"{asked:g}"], flush=True)
-    return found
+CASE = {
+    "body1": WITHOUT_FLOW, "body2": SWIFT, "surface": BALL,
+    "path": [{"approach": 1e-3 * deck.APPROACH}, {"approach": 0.0}],
+}  # fmt: skip
 
 
-def measure_slopes() -> Runs:
+def limit() -> dict[str, float]:
+    """What the scene tends to with finer grids and more increments."""
+    truth = finest(CASE, TRUTH)
+    return {quantity: truth[name] for quantity, name in ASKED_FOR.items()}
+
+
+def measure_accuracy(asked: float) -> dict[str, float]:
+    """The scene to an accuracy."""
+    timed = []
+    for _ in range(REPEATS):
+        start = time.process_time()
+        run = sc.to_accuracy(CASE, asked, quantities=list(ASKED_FOR.values()))
+        timed.append(time.process_time() - start)
+    values = {quantity: run.values[name] for quantity, name in ASKED_FOR.items()}
+    cells = run.grid.nx * run.grid.ny * len(run.states[-1].depths)
+    return {"cells": cells, "seconds": min(timed), **values}
+
+
+def measure_slopes(flatter: float) -> dict[str, float]:
     """What the slopes of the surface do to an elastic contact: numbers over those of Hertz."""
-    found: Runs = {}
+    with tempfile.TemporaryDirectory() as folder:
+        run = finite_elements(Path(folder), SLOPES_ON, flatter)
+    approach = 1e-3 * deck.APPROACH / flatter
     modulus = hertz.effective_modulus(ELASTIC, ELASTIC)
-    for flatter in FLATTER:
-        with tempfile.TemporaryDirectory() as folder:
-            run = finite_elements(Path(folder), SLOPES_ON, flatter)
-        approach = 1e-3 * deck.APPROACH / flatter
-        expected = hertz.point(R=RADIUS * flatter, E_star=modulus, approach=approach)
-        found[f"{flatter:g}"] = {
-            "load": run["load"] / expected.load,
-            "von_mises": run["von_mises"] / expected.max_von_mises(0.3)[0],
-        }
-    return found
+    expected = hertz.point(R=RADIUS * flatter, E_star=modulus, approach=approach)
+    stress = run["von_mises"] / expected.max_von_mises(0.3)[0]
+    return {"load": run["load"] / expected.load, "von_mises": stress}
 
 
-def section(runs: dict[str, Runs], slopes: Runs, accuracy: dict[str, Runs]) -> str:
+def section(found: dict[str, Runs]) -> str:
     """Of the page."""
+    runs = both(found)
     name = "on the radius"
     rows = time_rows(runs, QUANTITIES)
-    for asked, run in accuracy["runs"].items():
-        error = error_against(accuracy["truth"]["limit"], run, QUANTITIES)
+    for asked, run in found["an accuracy"].items():
+        error = error_against(found["truth"]["0"], run, QUANTITIES)
         cells = time_cells(f"{run['cells']} cells and coarser", error, run)
         rows.append([f"samcontact, to {100 * float(asked):g} %", "", *cells])
-    off = {at: {q: 100 * (value - 1) for q, value in found.items()} for at, found in slopes.items()}
+    off = {
+        at: {q: 100 * (run[q] - 1) for q in ("load", "von_mises")}
+        for at, run in found["slopes"].items()
+    }
     return TEXT.format(
         load=off["1"]["load"],
         stress=off["1"]["von_mises"],
@@ -199,17 +201,16 @@ def section(runs: dict[str, Runs], slopes: Runs, accuracy: dict[str, Runs]) -> s
         growth=deck.GROWTH,
         far=deck.FAR,
         times=times(name, rows),
-        ratios=ratios(runs["CalculiX"], QUANTITIES, ours(runs, accuracy)),
+        ratios=ratios(runs["CalculiX"], QUANTITIES, ours(found)),
         numbers=numbers(name, runs, QUANTITIES),
         differ=apart(runs, QUANTITIES),
         slope=100 * deck.FINE * deck.CONTACT / deck.RADIUS,
     )
 
 
-def ours(runs: dict[str, Runs], accuracy: dict[str, Runs], **_: Runs) -> dict[str, Points]:
+def ours(found: dict[str, Runs]) -> dict[str, Points]:
     """Errors and times of samcontact, by how its cells are chosen."""
-    truth = accuracy["truth"]["limit"]
     return {
-        "a grid": points(runs["samcontact"], QUANTITIES),
-        "an accuracy": points_against(truth, accuracy["runs"], QUANTITIES),
+        "a grid": points(found["samcontact"], QUANTITIES),
+        "an accuracy": points_against(found["truth"]["0"], found["an accuracy"], QUANTITIES),
     }

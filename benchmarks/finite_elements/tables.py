@@ -7,12 +7,19 @@ from typing import Any
 
 import numpy as np
 
+from ..study import table
+
 Runs = dict[str, dict[str, Any]]
 """What was found, by the size of a mesh."""
 Quantities = dict[str, tuple[str, float]]
 """Headings and factors of units of what is compared."""
 Points = list[tuple[float, float]]
 """Errors and times [s]."""
+
+
+def both(found: dict[str, Runs]) -> dict[str, Runs]:
+    """Runs of the two codes alone."""
+    return {code: found[code] for code in ("CalculiX", "samcontact")}
 
 
 def limit(runs: Runs, quantity: str) -> float:
@@ -101,9 +108,3 @@ def numbers(sizes: str, runs: dict[str, Runs], quantities: Quantities) -> str:
             values = [f"{scale * run[q]:.5g}" for q, (_, scale) in quantities.items()]
             rows.append([code, size, *values])
     return table(["code", sizes, *(heading for heading, _ in quantities.values())], rows)
-
-
-def table(heading: list[str], rows: list[list[str]]) -> str:
-    """Markdown."""
-    lines = [heading, ["---"] * len(heading), *rows]
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..harness import ROOT
+from ..study import table_of
 from ..tables import between_markers, cell
 from .problems import PLASTIC
 from .running import FINEST, tight
@@ -108,10 +109,8 @@ def row_at(ladder: Ladder, measure: str, error: float) -> dict[str, Any] | None:
 
 def table(lines: list[dict[str, Any]]) -> str:
     """Markdown of rows with equal keys."""
-    names = list(lines[0])
-    rows = [names, ["---"] * len(names)]
-    rows += [["" if line[name] is None else cell(line[name]) for name in names] for line in lines]
-    return "\n".join(f"| {' | '.join(row)} |" for row in rows)
+    return table_of([{name: "" if value is None else cell(value) for name, value in line.items()}
+                     for line in lines])  # fmt: skip
 
 
 def where(place: Place, codes: dict[str, Ladder]) -> str:

@@ -28,6 +28,7 @@ LARGER = {("rough", "light"): (4096,)}  # within the memory of a desktop
 QUICK_SIZES = {"hertz": (64, 128), "rough": (64, 128), "plastic": (12,), "stress": (48,)}
 QUICK_SIZES |= {"periodic": (128,), "periodic_plastic": (12,), "slip": (32,)}
 PROBLEMS = tuple(SIZES)
+STORED = Path(__file__).with_name("results.json")
 BOTH = ("samcontact", "tamaas")  # where there is a volume, or a period
 LONG = 3.0  # s: what takes longer is measured once
 GROWTH = 4.0  # least factor of time from a size to the next

@@ -3,17 +3,16 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 from typing import Any
 
-from ..finite_elements.tables import table
+from ..harness import Meter
 from ..scaling import exponent
+from ..study import Study, table
 from . import cluster
-from .jobs import JOBS, USUAL, Job
+from .jobs import JOBS, USUAL, Job, measure
 
-KEPT = Path(__file__).with_name("results.json")
 TEXT = Path(__file__).with_name("template.md")
 DECADE = 10.0
 MACHINE = 1e12
@@ -21,14 +20,20 @@ MACHINE = 1e12
 Rows = list[dict[str, Any]]
 
 
-def kept() -> Rows:
-    found: Rows = json.loads(KEPT.read_text(encoding="utf-8")) if KEPT.exists() else []
-    return found
+def points(quick: bool) -> Rows:
+    return [{"of": job.function, "n": n} for job in JOBS
+            for n in (job.sizes[:1] if quick else job.sizes)]  # fmt: skip
+
+
+def run(of: str, n: int) -> dict[str, Any]:
+    meter = Meter()
+    found = measure(meter, of, n)
+    return found | {"cpu_s": meter.cpu, "memory_MB": meter.memory / 1e6}
 
 
 def of(rows: Rows, job: Job) -> Rows:
     """Those of a job, smallest first."""
-    return sorted((row for row in rows if row["case"] == job.function), key=lambda row: row["n"])
+    return sorted((row for row in rows if row["of"] == job.function), key=lambda row: row["n"])
 
 
 def growth(rows: Rows) -> float:
@@ -183,3 +188,6 @@ def page(rows: Rows) -> str:
         tensors=cluster.STRAINS + cluster.STRESSES,
         layers=max(row.get("layers", 0) for row in rows),
     )
+
+
+STUDY = Study("scale", "What the main jobs cost against their size.", points, run, page, fresh=True)

@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page and its figure, from what `solve` has found."""
+"""Which load leaves 1e-4 of the diameter: points, page and figure."""
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 from typing import Any
 
 from samcontact import bearings, critical, hertz
 
-from ..wear_convergence import table
-from .__main__ import FINE, GROOVE, KEPT
+from ..study import Record, Study, table_of
 from .scenes import (
     ALLOWED,
     BALL,
@@ -20,21 +18,49 @@ from .scenes import (
     E_STAR,
     FLAT,
     PITCH,
+    PRESSURES,
     STEEL,
+    STEELS,
     Pressed,
+    press,
     reaches,
-)  # fmt: skip
+)
+
+FINE = 20  # cells in a semi-axis, beside the usual ones
+GROOVE = "deep groove, inner race"
 
 TEXT = Path(__file__).with_name("template.md")
 
 
-def kept() -> dict[str, Any]:
-    found = json.loads(KEPT.read_text(encoding="utf-8"))
-    many = {
-        part: {name: [Pressed(*row) for row in rows] for name, rows in found[part].items()}
-        for part in ("contacts", "steels")
-    }
-    return many | {"fine": {name: Pressed(*row) for name, row in found["fine"].items()}}
+Rows = dict[str, list[Pressed]]
+
+
+def points(quick: bool) -> list[Record]:
+    found = [
+        {"of": "contacts", "name": name, "pressure": pressure}
+        for name, contact in CONTACTS.items()
+        for pressure in sorted({*PRESSURES, contact.pressure})
+    ]
+    found += [{"of": "steels", "name": name, "pressure": p} for name in STEELS for p in PRESSURES]
+    found += [{"of": "fine", "name": name, "pressure": contact.pressure}
+              for name, contact in CONTACTS.items()]  # fmt: skip
+    return found[:1] if quick else found
+
+
+def run(of: str, name: str, pressure: float) -> Record:
+    contact = CONTACTS[GROOVE if of == "steels" else name]
+    steel = STEELS[name if of == "steels" else STEEL]
+    cells = {"cells": FINE} if of == "fine" else {}
+    return press(contact, steel, pressure, **cells)._asdict()
+
+
+def pressed(records: list[Record]) -> tuple[Rows, Rows, Rows]:
+    """Of contacts, of steels, and on finer grids, by name."""
+    found: dict[str, Rows] = {"contacts": {}, "steels": {}, "fine": {}}
+    for record in records:
+        rows = found[record["of"]].setdefault(record["name"], [])
+        rows.append(Pressed(*(record[field] for field in Pressed._fields)))
+    return found["contacts"], found["steels"], found["fine"]
 
 
 def at(rows: list[Pressed], pressure: float) -> Pressed:
@@ -52,14 +78,14 @@ def power(rows: list[Pressed], low: float, high: float) -> float:
     return math.log(last.deformation / first.deformation) / math.log(high / low)
 
 
-def page(found: dict[str, Any]) -> str:
-    contacts, steels = found["contacts"], found["steels"]
+def page(records: list[Record]) -> str:
+    contacts, steels, finer = pressed(records)
     groove, flat = contacts[GROOVE], contacts[FLAT]
     iso = {name: at(rows, CONTACTS[name].pressure) for name, rows in contacts.items()}
     rated = [name for name in contacts if name != FLAT]
     allowed = {name: by_model(contacts[name]) for name in rated}
     margins = [100 * (allowed[name] / CONTACTS[name].pressure - 1) for name in rated]
-    fine = [abs(found["fine"][n].deformation / iso[n].deformation - 1) for n in contacts]
+    fine = [abs(finer[n][0].deformation / iso[n].deformation - 1) for n in contacts]
     grows = power(groove, 4.2e9, 5.0e9)
     race = CONTACTS[GROOVE].race
     rating = {
@@ -69,8 +95,8 @@ def page(found: dict[str, Any]) -> str:
     ratios = [at(groove, p).deformation / at(flat, p).deformation for p in (4.2e9, 6e9)]
     return TEXT.read_text(encoding="utf-8").format(
         ball=1e3 * BALL, pitch=1e3 * PITCH, balls=BALLS, fine=FINE,
-        contacts=table([contact_row(name, contacts[name], iso[name]) for name in contacts]),
-        steels=table([steel_row(name, rows) for name, rows in steels.items()]),
+        contacts=table_of([contact_row(name, contacts[name], iso[name]) for name in contacts]),
+        steels=table_of([steel_row(name, rows) for name, rows in steels.items()]),
         grids=100 * max(fine),
         least=min(iso[name].deformation for name in rated) / ALLOWED,
         largest=max(iso[name].deformation for name in rated) / ALLOWED,
@@ -125,20 +151,21 @@ def steel_row(name: str, rows: list[Pressed]) -> dict[str, str]:
     }
 
 
-def draw(found: dict[str, Any]) -> Any:
+def draw(records: list[Record]) -> dict[str, Any]:
     from matplotlib.figure import Figure
 
+    contacts, steels, _ = pressed(records)
     figure = Figure(figsize=(9.6, 4.0), layout="constrained")
     left, right = figure.subplots(1, 2, sharex=True, sharey=True)
     for number, name in enumerate((GROOVE, FLAT)):
-        rows = found["contacts"][name]
+        rows = contacts[name]
         pressures = [1e-9 * row.pressure for row in rows]
         colour = f"C{number}"
         left.plot(pressures, [row.deformation for row in rows], "o-", color=colour, label=name)
         left.plot(
             pressures, [row.palmgren for row in rows], "--", color=colour, label=f"{name}, Palmgren"
         )
-    for name, rows in found["steels"].items():
+    for name, rows in steels.items():
         style = "--" if name.startswith("perf") else ":" if "%" in name else "-"
         known = [row for row in rows if row.deformation > 0]
         right.plot(
@@ -153,4 +180,7 @@ def draw(found: dict[str, Any]) -> Any:
         ax.legend(frameon=False, fontsize=7.5, loc="lower right")
     left.set(ylabel="permanent deformation / diameter", title=f"{STEEL}, both bodies")
     right.set_title(GROOVE)
-    return figure
+    return {"static_capacity.png": figure}
+
+
+STUDY = Study("static_capacity", "Which load leaves 1e-4 of the diameter.", points, run, page, draw)

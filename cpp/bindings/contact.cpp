@@ -12,6 +12,7 @@
 #include "rooms.hpp"
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/contact/coulomb_contact.hpp"
+#include "samcontact/contact/outline.hpp"
 #include "samcontact/operators/medium/layered_half_space.hpp"
 
 namespace samcontact::bindings {
@@ -127,9 +128,20 @@ py::object shear(const ContactSolver& solver, const Array& pressure) {
   return surface_array(std::move(along_x), solver.grid());
 }
 
+/// Cells, sides, reach, whether the pressure rises to a side, and the largest pressure.
+py::tuple outline(const Array& pressure, bool along_x, bool along_y, double rise) {
+  const contact::Cells cells{static_cast<int>(pressure.shape(0)),
+                             static_cast<int>(pressure.shape(1)), along_x, along_y};
+  const auto found =
+      contact::outline({pressure.data(), static_cast<std::size_t>(pressure.size())}, cells, rise);
+  return py::make_tuple(found.cells, found.sides, found.reach, found.rises, found.largest);
+}
+
 }  // namespace
 
 void bind_contact(py::module_& m) {
+  m.def("contact_outline", &outline, py::arg("pressure"), py::arg("along_x"), py::arg("along_y"),
+        py::arg("rise"));
   py::class_<ContactSolver>(m, "ContactSolver")
       .def(py::init([](const Grid& grid, const Stack& body1, const Stack& body2, double friction,
                        const operators::HeatingPair& heating) {

@@ -5,8 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..page import Number, Statement
-from ..profiles import each
+from ..stated import Number, Stated, Statement
 from .scenes import (
     FACTORS,
     HERTZ,
@@ -20,15 +19,10 @@ from .scenes import (
     hertz,
 )
 
-THERMO_ELASTIC = {0.0: 2537.9, 0.05: 1971.4, 0.12: 3501.6, 0.20: 7343.3}
-PLASTIC = {0.0: 2349.1, 0.05: 1939.0, 0.12: 2654.4, 0.20: 3186.9}
-RESIDUAL = {0.0: 135.5, 0.05: 25.7, 0.12: 877.3, 0.20: 4219.6}
-ONSET = {0.0: 298.0, 0.05: 491.0, 0.12: 468.0, 0.20: 212.0}
+SAID = Stated("heat")
 FINE_ONSET = {0.0: 296.0, 0.05: 497.0, 0.12: 472.0, 0.20: 209.0}
 FINE = {0.0: 2539.4, 0.05: 1961.9, 0.12: 3530.4, 0.20: 7391.6}
 """Of a separate computation of the thermo-elastic contact on a fine grid."""
-REVERSED = 3160.0
-"""Residual stress at the surface for Q_f = 0.2 m/s in the limit of thin layers [MPa]."""
 STEP = 20.0
 """Of the depths of the thesis's tables [µm]."""
 
@@ -68,26 +62,28 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
     tops = [float(case.pressure.max()) * 1e-9 for case in small]
     areas = [case.area / (np.pi * hertz(SMALL_LOAD).a ** 2) for case in small]
     return [
-        Statement(
-            "largest pressure, from elastic-plastic to thermo-elastic-plastic",
-            "increases with the heat, in a smaller contact",
-            ", ".join(listed) + f"; radius {radius[0]:.2f} to {radius[1]:.2f} a (1500 N)",
+        SAID.trend(
+            "largest pressure",
             rises and radius[1] < 0.9 * radius[0],
-            results.mesh["heated"],
+            ", ".join(listed),
+            radius[0],
+            radius[1],
+            mesh=results.mesh["heated"],
         ),
-        Number("plastic strain at a Hertz pressure of 8.12 GPa, no heat", 2.0, 100 * strain, "%",
-               f"{results.mesh['plastic'].split(',')[0]}, layers a/20", tolerance=0.08,
-               remark="The same on finer grids: [two inelastic bodies](two_plastic_bodies.md)."),
-        Statement(
-            "140 N, Q_f = 0, 0.075, 0.15, 0.225, 0.3 m/s: largest pressure, contact area",
-            "increase of the pressure, decrease of the area; elastic for Q_f = 0",
-            each(tops, ".3f") + " GPa; "
-            + each(areas, ".2f") + f" of Hertz's; γ = {small[0].gamma:g} "
-            "for Q_f = 0",
+        SAID.number(
+            "strain at 8.12 GPa",
+            100 * strain,
+            mesh=f"{results.mesh['plastic'].split(',')[0]}, layers a/20",
+        ),
+        SAID.trend(
+            "light load",
             bool(np.all(np.diff(tops) > 0) and np.all(np.diff(areas) < 0)) and small[0].gamma == 0,
-            results.mesh["small"],
+            tops,
+            areas,
+            small[0].gamma,
+            mesh=results.mesh["small"],
         ),
-    ]  # fmt: skip
+    ]
 
 
 def slope(curve: Onset, low: float, high: float) -> tuple[float, float]:
@@ -106,75 +102,63 @@ def stated_onset(results: Results) -> list[Number | Statement]:
     depth = np.interp((0.0, 0.07), curve.factor, curve.depth)
     ring = (curve.factor > curve.leaves_axis()) & (curve.factor < curve.reaches_surface())
     above = curve.factor >= curve.reaches_surface()
+    say = SAID.on(mesh)
     return [
-        *(
-            Number(f"load at the onset of yield, Q_f = {factor:g} m/s", ONSET[factor],
-                   curve.load(factor), "N", mesh, tolerance=0.02)
-            for factor in FACTORS
+        *(say.number("onset load", curve.load(factor), at=factor) for factor in FACTORS),
+        say.number("onset rise", rise),
+        say.number("onset rise factor", float(curve.factor[k])),
+        say.trend(
+            "onset falls", falling[0] < 0 and falling[1] < 0.01, -falling[0] / 100, 100 * falling[1]
         ),
-        Number("largest rise of the Hertz pressure at the onset of yield", 38.0, rise, "%", mesh,
-               remark="The thesis says nearly 38 %; on a fine grid it is 36.2 %."),
-        Number("at Q_f", 0.075, float(curve.factor[k]), "m/s", mesh, tolerance=0.03),
-        Statement(
-            "then, up to 0.152 m/s",
-            "falls linearly",
-            f"by {-falling[0] / 100:.0f} MPa per 0.01 m/s, {100 * falling[1]:.1f} % from a "
-            "straight line",
-            falling[0] < 0 and falling[1] < 0.01,
-            mesh,
-        ),
-        Statement(
-            "above 0.152 m/s",
-            "another slope",
-            f"by {-later[0] / 100:.0f} MPa per 0.01 m/s up to 0.25 m/s",
-            abs(later[0] / falling[0] - 1) > 0.1,
-            mesh,
-        ),
-        Number("Q_f at which the first yield reaches the surface", 0.152, curve.reaches_surface(),
-               "m/s", mesh, tolerance=0.03),
-        Statement(
-            "place of first yield up to 0.075 m/s",
-            "on the axis, deeper with the heat",
-            f"on the axis up to {curve.leaves_axis():.3f} m/s, from z/a = {depth[0]:.2f} to "
-            f"{depth[1]:.2f} at 0.07 m/s",
+        say.trend("onset slope", abs(later[0] / falling[0] - 1) > 0.1, -later[0] / 100),
+        say.number("onset at surface", curve.reaches_surface()),
+        say.trend(
+            "place on axis",
             abs(curve.leaves_axis() - 0.075) < 0.003 and depth[1] > depth[0] + 0.02,
-            mesh,
+            curve.leaves_axis(),
+            depth[0],
+            depth[1],
         ),
-        Statement(
-            "from 0.075 to 0.152 m/s",
-            "moves sharply to the surface, and from the centre to the edge of the contact",
-            f"z/a from {curve.depth[ring][0]:.2f} to {curve.depth[ring][-1]:.2f}, r/a from "
-            f"{curve.radius[ring][0]:.2f} to {curve.radius[ring][-1]:.2f}",
+        say.trend(
+            "place moves",
             curve.depth[ring][-1] < 0.15 and bool(np.all(curve.radius[ring] > 0.6)),
-            mesh,
+            curve.depth[ring][0],
+            curve.depth[ring][-1],
+            curve.radius[ring][0],
+            curve.radius[ring][-1],
         ),
-        Statement(
-            "above 0.152 m/s",
-            "at the surface, in the centre of the contact",
-            f"radius {curve.radius[above].max():.2f} a, depth {curve.depth[above].max():.2f} a",
+        say.trend(
+            "place at surface",
             curve.radius[above].max() < 0.05 and curve.depth[above].max() == 0,
-            mesh,
+            curve.radius[above].max(),
+            curve.depth[above].max(),
         ),
-    ]  # fmt: skip
+    ]
 
 
 def stated_stress(results: Results) -> list[Number | Statement]:
     return [
         *(
-            Number(
-                f"largest von Mises stress, {'thermo-' if f else ''}elastic, Q_f = {f:g} m/s",
-                THERMO_ELASTIC[f], results.elastic[f].largest[0] * 1e-6, "MPa",
-                results.mesh["elastic"], tolerance=0.02,
+            SAID.number(
+                "elastic stress",
+                results.elastic[f].largest[0] * 1e-6,
+                mesh=results.mesh["elastic"],
+                thermo="thermo-" if f else "",
+                at=f,
             )
             for f in FACTORS
         ),
         against_fine_grid(results),
-        depths("elastic", (200, 240, 0, 0), [results.elastic[f].largest[1] for f in FACTORS],
-               results.mesh["elastic"]),
+        depths(
+            "elastic",
+            (200, 240, 0, 0),
+            [results.elastic[f].largest[1] for f in FACTORS],
+            results.mesh["elastic"],
+        ),
         *stated_plastic(results),
         attenuated(results),
         *competition(results),
-    ]  # fmt: skip
+    ]
 
 
 def against_fine_grid(results: Results) -> Statement:
@@ -182,16 +166,13 @@ def against_fine_grid(results: Results) -> Statement:
         "stresses": [results.elastic[f].largest[0] * 1e-6 / FINE[f] - 1 for f in FACTORS],
         "loads": [results.onset.load(f) / FINE_ONSET[f] - 1 for f in FACTORS],
     }
-    return Statement(
-        "these stresses and loads, against a separate fine-grid solution",
-        "not stated",
-        "; ".join(f"{name} at most {100 * np.abs(d).max():.2f} %" for name, d in apart.items()),
+    return SAID.trend(
+        "fine grid",
         all(np.abs(d).max() < 0.01 for d in apart.values()),
-        f"{results.mesh['elastic']}, {results.mesh['onset']}",
-        remark=f"Fine grid: {each(FINE.values(), '.0f')} MPa and "
-        f"{each(FINE_ONSET.values(), '.0f')} N. Three heated stresses of the thesis differ from "
-        "these by what a constant equibiaxial stress of about -240 MPa times Q_f / (m/s) would "
-        "make.",
+        "; ".join((f"{name} at most {100 * np.abs(d).max():.2f} %" for name, d in apart.items())),
+        mesh=f"{results.mesh['elastic']}, {results.mesh['onset']}",
+        fine=list(FINE.values()),
+        fine_onset=list(FINE_ONSET.values()),
     )
 
 
@@ -199,45 +180,54 @@ def stated_plastic(results: Results) -> list[Number | Statement]:
     distances = [results.last(f).distance / HERTZ.a for f in (0.12, 0.20)]
     return [
         *(
-            Number(
-                f"largest von Mises stress, {'thermo-' if f else ''}elastic-plastic, "
-                f"Q_f = {f:g} m/s", PLASTIC[f], results.last(f).largest[0] * 1e-6, "MPa",
-                mesh_of(results, f),
+            SAID.number(
+                "plastic stress",
+                results.last(f).largest[0] * 1e-6,
+                mesh=mesh_of(results, f),
+                thermo="thermo-" if f else "",
+                at=f,
             )
             for f in FACTORS
         ),
-        depths("elastic-plastic", (200, 240, 40, 40), [results.last(f).largest[1] for f in FACTORS],
-               results.mesh["heated"],
-               f"For 0.12 and 0.20 m/s it is on a ring of radius {distances[0]:.2f} and "
-               f"{distances[1]:.2f} a."),
-        Number("largest plastic strain, Q_f = 0", 0.18, 100 * results.last(0.0).gamma, "%",
-               results.mesh["plastic"]),
-    ]  # fmt: skip
+        depths(
+            "elastic-plastic",
+            (200, 240, 40, 40),
+            [results.last(f).largest[1] for f in FACTORS],
+            results.mesh["heated"],
+            f"For 0.12 and 0.20 m/s it is on a ring of radius {distances[0]:.2f} and "
+            f"{distances[1]:.2f} a.",
+        ),
+        SAID.number(
+            "largest plastic strain", 100 * results.last(0.0).gamma, mesh=results.mesh["plastic"]
+        ),
+    ]
 
 
 def depths(
     name: str, thesis: tuple[int, ...], found: list[float], mesh: str, remark: str = ""
 ) -> Statement:
     ours = [1e6 * value for value in found]
-    return Statement(
-        f"depth of these stresses, {name}, Q_f = 0, 0.05, 0.12, 0.20 m/s",
-        each(thesis, "d") + " µm",
-        each(ours, ".0f") + " µm",
+    return SAID.trend(
+        "stress depths",
         all(abs(a - b) < STEP for a, b in zip(ours, thesis, strict=True)),
-        mesh,
+        ours,
         remark=(f"The thesis tells depths in steps of {STEP:.0f} µm. " + remark).strip(),
+        mesh=mesh,
+        which=name,
+        depths=thesis,
     )
 
 
 def attenuated(results: Results) -> Statement:
     elastic, plastic = results.elastic[0.0].largest, results.last(0.0).largest
-    return Statement(
-        "plasticity without heat",
-        "attenuates the stress, at the same depth",
-        f"{elastic[0] * 1e-6:.0f} to {plastic[0] * 1e-6:.0f} MPa, at {elastic[1] * 1e6:.0f} and "
-        f"{plastic[1] * 1e6:.0f} µm",
+    return SAID.trend(
+        "plasticity",
         plastic[0] < 0.95 * elastic[0] and abs(plastic[1] - elastic[1]) < STEP,
-        results.mesh["plastic"],
+        elastic[0] * 1e-6,
+        plastic[0] * 1e-6,
+        elastic[1] * 1e6,
+        plastic[1] * 1e6,
+        mesh=results.mesh["plastic"],
     )
 
 
@@ -250,29 +240,25 @@ def competition(results: Results) -> list[Statement]:
     hertz_depth = float(z[int(axis[0.0].argmax())])
     at_depth = {f: float(np.interp(hertz_depth, z, axis[f])) for f in FACTORS}
     mesh = results.mesh["elastic"]
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "Q_f = 0.05 m/s against no heat, thermo-elastic",
-            "lower stress near the surface; the Hertzian zone is deeper, and its stress lower",
-            f"on the axis {axis[0.05][near].mean():.0f} instead of {axis[0.0][near].mean():.0f} "
-            f"MPa down to 50 µm, maximum at {results.elastic[0.05].largest[1] * 1e6:.0f} instead "
-            f"of {hertz_depth * 1e6:.0f} µm",
+        say.trend(
+            "little heat",
             axis[0.05][near].mean() < axis[0.0][near].mean()
             and results.elastic[0.05].largest[1] > hertz_depth
             and axis[0.05].max() < axis[0.0].max(),
-            mesh,
+            axis[0.05][near].mean(),
+            axis[0.0][near].mean(),
+            results.elastic[0.05].largest[1] * 1e6,
+            hertz_depth * 1e6,
         ),
-        Statement(
-            "Q_f = 0.12 and 0.20 m/s, thermo-elastic",
-            "stress at the Hertz depth lower than elsewhere",
-            "at the Hertz depth "
-            + ", ".join(f"{at_depth[f]:.0f} MPa instead of {at_depth[0.0]:.0f}" for f in hot)
-            + ", where the largest is "
-            + each([axis[f].max() for f in hot], ".0f"),
+        say.trend(
+            "much heat",
             all(at_depth[f] < 0.6 * axis[f].max() for f in hot),
-            mesh,
+            ", ".join(f"{at_depth[f]:.0f} MPa instead of {at_depth[0.0]:.0f}" for f in hot),
+            [axis[f].max() for f in hot],
         ),
-    ]  # fmt: skip
+    ]
 
 
 def stated_residual(results: Results) -> list[Number | Statement]:
@@ -284,36 +270,31 @@ def stated_residual(results: Results) -> list[Number | Statement]:
     }
     free = at_surface(case.elastic_unloading) * 1e-6
     where = [1e6 * depth for _, depth in found]
+    say = SAID.on(results.mesh["heated"])
     return [
         *(
-            Number(
-                f"largest residual von Mises stress, Q_f = {f:g} m/s", RESIDUAL[f],
-                value * 1e-6, "MPa", mesh_of(results, f), remark=remarks.get(f, ""),
-                converged=REVERSED if f == 0.20 else None,
+            say.number(
+                "residual stress",
+                value * 1e-6,
+                remark=remarks.get(f, ""),
+                mesh=mesh_of(results, f),
+                at=f,
             )
             for f, (value, _) in zip(FACTORS, found, strict=True)
         ),
-        Number(
-            "the same without yielding on unloading", RESIDUAL[0.20], free, "MPa",
-            results.mesh["heated"], tolerance=0.06,
-            remark="The stress of the plastic strain under load, which an elastic unloading would "
-            "leave. The value of the thesis is near it: it seems to leave out the yielding of "
-            "unloading. At 0.12 m/s nothing yields on unloading, and both agree.",
-        ),
-        Statement(
-            "their depths",
-            "220, 240, 0, 0 µm",
-            each(where, ".0f") + " µm",
+        say.number("elastic unloading", free),
+        say.trend(
+            "residual depths",
             all(abs(a - b) < STEP for a, b in zip(where, (220, 240, 0, 0), strict=True)),
-            results.mesh["heated"],
+            where,
         ),
-    ]  # fmt: skip
+    ]
 
 
 def reversed_flow(results: Results) -> str:
     gamma = results.last(0.20).gamma
     B, C, n = (float(STEEL.parameters[name]) for name in "BCn")
-    needed = ((RESIDUAL[0.20] * 1e6 / B) ** (1 / n) - C) * 1e-6
+    needed = ((SAID.values("residual stress")[0.20] * 1e6 / B) ** (1 / n) - C) * 1e-6
     return (
         "No residual stress can be larger than the yield stress, "
         f"{1e-6 * float(STEEL.yield_stress(gamma)):.0f} MPa at the largest strain of "

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from ..page import Number, Statement
+from ..stated import Number, Stated, Statement
 from .scenes import (
     CONDUCTIVITY,
     DIFFUSIVITY,
@@ -21,6 +21,8 @@ from .scenes import (
     Elastic,
     Results,
 )
+
+SAID = Stated("transient_heat")
 
 
 def still_missing(time: float) -> float:
@@ -54,22 +56,22 @@ def stated_steady(results: Results) -> list[Number | Statement]:
     steady, time = rise["(ii)"][0], float(results.times[-1])
     missing = (steady - results.rises[-1], still_missing(time))
     pressure_error = results.pressures[-1] * 1e-9 / top["(ii)"] - 1
+    say = SAID.on(mesh)
     return [
-        Number("Hertz pressure", 6.5, HERTZ.p0 * 1e-9, "GPa", "closed form"),
-        Number("its contact radius", 332.0, HERTZ.a * 1e6, "µm", "closed form"),
-        Number("largest pressure without heat", 6.5, top["no heat"], "GPa", mesh, tolerance=0.01),
-        Statement(
-            "time of observation set to infinity",
-            "the steady state is reached",
-            f"at {time:.0f} s the largest rise is {missing[0]:.2f} K ({missing[0] / steady:.1e}) "
-            f"below the steady one, the largest pressure {abs(pressure_error):.0e}; a point source "
-            f"lacks {missing[1]:.2f} K",
+        say.number("hertz pressure", HERTZ.p0 * 1e-9),
+        say.number("contact radius", HERTZ.a * 1e6),
+        say.number("pressure without heat", top["no heat"]),
+        say.trend(
+            "steady state",
             missing[0] < 1e-3 * steady
             and abs(pressure_error) < 1e-3
             and abs(missing[0] / missing[1] - 1) < 0.02,
-            mesh,
-            remark="With the square root of time: after 23 ms "
-            f"{100 * (1 - rise['(i)'][0] / steady):.0f} % of the rise is missing.",
+            time,
+            missing[0],
+            missing[0] / steady,
+            abs(pressure_error),
+            missing[1],
+            rise=100 * (1 - rise["(i)"][0] / steady),
         ),
     ]
 
@@ -79,84 +81,58 @@ def stated_rise(results: Results) -> list[Number | Statement]:
     rise = {kind: case[kind].hottest for kind in NAMES}
     estimate = moving_source()
     settled = float(np.abs(results.steady.flash / case["(iii)"].flash - 1).max())
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "largest rise of temperature in (i), (ii), (iii)",
-            "maps, no numbers",
-            ", ".join(f"{value:.0f} K" for value, _ in rise.values()),
+        say.trend(
+            "temperature rise",
             rise["(iii)"][0] < rise["(i)"][0] < rise["(ii)"][0],
-            mesh,
+            ", ".join((f"{value:.0f} K" for value, _ in rise.values())),
         ),
-        Statement(
-            "(iii): largest rise",
-            "not stated",
-            f"{rise['(iii)'][0]:.0f} K; {estimate:.0f} K by the formula of Tian and Kennedy for a "
-            "parabolic source with the radius a",
-            abs(rise["(iii)"][0] / estimate - 1) < 0.08,
-            mesh,
-            remark="That formula is a fit, 1.5 % below the exact value of a semi-ellipsoidal "
-            "source without motion.",
+        say.trend(
+            "moving rise", abs(rise["(iii)"][0] / estimate - 1) < 0.08, rise["(iii)"][0], estimate
         ),
-        Statement(
-            "(iii): place of the largest rise",
-            "not stated",
-            f"behind the centre, at x/a = {rise['(iii)'][1] / a:.2f}; ahead of the contact "
-            f"(x/a = 1.5) {ahead(case['(iii)']):.1f} K",
+        say.trend(
+            "moving place",
             -1.0 < rise["(iii)"][1] / a < -0.4 and ahead(case["(iii)"]) < 0.01 * rise["(iii)"][0],
-            mesh,
+            rise["(iii)"][1] / a,
+            ahead(case["(iii)"]),
         ),
-        Statement(
-            "(iii) at 23 ms against its steady state",
-            "not stated",
-            f"flash temperature {settled:.0e} apart: the tool has moved {SPEED * TIME / a:.0f} a",
-            settled < 1e-3,
-            mesh,
-        ),
+        say.trend("moving steady state", settled < 1e-3, settled, SPEED * TIME / a),
     ]
 
 
 def stated_stress(results: Results) -> list[Number | Statement]:
     a, mesh, top = HERTZ.a, results.mesh["elastic"], tops(results)
     case, plastic = results.elastic, results.plastic
+    say = SAID.on(mesh)
     return [
-        Statement(
-            "largest pressure in (i), (ii), (iii)",
-            "not stated",
-            ", ".join(f"{top[kind]:.2f} GPa" for kind in NAMES)
-            + f", without heat {top['no heat']:.2f}",
+        say.trend(
+            "pressure",
             top["no heat"] < top["(iii)"] < 1.1 * top["no heat"] < top["(i)"] < top["(ii)"],
-            mesh,
-            remark="The flux is the same, but the flat carries the heat away, and bulges behind "
-            "the tool: that widens the contact there.",
+            ", ".join(f"{top[kind]:.2f} GPa" for kind in NAMES),
+            top["no heat"],
         ),
-        Statement(
-            "thermo-elastic: largest von Mises stress in (i), (ii), (iii)",
-            "maps, no numbers",
-            "; ".join(where(case[kind].largest) for kind in NAMES)
-            + f"; without heat {where(case['no heat'].largest)}",
+        say.trend(
+            "thermo-elastic stress",
             case["(i)"].largest[2] == case["(ii)"].largest[2] == 0 < case["(iii)"].largest[2],
-            mesh,
+            "; ".join(where(case[kind].largest) for kind in NAMES),
+            where(case["no heat"].largest),
         ),
-        Statement(
-            "elastic-plastic: the same",
-            "maps, no numbers",
-            "; ".join(where(plastic[kind].largest) for kind in NAMES)
-            + f"; without heat {where(plastic['no heat'].largest)}",
+        say.trend(
+            "elastic-plastic stress",
             plastic["(i)"].largest[2] < 0.25 * a and plastic["(iii)"].largest[2] > 0.35 * a,
-            results.mesh["plastic"],
+            "; ".join(where(plastic[kind].largest) for kind in NAMES),
+            where(plastic["no heat"].largest),
+            mesh=results.mesh["plastic"],
         ),
-        Statement(
-            "largest plastic strain; largest residual von Mises stress",
-            "not stated",
-            "; ".join(
-                f"{100 * plastic[kind].gamma:.2f} %, {plastic[kind].residual * 1e-6:.0f} MPa "
-                f"({kind.strip('()')})"
-                for kind in KINDS
-            ),
+        say.trend(
+            "plastic strain",
             plastic["(i)"].gamma < plastic["(ii)"].gamma < 0.05,
-            results.mesh["plastic"],
-            remark="The residual stress at the surface depends on the thickness of the layers: see "
-            "[frictional heat](heat.md).",
+            "; ".join(
+                f"{100 * one.gamma:.2f} %, {1e-6 * one.residual:.0f} MPa ({kind.strip('()')})"
+                for kind, one in ((kind, plastic[kind]) for kind in KINDS)
+            ),
+            mesh=results.mesh["plastic"],
         ),
     ]
 

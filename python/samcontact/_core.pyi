@@ -116,6 +116,10 @@ class ContactSolver:
     ) -> dict[str, Any]: ...  # fields of ContactSolution (operator_applications, work, ...)
     def shear(self, pressure: FloatArray) -> FloatArray | None: ...
 
+def contact_outline(
+    pressure: FloatArray, along_x: bool, along_y: bool, rise: float
+) -> tuple[int, int, int, bool, float]: ...
+
 spin_lead: float
 
 class CoulombContact:

@@ -15,7 +15,7 @@ conductivity k [W/(m K)], diffusivity kappa [m^2/s], expansion alpha [1/K], Youn
 
 The functions called `steady_...` are closed forms for a steady source at rest, at any points;
 arrays broadcast. The others make tables over all pairs of x and y. They add Gaussians of all
-widths, f_a(x) f_b(y), so that a table costs little more than its points (docs/theory.md).
+widths, f_a(x) f_b(y), so that a table costs little more than its points (docs/theory/heat.md).
 """
 
 from __future__ import annotations

@@ -139,7 +139,7 @@ def eigenstrain_displacement(
     Along `axis`: "z", into the body, "x" or "y". zc is the depth of the cuboid's centre; a shear
     component counts once (with its transpose). Raises ValueError when the cuboid sticks out of the
     half-space. u_z: Boucly (2008), eqs (2.64)-(2.71), corrected, with the term of the trace; u_x
-    and u_y by reciprocity, docs/theory.md.
+    and u_y by reciprocity, docs/theory/half_space.md.
     """
     number = axis_number(axis)
     (x, y), shape = _points(X, Y)
@@ -163,7 +163,7 @@ def eigenstrain_stress(
     """Stress [Pa] per unit eigenstrain of a cuboid, shape (6, 6, ...): [stress, strain] component.
 
     Inside the cuboid the eigenstrain's own part is subtracted. Mindlin's half-space solution
-    integrated in closed form; docs/theory.md.
+    integrated in closed form; docs/theory/half_space.md.
     """
     (x, y, depth), shape = _points(X, Y, z)
     a, b, c = _sizes(a=a, b=b, c=c)

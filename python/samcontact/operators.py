@@ -128,7 +128,7 @@ def residual_stress(
         "exact": influence coefficients of cuboids in a half-space (Mindlin's solution integrated
         in closed form), at the cell centres. "fast": the strain is band-limited in the plane and
         uniform in each layer, the stress its mean over each layer; for smooth fields, in time and
-        memory proportional to the cells. docs/theory.md has both and their errors.
+        memory proportional to the cells. docs/theory/residual_stress.md has both.
     image_tol : float, optional
         With "fast": error due to the periodicity of the transforms, relative to the largest
         stress; in [1e-6, 0.1].
@@ -164,7 +164,7 @@ def residual_displacement(
     Notes
     -----
     u_z: Boucly (2008), eqs (2.62)-(2.71), corrected and completed by the term of the trace. u_x and
-    u_y by reciprocity with the stress of surface shear; docs/theory.md.
+    u_y by reciprocity with the stress of surface shear; docs/theory/half_space.md.
     """
     number_of_axis = axis_number(axis)
     _require_volume(grid)

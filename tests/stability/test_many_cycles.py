@@ -29,7 +29,6 @@ REPEATED = {"exact": 1e-14, "fast": 1e-9}
 cycles a cell at its yield stress flows by a rounding error, tol times less than an increment."""
 SCENES = [
     ("linear", 0.0, 1000, "fast"),
-    ("kinematic", 0.2, 1000, "exact"),
     *((law, friction, 100, "exact") for law in LAWS for friction in (0.0, 0.2)),
     *((law, 0.2, 100, "fast") for law in ("linear", "kinematic")),
     *(

@@ -18,6 +18,7 @@ PAGES += sorted((ROOT / "docs").rglob("*.md"))
 TEXTS = {str(page.relative_to(ROOT)): page.read_text(encoding="utf-8") for page in PAGES}
 pages = pytest.mark.parametrize("page", TEXTS)
 
+BLOCKS = re.compile(r"^```(\{\w+\})\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 EXAMPLES = [
     pytest.param(block, id=f"{page}-{number}")
@@ -25,6 +26,10 @@ EXAMPLES = [
     for number, (language, block) in enumerate(FENCE.findall(text))
     if language == "python"
 ]
+
+
+INDEXES = [f"docs/{folder}/index.md" for folder in ("theory", "developer", "decisions")]
+PARTS = tuple(index.removesuffix("index.md") for index in INDEXES)
 
 
 def prose(page):
@@ -103,13 +108,22 @@ def test_links_lead_somewhere(page):
 
 def test_every_page_is_linked_from_the_readme():
     links = set(re.findall(r"\]\(([^)\s]+)\)", TEXTS["README.md"]))
-    parts = {page for page in TEXTS if page.startswith(("docs/gallery/", "docs/api/"))}
+    parts = {page for page in TEXTS if page.startswith(PARTS)} - set(INDEXES)
+    parts |= {page for page in TEXTS if page.startswith(("docs/gallery/", "docs/api/"))}
     # made from others, or there for the site only
     site = {
         f"docs/{name}.md"
         for name in ("index", "case_reference", "notebooks", "contributing", "changes")
     }
     assert links >= set(TEXTS) - parts - site - {"README.md"}
+
+
+@pytest.mark.parametrize("index", INDEXES)
+def test_every_page_of_a_folder_is_linked_from_its_first_page(index):
+    links = re.findall(r"\]\(([^)\s]+)\)", TEXTS[index])
+    folder = {page for page in TEXTS if page.startswith(index.removesuffix("index.md"))} - {index}
+    assert {index.replace("index.md", link) for link in links} >= folder
+    assert set(pages_below(index)) == folder
 
 
 def test_every_page_of_the_gallery_is_linked_from_its_first_page():
@@ -129,9 +143,25 @@ def test_every_version_tells_whether_numbers_changed():
         assert "### Numerical results changed" in release
 
 
+def pages_below(index):
+    """Pages in the order of the table of contents of an index page."""
+    toctree = dict(BLOCKS.findall(TEXTS[index]))["{toctree}"]
+    return [index.replace("index", name) for name in toctree.split() if not name.startswith(":")]
+
+
 def test_equations_are_numbered_in_order():
-    numbers = [int(n) for n in re.findall(r"\\tag\{(\d+)\}", TEXTS["docs/theory.md"])]
+    index = "docs/theory/index.md"
+    tags = {
+        page: re.findall(r"\\tag\{(\d+)([a-z]?)\}", TEXTS[page])
+        for page in [index, *pages_below(index)]
+    }
+    numbers = [int(number) for found in tags.values() for number, letter in found if not letter]
     assert numbers == list(range(1, len(numbers) + 1))
+    row = re.compile(r"^\| \[.*\]\((\w+)\.md\) \| (.*?) ?\|", re.MULTILINE)
+    for name, said in row.findall(TEXTS[index]):
+        found = [f"({number}{letter})" for number, letter in tags[f"docs/theory/{name}.md"]]
+        ends = dict.fromkeys([found[0], found[-1]]) if found else []
+        assert said == " to ".join(ends), name
 
 
 def sections(model=Section):

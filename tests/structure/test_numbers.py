@@ -38,20 +38,20 @@ COST = re.compile(
 )
 # Those that nobody has measured: set, where the code has them so; or of what is described.
 SET = {
-    ("docs/architecture.md", "64 kB"): ("cpp/src/base/aligned.cpp", "1} << 16"),
-    ("docs/architecture.md", "1 MB"): (
+    ("docs/developer/data_layout.md", "64 kB"): ("cpp/src/base/aligned.cpp", "1} << 16"),
+    ("docs/developer/threads.md", "1 MB"): (
         "python/samcontact/_util/load_core.py", "LEAST_STACK = 2**20"),
-    ("docs/architecture.md", "16 MB"): ("cpp/src/base/aligned.cpp", "1} << 24"),
-    ("docs/architecture.md", "512 MB"): ("python/samcontact/_util/field_cache.py", "512e6"),
+    ("docs/developer/data_layout.md", "16 MB"): ("cpp/src/base/aligned.cpp", "1} << 24"),
+    ("docs/developer/states.md", "512 MB"): ("python/samcontact/_util/field_cache.py", "512e6"),
     ("docs/peers.md", "3 s"): ("benchmarks/peers/schedule.py", "LONG = 3.0"),
-    ("docs/theory.md", "0.7 of the work"): (
+    ("docs/theory/zones.md", "0.7 of the work"): (
         "cpp/src/simulation/increment/split_choice.cpp", "worth = 0.7"),
-    ("docs/theory.md", "0.45 of its work"): (
+    ("docs/theory/zones.md", "0.45 of its work"): (
         "cpp/src/simulation/increment/split_choice.cpp", "worth_joined = 0.45"),
-    ("docs/theory.md", "a quarter of the work"): None,  # of the cells there are
-    ("docs/theory.md", "a quarter of the memory"): None,  # of the planes that are counted there
-    ("docs/theory.md", "19 times as long"): None,  # a period
-    ("docs/theory.md", "twice as long"): None,  # cells
+    ("docs/theory/zones.md", "a quarter of the work"): None,  # of the cells there are
+    ("docs/theory/half_space.md", "a quarter of the memory"): None,  # planes counted there
+    ("docs/theory/periodic.md", "19 times as long"): None,  # a period
+    ("docs/theory/accuracy.md", "twice as long"): None,  # cells
 }  # fmt: skip
 TEMPLATES = {
     str(page.relative_to(ROOT)): page.read_text(encoding="utf-8")
@@ -142,7 +142,7 @@ def kept(text, name):
 
 
 def test_tables_of_the_theory_are_made():
-    text = TEXTS["docs/theory.md"]
+    text = "\n".join(TEXTS[name] for name in sorted(TEXTS) if name.startswith("docs/theory/"))
     assert set(re.findall(r"<!-- table: (\w+) -->", text)) == set(theory.TABLES)
     page = theory.page(text, {"contact_counts": "other"})
     assert "\n\nother\n\n<!-- end of table -->" in page
@@ -150,7 +150,8 @@ def test_tables_of_the_theory_are_made():
 
 
 def test_limits_of_shakedown_are_those_of_the_theory():
-    made, stated = theory.shakedown_limits(), kept(TEXTS["docs/theory.md"], "shakedown_limits")
+    made = theory.shakedown_limits()
+    stated = kept(TEXTS["docs/theory/shakedown.md"], "shakedown_limits")
     found, told = (re.findall(r"\d\.\d{3}", table) for table in (made, stated))
     assert len(found) == 5 * len(theory.FRICTIONS)
     assert [*map(float, found)] == pytest.approx([*map(float, told)], abs=1.01e-3)  # a digit

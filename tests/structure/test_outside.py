@@ -2,6 +2,7 @@
 """What reproduces and measures stands outside the package: public names, data that exist once."""
 
 import ast
+import graphlib
 import hashlib
 import importlib
 import subprocess
@@ -54,6 +55,41 @@ def test_scripts_use_public_names():
     assert len(SCRIPTS) > 30
     found = {file: list(private(file.read_text(encoding="utf-8"))) for file in SCRIPTS}
     assert {file: names for file, names in found.items() if names} == {}
+
+
+def taken(file):
+    """Modules beside it that a script imports, anywhere in it."""
+    package = [*file.relative_to(ROOT).parts[:-1]]
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom):
+            above = package[: len(package) - node.level + 1] if node.level else []
+            module = [*above, *(node.module or "").split(".")]
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.Import):
+            module, names = [], [alias.name for alias in node.names]
+        else:
+            continue
+        for name in names:
+            path = ROOT.joinpath(*filter(None, module), *name.split("."))
+            for found in (
+                path.with_suffix(".py"),
+                path.parent.with_suffix(".py"),
+                path / "__init__.py",
+            ):
+                if found in SCRIPTS:
+                    yield found
+                    break
+
+
+def test_scripts_import_in_no_circle():
+    graph = {file: set(taken(file)) for file in SCRIPTS}
+    order = [*graphlib.TopologicalSorter(graph).static_order()]
+    assert order.index(ROOT / "benchmarks" / "study.py") < order.index(
+        ROOT / "benchmarks" / "experiments" / "page.py"
+    )
+    page, start = (ROOT / "benchmarks" / "scale" / f"{name}.py" for name in ("page", "__main__"))
+    with pytest.raises(graphlib.CycleError):
+        graphlib.TopologicalSorter(graph | {page: graph[page] | {start}}).prepare()
 
 
 def test_the_wheel_holds_the_package_alone():

@@ -59,6 +59,7 @@ CORE_USERS = {
     "scene.settings",
     "simulation.engine",
     "solutions.interface_stress",
+    "solutions.outline",
 }
 
 
@@ -136,6 +137,13 @@ def test_rooms_import_from_floors_below_only():
             if floor[target] >= floor[room]:
                 wrong.append(f"{name} imports {target}")
     assert wrong == []
+
+
+def test_the_architecture_page_shows_the_floors():
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    picture = page.split("```text\npython/samcontact\n")[1].split("cpp/bindings")[0]
+    lines = [re.split(r" {2,}", line.strip())[0] for line in picture.splitlines()]
+    assert lines == [", ".join(sorted(rooms)) for rooms in reversed(FLOORS)]
 
 
 def test_only_public_modules_lie_outside_of_folders():

@@ -134,6 +134,19 @@ def test_every_part_of_the_gallery_has_its_picture(site):
     assert sorted(linked) == sorted(parts)
 
 
+def test_every_module_is_listed_with_its_first_line(site):
+    text = (site / "developer" / "modules.html").read_text()
+    row = r'<span class="pre">(\w+)</span></code></p></td>\s*<td>(.*?)</td>'
+    rows = dict(re.findall(row, text, re.DOTALL))
+    for top, pattern in (("python/samcontact", "*.py"), ("cpp/include", "*.hpp")):
+        stems = {file.stem for file in (DOCS.parent / top).rglob(pattern)}
+        assert {stem for stem in stems if not stem.startswith("__")} <= set(rows)
+    assert [name for name, said in rows.items() if len(said) < 20] == []
+    rooms = (site / "architecture.html").read_text()
+    for folder in (DOCS.parent / "python" / "samcontact").glob("*/__init__.py"):
+        assert f'<span class="pre">{folder.parent.name}</span>' in rooms
+
+
 CUT = """
 const page = document.documentElement;
 return {
@@ -153,8 +166,10 @@ return {
 
 def test_pages_in_a_browser_without_a_network(site):
     """Pictures and formulas are there; a phone shows the whole width, and labels of pictures."""
-    pages = ["index", "tutorial", "questions", "theory", "gallery", "case_reference", "api/contact"]
-    pages += ["gallery/friction", "notebooks/02_yield_and_hardening", "genindex"]
+    pages = ["index", "tutorial", "questions", "gallery", "case_reference", "api/contact"]
+    pages += ["gallery/friction", "notebooks/02_yield_and_hardening", "genindex", "architecture"]
+    pages += ["developer/modules", "developer/recipes", "developer/data_layout"]
+    pages += [f"theory/{file.stem}" for file in sorted((DOCS / "theory").glob("*.md"))]
     offline = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"
     with chromium(offline) as driver, served(site) as (address, _):
         for page in pages:

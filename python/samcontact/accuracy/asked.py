@@ -35,7 +35,7 @@ def to_accuracy(
     """Solve a case on grids that become finer, until the errors of its values are small enough.
 
     Window, cells, layers and increments are chosen; a [grid] of the case, its ``increments`` and
-    the ``step`` of passes are not used. docs/theory.md, "Accuracy", has how errors are estimated.
+    the ``step`` of passes are not used. docs/theory/accuracy.md has how errors are estimated.
 
     Parameters
     ----------

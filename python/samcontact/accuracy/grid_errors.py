@@ -63,9 +63,10 @@ class GridErrors(Shown):
     ----------
     values, errors : dict of ndarray, shape (increments,)
         By their names in results files, in SI units; the values between the cells, see
-        docs/theory.md. NaN where not estimated: quantities of the volume are at the increment of
-        largest stress and at the last. Errors are infinite where a quantity does not converge: the
-        largest pressure, stresses and strains at a sharp edge, see `SingularPressureWarning`.
+        docs/theory/accuracy.md. NaN where not estimated: quantities of the volume are at the
+        increment of largest stress and at the last. Errors are infinite where a quantity does not
+        converge: the largest pressure, stresses and strains at a sharp edge, see
+        `SingularPressureWarning`.
     states : list of State
         Of the run itself.
     slope_beyond : float

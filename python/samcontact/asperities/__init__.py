@@ -3,7 +3,7 @@
 
 The upper one moves along +X at a constant height over the lower one; neither rotates. The contact
 is solved in the local frame, whose z is the line of the centres, by the approach that geometry
-imposes. Boucly (2008), part 4, with its kinematics derived anew, see docs/theory.md.
+imposes. Boucly (2008), part 4, with its kinematics derived anew: docs/theory/moving_contacts.md.
 """
 
 from .collision import Collision

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, real_array
 from .._util.short_text import in_short
 
@@ -153,7 +154,7 @@ class Graded:
         factor = self.yield_factor(z)
         return float(cast("Any", self).yield_stress(0.0)) * factor
 
-    @property
+    @cached_property
     def least_yield_stress(self) -> float:
         """Smallest yield stress of all depths before hardening [Pa]; infinite without yield."""
         initial = float(cast("Any", self).yield_stress(0.0))

@@ -62,7 +62,7 @@ class Layered(Shown):
     Notes
     -----
     Waves of each wavenumber are reflected and transmitted at the interfaces by a recursion of
-    impedances that holds for thick and thin layers (docs/theory.md, "Layers"). Stresses in the
+    impedances that holds for thick and thin layers (docs/theory/layers.md). Stresses in the
     surface's plane jump at interfaces. A depth that lies exactly on one belongs to the layer below;
     ``np.nextafter(z, 0.0)`` is the layer above.
 

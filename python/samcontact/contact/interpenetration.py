@@ -25,6 +25,11 @@ SHARE = 1e-3
 """Overlap that is a fault, of largest pressure times size of the contact over E*."""
 
 
+def may_overlap(bodies: tuple[Body, Body], friction: float) -> bool:
+    """Whether the shear of a sliding contact moves the surfaces towards each other."""
+    return friction > 0 and bodies[0]._core.stack != bodies[1]._core.stack
+
+
 def require_apart(
     found: ContactSolution | State,
     bodies: tuple[Body, Body],
@@ -32,7 +37,7 @@ def require_apart(
     tol: float,
 ) -> None:
     """Raise ConvergenceError for a sliding contact whose bodies overlap."""
-    if not friction > 0 or bodies[0]._core.stack == bodies[1]._core.stack:
+    if not may_overlap(bodies, friction):
         return
     pressed = found.pressure > 0
     size = math.sqrt(np.count_nonzero(pressed) * found.grid.cell_area)

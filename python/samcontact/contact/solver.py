@@ -262,10 +262,13 @@ def solve_driven(  # warnings name the caller's caller
     doubted = scene.doubted(asked.heat, {"load": load, "approach": approach}, stacklevel=3)
     while True:
         try:
-            with scene.beside(load=load, approach=approach):
-                solution, complaint = solver._solved_from(start, window, driver, value, drive)
+            solution, complaint = solver._solved_from(start, window, driver, value, drive)
             break
+        except _core.ConvergenceError as error:
+            scene.explain_digits(error)
+            raise
         except _core.GridTooSmallError as error:
+            scene.explain_size(error, load, approach)
             if not callable(gap) and not asked.grid.periodic:
                 told_of_fixed(error, scene)
             if not callable(gap) or asked.grid.periodic:
@@ -282,8 +285,9 @@ def solve_driven(  # warnings name the caller's caller
         warnings.warn(text, GridTooSmallWarning, stacklevel=3)
     if doubted is None or not doubted.of_contact:
         resolution.warn_of_contact(solution, scene, stacklevel=3)
-    resolution.warn_of_strain(solution.pressure, scene, stacklevel=3)
+    resolution.warn_of_strain(solution, scene, stacklevel=3)
     yield_check.warn_of_yield(solution, bodies, asked.friction, stacklevel=3)
-    edge = sharp_edges.edge_of(solution, bodies, window.initial_gap)
-    sharp_edges.warn_of_edge(solution, edge, stacklevel=3)
+    if sharp_edges.may_have_edge(solution, scene):
+        edge = sharp_edges.edge_of(solution, bodies, window.initial_gap)
+        sharp_edges.warn_of_edge(solution, edge, stacklevel=3)
     return solution

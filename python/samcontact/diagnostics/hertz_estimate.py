@@ -4,9 +4,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -14,7 +13,8 @@ from .. import hertz
 from .._core import ConvergenceError, GridTooSmallError
 from .._util.cached_property import cached_property
 from .._util.display import lengths
-from ..bodies.layered import Layered, softest
+from ..bodies.layered import Layered, materials_of, softest
+from ..solutions.outline import may_have_steps
 from . import plausibility
 from .expected_contact import Expected
 
@@ -27,11 +27,23 @@ if TYPE_CHECKING:
 
 SMOOTH = 0.03
 """How far a gap may be from a paraboloid, relative to its height: a sphere differs by (r/R)^2/4."""
+_MARGIN = 1e-6
+"""By which loads lie within those that are known to pass a check, for rounding."""
 _POINTS = 17  # a side, to which a paraboloid is fitted
 _ASK = ', or ask for a warning with on_border="warn"'
 
 
 FailedChecks = tuple[plausibility.Doubt, ...]
+
+
+class PlasticBody(NamedTuple):
+    """What is asked of a body that can yield."""
+
+    number: int
+    weakest: float
+    """Smallest yield stress before hardening [Pa]."""
+    yielding: list[tuple[float, float]]
+    """Young's modulus and smallest yield stress of each material that can yield [Pa]."""
 
 
 class ContactSetup:
@@ -50,8 +62,39 @@ class ContactSetup:
         self.grid, self.gap, self.bodies = grid, gap, bodies
         # the neighbours of a contact that repeats itself press as well
         self.relieved = relieved or bool(grid.periodic)
+        self._has_reliefs = relieved
         self._known: dict[tuple[float | None, float | None], Expected | None] = {}
-        self._of_bodies: tuple[Heat, FailedChecks, FailedChecks] | None = None
+        self._of_heat: tuple[Heat, Any] | None = None
+
+    def prepare(self, heat: Heat) -> None:
+        """Compute all that does not depend on the load, ahead of the first increment."""
+        self._checked(heat)
+        for name in ("E_star", "weakest", "may_have_steps", "largest_load_with_room"):
+            getattr(self, name)
+        self.load_of(approach=0.0)
+
+    @cached_property
+    def plastic(self) -> tuple[PlasticBody, ...]:
+        """The bodies that can yield."""
+        return tuple(
+            PlasticBody(
+                number,
+                body.least_yield_stress,
+                [(m.E, m.least_yield_stress) for m in materials_of(body) if m.is_plastic],
+            )
+            for number, body in enumerate(self.bodies, 1)
+            if body.is_plastic
+        )
+
+    @cached_property
+    def weakest(self) -> float:
+        """Smallest yield stress of both bodies before hardening [Pa]; infinite without yield."""
+        return min((body.weakest for body in self.plastic), default=math.inf)
+
+    @cached_property
+    def may_have_steps(self) -> bool:
+        """Whether the gap of the undeformed bodies may have steps where there are no reliefs."""
+        return not self._has_reliefs and may_have_steps(self.gap, self.grid.periodic)
 
     @cached_property
     def _solids(self) -> tuple[Material, Material]:
@@ -98,15 +141,28 @@ class ContactSetup:
     ) -> tuple[float, float]:
         """How far the Hertz contact reaches from its middle along x and y [m]; 0 without one."""
         expected = self.hertz(load, approach)
-        if expected is None or self._paraboloid is None:
+        return (0.0, 0.0) if expected is None else self._extent_of(expected)
+
+    def _extent_of(self, expected: Expected) -> tuple[float, float]:
+        if self._paraboloid is None:
             return 0.0, 0.0
         (a, b), c = expected.semi_axes, self._paraboloid[2]
         s = math.sqrt(max(0.0, 1.0 - c * c))
         return math.hypot(a * c, b * s), math.hypot(a * s, b * c)
 
     @cached_property
-    def _E_star(self) -> float:
+    def E_star(self) -> float:
+        """Contact modulus [Pa], of layers that of the most compliant."""
         return hertz.effective_modulus(*self._solids)
+
+    @cached_property
+    def _is_hertzian(self) -> bool:
+        """Whether there is a Hertz contact at any load."""
+        return self.radii is not None and not any(isinstance(b, Layered) for b in self.bodies)
+
+    @cached_property
+    def _lowest(self) -> float:
+        return float(self.gap.min())
 
     def hertz(self, load: float | None = None, approach: float | None = None) -> Expected | None:
         """Hertz contact under a load [N] or an approach [m]; None where there is none."""
@@ -117,17 +173,15 @@ class ContactSetup:
 
     def _hertz(self, load: float | None, approach: float | None) -> Expected | None:
         if approach is not None:
-            approach -= float(self.gap.min())
+            approach -= self._lowest
         drive = load if approach is None else approach
-        if drive is None or not 0 < drive < math.inf or self.radii is None:
+        if not self._is_hertzian or self.radii is None or drive is None or not 0 < drive < math.inf:
             return None
-        if any(isinstance(body, Layered) for body in self.bodies):
-            return None
+        radii, E_star = self.radii, self.E_star
         try:
-            if math.isclose(*self.radii, rel_tol=1e-6):
-                found = hertz.point(self.radii[0], self._E_star, load=load, approach=approach)
-                return Expected(found)
-            return Expected(hertz.elliptic(*self.radii, self._E_star, load=load, approach=approach))
+            if math.isclose(*radii, rel_tol=1e-6):
+                return Expected(hertz.point(radii[0], E_star, load=load, approach=approach))
+            return Expected(hertz.elliptic(*radii, E_star, load=load, approach=approach))
         except (ValueError, ArithmeticError):  # beyond the range of numbers
             return None
 
@@ -135,20 +189,86 @@ class ContactSetup:
         self, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
     ) -> plausibility.Doubt | None:
         """Warn of the first quantity that is probably in a wrong unit, and return its check."""
-        if self._of_bodies is None or self._of_bodies[0] is not heat:
-            self._of_bodies = heat, *plausibility.failed_of_bodies(self.bodies, heat)
-        _, before, after = self._of_bodies
-        expected = self.hertz(**target)
+        before, after, (least, most) = self._checked(heat)
         of_contact: list[plausibility.Doubt] = []
-        if expected is not None:
-            driver = "approach" if target.get("load") is None else "load"
-            contact = plausibility.Contact(expected, self.extent(**target), driver)
-            found = plausibility.doubts_of_contact(contact, self.grid, self.bodies, heat)
-            of_contact = [doubt for doubt in found if not doubt.verdict.passed]
+        if target and self._is_hertzian and not least < self.load_of(**target) < most:
+            of_contact = self.failed_checks(heat, **target)
         for doubt in (*before, *of_contact, *after):
             plausibility.warn_of(doubt, stacklevel=stacklevel + 1)
             return doubt
         return None
+
+    def failed_checks(
+        self, heat: Heat, load: float | None = None, approach: float | None = None
+    ) -> list[plausibility.Doubt]:
+        """Failed checks of the Hertz contact, if there is one."""
+        expected = self.hertz(load, approach)
+        if expected is None:
+            return []
+        driver = "approach" if load is None else "load"
+        contact = plausibility.Contact(expected, self._extent_of(expected), driver)
+        found = plausibility.doubts_of_contact(contact, self.grid, self.bodies, heat)
+        return [doubt for doubt in found if not doubt.verdict.passed]
+
+    def _checked(self, heat: Heat) -> tuple[FailedChecks, FailedChecks, tuple[float, float]]:
+        """Failed checks of bodies and heat, and loads between which those of the contact pass."""
+        if self._of_heat is None or self._of_heat[0] is not heat:
+            before, after = plausibility.failed_of_bodies(self.bodies, heat)
+            self._of_heat = heat, (before, after, self.passing_loads(heat))
+        return self._of_heat[1]
+
+    def passing_loads(self, heat: Heat) -> tuple[float, float]:
+        """Loads [N] between which the checks of the Hertz contact pass, none where not known."""
+        if self._reference is None:
+            return math.inf, -math.inf
+        try:
+            found = plausibility.passing_loads(self._reference, self.grid, self.bodies, heat)
+        except ArithmeticError:  # beyond the range of numbers
+            return math.inf, -math.inf
+        return found[0] * (1 + _MARGIN), found[1] * (1 - _MARGIN)
+
+    @cached_property
+    def _reference(self) -> plausibility.Contact | None:
+        """Hertz contact over about a quarter of the grid; those of other loads follow by powers."""
+        if not self._is_hertzian or self.radii is None:
+            return None
+        side = min(self.grid.nx * self.grid.dx, self.grid.ny * self.grid.dy)
+        expected = self._hertz(None, self._lowest + (side / 8) ** 2 / self.radii[1])
+        if expected is None:
+            return None
+        return plausibility.Contact(expected, self._extent_of(expected))
+
+    @cached_property
+    def _stiffness(self) -> float:
+        """Load of the Hertz contact over its approach^1.5 [N/m^1.5]; NaN where that fails."""
+        if self._reference is None:
+            return math.nan
+        contact = self._reference.expected.contact
+        try:
+            return float(contact.load / contact.approach**1.5)
+        except ArithmeticError:  # beyond the range of numbers
+            return math.nan
+
+    def load_of(self, load: float | None = None, approach: float | None = None) -> float:
+        """Load of the Hertz contact [N]; NaN where it is not known."""
+        if approach is None:
+            return math.nan if load is None else load
+        depth = min(max(approach - self._lowest, 0.0), 1e100)
+        return self._stiffness * math.pow(depth, 1.5)
+
+    @cached_property
+    def largest_load_with_room(self) -> float:
+        """Load up to which the Hertz contact fits on the grid [N], or less."""
+        if self._reference is None:
+            return math.nan
+        share = max(self._shares_of_grid(self._reference.expected))
+        return self._reference.expected.contact.load * (1 - _MARGIN) / max(share, 1e-30) ** 3
+
+    def _shares_of_grid(self, expected: Expected) -> tuple[float, float]:
+        """Widths of a contact over sides of the grid: an elliptic one may lie any way round."""
+        long, short = expected.semi_axes
+        sides = self.grid.nx * self.grid.dx, self.grid.ny * self.grid.dy
+        return 2 * short / min(sides), 2 * long / max(sides)
 
     def require_room(self, load: float | None = None, approach: float | None = None) -> None:
         """Raise GridTooSmallError when the Hertz contact does not fit.
@@ -156,40 +276,34 @@ class ContactSetup:
         Before a solve that would end so after a while: the contact of bodies that yield is not
         smaller than that of elastic ones.
         """
+        if not self._is_hertzian or self.load_of(load, approach) <= self.largest_load_with_room:
+            return
         expected, grid = self.hertz(load, approach), self.grid
-        if expected is None:
+        if expected is None or max(self._shares_of_grid(expected)) <= 1:
             return
         where = f"at load {load:.6g} N" if approach is None else f"at approach {approach:.6g} m"
         long, short = expected.semi_axes
         sides = grid.nx * grid.dx, grid.ny * grid.dy
-        # an elliptic contact may lie any way round
-        if 2 * short > min(sides) or 2 * long > max(sides):
-            raise GridTooSmallError(
-                f"{where} the contact touches the border of the grid ({lengths(*sides)}). "
-                f"{expected}: enlarge nx dx and ny dy to {lengths(2.5 * long, 2.5 * short)} or more"
-                f"{_ASK}"
-            )
+        raise GridTooSmallError(
+            f"{where} the contact touches the border of the grid ({lengths(*sides)}). "
+            f"{expected}: enlarge nx dx and ny dy to {lengths(2.5 * long, 2.5 * short)} or more"
+            f"{_ASK}"
+        )
 
-    @contextmanager
-    def beside(self, load: float | None = None, approach: float | None = None) -> Iterator[None]:
-        """What Hertz expects, added to a GridTooSmallError; a gap that lies far away."""
-        try:
-            yield
-        except ConvergenceError as error:
-            far, height = (
-                float(np.abs(self.gap).max()),
-                float(self.gap.max()) - float(self.gap.min()),
-            )
-            if not 1e-16 * far > 1e-11 * height > 0:
-                raise
+    def explain_digits(self, error: ConvergenceError) -> None:
+        """Add to an error of the solver that the gap lies far away, if it does."""
+        far = float(np.abs(self.gap).max())
+        height = float(self.gap.max()) - float(self.gap.min())
+        if 1e-16 * far > 1e-11 * height > 0:
             error.args = (
                 f"{error}. The gap lies {far:.6g} m away with heights of {height:.3g} m, which "
                 "costs their digits: subtract its minimum",
             )
-            raise
-        except GridTooSmallError as error:
-            expected = self.hertz(load, approach)
-            if expected is None or str(expected) in str(error):
-                raise
+
+    def explain_size(
+        self, error: GridTooSmallError, load: float | None = None, approach: float | None = None
+    ) -> None:
+        """Add the expected Hertz contact, if there is one, to an error of the solver."""
+        expected = self.hertz(load, approach)
+        if expected is not None and str(expected) not in str(error):
             error.args = (f"{error}. {expected}",)
-            raise

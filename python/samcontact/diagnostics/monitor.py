@@ -71,33 +71,38 @@ class Monitor:
         """After an increment; complaints: of the border of the grid, by the core."""
         for complaint in complaints:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
-        if not self.of_cut and (text := _cut_text(state)):
+        if scene.plastic and not self.of_cut and (text := _cut_text(state)):
             self.of_cut = True
             warnings.warn(text, GridTooSmallWarning, stacklevel=stacklevel + 1)
-        if self.checks_steps and state.load > self.largest_load:
-            self.largest_load = state.load
+        if self.checks_steps and (load := state.load) > self.largest_load:
+            self.largest_load = load
             warned = resolution.warn_of_step(state, scene, stacklevel=stacklevel + 1)
             self.checks_steps = not warned
         if not self.of_pressure:
-            pressure = state.pressure
-            self.of_pressure = resolution.warn_of_strain(pressure, scene, stacklevel=stacklevel + 1)
-        if not self.of_edge:
+            self.of_pressure = resolution.warn_of_strain(state, scene, stacklevel=stacklevel + 1)
+        if not self.of_edge and sharp_edges.may_have_edge(state, scene):
             edge = sharp_edges.edge_of_state(state)
             self.of_edge = sharp_edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
+        if scene.plastic:
+            self._warn_of_flow(state, scene, stacklevel=stacklevel + 1)
+
+    def _warn_of_flow(self, state: State, scene: ContactSetup, *, stacklevel: int) -> None:
+        """After an increment of bodies that can yield."""
         if not self.of_limit:
             self.of_limit = warn_of_limit(state, scene, stacklevel=stacklevel + 1)
         if not self.of_alternation:
             self.of_alternation = warn_of_alternation(state, stacklevel=stacklevel + 1)
-        if not self.of_strain and (text := _strain_text(state)):
+        if not self.of_strain and (text := _strain_text(state, scene)):
             self.of_strain = True
             warnings.warn(text, PlasticStrainWarning, stacklevel=stacklevel + 1)
 
 
-def _strain_text(state: State) -> str:
+def _strain_text(state: State, scene: ContactSetup) -> str:
     """The warning of plastic strain above the small-strain limit; empty below."""
-    for body in (1, 2):
-        accumulated = state.max_equivalent_plastic_strain(body)
-        magnitude = state.max_plastic_strain_magnitude(body)
+    for body, *_ in scene.plastic:
+        accumulated, magnitude = state.largest_strains[body - 1]
+        if accumulated <= SMALL_STRAIN and magnitude <= SMALL_STRAIN:
+            continue
         # Reversed flow adds up without end, and leaves the strain small.
         mostly_reversed = magnitude < 0.5 * accumulated
         limit = f"above the small-strain limit of {SMALL_STRAIN}: results are unreliable"

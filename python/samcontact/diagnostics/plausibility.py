@@ -131,6 +131,27 @@ def doubts_of_contact(
         yield _of_rise(contact, number, heat.factor[number - 1], body, heat)
 
 
+def passing_loads(
+    contact: Contact, grid: Grid, bodies: tuple[Body, Body], heat: Heat
+) -> tuple[float, float]:
+    """Loads [N] between which all checks of a contact pass, estimated from one load on.
+
+    The sizes of a contact and its pressure grow as the cube root of the load, the temperature rise
+    and flattened contacts faster: as its power 2/3 and 1/2 at most.
+    """
+    load = contact.expected.contact.load
+    checks = [doubt.verdict for doubt in doubts_of_contact(contact, grid, bodies, heat)]
+    checks += [doubt.verdict for doubt in _in_layers(contact, grid, map(softest, bodies))]
+    least, most = 0.0, math.inf
+    for check in checks:
+        share = max(check.value, 1e-30 * check.limit) / check.limit
+        if check.at_least:
+            least = max(least, load * share ** (-2.0 if share > 1 else -3.0))
+        else:
+            most = min(most, load * share ** (-1.5 if share < 1 else -3.0))
+    return least, most
+
+
 def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, Material]]:
     return [
         (number, body)
@@ -267,11 +288,18 @@ def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material])
     cells = wider * min(2 * e / d for e, d in zip(extent, (grid.dx, grid.dy), strict=True))
     name = "width of the Hertz contact in cells"
     yield Doubt(Check(name, cells, FEWEST_CELLS, at_least=True), said, True)
-    yields = [b for b in bodies if b.is_plastic and expected.contact.p0 > b.least_yield_stress]
-    if grid.dz is not None and yields:
+    if any(b.is_plastic and expected.contact.p0 > b.least_yield_stress for b in bodies):
+        yield from _in_layers(contact, grid, bodies)
+
+
+def _in_layers(contact: Contact, grid: Grid, bodies: Iterable[Material]) -> Iterator[Doubt]:
+    """How large a contact of bodies that may yield is."""
+    dz = grid.dz
+    if dz is not None:
+        wider = max(_flattened(contact, body) for body in bodies)
         name = "half width of the Hertz contact in layers"
-        verdict = Check(name, wider * expected.semi_axes[1] / grid.dz, MOST_LAYERS)
-        yield Doubt(verdict, lambda: f"dz = {quantity(grid.dz or 0.0, 'm')}, in metres")
+        verdict = Check(name, wider * contact.expected.semi_axes[1] / dz, MOST_LAYERS)
+        yield Doubt(verdict, lambda: f"dz = {quantity(dz, 'm')}, in metres")
 
 
 def _flattened(contact: Contact, body: Material) -> float:

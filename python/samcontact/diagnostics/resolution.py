@@ -11,14 +11,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import hertz
 from .._util.checks import FloatArray
 from .._util.display import lengths, quantity
 from .._util.errors import ElasticStrainWarning, ResolutionWarning
 from .._util.lazy_scipy import scipy
-from ..bodies.layered import materials_of, softest
 from ..solutions.contact_area import AREA_OF_A_SIDE
-from ..solutions.outline import sides_of
+from ..solutions.outline import Outline, outline_of
 from ..solutions.strained_cells import strained_extent
 
 if TYPE_CHECKING:
@@ -42,10 +40,12 @@ _CLASSIC_DEPTH = 0.8
 """Depth of the largest von Mises stress over the half width: 0.48 (point) to 0.79 (line)."""
 
 
-def warn_of_strain(pressure: FloatArray, scene: ContactSetup, *, stacklevel: int) -> bool:
+def warn_of_strain(
+    solution: ContactSolution | State, scene: ContactSetup, *, stacklevel: int
+) -> bool:
     """Warn of pressures that linear elasticity cannot carry; whether it did."""
-    largest = float(pressure.max())
-    share = largest / hertz.effective_modulus(*map(softest, scene.bodies))
+    largest = solution.outline.largest
+    share = largest / scene.E_star
     if not share > LARGEST_STRAIN:
         return False
     text = (
@@ -141,11 +141,11 @@ def area_uncertainty(pressure: ArrayLike, periodic: str = "") -> float:
     float
         NaN without contact. The border of the grid is no side.
     """
-    inside = np.asarray(pressure) > 0
-    if not inside.any():
-        return math.nan
-    sides = sum(len(found.i) for found in sides_of(inside, periodic))
-    return float(AREA_OF_A_SIDE * sides / np.count_nonzero(inside))
+    return _uncertainty(outline_of(pressure, periodic))
+
+
+def _uncertainty(outline: Outline) -> float:
+    return AREA_OF_A_SIDE * outline.sides / outline.cells if outline.cells else math.nan
 
 
 def _is_wide(pressure: FloatArray) -> bool:
@@ -190,8 +190,11 @@ def warn_of_contact(
 ) -> bool:
     """Warn when fewer than `few` cells lie across a contact, or its spots; whether it did."""
     pressure, grid = solution.pressure, scene.grid
-    share = area_uncertainty(pressure, grid.periodic)
+    outline = solution.outline
+    share = _uncertainty(outline)
     thin = share > (UNCERTAIN if few >= FEW else TOO_UNCERTAIN)
+    if not thin and 2 * outline.reach >= few:
+        return False
     cell = lengths(grid.dx, grid.dy)
     if thin and (count := spots(pressure, grid.periodic)) > 1:
         text = (
@@ -252,28 +255,31 @@ def warn_of_unseen(
     Where the contact presses hard enough and there are fewer than `few` layers in its half width.
     """
     grid = peak.grid
-    if grid.dz is None:
+    if grid.dz is None or (hardest := peak.outline.largest) < scene.weakest:
+        return False
+    if peak.outline.reach * min(grid.dx, grid.dy) >= few * grid.dz * (1 + 1e-9):
+        return False
+    doubtful = [
+        body.number
+        for body in scene.plastic
+        if hardest >= body.weakest and not last.max_equivalent_plastic_strain(body.number) > 0
+    ]
+    if not doubtful:
         return False
     spot = main_spot(peak.pressure, grid.periodic)
     if spot is None:
         return False
-    sizes, hardest = (grid.dx, grid.dy), float(peak.pressure.max())
+    sizes = grid.dx, grid.dy
     half = 0.5 * min((s.stop - s.start) * d for s, d in zip(spot, sizes, strict=True))
-    for body, material in enumerate(scene.bodies, 1):
-        yields = last.max_equivalent_plastic_strain(body) > 0
-        weakest = min(m.least_yield_stress for m in materials_of(material))
-        if yields or not material.is_plastic or hardest < weakest:
-            continue
-        if half / grid.dz >= few:
-            continue
-        text = (
-            f"at load {peak.load:.6g} N body {body} does not yield, but the contact's half width is"
-            f" {quantity(half, 'm')}, and the stress is largest at half to {_CLASSIC_DEPTH} of that"
-            f" depth: the layers are too thick, dz = {quantity(grid.dz, 'm')}"
-        )
-        warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
-        return True
-    return False
+    if half / grid.dz >= few:
+        return False
+    text = (
+        f"at load {peak.load:.6g} N body {doubtful[0]} does not yield, but the contact's half "
+        f"width is {quantity(half, 'm')}, and the stress is largest at half to {_CLASSIC_DEPTH} of "
+        f"that depth: the layers are too thick, dz = {quantity(grid.dz, 'm')}"
+    )
+    warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
+    return True
 
 
 def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
@@ -283,10 +289,11 @@ def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
             return True
         if warn_of_unseen(state, state, scene, 1, stacklevel=stacklevel + 1):
             return True
-    for body, material in enumerate(scene.bodies, 1):
-        strain = state.max_equivalent_plastic_strain(body)
-        yielding = [m for m in materials_of(material) if m.is_plastic]
-        beyond = any(strain * m.E > m.least_yield_stress for m in yielding)
+    for body, _, yielding in scene.plastic:
+        strain = state.largest_strains[body - 1][0]
+        beyond = False
+        for E, stress in yielding:
+            beyond = beyond or strain * E > stress
         if beyond and warn_of_zone([state], body, TOO_FEW, stacklevel=stacklevel + 1):
             return True
     return False

@@ -20,7 +20,6 @@ from ..solutions.outline import (
     around,
     away_from_border,
     has_ridge,
-    rises_outwards,
     sides_between,
     sides_of,
     steps_beside,
@@ -29,6 +28,7 @@ from ..solutions.outline import (
 if TYPE_CHECKING:
     from ..solutions.contact_solution import ContactSolution
     from ..solutions.state import State
+    from .hertz_estimate import ContactSetup
 
 DEFLECTION = 0.25
 """Height of a step over p d/E*, at least: elastic deflection between two cells of size d closes
@@ -122,6 +122,15 @@ def sharp_edge(
     return SharpEdge(whole, (int(i) + first[0], int(j) + first[1]))
 
 
+def may_have_edge(solution: ContactSolution | State, scene: ContactSetup) -> bool:
+    """Whether `edge_of` may find one.
+
+    At an edge with a step of the gap under load beside it, the pressure falls to nothing; one that
+    the load has closed is a step of the undeformed gap.
+    """
+    return solution.outline.rises or scene.may_have_steps
+
+
 def edge_of(
     solution: ContactSolution | State, bodies: tuple[Body, Body], initial_gap: FloatArray | None
 ) -> SharpEdge | None:
@@ -129,7 +138,7 @@ def edge_of(
     pressure, grid = solution.pressure, solution.grid
     if not np.isfinite(solution.approach):
         return None
-    if initial_gap is None and not rises_outwards(pressure, grid.periodic):
+    if initial_gap is None and not solution.outline.rises:
         return None
     E_star = hertz.effective_modulus(*map(softest, bodies))
     sizes = grid.dx, grid.dy

@@ -52,7 +52,7 @@ class Grid(Shown):
     The displacement of a surface that is periodic in both directions is that against its mean
     plane, and the approach that of the mean planes of the undeformed gap. Where one direction is
     periodic, displacement has no limit far away; it is counted from the distance of nx dx (ny dy
-    with periodic="x"), at which a line load displaces nothing. docs/theory.md, "Periodic surfaces".
+    with periodic="x"), at which a line load displaces nothing. docs/theory/periodic.md.
     """
 
     nx: int

@@ -4,7 +4,7 @@
 Closed limits of the pressure of rolling and sliding contacts: `line` exactly, by Melan's theorem,
 `point` and `elliptic` from above, `point_safe` from below; `line_kinematic` and `point_kinematic`
 of linear kinematic hardening. And any cycle of a `Simulation`: `run` repeats it until flow has come
-to rest, closes in each cycle, or goes on, and tells which. See docs/theory.md.
+to rest, closes in each cycle, or goes on, and tells which. See docs/theory/shakedown.md.
 """
 
 from .cycling import run

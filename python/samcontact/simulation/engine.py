@@ -14,7 +14,7 @@ from .._core import ConvergenceError, GridTooSmallError
 from .._util import memory
 from ..contact.border_advice import GROWS, advised, told_of_fixed
 from ..contact.enlargement import counts_for, even_more, told_in
-from ..contact.interpenetration import require_apart
+from ..contact.interpenetration import may_overlap, require_apart
 from ..diagnostics.hertz_estimate import ContactSetup
 from ..diagnostics.monitor import Monitor
 from ..heat import Heat
@@ -30,7 +30,7 @@ from ..solutions.state import State
 from .exclusive_access import ExclusiveAccess
 from .history import History
 from .snapshot import Snapshot
-from .steps import Step, checked_step
+from .steps import Step, StepArguments
 
 _logger = logging.getLogger("samcontact")
 
@@ -49,6 +49,8 @@ class Engine:
         self.history = History(heat)
         self.access = ExclusiveAccess()
         self._laws = [core_law(body) for body in setup.bodies]  # the core does not own them
+        sticks = isinstance(setup.friction, Coulomb)
+        self._may_overlap = not sticks and may_overlap(setup.bodies, setup.friction)
         self._open(self._checked_domain(grid))
         self.first = self.domain
         """The domain before any enlargement."""
@@ -61,8 +63,10 @@ class Engine:
         core = self._core_over(domain)
         if stand is not None:
             stand(core)
+        setup, grid = self.setup, domain.grid
         relieved = any(relief is not None for relief in domain.reliefs)
-        self.estimate = ContactSetup(domain.grid, domain.initial_gap, self.setup.bodies, relieved)
+        self.estimate = ContactSetup(grid, domain.initial_gap, setup.bodies, relieved)
+        self._arguments = StepArguments(grid, setup.bodies, setup.friction)
         self.domain, self.core = domain, core
 
     def _core_over(self, domain: Domain) -> Any:
@@ -106,43 +110,46 @@ class Engine:
         """Return the state of a core state, with the heating of the next increment."""
         return State(core, self.setup, self.domain, heat, lambda: dict(self.core.counters))
 
-    def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, State, Any]:
-        """Solve an increment; return its arguments, the state before and the new core state."""
-        setup = self.setup
+    def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, Any, Any]:
+        """Solve an increment; return its arguments and the core state.
+
+        Between them, the core state before where bodies may overlap after the increment; else None.
+        """
         with self.access:
             while True:
-                grid, heat = self.domain.grid, self.heat
-                step = checked_step(grid, setup.bodies, heat, setup.friction, **given)
+                step = self._arguments.checked(self.heat, **given)
+                target = step.target
                 if monitor.checks_steps:
-                    monitor.doubt(self.estimate, step.heat, step.target, stacklevel=4)
-                if not any(step.heat.shares):
-                    self.make_room(**step.target)
-                before = self.state
+                    monitor.doubt(self.estimate, step.heat, target, stacklevel=4)
+                if target and not any(step.heat.shares):
+                    self.make_room(**target)
+                before = self.core.state if target and self._may_overlap else None
                 try:
-                    with self.estimate.beside(**step.target):
-                        return step, before, self.core.step(**step.to_core())
+                    return step, before, self.core.step(**step.to_core())
+                except ConvergenceError as error:
+                    self.estimate.explain_digits(error)
+                    raise
                 except GridTooSmallError as error:
-                    self._enlarge(error, **step.target)
+                    self.estimate.explain_size(error, **target)
+                    self._enlarge(error, **target)
 
     def advance(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[State, list[str]]:
         """Advance by one increment; return its state and warnings about the edge of the grid."""
         setup = self.setup
         step, before, core = self.solve(given, monitor)
         state = self.state_of(core, step.heat)
-        if step.target and not isinstance(setup.friction, Coulomb):
+        if before is not None:
             try:
                 require_apart(state, setup.bodies, setup.friction, setup.settings.tol)
             except ConvergenceError:
-                steps = self.history.steps
-                self.stand_at(before)
-                self.history.steps = steps
+                self.core.stand_at(before)
                 raise
         self.heat = step.heat
-        if step.target and self.hold_strain():
+        if self.estimate.plastic and step.kind != "pressure" and self.hold_strain(core):
             state = self.state
         self.history.add(given)
         complaints: list[str] = core.warnings
-        if not callable(setup.surfaces.gap):
+        if complaints and not callable(setup.surfaces.gap):
             complaints = [advised(text, self.estimate) for text in complaints]
         return state, complaints
 
@@ -151,22 +158,28 @@ class Engine:
 
         Raises GridTooSmallError if the domain cannot be enlarged.
         """
-        strained = any(self.core.state.max_plastic_strain_magnitude(body) for body in (0, 1))
-        if self.setup.settings.on_border != "error" or strained:
+        if self.setup.settings.on_border != "error":
             return
+        if self.estimate.plastic:
+            state = self.core.state
+            if state.max_plastic_strain_magnitude(0) or state.max_plastic_strain_magnitude(1):
+                return
         try:
             self.estimate.require_room(load, approach)
         except GridTooSmallError as error:
             self._enlarge(error, load, approach)
 
-    def hold_strain(self) -> bool:
-        """Enlarge the domain to include all plastic strain; return whether it was enlarged."""
+    def hold_strain(self, core: Any) -> bool:
+        """Enlarge the domain to include all plastic strain of the current core state.
+
+        Return whether it was enlarged.
+        """
+        boxes = core.strain_beyond(0), core.strain_beyond(1)
+        if not any(boxes):
+            return False
         shape = self.domain.grid.surface_shape
         needed = list(shape)
-        for body in (0, 1):
-            box = self.core.state.strain_beyond(body)
-            if box is None:
-                continue
+        for box in filter(None, boxes):
             for axis, (n, first, cells) in enumerate(zip(shape, box[:2], box[2:4], strict=True)):
                 beside = max(-first, first + cells - n, 0)
                 needed[axis] = max(needed[axis], n + 2 * beside)

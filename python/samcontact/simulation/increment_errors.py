@@ -43,7 +43,7 @@ _FIRST_ORDER = 2.0, 2.0
 the first order."""
 _BETWEEN = 2.0, 1.5
 """The same over the difference of n/2 and n: 1 for the first order, 2.4 for the order 1/2 that
-single cells may have; calibrated, see docs/theory.md."""
+single cells may have; calibrated, see docs/theory/accuracy.md."""
 
 _logger = logging.getLogger("samcontact")
 
@@ -103,12 +103,13 @@ def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
     It has where a body has yielded, unless `increment_tol` controls it, or where shear sticks.
     """
     last = states[-1]
-    if isinstance(setup.friction, Coulomb):
+    if isinstance(setup.settings.friction, Coulomb):
         if any(state.shear.any() for state in states):
             return True
     elif setup.settings.increment_tol is not None:
         return False
-    return any(last.max_equivalent_plastic_strain(body) > 0 for body in (1, 2))
+    first, second = last.largest_strains
+    return first[0] > 0 or second[0] > 0
 
 
 def warn_of(
@@ -130,7 +131,7 @@ def warn_of(
     history = engine.history
     if not monitor.checks_increments or not states or not history.is_due(factor):
         return
-    if _is_ignored(IncrementWarning):
+    if not is_path_dependent(engine.setup, states) or _is_ignored(IncrementWarning):
         return
     steps = history.steps or []
     found = estimated(engine, steps, states, history.heat, repeat)

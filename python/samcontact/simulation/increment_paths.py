@@ -22,11 +22,11 @@ _FEW = 0.65
 
 def cleaned(step: Step) -> dict[str, Any]:
     """Without arguments that are left out, or at rest."""
-    return {
-        name: value
-        for name, value in step.items()
-        if value is not None and not (name == "advance" and tuple(value) == (0.0, 0.0))
-    }
+    kept = dict(step)
+    for name, value in step.items():
+        if value is None or (name == "advance" and tuple(value) == (0.0, 0.0)):
+            del kept[name]
+    return kept
 
 
 def doubled(

@@ -30,7 +30,7 @@ from .given_strain import Cells, add_eigenstrain, set_plastic_strain
 from .increment_errors import warn_of
 from .restoring import loaded, reduced, repeat_with
 from .run import run_into
-from .steps import STEP
+from .steps import AT_REST, STEP
 
 
 class Simulation(Configured, Shown):
@@ -150,6 +150,7 @@ class Simulation(Configured, Shown):
         self.monitor = Monitor()
         surfaces = SurfaceGeometry(gap, relief1, relief2)
         self.engine = Engine(SimulationSetup(body1, body2, surfaces, settings), grid, heat)
+        self.engine.estimate.prepare(heat)
 
     @property
     def grid(self) -> Grid:
@@ -183,7 +184,7 @@ class Simulation(Configured, Shown):
         approach: float | None = None,
         pressure: ArrayLike | None = None,
         shear: ArrayLike | None = None,
-        advance: Sequence[float] = (0.0, 0.0),
+        advance: Sequence[float] = AT_REST,
         shift: Sequence[float | None] | None = None,
         tangential_load: Sequence[float | None] | None = None,
         twist: float | None = None,
@@ -246,10 +247,11 @@ class Simulation(Configured, Shown):
         GridTooSmallWarning, ResolutionWarning, IncrementWarning
             Each at most once in a simulation; docs/conventions.md has the conditions.
         """
-        given: dict[str, Any] = {"load": load, "approach": approach, "pressure": pressure}
-        given |= {"shear": shear, "advance": advance, "heat_factor": heat_factor}
-        given |= {"shift": shift, "tangential_load": tangential_load}
-        given |= {"twist": twist, "torque": torque, "duration": duration}
+        given = {
+            "load": load, "approach": approach, "pressure": pressure, "shear": shear,
+            "advance": advance, "shift": shift, "tangential_load": tangential_load,
+            "twist": twist, "torque": torque, "heat_factor": heat_factor, "duration": duration,
+        }  # fmt: skip
         state, complaints = self.engine.advance(given, self.monitor)
         self.monitor.warn(state, self.engine.estimate, complaints, stacklevel=2)
         warn_of(self.engine, self.monitor, [state], 4, repeat_with(type(self)), stacklevel=2)
@@ -364,10 +366,7 @@ class Simulation(Configured, Shown):
         cells : tuple of int, optional
             Numbers of cells (nx, ny, nz) of the box, with six numbers only.
 
-        Raises
-        ------
-        ValueError
-            A box beyond the grid, a grid without layers, a rigid body, strain that is not finite.
+        Raises ValueError: box beyond the grid, no dz, a rigid body, strain that is not finite.
         """
         add_eigenstrain(self.engine, body, strain, first, cells)
 

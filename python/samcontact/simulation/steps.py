@@ -55,65 +55,93 @@ class Step:
         return {} if self.kind == "pressure" else {self.kind: self.value}
 
     def to_core(self) -> dict[str, Any]:
-        names = ("kind", "value", "pressure", "shear_x", "shear_y", "heating", "duration")
-        given = {name: getattr(self, name) for name in (*names, "advance")}
-        drive = self.tangential
+        given = vars(self).copy()
+        del given["heat"]
+        drive = given.pop("tangential")
         return given | {"is_force": drive.is_force, "tangential": drive.values}
 
 
-def checked_step(
-    grid: Grid,
-    bodies: Bodies,
-    heat: Heat,
-    friction: float | Coulomb,
-    *,
-    load: float | None = None,
-    approach: float | None = None,
-    pressure: ArrayLike | None = None,
-    shear: ArrayLike | None = None,
-    advance: Sequence[float] = (0.0, 0.0),
-    shift: Sequence[float | None] | None = None,
-    tangential_load: Sequence[float | None] | None = None,
-    twist: float | None = None,
-    torque: float | None = None,
-    heat_factor: float | Sequence[float] | None = None,
-    duration: float | None = None,
-) -> Step:
-    """From the arguments of `Simulation.step`, after steps with this heat."""
-    kind = exactly_one(load=load, approach=approach, pressure=pressure)
-    value = 0.0
-    given: dict[str, FloatArray | None] = {}
-    if pressure is not None:
-        given = dict(zip(("shear_x", "shear_y"), shear_components(grid, shear), strict=True))
-        given["pressure"] = tractions("pressure", pressure, grid.surface_shape)
-    elif shear is not None:
-        raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")
-    else:
-        value = number(kind, load if kind == "load" else approach)
-    ways = finite_array("advance", advance, (2,))
-    first, second = (in_cells("advance", float(way), grid.dx) for way in ways)
-    if grid.along_x and (first, second) != (0.0, 0.0):
+AT_REST = 0.0, 0.0
+"""Default of `advance`."""
+_HELD = GivenAlong((False, False, False), (0.0, 0.0, 0.0))
+
+
+class StepArguments:
+    """Checks of the arguments of increments on one grid; the last heat is checked once."""
+
+    def __init__(self, grid: Grid, bodies: Bodies, friction: float | Coulomb) -> None:
+        self.grid, self.bodies, self.friction = grid, bodies, friction
+        self._heated: tuple[Heat, float | None, list[Any]] | None = None
+
+    def checked(
+        self,
+        heat: Heat,
+        *,
+        load: float | None = None,
+        approach: float | None = None,
+        pressure: ArrayLike | None = None,
+        shear: ArrayLike | None = None,
+        advance: Sequence[float] = AT_REST,
+        shift: Sequence[float | None] | None = None,
+        tangential_load: Sequence[float | None] | None = None,
+        twist: float | None = None,
+        torque: float | None = None,
+        heat_factor: float | Sequence[float] | None = None,
+        duration: float | None = None,
+    ) -> Step:
+        """Arguments of `Simulation.step` as a step, after steps with this heat."""
+        grid, friction = self.grid, self.friction
+        kind = exactly_one(load=load, approach=approach, pressure=pressure)
+        value = 0.0
+        given: dict[str, FloatArray | None] = {}
+        if pressure is not None:
+            given = dict(zip(("shear_x", "shear_y"), shear_components(grid, shear), strict=True))
+            given["pressure"] = tractions("pressure", pressure, grid.surface_shape)
+        elif shear is not None:
+            raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")
+        else:
+            value = number(kind, load if kind == "load" else approach)
+        ways = AT_REST if advance is AT_REST else _ways(grid, advance)
+        tangential = _HELD
+        if not (shift is None and tangential_load is None and twist is None and torque is None):
+            tangential = given_along(friction, shift, tangential_load, twist, torque)
+        if pressure is not None or torque is not None:
+            _require_possible(friction, tangential, pressure, shear, torque, ways)
+        lasts = _duration(heat, duration)
+        if heat_factor is not None and heat.partition is not None:
+            raise ValueError(
+                f"heat_factor must be left out with heat.partition, "
+                f"got {in_short(heat_factor)}: the heat is that of the slip"
+            )
+        if heat_factor is not None:
+            heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
+        if heat.history is not None and lasts is not None and ways != AT_REST:
+            _require_motion_of_heat(heat, lasts, ways, grid.dx)
+        heated = self._heating_of(heat, None if heat.history is None else lasts)
+        if kind == "approach":
+            require_reference(heat)
+        return Step(kind, value, heat, heated, lasts or 0.0, ways, tangential, **given)
+
+    def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
+        """Entries of the heat for the core; duration: of an increment of a march in time [s]."""
+        known = self._heated
+        if known is None or known[0] is not heat or known[1] != duration:
+            require_heat_of(self.friction, heat)
+            entries = heating(heat, self.bodies, self.grid, duration)
+            known = self._heated = heat, duration, entries
+        return known[2]
+
+
+def _ways(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
+    """Way of the surface of each body, in cells."""
+    given = finite_array("advance", advance, (2,))
+    first, second = (in_cells("advance", float(way), grid.dx) for way in given)
+    if grid.along_x and (first, second) != AT_REST:
         raise ValueError(
             f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got "
             f"{(first, second)!r}: a body that repeats itself along x does not leave the grid"
         )
-    tangential = given_along(friction, shift, tangential_load, twist, torque)
-    _require_possible(friction, tangential, pressure, shear, torque, (first, second))
-    lasts = _duration(heat, duration)
-    if heat_factor is not None and heat.partition is not None:
-        raise ValueError(
-            f"heat_factor must be left out with heat.partition, "
-            f"got {in_short(heat_factor)}: the heat is that of the slip"
-        )
-    if heat_factor is not None:
-        heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
-    require_heat_of(friction, heat)
-    if heat.history is not None and lasts is not None and (first, second) != (0.0, 0.0):
-        _require_motion_of_heat(heat, lasts, (first, second), grid.dx)
-    entries = heating(heat, bodies, grid, None if heat.history is None else lasts)
-    if kind == "approach":
-        require_reference(heat)
-    return Step(kind, value, heat, entries, lasts or 0.0, (first, second), tangential, **given)
+    return first, second
 
 
 def _require_possible(

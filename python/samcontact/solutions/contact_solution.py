@@ -8,11 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .._util.cached_property import cached_property
 from .._util.checks import FloatArray
 from .._util.display import Brief, Rows, Shown, quantity
 from ..scene.grid import Grid
 from .contact_area import contact_area
-from .outline import rises_outwards
+from .outline import Outline, outline_of
 
 Before = tuple[FloatArray, FloatArray, FloatArray | None, float]
 """Pressure, shear, gap and approach at the end of an increment; None: not known."""
@@ -59,11 +60,16 @@ class ContactSolution(Brief, Shown):
     error: float
     converged: bool
 
+    @cached_property
+    def outline(self) -> Outline:
+        """Outline of the contact in the cells of the grid."""
+        return outline_of(self.pressure, self.grid.periodic)
+
     @property
     def contact_area(self) -> float:
         """Contact area [m^2], with its edge between the cells; see the theory page."""
         grid = self.grid
-        gap = self.gap if rises_outwards(self.pressure, grid.periodic) else None
+        gap = self.gap if self.outline.rises else None
         return contact_area(self.pressure, grid.cell_area, grid.periodic, gap)
 
     def _rows(self) -> Rows:

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from .._core import contact_outline
 from .._util.checks import FloatArray
 
 RISE = 1.05
@@ -17,6 +18,8 @@ STEP = 8.0
 """Height of a step over the bends of the gap beside it."""
 
 Ints = NDArray[np.intp]
+_BLOCK = 1 << 18
+"""Cells that are looked at together, for the memory of it."""
 _MARGIN = 5
 """Cells around a contact, in which all lies that says whether its edge is sharp."""
 
@@ -31,6 +34,28 @@ def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
         else:
             found.append(slice(max(0, int(at[0]) - _MARGIN), int(at[-1]) + 1 + _MARGIN))
     return found[0], found[1]
+
+
+class Outline(NamedTuple):
+    """Outline of a contact in the cells of its grid."""
+
+    cells: int
+    """Cells in contact."""
+    sides: int
+    """Sides of `sides_of` in all."""
+    reach: int
+    """Cells: contact reaches from so many before the largest pressure to one less behind it, along
+    x and y, so that its spot is twice as wide at least."""
+    rises: bool
+    """Whether the pressure rises to a side of the contact, from the next cell further inside."""
+    largest: float
+    """Pressure [Pa]."""
+
+
+def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
+    """Outline of the contact under a pressure >= 0 [Pa], shape (nx, ny); periodic: as of a Grid."""
+    field = np.asarray(pressure, dtype=np.float64)
+    return Outline(*contact_outline(field, "x" in periodic, "y" in periodic, RISE))
 
 
 class Sides(NamedTuple):
@@ -114,6 +139,34 @@ def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArr
     return found
 
 
+def may_have_steps(gap: FloatArray, periodic: str) -> bool:
+    """Whether the gap of undeformed bodies may have a step between two cells.
+
+    Without one, `steps_beside` finds none at any side that is `away_from_border`.
+    """
+    if not np.isfinite(gap).all():
+        return True
+    for axis, name in enumerate("xy"):
+        heights = gap if axis == 0 else gap.T
+        if name in periodic:  # the cells around its end, several times of few
+            heights = heights.take(range(len(heights) + 5), axis=0, mode="wrap")
+        columns = max(1, _BLOCK // len(heights))
+        for first in range(0, heights.shape[1], columns):
+            if _bends_suddenly(heights[:, first : first + columns]):
+                return True
+    return False
+
+
+def _bends_suddenly(heights: FloatArray) -> bool:
+    """Whether there may be a step along the first axis between two of the heights."""
+    rises = heights[1:] - heights[:-1]
+    count = max(len(rises) - 4, 0)
+    before, into, rise, out, after = [rises[n : n + count] for n in range(5)]
+    height = np.abs(rise - 0.5 * (into + out))
+    bends = np.maximum(np.abs(into - before), np.abs(after - out))
+    return bool((height > np.maximum(np.abs(out - into), STEP * bends)).any())
+
+
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
     """Whether the pressure of some cell is above that of both neighbours along an axis by `RISE`.
 
@@ -132,14 +185,6 @@ def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
             if ((others > 0) & (own > RISE * others)).any():
                 return True
     return False
-
-
-def rises_outwards(pressure: FloatArray, periodic: str = "") -> bool:
-    """Whether the pressure rises to the edge of the contact somewhere; costs little."""
-    field = pressure[around(pressure > 0, periodic)]
-    return has_ridge(field, periodic) and any(
-        _rising(sides, field).any() for sides in sides_of(field > 0, periodic)
-    )
 
 
 def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:

@@ -47,6 +47,14 @@ class State(SurfaceState, Fixed, Shown):
     simulation of its own.
     """
 
+    domain: Domain
+    heat: Heat
+    """Heat of the next increment."""
+    counters: Callable[[], dict[str, int]]
+    """Work of the simulation so far, when it is asked for."""
+    _given_layers: int | None
+    _tracks: dict[tuple[int, int], Track]
+
     def __init__(
         self,
         core: Any,
@@ -56,15 +64,11 @@ class State(SurfaceState, Fixed, Shown):
         counters: Callable[[], dict[str, int]],
         layers: int | None = None,
     ) -> None:
-        self.setup, self.domain = setup, domain
-        self.grid = domain.grid
-        self.heat = heat
-        """Heat of the next increment."""
-        self.counters = counters
-        """Work of the simulation so far, when it is asked for."""
-        self._given_layers = layers
-        self._tracks: dict[tuple[int, int], Track] = {}
-        self._core = core
+        tracks: dict[tuple[int, int], Track] = {}
+        vars(self).update(
+            setup=setup, domain=domain, grid=domain.grid, heat=heat, counters=counters,
+            _given_layers=layers, _tracks=tracks, _core=core,
+        )  # fmt: skip
 
     @cached_property
     def depths(self) -> FloatArray:
@@ -274,9 +278,18 @@ class State(SurfaceState, Fixed, Shown):
         """
         return self._field("backstress", body)
 
+    @cached_property
+    def largest_strains(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Of each body: `max_equivalent_plastic_strain` and `max_plastic_strain_magnitude` [-]."""
+        of, core = [], self._core
+        for body in (0, 1):
+            accumulated = core.max_equivalent_plastic_strain(body)
+            of.append((float(accumulated), float(core.max_plastic_strain_magnitude(body))))
+        return of[0], of[1]
+
     def max_equivalent_plastic_strain(self, body: int = 2) -> float:
         """Largest accumulated equivalent plastic strain [-]; 0 for a body that cannot yield."""
-        return float(self._core.max_equivalent_plastic_strain(choice("body", body, (1, 2)) - 1))
+        return self.largest_strains[choice("body", body, (1, 2)) - 1][0]
 
     def max_plastic_strain_magnitude(self, body: int = 2) -> float:
         """Largest magnitude sqrt(2/3 e:e) of the plastic strain e [-]; not cumulative.
@@ -284,7 +297,7 @@ class State(SurfaceState, Fixed, Shown):
         Reversed flow lowers it, whereas it raises the equivalent plastic strain. It is what the
         theory of small strains limits; 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
         """
-        return float(self._core.max_plastic_strain_magnitude(choice("body", body, (1, 2)) - 1))
+        return self.largest_strains[choice("body", body, (1, 2)) - 1][1]
 
     def has_eigenstrain(self, body: int = 2) -> bool:
         """Whether an eigenstrain has been added to a body."""

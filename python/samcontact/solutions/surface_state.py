@@ -16,7 +16,7 @@ from ..scene.grid import Grid
 from ..scene.setup import SimulationSetup
 from .contact_area import contact_area
 from .contact_solution import both
-from .outline import rises_outwards
+from .outline import Outline, outline_of
 from .stress_at_points import require_closed_forms, stress_at_points
 
 
@@ -27,10 +27,17 @@ class SurfaceState:
     _core: Any
     setup: SimulationSetup
 
-    @property
+    @cached_property
     def pressure(self) -> FloatArray:
         """Contact pressure [Pa], shape (nx, ny)."""
-        return self._surface("pressure")
+        field = self._surface("pressure")
+        field.flags.writeable = False
+        return field
+
+    @cached_property
+    def outline(self) -> Outline:
+        """Outline of the contact in the cells of the grid."""
+        return outline_of(self.pressure, self.grid.periodic)
 
     @property
     def shear(self) -> FloatArray:
@@ -112,7 +119,7 @@ class SurfaceState:
 
     def _surface(self, name: str) -> FloatArray:
         """A field of the surface; 0 where the core has none."""
-        shape = self.grid.surface_shape
+        shape = self.grid.nx, self.grid.ny
         field = getattr(self._core, name)
         return np.zeros(shape) if field is None else field.reshape(shape)
 
@@ -135,8 +142,7 @@ class SurfaceState:
         Under prescribed tractions that of their pressure.
         """
         pressure, grid = self.pressure, self.grid
-        stepped = np.isfinite(self.approach) and rises_outwards(pressure, grid.periodic)
-        gap = self.gap if stepped else None
+        gap = self.gap if np.isfinite(self.approach) and self.outline.rises else None
         return contact_area(pressure, grid.cell_area, grid.periodic, gap)
 
     def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: int = 2) -> FloatArray:

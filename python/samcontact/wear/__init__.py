@@ -4,7 +4,7 @@
 `run`: Boucly (2008), part 5. Each cycle loads and unloads; then what has too much accumulated
 plastic strain, from the surface down, is removed, and the next cycle starts from the worn surface
 and the plastic strain that is left. `fretting`: elastic bodies slip to and fro, and lose depth in
-proportion to the work of friction, or to pressure times slip. See docs/theory.md.
+proportion to the work of friction, or to pressure times slip. See docs/theory/wear.md.
 """
 
 from .by_slip import fretting

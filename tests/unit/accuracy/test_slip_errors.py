@@ -9,7 +9,8 @@ import pytest
 
 import samcontact as sc
 
-THEORY = (Path(__file__).parents[3] / "docs" / "theory.md").read_text(encoding="utf-8")
+PAGES = (Path(__file__).parents[3] / "docs" / "theory").glob("*.md")
+THEORY = "\n".join(page.read_text(encoding="utf-8") for page in PAGES)
 STATED = re.search(r"misses\s+(.*) in one increment, (.*) in eight", THEORY).groups()
 MU, R, LOAD = 0.4, 7.5e-3, 300.0
 E = 210e9

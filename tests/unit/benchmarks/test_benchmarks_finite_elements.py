@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Decks for CalculiX, what is read of what it prints, and the page beside finite elements."""
 
-import json
 from typing import NamedTuple
 
 import numpy as np
 import pytest
 
-from benchmarks.finite_elements import __main__ as finite_elements
 from benchmarks.finite_elements import balls, balls_deck, calculix, tables, wave, wave_deck
+from benchmarks.finite_elements import page as finite_elements
 
-KEPT = json.loads(finite_elements.KEPT.read_text(encoding="utf-8"))
+KEPT = finite_elements.STUDY.records()
 
 
 class Deck(NamedTuple):
@@ -177,21 +176,9 @@ def test_errors_are_those_of_a_known_limit():
     ]
 
 
-def test_page_is_that_of_what_is_kept():
-    assert finite_elements.page(KEPT) == finite_elements.PAGE.read_text(encoding="utf-8")
-
-
-@pytest.mark.parametrize(("name", "across"), [("balls", 8), ("wave", 16)])
-def test_kept_numbers_are_those_of_now(name, across):
-    now = finite_elements.SCENES[name].solve(across)
-    for quantity, value in KEPT[name]["runs"]["samcontact"][str(across)].items():
-        if quantity != "seconds":
-            assert now[quantity] == pytest.approx(value, rel=1e-5), quantity
-
-
 def test_both_codes_find_the_same():
     for name, worst in (("balls", 0.045), ("wave", 0.045)):
-        theirs, ours = KEPT[name]["runs"].values()
+        theirs, ours = tables.both(finite_elements.runs_of(KEPT, name)).values()
         for quantity in finite_elements.SCENES[name].QUANTITIES:
             limit = tables.limit(theirs, quantity)
             assert tables.limit(ours, quantity) == pytest.approx(limit, rel=worst), quantity

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What pages of measurements say in words follows from their tables."""
+"""Pages of measurements are functions of the records that are kept, and say nothing else."""
 
 import importlib
+import math
+import random
 import re
+from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
 from benchmarks import (
     images,
@@ -13,17 +17,170 @@ from benchmarks import (
     plastic_zones,
     resolution,
     scaling,
-    sensitivity,
     slip,
     tables,
     theory,
-    wear_convergence,
 )
+from benchmarks import study as studies
 from benchmarks.__main__ import PARTS, main
 from benchmarks.harness import ROOT
 
 PAGE = (ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
 EVERY = [importlib.import_module(f"benchmarks.{name}") for name in PARTS]
+WITHOUT_RECORDS = {"resolution"}  # of runs before there were any
+STUDIES = {
+    file.parent.name if file.stem == "page" else file.stem
+    for file in Path(studies.__file__).parent.rglob("*.py")
+    if "\nSTUDY = Study(" in file.read_text(encoding="utf-8")
+}
+KEPT = {name: studies.find(name) for name in sorted(STUDIES - WITHOUT_RECORDS)}
+by_study = pytest.mark.parametrize("study", KEPT.values(), ids=KEPT)
+# Columns that are not measured, besides the first ones, which name rows.
+GIVEN = {
+    "accuracy": {"values", "quantity", "finite elements", "truth here", "difference [%]",
+                 "finite elements are good to [%]"},
+    "accuracy_cost": {"asked [%]"},
+    "experiments": {"Y/E\\*", "a/R of 30"},
+    "finite_elements": {"on the radius", "on half a period, on a period"},
+    "scale": {"at most", "n", "processes", "a displacement, of one process [GB]", "a message [MB]"},
+    "static_capacity": {"p₀ of ISO 76 [GPa]"},
+    "wear_convergence": {"dz [µm]", "increments"},
+}  # fmt: skip
+NUMBER = re.compile(r"\d+\.?\d*(?:e[-+]\d+)?")
+TIMES = {"on", "seconds", "cpu_s", "memory_MB"}
+AGAIN = [
+    ("experiments", {"of": "perfect", "stiffness": 6.0, "cells": 10}, 1e-4),
+    ("static_capacity", {"of": "steels", "name": "AISI 52100", "pressure": 4.2e9}, 1e-4),
+    ("finite_elements", {"of": "balls", "by": "samcontact", "size": 8}, 1e-5),
+    ("finite_elements", {"of": "wave", "by": "samcontact", "size": 16}, 1e-5),
+    ("accuracy", {"of": "semi-axes 1:4", "asked": 0.01}, 0.02),
+    ("wear_convergence", {"of": "lens", "dx": 60 * 1e-6, "dz": 24 * 1e-6, "increments": 1}, 0.01),
+]  # fmt: skip
+
+
+@by_study
+def test_a_page_is_made_of_the_records(study):
+    records = study.records()
+    assert records
+    for record in records:  # of some point
+        points = [*study.points(False), *study.points(study.keeps_quick)]
+        assert any(point.items() <= record.items() for point in points), record
+    if study.name != "sensitivity":  # which has not made every change of every mesh
+        for point in study.points(False):
+            assert any(point.items() <= record.items() for record in records), point
+    if study.name != "truth":
+        assert study.page(records) == study.document_file.read_text(encoding="utf-8")
+
+
+def other(value, chance):
+    """The same with all of its numbers larger."""
+    if isinstance(value, bool):
+        return chance.random() < 0.5
+    if isinstance(value, float):
+        return value * chance.uniform(1.3, 2.5)
+    if isinstance(value, int):
+        return round(value * chance.uniform(1.3, 2.5)) + 1
+    if isinstance(value, str):
+        return NUMBER.sub(lambda found: f"{other(float(found[0]), chance) + 1:.3g}", value)
+    if isinstance(value, dict):
+        return {key: other(one, chance) for key, one in value.items()}
+    return [other(one, chance) for one in value] if isinstance(value, list) else value
+
+
+def cells_of(page):
+    """Cells with numbers, by table, column, heading, and name of their row."""
+    found = {}
+    for block, text in enumerate(re.findall(r"(?:^\|.*\n?)+", page, re.MULTILINE)):
+        lines = [re.split(r" *\| *", line)[1:-1] for line in text.splitlines()]
+        for number, row in enumerate(lines[2:]):
+            same = [one[0] for one in lines[2 : number + 2]].count(row[0])
+            for column, cell in enumerate(row):
+                if re.search(r"[1-9]", cell) and row[0] != "**at most**":
+                    found[block, column, lines[0][column], row[0], same] = cell
+    return found
+
+
+@by_study
+def test_numbers_of_a_page_come_from_records(study):
+    """A column changes as a whole with what was measured, or is one that is given."""
+    records, given = study.records(), {name for point in study.points(False) for name in point}
+    before, changed = cells_of(study.page(records)), set()
+    for seed in range(3):
+        chance = random.Random(seed)
+        moved = [
+            one | {key: other(one[key], chance) for key in one.keys() - given} for one in records
+        ]
+        after = cells_of(study.page(moved))
+        changed |= {key for key, cell in before.items() if after.get(key) != cell}
+    columns = {key[:3] for key in changed}
+    typed = {key for key in before.keys() - changed if key[1] > 0}
+    assert {key for key in typed if key[:3] in columns} == set()
+    assert {key[2] for key in typed} == GIVEN.get(study.name, set())
+
+
+def close(found, stored, rel, name=""):
+    if isinstance(stored, dict):
+        assert found.keys() - TIMES == stored.keys() - TIMES
+        for key in stored.keys() - TIMES:
+            close(found[key], stored[key], rel, key)
+    elif isinstance(stored, str):
+        found, stored = ([float(n) for n in NUMBER.findall(text)] for text in (found, stored))
+        assert found == pytest.approx(stored, rel=rel), name
+    else:
+        assert found == pytest.approx(stored, rel=rel), name
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@pytest.mark.parametrize(
+    ("name", "point", "rel"), AGAIN, ids=[f"{n}, {p['of']}" for n, p, _ in AGAIN]
+)
+def test_a_point_is_found_as_stored(name, point, rel):
+    (stored,) = (one for one in KEPT[name].records() if point.items() <= one.items())
+    close(point | KEPT[name].run(**point), stored, rel)
+
+
+class TestStudy:
+    @pytest.fixture
+    def made(self, tmp_path, monkeypatch):
+        monkeypatch.setattr(studies.Study, "file", tmp_path / "kept.json")
+        points = [{"of": "a", "n": 1}, {"of": "a", "n": 2}, {"of": "b", "m": 1}]
+        return studies.Study("made", "", lambda quick: points, lambda **given: given)
+
+    def test_records_take_the_place_of_those_of_their_point(self, made):
+        last, first = {"of": "b", "m": 1, "x": 3}, {"of": "a", "n": 1, "x": 1}
+        made.keep([last, {"of": "a", "n": 2, "x": 2}])
+        made.keep([first])
+        assert [record["x"] for record in made.records()] == [1, 2, 3]
+        made.keep([last | {"x": 4}, last | {"x": 5}, {"of": "c"}])
+        assert [record["x"] for record in made.records()] == [1, 2, 4, 5]
+
+    def test_points_are_chosen_by_group_text_and_place(self, made):
+        points = made.points(False)
+        assert studies.chosen(points, ()) == points
+        assert studies.chosen(points, ("b",)) == points[2:]
+        assert studies.chosen(points, (), "2") == points[1:2]
+        assert studies.chosen(points, (), largest=1) == points[1:]
+
+    def test_the_command_solves_in_a_process_and_writes_when_told(self, tmp_path, monkeypatch):
+        study = KEPT["static_capacity"]
+        kept = study.file.read_bytes()
+        page = tmp_path / "page.md"
+        monkeypatch.setattr(studies, "ROOT", tmp_path)
+        (tmp_path / "docs" / "figures").mkdir(parents=True)
+        done = CliRunner().invoke(studies.command(study), ["contacts", "--quick"])
+        assert done.exit_code == 0, done.output
+        assert done.output.startswith(
+            "of contacts, name deep groove, inner race, pressure 3000000000"
+        )
+        page = tmp_path / "docs" / "static_capacity.md"
+        assert not page.exists()
+        assert study.file.read_bytes() == kept
+        assert CliRunner().invoke(studies.command(study), ["--page"]).exit_code == 0
+        assert page.read_text(encoding="utf-8") == study.page(study.records())
+        assert list((tmp_path / "docs" / "figures").glob("*.png"))
+        done = CliRunner().invoke(studies.command(study), ["nothing"])
+        assert done.exit_code == 2
+        assert "is not one of 'contacts', 'steels', 'fine'" in done.output
 
 
 def rows_on_the_page(part):
@@ -56,126 +213,67 @@ def test_sentences_that_need_times_agree_in_the_rest(part):
 
 
 def test_the_command_makes_sentences_only(tmp_path, monkeypatch):
-    monkeypatch.setattr("benchmarks.__main__.ROOT", tmp_path)
-    (tmp_path / "docs").mkdir()
+    page = tmp_path / "benchmarks.md"
+    monkeypatch.setattr("benchmarks.__main__.PAGE", page)
     section = tables.section_of(PAGE, images)
-    page = tmp_path / "docs" / "benchmarks.md"
     page.write_text(PAGE.replace(section, section + "\n\ntyped"), encoding="utf-8")
-    assert main(["--notes"]) == 0
+    assert CliRunner().invoke(main, ["--notes"]).exit_code == 0
     assert page.read_text(encoding="utf-8") == PAGE
 
 
-class TestWhatItSays:
-    """Claims of docs/benchmarks.md in words."""
-
-    def test_the_fast_stress_is_better_and_cheaper(self):
-        rows = rows_on_the_page(operators)
-        for exact, fast in zip(rows[::2], rows[1::2], strict=True):
-            assert (exact["method"], fast["method"]) == ("exact", "fast")
-            assert fast["error: stress, rms"] < exact["error: stress, rms"]
-            assert fast["time_ratio"] < 0.5
-            assert fast["memory_MB"] < exact["memory_MB"]
-
-    def test_zones_save_the_more_the_larger_the_surface(self):
-        rows = [row for row in rows_on_the_page(plastic_zones) if row["method"] == "zones"]
-        for case in {row["case"] for row in rows}:
-            times = [row["time_ratio"] for row in rows if row["case"] == case]
-            assert times == sorted(times, reverse=True)
-            assert max(times) < 1
-
-    def test_what_images_leave_is_below_its_bound(self):
-        for row in rows_on_the_page(images):
-            bound = float(row["method"].removeprefix("image_tol "))
-            assert row["error: stress, largest"] < bound
+def test_claims_of_the_page_in_words():
+    """The fast stress is better and cheaper; zones save; what images leave is below its bound."""
+    rows = rows_on_the_page(operators)
+    for exact, fast in zip(rows[::2], rows[1::2], strict=True):
+        assert (exact["method"], fast["method"]) == ("exact", "fast")
+        for name in ("error: stress, rms", "memory_MB"):
+            assert fast[name] < exact[name]
+        assert fast["time_ratio"] < 0.5
+    zones = [row for row in rows_on_the_page(plastic_zones) if row["method"] == "zones"]
+    for case in {row["case"] for row in zones}:
+        times = [row["time_ratio"] for row in zones if row["case"] == case]
+        assert max(times) < 1
+        assert times == sorted(times, reverse=True)
+    for row in rows_on_the_page(images):
+        assert row["error: stress, largest"] < float(row["method"].removeprefix("image_tol "))
 
 
-class TestTablesOfTheTheory:
-    """Small forms of what makes them, beside what they say."""
-
-    @staticmethod
-    def rows(name):
-        text = theory.PAGE.read_text(encoding="utf-8")
-        table = re.search(rf"<!-- table: {name} -->\n(.*?)<!-- end", text, re.DOTALL)[1]
-        return tables.rows_of(table)
-
-    def test_contact_counts(self):
-        (found,), stored = (
-            tables.rows_of(theory.contact_counts(rough=())),
-            self.rows("contact_counts"),
-        )
-        assert found["contact"] == stored[0]["contact"]
-        for name in found.keys() - {"contact"}:
-            new, old = ([int(n) for n in row[name].split(", ")] for row in (found, stored[0]))
-            assert new == pytest.approx(old, rel=0.2, abs=1)
-
-    def test_increments(self):
-        """On half as many cells they change about as much."""
-        (found,), stored = tables.rows_of(theory.increments((1,), 16, 8)), self.rows("increments")
-        for name in found.keys() - {"increments"}:
-            assert 0.4 < found[name] / stored[0][name] < 2.5
-
-    def test_grid_errors(self):
-        (*found, last), stored = (
-            tables.rows_of(theory.grid_errors((8, 9), (), ())),
-            self.rows("grid_errors"),
-        )
-        known = {row["quantity"]: row for row in stored}
-        assert last["quantity"] == "all"
-        for row in found:
-            assert row["least"] >= known[row["quantity"]]["least"]
-
-    def test_increment_errors(self):
-        """Of one scene, with one increment and many."""
-        (name, *_) = increment_errors.SCENES
-        found = tables.rows_of(increment_errors.stated_errors([name], runs=1))
-        stored = self.rows("increment_errors")[: len(found)]
-        assert len(found) == 2
-        for new, old in zip(found, stored, strict=True):
-            assert [new[key] for key in ("scene", "field")] == [old["scene"], old["field"]]
-            for key in ("true error [%]", "true over stated error"):
-                first = float(str(old[key]).split(", ")[0])
-                assert new[key] == pytest.approx(first, rel=0.05)
-
-    def test_rolling_reach(self):
-        (found, _), (stored, _) = (
-            tables.rows_of(theory.rolling_reach(20)),
-            self.rows("rolling_reach"),
-        )
-        length = "length of the grid"
-        assert found[length] == stored[length]
-        for name in found.keys() - {length}:
-            assert found[name] <= 2 * stored[name]
-
-    def test_shakedown_cycles(self):
-        (found,) = tables.rows_of(theory.shakedown_cycles(theory.CYCLES[:1]))
-        stored = self.rows("shakedown_cycles")[0]
-        for name, value in found.items():
-            near = isinstance(value, float)
-            assert value == (pytest.approx(stored[name], rel=0.05) if near else stored[name])
+# Small forms of the tables of the theory: between which shares of the page's numbers theirs are.
+SMALL = {
+    "contact_counts": (lambda: theory.contact_counts(rough=()), 0.8, 1.2, ["contact"]),
+    "increments": (lambda: theory.increments((1,), 16, 8), 0.4, 2.5, ["increments"]),
+    "grid_errors": (lambda: theory.grid_errors((8, 9), (), ()), 1.0, math.inf, ["quantity"]),
+    "increment_errors": (
+        lambda: increment_errors.stated_errors([*increment_errors.SCENES][:1], runs=1),
+        0.95, 1.05, ["scene", "field"],
+    ),
+    "rolling_reach": (lambda: theory.rolling_reach(20), 0.0, 2.0, ["length of the grid"]),
+    "shakedown_cycles": (
+        lambda: theory.shakedown_cycles(theory.CYCLES[:1]), 0.95, 1.05, ["scene", "comes to"]
+    ),
+}  # fmt: skip
+ALONE = {"grid_errors": {"least"}}  # columns that do not depend on how many there are
 
 
-def test_what_wear_depends_on_is_as_stored():
-    rows = wear_convergence.kept()
-    assert wear_convergence.page(rows) == wear_convergence.PAGE.read_text(encoding="utf-8")
-    meshes = [(name, wear_convergence._mesh(scene)) for name, _, scene in wear_convergence.scenes()]
-    stored = [(name, row) for name, lines in rows.items() for row in lines]
-    assert [(name, row | mesh) for (name, row), (_, mesh) in zip(stored, meshes, strict=True)] == (
-        stored
-    )
-    coarsest = next(scene for name, _, scene in wear_convergence.scenes() if name == "lens")
-    found = wear_convergence.lens(coarsest)
-    for name, text in found.items():
-        new, old = ([float(n) for n in one.split(", ")] for one in (text, rows["lens"][0][name]))
-        assert new == pytest.approx(old, rel=0.01), name
-
-
-def test_what_the_gallery_depends_on_is_as_stored():
-    stored = sensitivity.PAGE.read_text(encoding="utf-8")
-    assert sensitivity.page(sensitivity.moves.TABLE) == stored
+@pytest.mark.parametrize("name", SMALL)
+def test_a_small_form_of_a_table_of_the_theory(name):
+    make, low, high, same = SMALL[name]
+    page = "\n".join(file.read_text(encoding="utf-8") for file in theory.PAGES)
+    made = re.search(rf"<!-- table: {name} -->\n(.*?)<!-- end", page, re.DOTALL)[1]
+    rows = {tuple(row[key] for key in same): row for row in tables.rows_of(made)}
+    found = {tuple(row[key] for key in same): row for row in tables.rows_of(make())}
+    shared = found.keys() & rows.keys()
+    assert shared
+    for key in shared - {("all",)}:
+        for column in ALONE.get(name, found[key].keys() - {*same}):
+            new, old = (
+                float(NUMBER.search(str(row[column]))[0]) for row in (found[key], rows[key])
+            )
+            assert low * old <= new <= high * old or abs(new - old) <= (name == "contact_counts")
 
 
 def test_sentences_on_rough_contact_follow_from_its_tables():
-    text = resolution.PAGE.read_text(encoding="utf-8")
+    text = resolution.STUDY.document_file.read_text(encoding="utf-8")
     sections = re.split(r"^## Load ", text, flags=re.MULTILINE)[1:]
     assert len(sections) > 1
     shares = []

@@ -6,8 +6,7 @@ import math
 import pytest
 
 from benchmarks.experiments import indentation
-from benchmarks.experiments.__main__ import PAGE
-from benchmarks.experiments.page import TABOR, kept, page
+from benchmarks.experiments.page import TABOR
 
 
 def test_first_yield_is_at_the_mean_pressure_of_experiments():
@@ -45,12 +44,3 @@ def test_the_cavity_is_that_of_hill():
     assert indentation.cavity(begins) == pytest.approx(4 / 3)
     large = indentation.cavity(1e6) - indentation.cavity(1e5)
     assert large == pytest.approx(2 / 3 * math.log(10), rel=1e-4)
-
-
-def test_the_page_is_of_what_is_stored():
-    assert page(kept()) == PAGE.read_text(encoding="utf-8")
-    found = kept()["perfect"]
-    asked, known = next(row for row in found if row[0] == 6.0)
-    assert indentation.perfect(asked, known.cells).constraint == pytest.approx(
-        known.constraint, rel=1e-4
-    )

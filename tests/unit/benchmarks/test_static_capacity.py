@@ -7,8 +7,7 @@ import pytest
 
 import samcontact as sc
 from benchmarks.static_capacity import scenes
-from benchmarks.static_capacity.__main__ import GROOVE, PAGE
-from benchmarks.static_capacity.page import by_model, kept, page
+from benchmarks.static_capacity.page import GROOVE, STUDY, by_model, pressed
 from samcontact.cases import load_case
 
 CASE = Path(__file__).parents[3] / "cases" / "b1_ball_in_groove.toml"
@@ -33,7 +32,7 @@ def test_the_load_that_is_found_is_the_pressure_of_the_page():
     race = scenes.CONTACTS[GROOVE].race
     pressure = sc.hertz.elliptic(race.Rx, race.Ry, scenes.E_STAR, load=found.load).p0
     # of other cells, and between the pressures that the page has solved
-    assert pressure == pytest.approx(by_model(kept()["contacts"][GROOVE]), rel=0.01)
+    assert pressure == pytest.approx(by_model(pressed(STUDY.records())[0][GROOVE]), rel=0.01)
 
 
 def test_prints_grow_with_the_ball():
@@ -45,11 +44,3 @@ def test_prints_grow_with_the_ball():
     assert two.load == pytest.approx(4 * one.load)
     assert two.deformation == pytest.approx(one.deformation, rel=1e-4)
     assert two.palmgren == pytest.approx(one.palmgren)
-
-
-def test_the_page_is_of_what_is_stored():
-    assert page(kept()) == PAGE.read_text(encoding="utf-8")
-    known = kept()["contacts"][GROOVE][3]
-    steel = scenes.STEELS[scenes.STEEL]
-    again = scenes.press(scenes.CONTACTS[GROOVE], steel, known.pressure)
-    assert again.deformation == pytest.approx(known.deformation, rel=1e-4)

@@ -40,9 +40,9 @@ def rough_scene(n, hurst=0.8, cutoff=4, fraction=0.1, seed=1):
 class TestWork:
     """Counts of exact displacements and of all transforms.
 
-    Bounds are the measured counts (table in docs/theory.md) plus one application, a fifth of the
-    steps and a quarter of the work: on another machine only rounding can change them. The plain
-    conjugate gradient takes 107 applications for the ball, 148 for the rough surface, 685 at
+    Bounds are the measured counts (table in docs/theory/contact.md) plus one application, a fifth
+    of the steps and a quarter of the work: on another machine only rounding can change them. The
+    plain conjugate gradient takes 107 applications for the ball, 148 for the rough surface, 685 at
     1024 x 1024.
     """
 

@@ -8,14 +8,16 @@ from types import SimpleNamespace
 
 import pytest
 from matplotlib.figure import Figure
+from PIL import Image
 
-from gallery import moves, page, parts
+from gallery import moves, page, parts, stated
 from gallery.__main__ import main
 
-PAGES = Path(__file__).parents[3] / "docs" / "gallery"
-NEAR = page.Number("depth", 100.0, 104.0, "nm", "coarse")
-FAR = page.Number("depth", 100.0, 106.0, "nm", "coarse", remark="why")
-SAID = page.Statement("curves", "coincide", "to 1 %", True, "fine")
+ROOT = Path(__file__).parents[3]
+PAGES = ROOT / "docs" / "gallery"
+NEAR = stated.Number("depth", 100.0, 104.0, "nm", "coarse")
+FAR = stated.Number("depth", 100.0, 106.0, "nm", "coarse", remark="why")
+SAID = stated.Statement("curves", "coincide", "to 1 %", True, "fine")
 
 
 def test_a_number_holds_within_its_tolerance():
@@ -25,14 +27,14 @@ def test_a_number_holds_within_its_tolerance():
 
 
 def test_a_mesh_study_replaces_the_thesis_in_the_judgement_only():
-    number = page.Number("ratio", 6.0, 5.0, "", "fine", converged=5.1)
+    number = stated.Number("ratio", 6.0, 5.0, "", "fine", converged=5.1)
     assert number.holds
     assert number.difference == pytest.approx(-1 / 6)
-    assert not page.Number("ratio", 6.0, 6.0, "", "fine", converged=5.1).holds
+    assert not stated.Number("ratio", 6.0, 6.0, "", "fine", converged=5.1).holds
 
 
 def test_table():
-    text = page.table([NEAR, FAR, SAID, page.Number("cells", 23188, 23188, "", "")], {})
+    text = page.table([NEAR, FAR, SAID, stated.Number("cells", 23188, 23188, "", "")], {})
     assert "| depth | 100 nm | 104 nm | +4.0 % | coarse |" in text
     assert "| depth [1] | 100 nm | 106 nm | +6.0 % | coarse |" in text
     assert "| curves | coincide | to 1 % | agrees | fine |" in text
@@ -48,17 +50,22 @@ def test_a_table_says_how_much_values_move_with_the_mesh():
     assert moves.COARSE in text
 
 
-def test_moves_are_those_of_the_page_where_they_were_computed(tmp_path):
-    table = tmp_path / "moves.csv"
-    table.write_text(
-        "part,mesh,quantity,values,cells [%],layers [%],increments [%],window [%]\n"
-        'one,page,"load, k = 1, 2","[1.0, 2.0]",,3.0,,\n'
-        "one,page,width,[],,0.1,,\n"
-        'one,coarse,"load, k = 1","[1.5]",5.0,50.0,120.0,\n'
-        "one,coarse,width,[],,7.0,,\n"
-        "other,coarse,width,[],9.0,,,\n"
-    )
-    load, width = moves.of_part("one", table)
+def test_moves_are_those_of_the_page_where_they_were_computed():
+    def of(mesh, change, found, part="one"):
+        kind = "values" if change == "none" else "moves"
+        return {"of": part, "mesh": mesh, "change": change, kind: found}
+
+    two, one = "load, k = 1, 2", "load, k = 1"
+    records = [
+        of("page", "none", {two: [1.0, 2.0], "width": []}),
+        of("page", "layers", {two: 3.0, "width": 0.1}),
+        of("coarse", "none", {one: [1.5], "width": []}),
+        of("coarse", "cells", {one: 5.0}),
+        of("coarse", "layers", {one: 50.0, "width": 7.0}),
+        of("coarse", "increments", {one: 120.0}),
+        of("coarse", "cells", {"width": 9.0}, part="other"),
+    ]
+    load, width = moves.of_part("one", records)
     assert load.values == [1.0, 2.0]
     coarse = {"cells": moves.Move(5.0, own=False), "increments": moves.Move(120.0, own=False)}
     assert load.by == coarse | {"layers": moves.Move(3.0, own=True)}
@@ -67,10 +74,41 @@ def test_moves_are_those_of_the_page_where_they_were_computed(tmp_path):
     assert moves.note([width]) == moves.OWN
 
 
+def test_every_row_of_the_table_is_stated_once():
+    """With a field for each in its texts; in the order of the page."""
+    for name, rows in stated.table().items():
+        files = [
+            file
+            for file in (ROOT / "gallery").rglob("*.py")
+            if name in (file.stem, file.parent.name)
+        ]
+        text = "".join(file.read_text(encoding="utf-8") for file in files)
+        calls = re.findall(r'\.(number|trend)\(\s*"([^"]+)"', text)
+        assert sorted(key for _, key in calls) == sorted(rows), name
+        for kind, key in calls:
+            assert (kind == "trend") == ("ours" in rows[key]), key
+    assert stated.table().keys() == parts.PARTS.keys()
+
+
+def test_a_row_is_filled(monkeypatch):
+    rows = {"a": {"quantity": "a, {which}", "thesis": 2.0, "unit": "m", "mesh": "closed form"},
+            "b": {"quantity": "b", "thesis": "more", "ours": "{} to {:.1f} %"},
+            "c": {"quantity": "{at:g} N", "thesis": {"8": 1.0, "9.5": 2.0},
+                  "remark": {"8": "c"}}}  # fmt: skip
+    monkeypatch.setattr(stated, "table", lambda: {"part": rows})
+    said = stated.Stated("part").on("coarse", which="k = 1")
+    assert said.number("a", 2.1) == stated.Number("a, k = 1", 2.0, 2.1, "m", "closed form")
+    assert said.number("a", 2.1, mesh="fine", thesis=3.0).difference == pytest.approx(-0.3)
+    assert said.number("c", 1.1, at=8.0) == stated.Number("8 N", 1.0, 1.1, "", "coarse", remark="c")
+    assert said.number("c", 1.1, at=9.5).thesis == said.values("c")[9.5] == 2.0
+    found = said.trend("b", True, [1.0, 0.12345], 7.0, remark="why")
+    assert found == stated.Statement("b", "more", "1, 0.123 to 7.0 %", True, "coarse", "why")
+
+
 @pytest.mark.parametrize("name", parts.PARTS)
 def test_the_column_of_a_page_is_that_of_the_kept_table(name):
     """Otherwise the page was written before the table, or quantities have other words."""
-    found = moves.of_part(name)
+    found = moves.of_part(name, moves.kept())
     rows = (PAGES / f"{name}.md").read_text().splitlines()
     shown = {row.split(" | ")[-1].rstrip(" |") for row in rows if row.startswith("| ")}
     assert shown - {"", "moves"} == set(moves.column(found).values())
@@ -87,7 +125,10 @@ def test_a_page_has_its_table_and_figures(tmp_path):
     text = (tmp_path / "new" / "part.md").read_text()
     assert "# Title\n\nIntroduction.\n\n| quantity" in text
     assert "![Caption.](name.png)\n\nCaption.\n" in text
-    assert (tmp_path / "new" / "name.png").stat().st_size > 0
+    with Image.open(tmp_path / "new" / "name.png") as image:
+        assert image.mode == "P"
+        assert image.convert("RGB").getpixel((0, 0)) == (255, 255, 255)
+        assert image.info["dpi"][0] == pytest.approx(80, rel=1e-3)
 
 
 def test_parts_by_name_and_by_figure():
@@ -104,7 +145,10 @@ def test_parts_by_name_and_by_figure():
             parts.part_of(name)
 
 
-def test_the_command_makes_a_part(tmp_path, capsys, undrawn):
+def test_the_command_makes_a_part(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(
+        page.Picture, "save", lambda self, folder: (folder / f"{self.name}.png").touch()
+    )  # drawing takes long
     assert main(["2.14", "--quick", "--output", str(tmp_path)]) == 0
     assert "nano_indentation: " in capsys.readouterr().out
     assert "# Nano" in (tmp_path / "nano_indentation.md").read_text()

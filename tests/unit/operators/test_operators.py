@@ -259,7 +259,7 @@ def test_wrong_shapes_are_rejected():
 
 @pytest.mark.parametrize(("axes", "components"), [((0, 1), (0, 1)), ((0, 2), (0, 2))])
 def test_stress_at_the_centres_of_an_alternating_strain(axes, components):
-    """The wrong-signed answer of point values that docs/theory.md states: a limit of the method."""
+    """Point values have a stress of the wrong sign, as docs/theory/accuracy.md states."""
     grid = sc.Grid(16, 16, 1e-5, 1e-5, 16, 1e-5)
     index = np.indices(grid.volume_shape)
     pattern = (-1.0) ** (index[axes[0]] + index[axes[1]])

@@ -173,7 +173,8 @@ def test_to_results(law):
 
 def test_strains_of_the_exact_residual_stress_without_hardening():
     """The numbers of the theory: a pattern from cell to cell makes them larger."""
-    page = (Path(__file__).parents[3] / "docs" / "theory.md").read_text(encoding="utf-8")
+    file = Path(__file__).parents[3] / "docs" / "theory" / "accuracy.md"
+    page = file.read_text(encoding="utf-8")
     stated = re.search(
         r"with (\d+) cells over 3 √\(R w\) the largest plastic strain is ([\d.]+) % instead of the "
         r"([\d.]+) %",

@@ -43,7 +43,7 @@ HEAT = sc.Heat([0.0, 1.0])
 MOVING = sc.Heat([0.5, 1.0], velocity=[[30.0, 0.0], [-30.0, 0.0]], time=1e-6)
 ALONG_Y = sc.Heat([0.0, 1.0], velocity=[0.0, 30.0], time=1e-6)
 OBLIQUE = sc.Heat([0.0, 1.0], velocity=[-10.0, 25.0], time=1e-6)
-PATH = (2, 3, 0.5, 3.5)
+PATH = (2, 3, 0.5)
 """Percent of the surface in contact; what is prescribed for the third unloads."""
 
 
@@ -66,7 +66,6 @@ def assert_close(state, expected, bodies, tol=1e-3):
     ("body1", "body2", "options"),
     [
         (RIGID, STEEL, {}),
-        (RIGID, STEEL, {"friction": 0.3}),
         (ELASTIC, KINEMATIC, {"friction": 0.2}),
         (RIGID, PERFECT, {}),
         (SOFT, STEEL, {}),
@@ -77,14 +76,15 @@ def assert_close(state, expected, bodies, tol=1e-3):
         (RIGID, HOT, {"friction": 0.2, "heat": OBLIQUE}),
     ],
     ids=[
-        *("hardening", "friction", "kinematic", "perfect", "unlike", "equal"),
+        *("hardening", "kinematic", "perfect", "unlike", "equal"),
         *("softening", "heat along x", "heat along y", "heat across"),
     ],
 )
 def test_zones_give_the_fields_of_one_box(body1, body2, options):
     sims = both(body1, body2, **options)
     bodies = plastic(sims[0])
-    for step, percent in enumerate(PATH):
+    again = (3.5,) if len(bodies) == 2 else ()
+    for step, percent in enumerate((*PATH, *again)):
         zones, one = (sim.step(load=percent * PERCENT) for sim in sims)
         assert_close(zones, one, bodies)
         many, single = (zone_counts(sim) for sim in sims)
@@ -148,7 +148,7 @@ def test_a_spot_at_the_border_is_that_of_a_wider_grid():
         simulation(gap=gap, friction=0.3),
         simulation(grid=wide, gap=np.pad(gap, beside, constant_values=1e-3), friction=0.3),
     ]
-    for percent in PATH[:3]:
+    for percent in PATH:
         state, wider = (sim.step(load=percent * PERCENT) for sim in sims)
         assert state.pressure[0].any()
         strain = wider.equivalent_plastic_strain()
@@ -163,7 +163,7 @@ def test_a_spot_at_the_border_is_that_of_a_wider_grid():
 def test_a_grid_without_nz_changes_no_digit():
     opened = simulation(grid=sc.Grid(CELLS, CELLS, SIZE, SIZE, dz=SIZE))
     for sim in (opened, layered := simulation()):
-        sim.run([{"load": percent * PERCENT} for percent in PATH[:3]], progress=False)
+        sim.run([{"load": percent * PERCENT} for percent in PATH], progress=False)
     layers = len(opened.state.depths)
     np.testing.assert_array_equal(opened.state.pressure, layered.state.pressure)
     np.testing.assert_array_equal(
@@ -258,7 +258,7 @@ def halves(state):
     return np.array(boxes)
 
 
-@pytest.fixture(scope="module", params=[2, 5, 10, "balls"])
+@pytest.fixture(scope="module", params=[2, 10, "balls"])
 def solved(request):
     """A state, and the boxes of its zones as far as they lie in its grid.
 

@@ -21,7 +21,7 @@ std::array<double, 6> eigenstrain_displacement(double x, double y, double z, dou
 /// Corner functions H_I of the displacement along the surface: u_x = 1/(2 pi) sum_I eps_I S3[H_I],
 /// arguments as above. Parities in (x, y): xx, yy, zz odd-even, yz odd-odd, xz even-even, xy
 /// even-odd. For u_y exchange x and y, xx and yy, yz and xz. By reciprocity, the stress of a unit
-/// shear force (shear_stress()) integrated over the cuboid: docs/theory.md.
+/// shear force (shear_stress()) integrated over the cuboid: docs/theory/half_space.md.
 std::array<double, 6> eigenstrain_side_displacement(double x, double y, double z, double nu);
 
 constexpr int full_space_count = 15;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Answer of layers on a substrate to a wave of surface traction exp(i (kx x + ky y)): impedances
-// and reflections from the bottom up, without growing exponentials (docs/theory.md, "Layers").
+// and reflections from the bottom up, without growing exponentials (docs/theory/layers.md).
 #pragma once
 
 #include <Eigen/Core>

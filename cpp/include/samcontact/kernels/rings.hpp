@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Influence of a rectangle from its waves, by rings in wavenumber: windows, each half as wide as
 // the one before, whose short Fourier sums have periods of their own, so that nothing wraps around
-// and offsets are exact (docs/theory.md, "Layers").
+// and offsets are exact (docs/theory/layers.md).
 #pragma once
 
 #include <functional>

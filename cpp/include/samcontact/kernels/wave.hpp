@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Answer of a half-space to a wave of surface traction of unit amplitude, exp(i (kx x + ky y)), and
 // the limits of the corner functions for a load that is uniform along y: what periodic surfaces
-// need beside the coefficients of one rectangle. docs/theory.md, "Periodic surfaces".
+// need beside the coefficients of one rectangle. docs/theory/periodic.md.
 #pragma once
 
 #include <array>

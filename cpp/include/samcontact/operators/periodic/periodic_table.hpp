@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Influence coefficients of a cell that is repeated for ever along x, y or both: the lattice sum of
-// those of one cell (docs/theory.md, "Periodic surfaces").
+// those of one cell (docs/theory/periodic.md).
 #pragma once
 
 #include <functional>

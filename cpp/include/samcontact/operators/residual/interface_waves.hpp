@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Waves between the interfaces of layers, of eight wavenumbers at a time: eqs. (44) to (46) of
-// docs/theory.md.
+// docs/theory/layers.md.
 #pragma once
 
 #include <span>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One block of wavenumbers of the fast residual stress: sweeps upwards and downwards through the
 // cells of each layer of the body, and the waves between its interfaces, eqs. (25), (26) and (44)
-// to (46) of docs/theory.md.
+// to (46) of docs/theory/layers.md.
 #pragma once
 
 #include "samcontact/operators/convolution/volume_transform.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the sweeps of the fast residual stress do with eight wavenumbers at a time: tensors in and
 // out of a spectrum, turned along the wave, and the sums over cells of eqs. (25) and (26) of
-// docs/theory.md.
+// docs/theory/residual_stress.md.
 #pragma once
 
 #include "samcontact/operators/residual/layer_sweep.hpp"
@@ -96,7 +96,7 @@ struct Sums {
     w += t.t33 - t.t11 - 2 * sign * t.t13;
     o += t.t12 + sign * t.t23;
   }
-  /// Their integrals, eq. (25) of docs/theory.md, as means over the receiving cell.
+  /// Their integrals, eq. (25) of docs/theory/residual_stress.md, as means over the receiving cell.
   SAMCONTACT_INLINE Sums integrals(const Mode& mode) const {
     const Lanes g = mode[other];
     Sums i;

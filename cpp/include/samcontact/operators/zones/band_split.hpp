@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How operators are split in bands: docs/theory.md, "Zones".
+// How operators are split in bands: docs/theory/zones.md.
 #pragma once
 
 namespace samcontact::operators {

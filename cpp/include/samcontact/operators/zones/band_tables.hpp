@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of a medium's coefficients, split in bands: docs/theory.md, "Zones".
+// Tables of a medium's coefficients, split in bands: docs/theory/zones.md.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What plastic strain in zones, small boxes of cells anywhere on a lattice without ends, does there
-// and to the surface, at the cost of the zones: docs/theory.md, "Zones".
+// and to the surface, at the cost of the zones: docs/theory/zones.md.
 #pragma once
 
 #include <functional>

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Two contacts by finite elements and by samcontact: runs of both, page and figures."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from ..study import Record, Study
+from . import balls, wave
+from .tables import Points, Runs, points
+
+SCENES = {"balls": balls, "wave": wave}
+REPEATS = 3  # of samcontact; the least time counts: what disturbs only adds
+LABELS = {"a grid": "samcontact", "an accuracy": "samcontact, to an accuracy"}
+TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
+<!-- Written by: OMP_NUM_THREADS=1 python -m benchmarks.finite_elements --docs -->
+# Beside finite elements
+
+Two contacts that yield, one with an axis and one without, by samcontact and by
+[CalculiX](https://www.calculix.de) 2.20 (Debian's `calculix-ccx`). Both codes solve them on one
+thread, on meshes of their own.
+
+```console
+$ apt install calculix-ccx
+$ OMP_NUM_THREADS=1 python -m benchmarks.finite_elements --docs
+```
+
+Tables have the largest of the errors of five numbers, each against its code's own limit on fine
+meshes (the two finest extrapolated with order two), and the processor's time. Work on the deck is
+not in it.
+
+{sections}"""
+
+
+def cases(quick: bool) -> list[Record]:
+    """Scenes by a code on meshes of a size, and what else the page takes of the balls."""
+    sizes = {
+        name: {
+            "samcontact": scene.CELLS[:2] if quick else scene.CELLS,
+            "CalculiX": scene.ELEMENTS[:1] if quick else scene.ELEMENTS,
+        }
+        for name, scene in SCENES.items()
+    }
+    more = {"slopes": balls.FLATTER, "an accuracy": balls.ASKED, "truth": (0,)}
+    sizes["balls"] |= {} if quick else more
+    return [{"of": name, "by": by, "size": size} for name, codes in sizes.items()
+            for by, some in codes.items() for size in some]  # fmt: skip
+
+
+def run(of: str, by: str, size: float) -> Record:
+    """What a case has found, in SI units."""
+    scene = SCENES[of]
+    if by == "samcontact":
+        runs = (scene.solve(int(size)) for _ in range(REPEATS))
+        return min(runs, key=lambda run: float(run["seconds"]))
+    if by == "CalculiX":
+        with tempfile.TemporaryDirectory() as folder:
+            found: Record = scene.finite_elements(Path(folder), int(size))
+            return found
+    if by == "slopes":
+        return balls.measure_slopes(size)
+    return balls.measure_accuracy(size) if by == "an accuracy" else balls.limit()
+
+
+def runs_of(records: list[Record], name: str) -> dict[str, Runs]:
+    """What was found of a scene, by code and size."""
+    found: dict[str, Runs] = {"CalculiX": {}, "samcontact": {}}
+    for record in records:
+        if record["of"] == name:
+            found.setdefault(record["by"], {})[f"{record['size']:g}"] = record
+    return found
+
+
+def page(records: list[Record]) -> str:
+    """All of it."""
+    sections = (scene.section(runs_of(records, name)) for name, scene in SCENES.items())
+    return TEXT.format(sections="\n".join(sections))
+
+
+def draw(records: list[Record]) -> dict[str, Any]:
+    """Largest error of all quantities over time, of each scene."""
+    from matplotlib.figure import Figure
+
+    figures = {}
+    for name, scene in SCENES.items():
+        runs = runs_of(records, name)
+        lines: dict[str, Points] = {"CalculiX": points(runs["CalculiX"], scene.QUANTITIES)}
+        lines |= {LABELS[than]: known for than, known in scene.ours(runs).items()}
+        figure = figures[scene.FIGURE] = Figure(figsize=(5.2, 3.6), layout="constrained")
+        ax = figure.subplots()
+        for (label, known), marker in zip(lines.items(), "sod", strict=False):
+            errors, seconds = zip(*known, strict=True)
+            ax.loglog(seconds, [100 * e for e in errors], marker=marker, label=label)
+        ax.set(xlabel="processor's time [s]", ylabel="largest error [%]")
+        ax.grid(which="major", alpha=0.3)
+        ax.legend()
+    return figures
+
+
+STUDY = Study(
+    "finite_elements", "Two contacts by finite elements and by samcontact.", cases, run, page, draw
+)

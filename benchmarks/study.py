@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Studies: points that are run, records of them that are kept, and a page made of the records.
+
+A study is a module of this package, or the module `page` of a folder, with a `STUDY`. Its command
+is `python -m benchmarks.NAME`. A point is a dictionary of arguments, of which `of` names its group;
+a record is its point, what a run of it has found, and `on`, what it was measured on.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+import platform
+import warnings
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any
+
+import click
+
+import samcontact as sc
+
+ROOT = Path(__file__).resolve().parents[1]
+Record = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Study:
+    """Points, how one is run, and what is made of the records."""
+
+    name: str
+    about: str
+    """First line of the help of its command."""
+    points: Callable[[bool], Sequence[Record]]
+    """All points; when its argument is true, few small ones that are never kept."""
+    run: Callable[..., Record | list[Record]]
+    """What one point, passed as keyword arguments, finds: a record, or one for each of its rows."""
+    page: Callable[[list[Record]], str] = lambda records: ""
+    draw: Callable[[list[Record]], dict[str, Any]] = lambda records: {}
+    """Figures by the name of their file."""
+    document: str = ""
+    """Name of the page, where it is not that of the study."""
+    fresh: bool = False
+    """Whether each point has a process of its own, whose memory is measured."""
+    lasting: bool = False
+    """Whether measurements take so long that each is kept, and --docs measures nothing."""
+    keeps_quick: bool = False
+    """Whether the small points are kept beside the others."""
+
+    @property
+    def file(self) -> Path:
+        """Where the records are kept."""
+        place = Path(__file__).with_name(self.name)
+        return place / "results.json" if place.is_dir() else place.with_suffix(".json")
+
+    @property
+    def document_file(self) -> Path:
+        return ROOT / "docs" / f"{self.document or self.name}.md"
+
+    def records(self) -> list[Record]:
+        """Those that are kept, in the order of the points."""
+        found: list[Record] = json.loads(self.file.read_text("utf-8")) if self.file.exists() else []
+        return found
+
+    def keep(self, new: Sequence[Record]) -> None:
+        """Put records in place of those of their points, in the order of these; one a line."""
+        every = [*self.points(False), *(self.points(True) if self.keeps_quick else ())]
+        names = sorted({name for point in every for name in point})
+
+        def key(record: Record) -> str:
+            return json.dumps([record.get(name) for name in names])
+
+        order = {key(point): place for place, point in enumerate(every)}
+        again = {key(record) for record in new}
+        kept = [record for record in self.records() if key(record) not in again]
+        kept = [record for record in [*kept, *new] if key(record) in order]
+        kept.sort(key=lambda record: order[key(record)])
+        lines = ",\n".join(json.dumps(record, ensure_ascii=False) for record in kept)
+        self.file.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+
+    def write(self, records: list[Record]) -> None:
+        """Write the page and its figures."""
+        self.document_file.write_text(self.page(records), encoding="utf-8")
+        for name, figure in self.draw(records).items():
+            figure.savefig(ROOT / "docs" / "figures" / name, dpi=150)
+
+    def solve(self, points: Sequence[Record], processes: int = 1) -> Iterator[list[Record]]:
+        """Records of points, each found in a process that has one thread."""
+        os.environ["OMP_NUM_THREADS"] = "1"
+        for batch in [[point] for point in points] if self.fresh else [points]:
+            with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
+                yield from pool.map(_solved, [self.name] * len(batch), batch)
+
+    def main(self) -> None:
+        """The command of the study."""
+        command(self)(prog_name=f"python -m benchmarks.{self.name}")
+
+
+def find(name: str) -> Study:
+    """The study of this name."""
+    folder = Path(__file__).with_name(name)
+    module = importlib.import_module(f"benchmarks.{name}" + ".page" * folder.is_dir())
+    found: Study = module.STUDY
+    return found
+
+
+def measured_on() -> str:
+    """Version and processor; studies have one thread."""
+    return f"samcontact {sc.__version__}, {platform.machine()}"
+
+
+def _solved(name: str, point: Record) -> list[Record]:
+    """The records of a point of a study."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # scenes are small, coarse or extreme on purpose
+        found = find(name).run(**point)
+    rows = found if isinstance(found, list) else [found]
+    return [point | row | {"on": measured_on()} for row in rows]
+
+
+def command(study: Study) -> click.Command:
+    """Choose points, run them, keep what they find, and make the page."""
+    groups = list(dict.fromkeys(point["of"] for point in study.points(False)))
+    page = study.document_file.relative_to(ROOT)
+    docs = "write" if study.lasting else "keep what is found, and write"
+
+    @click.command(help=f"{study.about}\n\nGroups of points: {', '.join(groups)}.")
+    @click.argument("names", nargs=-1, metavar="[GROUP]...", type=click.Choice(groups))
+    @click.option("--rows", default="", metavar="TEXT", help="Only points that contain it.")
+    @click.option("--largest", type=int, metavar="K", help="Only the last K of each group.")
+    @click.option("--quick", is_flag=True, help="Few small points.")
+    @click.option("--processes", default=1, help="How many points at once.")
+    @click.option("--docs", is_flag=True, help=f"Also {docs} {page}.")
+    @click.option("--page", is_flag=True, help=f"Only write {page}, of what is kept.")
+    def run(
+        names: tuple[str, ...], rows: str, largest: int | None, quick: bool, processes: int,
+        docs: bool, page: bool,
+    ) -> None:  # fmt: skip
+        os.environ.setdefault("MPLBACKEND", "Agg")
+        keeps = (study.lasting or docs) and (study.keeps_quick or not quick)
+        for records in (
+            ()
+            if page or (docs and study.lasting)
+            else study.solve(chosen(study.points(quick), names, rows, largest), processes)
+        ):
+            click.echo("\n".join(map(_shown, records)))
+            if keeps:
+                study.keep(records)
+        if docs or page:
+            study.write(study.records())
+
+    return run
+
+
+def chosen(
+    points: Sequence[Record], names: Sequence[str], rows: str = "", largest: int | None = None
+) -> list[Record]:
+    """Points of groups, that contain a text, and the last ones of each group."""
+    found: dict[str, list[Record]] = {}
+    for point in points:
+        shown = " ".join(str(value) for key, value in point.items() if key != "of")
+        if rows in shown and (not names or point["of"] in names):
+            found.setdefault(point["of"], []).append(point)
+    return [point for group in found.values() for point in group[-(largest or 0) :]]
+
+
+def _shown(record: Record) -> str:
+    return ", ".join(f"{key} {value}" for key, value in record.items() if key != "on")
+
+
+def by_group(records: Iterable[Record]) -> dict[str, list[Record]]:
+    """Records of each group, in their order."""
+    found: dict[str, list[Record]] = {}
+    for record in records:
+        found.setdefault(record["of"], []).append(record)
+    return found
+
+
+def table(heading: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Markdown."""
+    lines = [heading, ["---"] * len(heading), *rows]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def table_of(rows: Sequence[dict[str, str]]) -> str:
+    """Markdown of rows with equal keys, which are the heading."""
+    return table(list(rows[0]), [list(row.values()) for row in rows])

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/outline.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace samcontact::contact {
+
+namespace {
+
+/// A line of cells: n of them, `stride` apart.
+struct Line {
+  const double* first;
+  int n;
+  std::ptrdiff_t stride;
+
+  double operator[](int i) const { return first[i * stride]; }
+};
+
+/// Adds the sides across a line between cell i and the next one, at its end the first.
+void add_side(const Line& p, int i, double rise, Outline& found) {
+  const int next = i + 1 < p.n ? i + 1 : 0;
+  if ((p[i] > 0) == (p[next] > 0)) return;
+  ++found.sides;
+  const bool ascends = p[next] > 0;
+  const int own = ascends ? next : i;
+  const int inner = ascends ? (next + 1) % p.n : (i + p.n - 1) % p.n;
+  found.rises |= p[inner] > 0 && p[own] > rise * p[inner];
+}
+
+void add_line(const Line& p, bool periodic, double rise, Outline& found) {
+  for (int i = 0; i + 1 < p.n; ++i) add_side(p, i, rise, found);
+  if (periodic && p.n > 1) add_side(p, p.n - 1, rise, found);
+}
+
+/// How far contact reaches from a cell in it.
+int reach(const Line& p, int at) {
+  int before = at, behind = at;
+  while (before > 0 && p[before - 1] > 0) --before;
+  while (behind + 1 < p.n && p[behind + 1] > 0) ++behind;
+  return std::min(at - before, behind - at + 1);
+}
+
+}  // namespace
+
+Outline outline(std::span<const double> pressure, const Cells& cells, double rise) {
+  Outline found;
+  const double* p = pressure.data();
+  const auto row = [&](int i) {
+    return Line{p + static_cast<std::ptrdiff_t>(i) * cells.ny, cells.ny, 1};
+  };
+  const auto column = [&](int j) { return Line{p + j, cells.nx, cells.ny}; };
+  found.cells = static_cast<std::size_t>(
+      std::count_if(pressure.begin(), pressure.end(), [](double value) { return value > 0; }));
+  if (found.cells == 0) return found;
+  for (int i = 0; i < cells.nx; ++i) add_line(row(i), cells.along_y, rise, found);
+  for (int j = 0; j < cells.ny; ++j) add_line(column(j), cells.along_x, rise, found);
+  const auto peak = std::max_element(pressure.begin(), pressure.end()) - pressure.begin();
+  const int i = static_cast<int>(peak / cells.ny), j = static_cast<int>(peak % cells.ny);
+  found.largest = *(pressure.begin() + peak);
+  found.reach = std::min(reach(column(j), i), reach(row(i), j));
+  return found;
+}
+
+}  // namespace samcontact::contact
