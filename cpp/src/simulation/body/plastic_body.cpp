@@ -17,9 +17,9 @@ namespace {
 using operators::Tensor;
 
 /// Memory of an increment in which all of a box flows and that is divided; as measured,
-/// docs/developer/data_layout.md has the parts. Of a cell that is stored, of the plane of wavenumbers times
-/// layers, of coefficients there, which mirrors do not divide; of a backstress; of the exact
-/// method.
+/// docs/developer/data_layout.md has the parts. Of a cell that is stored, of the plane of
+/// wavenumbers times layers, of coefficients there, which mirrors do not divide; of a backstress;
+/// of the exact method.
 constexpr double cell_bytes = 290, spectrum_bytes = 160, table_bytes = 150, backstress_bytes = 80,
                  exact_bytes = 1200;
 
