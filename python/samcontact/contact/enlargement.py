@@ -27,7 +27,7 @@ def counts_for(
 ) -> list[int]:
     """Cells along x and y of a window larger than that of an error; ValueError for too many."""
     shape, sizes = scene.grid.surface_shape, (scene.grid.dx, scene.grid.dy)
-    halves = zip(scene.extent(load, approach), sizes, strict=True)
+    halves = zip(hertz_estimate.extent(scene, load, approach), sizes, strict=True)
     needed = [math.ceil(2 * ROOM * half / d) for half, d in halves]
     fits = all(n >= cells for n, cells in zip(shape, needed, strict=True))
     counts = [

@@ -265,10 +265,10 @@ def solve_driven(  # warnings name the caller's caller
             solution, complaint = solver._solved_from(start, window, driver, value, drive)
             break
         except _core.ConvergenceError as error:
-            scene.explain_digits(error)
+            hertz_estimate.explain_digits(error, scene.gap)
             raise
         except _core.GridTooSmallError as error:
-            scene.explain_size(error, load, approach)
+            hertz_estimate.explain_size(error, scene.hertz(load, approach))
             if not callable(gap) and not asked.grid.periodic:
                 told_of_fixed(error, scene)
             if not callable(gap) or asked.grid.periodic:

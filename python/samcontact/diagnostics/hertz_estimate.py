@@ -63,6 +63,7 @@ class ContactSetup:
         # the neighbours of a contact that repeats itself press as well
         self.relieved = relieved or bool(grid.periodic)
         self._has_reliefs = relieved
+        self._lowest = float(gap.min())
         self._known: dict[tuple[float | None, float | None], Expected | None] = {}
         self._of_heat: tuple[Heat, Any] | None = None
 
@@ -136,20 +137,6 @@ class ContactSetup:
         turn = math.sin(0.5 * math.atan2(2.0 * xy, xx - yy))  # of the most curved plane
         return 1.0 / (scale * least), 1.0 / (scale * most), turn
 
-    def extent(
-        self, load: float | None = None, approach: float | None = None
-    ) -> tuple[float, float]:
-        """How far the Hertz contact reaches from its middle along x and y [m]; 0 without one."""
-        expected = self.hertz(load, approach)
-        return (0.0, 0.0) if expected is None else self._extent_of(expected)
-
-    def _extent_of(self, expected: Expected) -> tuple[float, float]:
-        if self._paraboloid is None:
-            return 0.0, 0.0
-        (a, b), c = expected.semi_axes, self._paraboloid[2]
-        s = math.sqrt(max(0.0, 1.0 - c * c))
-        return math.hypot(a * c, b * s), math.hypot(a * s, b * c)
-
     @cached_property
     def E_star(self) -> float:
         """Contact modulus [Pa], of layers that of the most compliant."""
@@ -159,10 +146,6 @@ class ContactSetup:
     def _is_hertzian(self) -> bool:
         """Whether there is a Hertz contact at any load."""
         return self.radii is not None and not any(isinstance(b, Layered) for b in self.bodies)
-
-    @cached_property
-    def _lowest(self) -> float:
-        return float(self.gap.min())
 
     def hertz(self, load: float | None = None, approach: float | None = None) -> Expected | None:
         """Hertz contact under a load [N] or an approach [m]; None where there is none."""
@@ -206,7 +189,7 @@ class ContactSetup:
         if expected is None:
             return []
         driver = "approach" if load is None else "load"
-        contact = plausibility.Contact(expected, self._extent_of(expected), driver)
+        contact = plausibility.Contact(expected, _extent_of(expected, self._paraboloid), driver)
         found = plausibility.doubts_of_contact(contact, self.grid, self.bodies, heat)
         return [doubt for doubt in found if not doubt.verdict.passed]
 
@@ -236,7 +219,7 @@ class ContactSetup:
         expected = self._hertz(None, self._lowest + (side / 8) ** 2 / self.radii[1])
         if expected is None:
             return None
-        return plausibility.Contact(expected, self._extent_of(expected))
+        return plausibility.Contact(expected, _extent_of(expected, self._paraboloid))
 
     @cached_property
     def _stiffness(self) -> float:
@@ -261,14 +244,8 @@ class ContactSetup:
         """Load up to which the Hertz contact fits on the grid [N], or less."""
         if self._reference is None:
             return math.nan
-        share = max(self._shares_of_grid(self._reference.expected))
+        share = max(_shares_of_grid(self._reference.expected, self.grid))
         return self._reference.expected.contact.load * (1 - _MARGIN) / max(share, 1e-30) ** 3
-
-    def _shares_of_grid(self, expected: Expected) -> tuple[float, float]:
-        """Widths of a contact over sides of the grid: an elliptic one may lie any way round."""
-        long, short = expected.semi_axes
-        sides = self.grid.nx * self.grid.dx, self.grid.ny * self.grid.dy
-        return 2 * short / min(sides), 2 * long / max(sides)
 
     def require_room(self, load: float | None = None, approach: float | None = None) -> None:
         """Raise GridTooSmallError when the Hertz contact does not fit.
@@ -279,7 +256,7 @@ class ContactSetup:
         if not self._is_hertzian or self.load_of(load, approach) <= self.largest_load_with_room:
             return
         expected, grid = self.hertz(load, approach), self.grid
-        if expected is None or max(self._shares_of_grid(expected)) <= 1:
+        if expected is None or max(_shares_of_grid(expected, self.grid)) <= 1:
             return
         where = f"at load {load:.6g} N" if approach is None else f"at approach {approach:.6g} m"
         long, short = expected.semi_axes
@@ -290,20 +267,45 @@ class ContactSetup:
             f"{_ASK}"
         )
 
-    def explain_digits(self, error: ConvergenceError) -> None:
-        """Add to an error of the solver that the gap lies far away, if it does."""
-        far = float(np.abs(self.gap).max())
-        height = float(self.gap.max()) - float(self.gap.min())
-        if 1e-16 * far > 1e-11 * height > 0:
-            error.args = (
-                f"{error}. The gap lies {far:.6g} m away with heights of {height:.3g} m, which "
-                "costs their digits: subtract its minimum",
-            )
 
-    def explain_size(
-        self, error: GridTooSmallError, load: float | None = None, approach: float | None = None
-    ) -> None:
-        """Add the expected Hertz contact, if there is one, to an error of the solver."""
-        expected = self.hertz(load, approach)
-        if expected is not None and str(expected) not in str(error):
-            error.args = (f"{error}. {expected}",)
+def extent(
+    setup: ContactSetup, load: float | None = None, approach: float | None = None
+) -> tuple[float, float]:
+    """How far the Hertz contact reaches from its middle along x and y [m]; 0 without one."""
+    expected = setup.hertz(load, approach)
+    return (0.0, 0.0) if expected is None else _extent_of(expected, setup._paraboloid)
+
+
+def _extent_of(
+    expected: Expected, paraboloid: tuple[float, float, float] | None
+) -> tuple[float, float]:
+    """How far a contact reaches from its middle along x and y [m]."""
+    if paraboloid is None:
+        return 0.0, 0.0
+    (a, b), c = expected.semi_axes, paraboloid[2]
+    s = math.sqrt(max(0.0, 1.0 - c * c))
+    return math.hypot(a * c, b * s), math.hypot(a * s, b * c)
+
+
+def _shares_of_grid(expected: Expected, grid: Grid) -> tuple[float, float]:
+    """Widths of a contact over sides of the grid: an elliptic one may lie any way round."""
+    long, short = expected.semi_axes
+    sides = grid.nx * grid.dx, grid.ny * grid.dy
+    return 2 * short / min(sides), 2 * long / max(sides)
+
+
+def explain_digits(error: ConvergenceError, gap: FloatArray) -> None:
+    """Add to an error of the solver that the gap lies far away, if it does."""
+    far = float(np.abs(gap).max())
+    height = float(gap.max()) - float(gap.min())
+    if 1e-16 * far > 1e-11 * height > 0:
+        error.args = (
+            f"{error}. The gap lies {far:.6g} m away with heights of {height:.3g} m, which "
+            "costs their digits: subtract its minimum",
+        )
+
+
+def explain_size(error: GridTooSmallError, expected: Expected | None) -> None:
+    """Add the expected Hertz contact, if there is one, to an error of the solver."""
+    if expected is not None and str(expected) not in str(error):
+        error.args = (f"{error}. {expected}",)

@@ -15,7 +15,7 @@ from .._util import memory
 from ..contact.border_advice import GROWS, advised, told_of_fixed
 from ..contact.enlargement import counts_for, even_more, told_in
 from ..contact.interpenetration import may_overlap, require_apart
-from ..diagnostics.hertz_estimate import ContactSetup
+from ..diagnostics.hertz_estimate import ContactSetup, explain_digits, explain_size
 from ..diagnostics.monitor import Monitor
 from ..heat import Heat
 from ..restart.file import ForeignCheckpointError
@@ -127,10 +127,10 @@ class Engine:
                 try:
                     return step, before, self.core.step(**step.to_core())
                 except ConvergenceError as error:
-                    self.estimate.explain_digits(error)
+                    explain_digits(error, self.estimate.gap)
                     raise
                 except GridTooSmallError as error:
-                    self.estimate.explain_size(error, **target)
+                    explain_size(error, self.estimate.hertz(**target))
                     self._enlarge(error, **target)
 
     def advance(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[State, list[str]]:
