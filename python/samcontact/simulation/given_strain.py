@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, finite_array, integer, real_array
+from .._util.short_text import in_short
 from ..bodies.layered import backstresses_of
 from ..scene.grid import Grid
 
@@ -99,7 +100,7 @@ def eigenstrain_field(
         if cells is None or shape != (6,):
             raise ValueError(
                 "strain must have shape (6,) together with cells = (nx, ny, nz), or shape "
-                f"(6, nx, ny, nz) without; got shape {shape} and cells = {cells!r}"
+                f"(6, nx, ny, nz) without; got shape {shape} and cells = {in_short(cells)}"
             )
         uniform = finite_array("strain", strain, (6,))
         field = np.tile(uniform[:, None, None, None], (1, *_three("cells", cells, 1)))
@@ -122,7 +123,7 @@ def _three(name: str, numbers: Cells, least: int) -> tuple[int, int, int]:
     try:
         i, j, k = numbers
     except (TypeError, ValueError) as error:
-        raise ValueError(f"{name} must be three whole numbers, got {numbers!r}") from error
+        raise ValueError(f"{name} must be three whole numbers, got {in_short(numbers)}") from error
     for number in (i, j, k):
         integer(name, number, least)
     return int(i), int(j), int(k)
