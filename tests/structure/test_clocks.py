@@ -39,6 +39,7 @@ EXCEPTIONS = {
     "tests/unit/simulation/test_interrupt.py": "looks now and then whether the step has begun",
     "tests/unit/fatigue/test_fatigue_threads.py": "the signal comes while the call computes",
     "tests/unit/heat_kernels/test_heat_kernels_limits.py": "the call takes hours",
+    "tests/packaging/test_workflows.py": "names the key of a workflow; nothing waits",
     "tests/unit/sweeps/test_sweep_cli.py": "looks now and then whether a case is done",
 }
 

@@ -174,11 +174,19 @@ def test_headers_open_with_their_purpose():
 def test_the_architecture_page_shows_the_order_of_the_rooms():
     page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
     picture = page.split("```text")[1].split("```")[0].split("cpp/include, cpp/src\n")[1]
-    lines = [re.split(r" {2,}", line.strip())[0].split(", ") for line in picture.splitlines()]
-    line_of = {name: number for number, names in enumerate(lines) for name in names}
-    assert set(line_of) == set(BELOW)
-    for name, lower in BELOW.items():
-        assert all(line_of[other] > line_of[name] for other in lower), name
+    shown, inside = {"": {}}, ""
+    for number, line in enumerate(picture.splitlines()):
+        indent, names = re.match(r"( +)(\w+(?:, \w+)*)", line).groups()
+        inside = inside if len(indent) == 4 else ""
+        shown[inside] |= dict.fromkeys(names.split(", "), number)
+        if names in DIVIDED and not inside:
+            shown[inside := names] = {}
+    for room_of, order in {"": BELOW, **DIVIDED}.items():
+        lines = shown.pop(room_of)
+        assert set(lines) == set(order) - {""}
+        for name in lines:
+            assert all(lines[other] > lines[name] for other in order[name]), name
+    assert not shown
 
 
 @pytest.mark.parametrize(
