@@ -4,11 +4,11 @@ from typing import Any
 
 from ._util.checks import FloatArray
 
-Floats = Sequence[float]
-
-version: str
-
 Box = tuple[int, int, int, int, int]
+Floats = Sequence[float]
+Heatings = list[Heating]
+spin_lead: float
+version: str
 
 class ConvergenceError(RuntimeError):
     iterations: int
@@ -61,6 +61,7 @@ class LawParameter:
     high: float
     above_low: bool
     many: bool
+    infinite: str | None
 
 class LawDescription:
     name: str
@@ -69,6 +70,7 @@ class LawDescription:
     parameters: list[LawParameter]
 
 def hardening_laws() -> list[LawDescription]: ...
+def friction_laws() -> list[tuple[str, bool, list[LawParameter]]]: ...  # name, sticks, parameters
 
 class Stack:
     def __init__(self, elastic: Elastic) -> None: ...
@@ -100,9 +102,14 @@ class Body:
     stack: Stack
     def __init__(self, substrate: Material, layers: list[tuple[Material, float]]) -> None: ...
 
+class FrictionLaw:
+    def __init__(self, name: str, values: dict[str, float]) -> None: ...
+    def ratio(self, pressure: float) -> float: ...
+    def bound(self, pressure: FloatArray) -> FloatArray: ...
+
 class ContactSolver:
     def __init__(
-        self, grid: Grid, body1: Stack, body2: Stack, friction: float, heating: list[Heating]
+        self, grid: Grid, body1: Stack, body2: Stack, friction: FrictionLaw, heating: Heatings
     ) -> None: ...
     def solve(
         self,
@@ -120,12 +127,9 @@ def contact_outline(
     pressure: FloatArray, along_x: bool, along_y: bool, rise: float
 ) -> tuple[int, int, int, bool, float]: ...
 
-spin_lead: float
-
-class CoulombContact:
-    def __init__(self, grid: Grid, body1: Stack, body2: Stack, friction: float) -> None: ...
-    @property
-    def is_coupled(self) -> bool: ...
+class PartialSlipContact:
+    def __init__(self, grid: Grid, body1: Stack, body2: Stack, friction: FrictionLaw) -> None: ...
+    is_coupled: bool
     def solve(
         self,
         gap: FloatArray,
@@ -231,8 +235,7 @@ class Simulation:
         body1: Material | Body,
         body2: Material | Body,
         gap: FloatArray,
-        friction: float,
-        sticks: bool,
+        friction: FrictionLaw,
         settings: Settings,
         march: tuple[float, float],
         softening: list[Callable[[FloatArray], FloatArray] | None],

@@ -29,7 +29,7 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
   if (target_.is_prescribed()) {
     symmetry = symmetry_of(tractions_, scene_.grid);
   }
-  if (scene_.coulomb) {
+  if (scene_.friction.sticks()) {
     symmetry = common(symmetry, symmetry_of(tangential_drive()));
     symmetry = common(symmetry, from_.shear_symmetry);
   }
@@ -43,7 +43,7 @@ fft::Symmetry PlasticIncrement::choose_symmetry() const {
 
 bool PlasticIncrement::twins() const {
   const auto& [upper, lower] = scene_.bodies;
-  if (!upper.is_plastic() || upper != lower || scene_.sliding.is_on() || !rests()) return false;
+  if (!upper.is_plastic() || upper != lower || scene_.friction.slides() || !rests()) return false;
   if (target_.heating[0] != target_.heating[1] || target_.past[0] != target_.past[1]) return false;
   // Two laws cannot be compared.
   if (settings_.softening[0] || settings_.softening[1]) return false;
@@ -83,7 +83,7 @@ PlasticIncrement::PlasticIncrement(const State& from, const Target& target, cons
   for (PlasticBody& body : bodies_) {
     if (body.has_history()) take_up_zones(body);
   }
-  if (!scene_.coulomb || target_.is_prescribed()) return;
+  if (!scene_.friction.sticks() || target_.is_prescribed()) return;
   before_ = contact_before();
   carried_apart_ = before_.free_slip;
 }
@@ -110,7 +110,7 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
     settings.tol = tol;
     // An iterate may be larger than the solution: the border is checked once, at the end.
     settings.on_border = contact::OnBorder::warn;
-    if (scene_.coulomb) {
+    if (scene_.friction.sticks()) {
       solution = stick_and_slip(gap, settings);
     } else {
       const auto solver = scene_.solver(target_.heating);
@@ -172,12 +172,12 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
   gap_.assign(scene_.grid.surface_size(), 0.0);
   for (const Source* source : sources_) source->open(gap_);
   before_.free_slip = carried_apart_;
-  if (scene_.coulomb) before_.free_slip.resize(2 * gap_.size(), 0.0);
+  if (scene_.friction.sticks()) before_.free_slip.resize(2 * gap_.size(), 0.0);
   for (PlasticBody& body : bodies_) {
     body.transform(active_.size() > 0);
     if (target_.is_prescribed()) continue;
     body.open(gap_);
-    if (scene_.coulomb) body.slide(before_.free_slip);
+    if (scene_.friction.sticks()) body.slide(before_.free_slip);
   }
   Result result;
   result.contact = solve_contact(gap_, contact_tol);

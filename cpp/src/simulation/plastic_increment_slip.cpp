@@ -146,10 +146,10 @@ contact::TangentialDrive PlasticIncrement::tangential_drive() const {
 }
 
 bool PlasticIncrement::rests() const {
-  if (!scene_.coulomb) return true;
+  if (!scene_.friction.sticks()) return true;
   const auto drive = tangential_drive();
   const auto is_zero = [](double v) { return v == 0; };
-  return !scene_.coulomb->is_coupled() &&
+  return !scene_.partial_slip->is_coupled() &&
          std::all_of(drive.begin(), drive.end(),
                      [](const contact::Given& given) { return given.value == 0; }) &&
          std::all_of(from_.tractions.shear_x.begin(), from_.tractions.shear_x.end(), is_zero) &&
@@ -158,9 +158,9 @@ bool PlasticIncrement::rests() const {
 
 contact::Solution PlasticIncrement::stick_and_slip(const Field& gap,
                                                    const contact::ContactSettings& settings) {
-  const contact::CoulombStart start{tractions_.pressure, shear_.shear, shear_.sticking,
-                                    shear_.motion};
-  contact::CoulombSolution found = scene_.coulomb->solve(
+  const contact::PartialSlipStart start{tractions_.pressure, shear_.shear, shear_.sticking,
+                                        shear_.motion};
+  contact::PartialSlipSolution found = scene_.partial_slip->solve(
       gap, target_.drive.normal, tangential_drive(), before_, start, settings);
   shear_ = std::move(found.tangential);
   contact::Solution solution = std::move(found.normal);
@@ -172,7 +172,7 @@ contact::Solution PlasticIncrement::stick_and_slip(const Field& gap,
 }
 
 void PlasticIncrement::remember_slip(State& state) const {
-  if (!scene_.coulomb) return;
+  if (!scene_.friction.sticks()) return;
   state.slip_work.clear();
   if (target_.is_prescribed()) {
     state.slip.clear();

@@ -56,17 +56,17 @@ std::array<operators::SharedMedium, 2> media_of(const plasticity::Body& body1,
 }  // namespace
 
 Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
-             Field initial_gap_, const contact::Friction& friction, double image_tol,
+             Field initial_gap_, const contact::FrictionLaw& friction_, double image_tol,
              const HeatMarch& march_, int reach_, Reliefs reliefs_,
              const operators::BandSplit& split_)
     : grid(grid_),
       bodies{body1, body2},
       media(media_of(body1, body2)),
       initial_gap(std::move(initial_gap_)),
-      sliding(friction.sticks ? 0.0 : friction.coefficient),
-      coulomb(friction.sticks ? std::make_unique<const contact::CoulombContact>(
-                                    grid_, media[0], media[1], friction.coefficient)
-                              : nullptr),
+      friction(friction_),
+      partial_slip(friction.sticks() ? std::make_unique<const contact::PartialSlipContact>(
+                                           grid_, media[0], media[1], friction)
+                                     : nullptr),
       march(march_),
       reach(reach_),
       split((require_valid(split_), split_)),
@@ -74,8 +74,8 @@ Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity:
       image_tol_(image_tol),
       symmetry_(symmetry_of(initial_gap, grid_)) {
   // Throws for bodies that have no contact.
-  if (!coulomb) solver({});
-  symmetry_ = common(symmetry_, sliding.symmetry());
+  if (!friction.sticks()) solver({});
+  symmetry_ = common(symmetry_, friction.symmetry());
 }
 
 int Scene::followed() const {
@@ -88,7 +88,7 @@ int Scene::followed() const {
 
 Placement Scene::placement(const Travel& travel) const {
   const int body = followed();
-  if (body >= 0 || !coulomb) return {travel, body};
+  if (body >= 0 || !friction.sticks()) return {travel, body};
   // What sticks remembers the shear, which is carried by the mean of both ways.
   const double mean = 0.5 * (travel[0] + travel[1]);
   return {Travel{mean, mean}, 1};
@@ -154,7 +154,7 @@ std::shared_ptr<const contact::ContactSolver> Scene::solver(
   const std::lock_guard lock(mutex_);
   if (!solver_ || solver_heating_ != heating) {
     solver_ =
-        std::make_shared<const contact::ContactSolver>(grid, media[0], media[1], sliding, heating);
+        std::make_shared<const contact::ContactSolver>(grid, media[0], media[1], friction, heating);
     solver_heating_ = heating;
   }
   return solver_;
