@@ -22,7 +22,7 @@ from .._util.display import Rows, Shown, quantity
 from .._util.short_text import in_short
 from ..bodies.hardening_laws import Constant, constant_of
 
-__all__ = ["Coulomb"]
+__all__ = ["Coulomb", "Tresca"]
 
 _TOLD = {name: (sticks, parameters) for name, sticks, parameters in _core.friction_laws()}
 LAWS: dict[str, type[FrictionLaw]] = {}
@@ -126,6 +126,28 @@ class Coulomb(FrictionLaw):
     """
 
     coefficient: float
+
+
+@dataclass(frozen=True)
+class Tresca(FrictionLaw):
+    """Friction with a shear strength of the interface, which the pressure does not change.
+
+    The shear is at most k wherever the bodies touch. It jumps at the edge of the contact: where
+    they differ elastically, cells at the edge may then neither touch nor part, and there is no
+    solution to a small tolerance.
+
+    Attributes
+    ----------
+    limit : float
+        k >= 0 [Pa]; `math.inf`: no slip at all.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A limit that is negative, NaN or no number.
+    """
+
+    limit: float
 
 
 def is_law(friction: Any) -> bool:

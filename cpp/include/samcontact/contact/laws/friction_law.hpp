@@ -48,6 +48,21 @@ struct Coulomb {
   bool operator==(const Coulomb&) const = default;
 };
 
+/// At most k, at any pressure.
+struct Tresca {
+  static constexpr auto name = "tresca", says = "A shear of at most k, at any pressure.";
+  static constexpr bool sticks = true;
+  double limit;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("limit", law.limit, Allowed{.unit = "Pa", .infinite = "no slip"});
+  }
+  double bound(double) const { return limit; }
+  double ratio(double pressure) const { return limit > 0 ? limit / pressure : 0.0; }
+  bool operator==(const Tresca&) const = default;
+};
+
 /// What is told of a law to those who make one by name.
 struct FrictionDescription {
   std::string name, says;
@@ -58,7 +73,7 @@ struct FrictionDescription {
 /// One of the laws, its parameters checked.
 class FrictionLaw {
  public:
-  using Laws = std::variant<GrossSliding, Coulomb>;
+  using Laws = std::variant<GrossSliding, Coulomb, Tresca>;
   using Values = std::map<std::string, double>;
 
   /// Throws std::invalid_argument naming the parameter, its value and what is allowed.
