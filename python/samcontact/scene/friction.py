@@ -22,7 +22,7 @@ from .._util.display import Rows, Shown, quantity
 from .._util.short_text import in_short
 from ..bodies.hardening_laws import Constant, constant_of
 
-__all__ = ["Coulomb", "Tresca"]
+__all__ = ["CappedCoulomb", "Coulomb", "Tresca"]
 
 _TOLD = {name: (sticks, parameters) for name, sticks, parameters in _core.friction_laws()}
 LAWS: dict[str, type[FrictionLaw]] = {}
@@ -147,6 +147,29 @@ class Tresca(FrictionLaw):
         A limit that is negative, NaN or no number.
     """
 
+    limit: float
+
+
+@dataclass(frozen=True)
+class CappedCoulomb(FrictionLaw):
+    """Coulomb friction whose shear has a limit, such as the shear strength of the softer body.
+
+    The shear is at most min(mu p, k).
+
+    Attributes
+    ----------
+    coefficient : float
+        mu >= 0 [-], finite.
+    limit : float
+        k >= 0 [Pa]; `math.inf`: Coulomb friction.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A parameter that is negative, NaN or no number, or a coefficient without end.
+    """
+
+    coefficient: float
     limit: float
 
 

@@ -42,6 +42,8 @@ LAWS = {
     "{tresca = 2e8}": sc.Tresca(2e8),
     "{tresca = '200 MPa'}": sc.Tresca(2e8),
     "{tresca = inf}": sc.Tresca(math.inf),
+    "{capped_coulomb = {coefficient = 0.3, limit = '200 MPa'}}": sc.CappedCoulomb(0.3, 2e8),
+    "{capped_coulomb = {coefficient = 0.3, limit = inf}}": sc.CappedCoulomb(0.3, math.inf),
 }
 
 
@@ -221,6 +223,12 @@ def test_errors_name_field_and_remedy(segment, message):
         ("{coulomb = 0.1, tresca = 1e8}", r"exactly one of .*tresca.*; got coulomb, tresca"),
         ("{}", r"contact\.friction: give exactly one of coulomb, tresca.*; got none"),
         ("{tresca = -1.0}", r"contact\.friction\.tresca: must be a number >= 0"),
+        ("{capped_coulomb = 0.3}", r"contact\.friction\.capped_coulomb: must be a"),
+        ("{capped_coulomb = {coefficient = 0.3}}", r"friction\.capped_coulomb\.limit: .*missing"),
+        (
+            "{capped_coulomb = {coefficient = inf, limit = 1e8}}",
+            r"friction\.capped_coulomb\.coefficient: must be a finite number >= 0, got inf",
+        ),
     ],
 )
 def test_errors_of_laws_name_the_field(friction, message):

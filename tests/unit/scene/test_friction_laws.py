@@ -23,6 +23,7 @@ PRESSURE = np.array([[0.0, 1e-300, 2e8], [5e8, 1e9, 3e9]])
 MU = 0.3
 BOUNDS = {
     sc.Coulomb(MU): MU * PRESSURE,
+    sc.CappedCoulomb(MU, 2e8): np.minimum(MU * PRESSURE, 2e8),
     sc.Tresca(2e8): np.where(PRESSURE > 0, 2e8, 0.0),
 }
 each = pytest.mark.parametrize("law", BOUNDS, ids=repr)

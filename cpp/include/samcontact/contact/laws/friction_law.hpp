@@ -5,6 +5,7 @@
 // and what they may be; checks, bindings and case files take it from there.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -63,6 +64,24 @@ struct Tresca {
   bool operator==(const Tresca&) const = default;
 };
 
+/// At most mu p, and at most k.
+struct CappedCoulomb {
+  static constexpr auto name = "capped_coulomb", says = "A shear of at most mu p, and at most k.";
+  static constexpr bool sticks = true;
+  double coefficient, limit;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("coefficient", law.coefficient, Allowed{""});
+    visit("limit", law.limit, Allowed{.unit = "Pa", .infinite = "Coulomb friction"});
+  }
+  double bound(double pressure) const { return std::min(coefficient * pressure, limit); }
+  double ratio(double pressure) const {
+    return limit > 0 ? std::min(coefficient, limit / pressure) : 0.0;
+  }
+  bool operator==(const CappedCoulomb&) const = default;
+};
+
 /// What is told of a law to those who make one by name.
 struct FrictionDescription {
   std::string name, says;
@@ -73,7 +92,7 @@ struct FrictionDescription {
 /// One of the laws, its parameters checked.
 class FrictionLaw {
  public:
-  using Laws = std::variant<GrossSliding, Coulomb, Tresca>;
+  using Laws = std::variant<GrossSliding, Coulomb, Tresca, CappedCoulomb>;
   using Values = std::map<std::string, double>;
 
   /// Throws std::invalid_argument naming the parameter, its value and what is allowed.
