@@ -10,6 +10,7 @@
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/grid.hpp"
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/law_parameters.hpp"
 #include "samcontact/base/memory.hpp"
 #include "samcontact/base/team.hpp"
 #include "samcontact/fft/plan.hpp"
@@ -94,6 +95,14 @@ void bind_base(py::module_& m) {
   set_memory_check(check_memory);
   prepare_for_forks();
   bind_errors(m);
+  py::class_<LawParameter>(m, "LawParameter")
+      .def_readonly("name", &LawParameter::name)
+      .def_readonly("many", &LawParameter::many)
+      .def_property_readonly("unit", [](const LawParameter& p) { return p.allowed.unit; })
+      .def_property_readonly("low", [](const LawParameter& p) { return p.allowed.low; })
+      .def_property_readonly("high", [](const LawParameter& p) { return p.allowed.high; })
+      .def_property_readonly("above_low", [](const LawParameter& p) { return p.allowed.above_low; })
+      .def_property_readonly("infinite", [](const LawParameter& p) { return p.allowed.infinite; });
   py::class_<Grid>(m, "Grid")
       .def(py::init(
                [](int nx, int ny, double dx, double dy, int nz, double dz, bool along_x,

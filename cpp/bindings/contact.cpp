@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -11,8 +13,8 @@
 #include "long_work.hpp"
 #include "rooms.hpp"
 #include "samcontact/contact/contact_solver.hpp"
-#include "samcontact/contact/coulomb_contact.hpp"
 #include "samcontact/contact/outline.hpp"
+#include "samcontact/contact/partial_slip_contact.hpp"
 #include "samcontact/operators/medium/layered_half_space.hpp"
 
 namespace samcontact::bindings {
@@ -60,7 +62,7 @@ py::array_t<bool> flags_array(const std::vector<unsigned char>& flags, const Gri
 }
 
 /// Fields of a StickSlipSolution, without the totals of increments before.
-py::dict to_python(contact::CoulombSolution solution, const Grid& grid) {
+py::dict to_python(contact::PartialSlipSolution solution, const Grid& grid) {
   auto& [normal, tangential, sweeps] = solution;
   py::dict result = to_python(std::move(normal), grid);
   result["shear"] = vector_array(std::move(tangential.shear), grid);
@@ -79,20 +81,20 @@ py::dict to_python(contact::CoulombSolution solution, const Grid& grid) {
   return result;
 }
 
-py::dict stick_and_slip(const contact::CoulombContact& contact, const Array& gap, bool load_driven,
-                        double value, const std::array<bool, 3>& is_force,
+py::dict stick_and_slip(const contact::PartialSlipContact& contact, const Array& gap,
+                        bool load_driven, double value, const std::array<bool, 3>& is_force,
                         const std::array<double, 3>& tangential, const py::object& pressure,
                         const py::object& shear, const py::object& gap_before,
                         double approach_before, bool has_moved, const py::object& initial_pressure,
                         double tol, int max_iterations, bool error_on_border) {
   const Field h = to_field(gap);
-  const contact::CoulombStart start{.pressure = to_field_or_empty(initial_pressure)};
+  const contact::PartialSlipStart start{.pressure = to_field_or_empty(initial_pressure)};
   const contact::ContactHistory before{to_field_or_empty(pressure), to_field_or_empty(shear),
                                        to_field_or_empty(gap_before), approach_before, has_moved};
   const contact::ContactSettings settings{
       tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
   const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
-  contact::CoulombSolution solution;
+  contact::PartialSlipSolution solution;
   {
     const LongWork work;
     solution = contact.solve(h, normal, contact::tangential_drive(is_force, tangential), before,
@@ -101,18 +103,18 @@ py::dict stick_and_slip(const contact::CoulombContact& contact, const Array& gap
   return to_python(std::move(solution), contact.grid());
 }
 
-py::dict roll(const contact::CoulombContact& contact, const Array& gap, bool load_driven,
+py::dict roll(const contact::PartialSlipContact& contact, const Array& gap, bool load_driven,
               double value, const std::array<bool, 3>& is_force,
               const std::array<double, 3>& tangential, const py::object& pressure,
               const py::object& shear, const std::array<double, 3>& creepage, double tol,
               int max_iterations, bool error_on_border) {
   const Field h = to_field(gap);
-  const contact::CoulombStart start{
+  const contact::PartialSlipStart start{
       to_field_or_empty(pressure), to_field_or_empty(shear), {}, creepage};
   const contact::ContactSettings settings{
       tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
   const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
-  contact::CoulombSolution solution;
+  contact::PartialSlipSolution solution;
   {
     const LongWork work;
     solution =
@@ -123,7 +125,7 @@ py::dict roll(const contact::CoulombContact& contact, const Array& gap, bool loa
 
 /// Shear s_x on body 2 that goes with a pressure; None without friction.
 py::object shear(const ContactSolver& solver, const Array& pressure) {
-  Field along_x = solver.sliding().tractions(to_field(pressure)).shear_x;
+  Field along_x = solver.friction().tractions(to_field(pressure)).shear_x;
   if (along_x.empty()) return py::none();
   return surface_array(std::move(along_x), solver.grid());
 }
@@ -137,33 +139,60 @@ py::tuple outline(const Array& pressure, bool along_x, bool along_y, double rise
   return py::make_tuple(found.cells, found.sides, found.reach, found.rises, found.largest);
 }
 
+void bind_friction(py::module_& m) {
+  using contact::FrictionLaw;
+  m.def("friction_laws", [] {
+    std::vector<std::tuple<std::string, bool, std::vector<LawParameter>>> laws;
+    for (const auto& law : FrictionLaw::descriptions()) {
+      laws.emplace_back(law.name, law.sticks, law.parameters);
+    }
+    return laws;
+  });
+  py::class_<FrictionLaw>(m, "FrictionLaw")
+      .def(py::init(&FrictionLaw::named), py::arg("name"), py::arg("values"))
+      .def("ratio", &FrictionLaw::ratio, py::arg("pressure"))
+      .def(
+          "bound",
+          [](const FrictionLaw& law, const Array& pressure) {
+            const std::vector<py::ssize_t> shape(pressure.shape(),
+                                                 pressure.shape() + pressure.ndim());
+            py::array_t<double> out(shape);
+            const Field bound = law.bound(to_field(pressure));
+            std::copy(bound.begin(), bound.end(), out.mutable_data());
+            return out;
+          },
+          py::arg("pressure"));
+}
+
 }  // namespace
 
 void bind_contact(py::module_& m) {
   m.def("contact_outline", &outline, py::arg("pressure"), py::arg("along_x"), py::arg("along_y"),
         py::arg("rise"));
+  bind_friction(m);
   py::class_<ContactSolver>(m, "ContactSolver")
-      .def(py::init([](const Grid& grid, const Stack& body1, const Stack& body2, double friction,
-                       const operators::HeatingPair& heating) {
-             return std::make_unique<ContactSolver>(grid, operators::medium_of(body1),
-                                                    operators::medium_of(body2),
-                                                    contact::GrossSliding(friction), heating);
-           }),
-           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
-           py::arg("heating"))
+      .def(
+          py::init([](const Grid& grid, const Stack& body1, const Stack& body2,
+                      const contact::FrictionLaw& friction, const operators::HeatingPair& heating) {
+            return std::make_unique<ContactSolver>(grid, operators::medium_of(body1),
+                                                   operators::medium_of(body2), friction, heating);
+          }),
+          py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
+          py::arg("heating"))
       .def("solve", &solve, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
            py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
            py::arg("error_on_border"))
       .def("shear", &shear, py::arg("pressure"));
 
   m.attr("spin_lead") = contact::spin_lead;
-  py::class_<contact::CoulombContact>(m, "CoulombContact")
-      .def(py::init([](const Grid& grid, const Stack& body1, const Stack& body2, double friction) {
-             return std::make_unique<contact::CoulombContact>(
+  py::class_<contact::PartialSlipContact>(m, "PartialSlipContact")
+      .def(py::init([](const Grid& grid, const Stack& body1, const Stack& body2,
+                       const contact::FrictionLaw& friction) {
+             return std::make_unique<contact::PartialSlipContact>(
                  grid, operators::medium_of(body1), operators::medium_of(body2), friction);
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"))
-      .def_property_readonly("is_coupled", &contact::CoulombContact::is_coupled)
+      .def_property_readonly("is_coupled", &contact::PartialSlipContact::is_coupled)
       .def("solve", &stick_and_slip, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
            py::arg("is_force"), py::arg("tangential"), py::arg("previous_pressure"),
            py::arg("previous_shear"), py::arg("previous_gap"), py::arg("previous_approach"),

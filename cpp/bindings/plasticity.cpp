@@ -24,14 +24,6 @@ Array each(const Array& g, const Function& function) {
 
 void bind_descriptions(py::module_& m) {
   using plasticity::LawDescription;
-  using Parameter = LawDescription::Parameter;
-  py::class_<Parameter>(m, "LawParameter")
-      .def_readonly("name", &Parameter::name)
-      .def_readonly("many", &Parameter::many)
-      .def_property_readonly("unit", [](const Parameter& p) { return p.allowed.unit; })
-      .def_property_readonly("low", [](const Parameter& p) { return p.allowed.low; })
-      .def_property_readonly("high", [](const Parameter& p) { return p.allowed.high; })
-      .def_property_readonly("above_low", [](const Parameter& p) { return p.allowed.above_low; });
   py::class_<LawDescription>(m, "LawDescription")
       .def_readonly("name", &LawDescription::name)
       .def_readonly("says", &LawDescription::says)

@@ -343,23 +343,23 @@ void bind_simulation(py::module_& m) {
   bind_state(m);
   bind_settings(m);
   py::class_<Simulation>(m, "Simulation")
-      .def(py::init([](const Grid& grid, const plasticity::Body& body1,
-                       const plasticity::Body& body2, const Array& gap, double friction,
-                       bool sticks, Settings settings, const std::array<double, 2>& march,
-                       const std::array<py::object, 2>& softening,
-                       const std::array<py::object, 2>& reliefs) {
-             for (int b = 0; b < 2; ++b) {
-               if (!softening[b].is_none())
-                 settings.softening[b] = softening_law(softening[b], grid);
-             }
-             const Team team;
-             return std::make_unique<Simulation>(
-                 grid, body1, body2, to_field(gap), contact::Friction{friction, sticks}, settings,
-                 simulation::HeatMarch{march[0], march[1]}, to_reliefs(reliefs));
-           }),
+      .def(py::init(
+               [](const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
+                  const Array& gap, const contact::FrictionLaw& friction, Settings settings,
+                  const std::array<double, 2>& march, const std::array<py::object, 2>& softening,
+                  const std::array<py::object, 2>& reliefs) {
+                 for (int b = 0; b < 2; ++b) {
+                   if (!softening[b].is_none())
+                     settings.softening[b] = softening_law(softening[b], grid);
+                 }
+                 const Team team;
+                 return std::make_unique<Simulation>(
+                     grid, body1, body2, to_field(gap), friction, settings,
+                     simulation::HeatMarch{march[0], march[1]}, to_reliefs(reliefs));
+               }),
            py::kw_only(), py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"),
-           py::arg("friction"), py::arg("sticks"), py::arg("settings"), py::arg("march"),
-           py::arg("softening"), py::arg("reliefs"))
+           py::arg("friction"), py::arg("settings"), py::arg("march"), py::arg("softening"),
+           py::arg("reliefs"))
       .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
            py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"), py::arg("duration"),
            py::arg("advance"), py::arg("is_force"), py::arg("tangential"))

@@ -96,7 +96,8 @@ void contact_of(Draw& draw) {
   const auto body1 = operators::half_space(material(draw).elastic);
   const auto body2 = operators::half_space(material(draw).elastic);
   const double friction = draw.coin() ? 0.0 : draw.between(0.0, 1.0);
-  const contact::ContactSolver solver(grid, body1, body2, contact::GrossSliding(friction));
+  const contact::ContactSolver solver(grid, body1, body2,
+                                      contact::FrictionLaw(contact::GrossSliding{friction}));
   const contact::ContactSettings settings{.tol = draw.number(1e-6, 5),
                                           .max_iterations = draw.count(0, 200),
                                           .on_border = contact::OnBorder::warn};
@@ -120,7 +121,9 @@ void steps_of(Draw& draw) {
   const Grid grid(draw.count(1, 6), draw.count(1, 6), dx, dx * draw.number(1.0, 0.5),
                   draw.count(0, 4), dx * draw.number(1.0, 0.5));
   const auto body1 = material(draw), body2 = material(draw);
-  const contact::Friction friction{draw.coin() ? 0.0 : draw.between(0.0, 0.5), draw.coin()};
+  const double coefficient = draw.coin() ? 0.0 : draw.between(0.0, 0.5);
+  const auto friction = draw.coin() ? contact::FrictionLaw(contact::Coulomb{coefficient})
+                                    : contact::FrictionLaw(contact::GrossSliding{coefficient});
   const simulation::Settings settings{
       .tol = draw.number(1e-4, 2),
       .increment_tol = 0.0,

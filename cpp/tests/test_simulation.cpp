@@ -40,7 +40,8 @@ Simulation small_scene(const plasticity::Material& lower, const Settings& settin
       gap[i * grid.ny + j] = (x[i] * x[i] + y[j] * y[j]) / (2 * 7.5e-3);
     }
   }
-  return Simulation(grid, plasticity::Material::make_elastic(210e9, 0.3), lower, gap, {}, settings);
+  return Simulation(grid, plasticity::Material::make_elastic(210e9, 0.3), lower, gap,
+                    contact::FrictionLaw(contact::GrossSliding{0.0}), settings);
 }
 
 Target load(double newton) { return {.drive = contact::Drive::load(newton)}; }

@@ -49,7 +49,8 @@ Field bump(const Grid& grid) {
 
 contact::ShearTask task_of(const Field& pressure, const contact::TangentialDrive& drive) {
   static const Field none;
-  return {pressure, 0.3, none, none, drive};
+  static const contact::FrictionLaw friction(contact::Coulomb{0.3});
+  return {pressure, friction, none, none, drive};
 }
 
 }  // namespace

@@ -71,7 +71,8 @@ Target load(double newton) { return {.drive = contact::Drive::load(newton)}; }
 /// Loaded under heat that is marched in time, in steps too short to reach the next cell.
 Simulation heated_scene(double heat_factor) {
   const Grid grid(13, 11, size, size, 6, size);
-  Simulation simulation(grid, elastic, steel.with_thermal(warm), ball(grid, 7.5e-3), {0.1}, usual,
+  Simulation simulation(grid, elastic, steel.with_thermal(warm), ball(grid, 7.5e-3),
+                        contact::FrictionLaw(contact::GrossSliding{0.1}), usual,
                         {.shortest = 2e-5, .longest = 1e-2});
   for (const double newton : {120.0, 150.0}) {
     Target target = load(newton);
@@ -115,8 +116,10 @@ TEST_CASE("threads share a contact solver") {
   };
   // Each with its own boxes, so that one thread drops operators that the other may still use.
   const auto medium = operators::half_space(elastic.elastic);
-  const contact::ContactSolver alone(grid, medium, medium, contact::GrossSliding(0.0));
-  const contact::ContactSolver shared(grid, medium, medium, contact::GrossSliding(0.0));
+  const contact::ContactSolver alone(grid, medium, medium,
+                                     contact::FrictionLaw(contact::GrossSliding{0.0}));
+  const contact::ContactSolver shared(grid, medium, medium,
+                                      contact::FrictionLaw(contact::GrossSliding{0.0}));
   const double wide = 1.5e6, narrow = 1e4;
   CHECK(at_once(solve(shared, wide), solve(shared, narrow)) ==
         one_by_one(solve(alone, wide), solve(alone, narrow)));
@@ -128,7 +131,8 @@ TEST_CASE("simulations run in threads of their own") {
       const Grid grid(30, 28, fine, fine, 26, fine);
       Settings settings = usual;
       settings.tol = 1e-3;
-      Simulation simulation(grid, elastic, steel, ball(grid, 7.5e-3), {}, settings);
+      Simulation simulation(grid, elastic, steel, ball(grid, 7.5e-3),
+                            contact::FrictionLaw(contact::GrossSliding{0.0}), settings);
       const State& state = simulation.step(load(newton));
       return std::vector<Field>{state.tractions.pressure, plastic_strain(state, 1),
                                 residual_displacement(state, 1, operators::Axis::z)};

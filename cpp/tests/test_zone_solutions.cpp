@@ -41,7 +41,8 @@ Field bumps() {
 Simulation pressed(bool one_zone, const operators::BandSplit& split) {
   const auto steel =
       plasticity::Material::with_law(210e9, 0.3, plasticity::LinearHardening{1.2e9, 10e9});
-  Simulation simulation(grid, plasticity::Material::make_rigid(), steel, bumps(), {},
+  Simulation simulation(grid, plasticity::Material::make_rigid(), steel, bumps(),
+                        contact::FrictionLaw(contact::GrossSliding{0.0}),
                         {.tol = 1e-6,
                          .increment_tol = 0.0,
                          .max_iterations = 60,

@@ -31,7 +31,8 @@ Simulation ball() {
   }
   const auto steel =
       plasticity::Material::with_law(210e9, 0.3, plasticity::LinearHardening{1.2e9, 10e9});
-  Simulation simulation(grid, plasticity::Material::make_elastic(210e9, 0.3), steel, gap, {},
+  Simulation simulation(grid, plasticity::Material::make_elastic(210e9, 0.3), steel, gap,
+                        contact::FrictionLaw(contact::GrossSliding{0.0}),
                         {.tol = 1e-6,
                          .increment_tol = 0.0,
                          .max_iterations = 60,

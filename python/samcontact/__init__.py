@@ -52,7 +52,8 @@ from .bodies.material import Material
 from .contact.solver import ContactSolver
 from .heat import Heat
 from .restart.file import CheckpointError
-from .scene.friction import Coulomb
+from .scene import friction as _friction
+from .scene.friction import *  # noqa: F403  (all laws)
 from .scene.grid import Grid
 from .scene.moving_topography import Relief
 from .simulation.increment_errors import IncrementErrors
@@ -70,7 +71,6 @@ __all__ = [
     "ContactSolution",
     "ContactSolver",
     "ConvergenceError",
-    "Coulomb",
     "ElasticStrainWarning",
     "FoundLoad",
     "Grid",
@@ -121,6 +121,7 @@ __all__ = [
     "units",
     "wear",
 ]
+__all__ += _friction.__all__
 
 if TYPE_CHECKING:
     from . import cases as cases

@@ -4,11 +4,11 @@ from typing import Any
 
 from ._util.checks import FloatArray
 
-Floats = Sequence[float]
-
-version: str
-
 Box = tuple[int, int, int, int, int]
+Floats = Sequence[float]
+Heatings = list[Heating]
+spin_lead: float
+version: str
 
 class ConvergenceError(RuntimeError):
     iterations: int
@@ -61,6 +61,7 @@ class LawParameter:
     high: float
     above_low: bool
     many: bool
+    infinite: str | None
 
 class LawDescription:
     name: str
@@ -69,6 +70,7 @@ class LawDescription:
     parameters: list[LawParameter]
 
 def hardening_laws() -> list[LawDescription]: ...
+def friction_laws() -> list[tuple[str, bool, list[LawParameter]]]: ...  # name, sticks, parameters
 
 class Stack:
     def __init__(self, elastic: Elastic) -> None: ...
@@ -100,9 +102,14 @@ class Body:
     stack: Stack
     def __init__(self, substrate: Material, layers: list[tuple[Material, float]]) -> None: ...
 
+class FrictionLaw:
+    def __init__(self, name: str, values: dict[str, float]) -> None: ...
+    def ratio(self, pressure: float) -> float: ...
+    def bound(self, pressure: FloatArray) -> FloatArray: ...
+
 class ContactSolver:
     def __init__(
-        self, grid: Grid, body1: Stack, body2: Stack, friction: float, heating: list[Heating]
+        self, grid: Grid, body1: Stack, body2: Stack, friction: FrictionLaw, heating: Heatings
     ) -> None: ...
     def solve(
         self,
@@ -120,12 +127,9 @@ def contact_outline(
     pressure: FloatArray, along_x: bool, along_y: bool, rise: float
 ) -> tuple[int, int, int, bool, float]: ...
 
-spin_lead: float
-
-class CoulombContact:
-    def __init__(self, grid: Grid, body1: Stack, body2: Stack, friction: float) -> None: ...
-    @property
-    def is_coupled(self) -> bool: ...
+class PartialSlipContact:
+    def __init__(self, grid: Grid, body1: Stack, body2: Stack, friction: FrictionLaw) -> None: ...
+    is_coupled: bool
     def solve(
         self,
         gap: FloatArray,
@@ -231,8 +235,7 @@ class Simulation:
         body1: Material | Body,
         body2: Material | Body,
         gap: FloatArray,
-        friction: float,
-        sticks: bool,
+        friction: FrictionLaw,
         settings: Settings,
         march: tuple[float, float],
         softening: list[Callable[[FloatArray], FloatArray] | None],
@@ -245,7 +248,7 @@ class Simulation:
         pressure: FloatArray | None,
         shear_x: FloatArray | None,
         shear_y: FloatArray | None,
-        heating: list[Heating],
+        heating: Heatings,
         duration: float,
         advance: tuple[float, float],
         is_force: tuple[bool, bool, bool],
@@ -259,11 +262,9 @@ class Simulation:
         equivalent: FloatArray | None,
         backstress: FloatArray | None,
     ) -> None: ...
-    def add_eigenstrain(
-        self, body: int, first: tuple[int, int, int], strain: FloatArray
-    ) -> None: ...
+    def add_eigenstrain(self, body: int, first: Sequence[int], strain: FloatArray) -> None: ...
     def restore(
-        self, content: dict[str, Any], counters: dict[str, int], heating: list[Heating]
+        self, content: dict[str, Any], counters: dict[str, int], heating: Heatings
     ) -> None: ...
     def take_over(self, smaller: Simulation) -> None: ...
     def stand_at(self, state: State) -> None: ...
@@ -320,18 +321,12 @@ class kernels:
         a: float,
         b: float,
         heated: float,
-        speed: tuple[float, float],
+        speed: Floats,
         tol: float,
     ) -> FloatArray: ...
     @staticmethod
     def heat_displacement(
-        x: FloatArray,
-        y: FloatArray,
-        a: float,
-        b: float,
-        heated: float,
-        speed: tuple[float, float],
-        tol: float,
+        x: FloatArray, y: FloatArray, a: float, b: float, heated: float, speed: Floats, tol: float
     ) -> FloatArray: ...
     @staticmethod
     def heat_stress(
@@ -342,7 +337,7 @@ class kernels:
         b: float,
         nu: float,
         heated: float,
-        speed: tuple[float, float],
+        speed: Floats,
         tol: float,
     ) -> FloatArray: ...
 

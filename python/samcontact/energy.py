@@ -14,7 +14,7 @@ from ._util.display import Rows, Shown, percent, quantity
 from ._util.short_text import in_short
 from .bodies.layered import Body, backstresses_of, materials_at
 from .contact.solver import ContactSolver
-from .scene.friction import Coulomb
+from .scene.friction import friction_law
 from .solutions.common_cells import on_common_cells
 from .solutions.track import Track
 
@@ -238,7 +238,7 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
     """Why there is none; "" where there is one."""
     if not states:
         return "states must hold at least one state, got none"
-    if not isinstance(simulation.friction, Coulomb):
+    if not friction_law(simulation.friction).sticks:
         return (
             f"friction must be samcontact.Coulomb(mu), got {simulation.friction!r}: gross sliding "
             "has no motion along the surface"

@@ -15,7 +15,7 @@ from ._util.checks import FloatArray, require_type
 from .bodies.material import Material
 from .contact.solver import ContactSolver, solve_driven
 from .contact.tangential_drive import GivenAlong, Pressing, Settings
-from .scene.friction import Coulomb
+from .scene.friction import FrictionLaw, sticking_law
 from .scene.grid import Grid
 from .scene.settings import ContactSettings
 from .solutions.contact_solution import ContactSolution, RollingSolution, before_on
@@ -31,7 +31,7 @@ def steady(
     *,
     load: float | None = None,
     approach: float | None = None,
-    friction: Coulomb,
+    friction: FrictionLaw,
     creepage: Sequence[float | None] | None = None,
     spin: float | None = None,
     tangential_load: Sequence[float | None] | None = None,
@@ -94,7 +94,7 @@ def steady(
     the error is in proportion to the cell. See the theory page for the iteration.
     """
     require_type("grid", grid, Grid)
-    require_type("friction", friction, Coulomb)
+    sticking_law(friction)
     if start is not None:
         require_type("start", start, RollingSolution)
     given = GivenAlong.of(
@@ -111,9 +111,7 @@ def steady(
         on_border=on_border,
         max_iterations=max_iterations,
     )
-    solution = solve_driven(
-        solver, gap, load, approach, _Rolling(given, friction.coefficient, start)
-    )
+    solution = solve_driven(solver, gap, load, approach, _Rolling(given, friction, start))
     assert isinstance(solution, RollingSolution)
     return solution
 
@@ -138,12 +136,12 @@ class _Rolling:
     """Drives a contact that rolls steadily."""
 
     given: GivenAlong
-    friction: float
+    friction: FrictionLaw
     previous: RollingSolution | None
 
     def solved(
         self,
-        core: _core.CoulombContact,
+        core: _core.PartialSlipContact,
         grid: Grid,
         contact: Pressing,
         start: FloatArray | None,

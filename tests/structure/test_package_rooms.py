@@ -54,6 +54,7 @@ CORE_USERS = {
     "operators",
     "restart.file",
     "rolling",
+    "scene.friction",
     "scene.grid",
     "scene.heating",
     "scene.settings",

@@ -38,9 +38,9 @@ Contact solved(const sam::Elastic& one, const sam::Elastic& two, double radius, 
   for (const double x : grid.x()) {
     for (const double y : grid.y()) gap.push_back((x * x + y * y) / (2 * radius));
   }
-  const sam::contact::ContactSolver solver(grid, sam::operators::half_space(one),
-                                           sam::operators::half_space(two),
-                                           sam::contact::GrossSliding(0.0));
+  const sam::contact::ContactSolver solver(
+      grid, sam::operators::half_space(one), sam::operators::half_space(two),
+      sam::contact::FrictionLaw(sam::contact::GrossSliding{0.0}));
   const sam::contact::Solution found =
       solver.solve(gap, sam::contact::Drive::load(load), {}, sam::contact::ContactSettings{});
   const sam::Field& pressure = found.tractions.pressure;

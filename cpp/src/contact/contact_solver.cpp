@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -53,7 +54,7 @@ double change_in_contact(const Field& a, const Field& b, const Field& pressure, 
 
 operators::SurfaceInfluence influence_of(const Grid& grid,
                                          const std::array<operators::SharedMedium, 2>& bodies,
-                                         const GrossSliding& sliding,
+                                         const FrictionLaw& friction,
                                          const operators::HeatingPair& heating) {
   if (bodies[0]->is_rigid() && bodies[1]->is_rigid()) {
     throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
@@ -67,7 +68,7 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
       throw std::invalid_argument("body " + std::to_string(b + 1) +
                                   " is rigid: it has no thermal expansion, heat cannot enter it");
     }
-    influence.add(bodies[b], sliding.shear_over_pressure(b), heating[b]);
+    influence.add(bodies[b], friction.shear_over_pressure(b), heating[b]);
   }
   return influence;
 }
@@ -121,14 +122,16 @@ GridTooSmallError too_small(const Grid& grid, const Field& pressure, const std::
 }
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
-                             const operators::SharedMedium& body2, const GrossSliding& sliding,
+                             const operators::SharedMedium& body2, const FrictionLaw& friction,
                              const operators::HeatingPair& heating)
-    : ContactSolver(grid, influence_of(grid, {body1, body2}, sliding, heating), sliding) {}
+    : ContactSolver(grid, influence_of(grid, {body1, body2}, friction, heating), friction) {
+  assert(!friction.sticks());
+}
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence,
-                             const GrossSliding& sliding)
+                             const FrictionLaw& friction)
     : grid_(grid),
-      sliding_(sliding),
+      friction_(friction),
       heated_(influence.is_heated()),
       multilevel_(grid, influence) {}
 
@@ -189,7 +192,7 @@ Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field&
   if (!solution.border_complaint.empty() && settings.on_border == OnBorder::error) {
     throw too_small(grid_, solution.tractions.pressure, solution.border_complaint);
   }
-  solution.tractions = sliding_.tractions(std::move(solution.tractions.pressure));
+  solution.tractions = friction_.tractions(std::move(solution.tractions.pressure));
   return solution;
 }
 

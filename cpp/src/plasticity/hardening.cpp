@@ -10,29 +10,6 @@
 namespace samcontact::plasticity {
 namespace {
 
-std::string text(const Allowed& allowed) {
-  if (std::isfinite(allowed.high)) {
-    return "in [" + to_text(allowed.low) + ", " + to_text(allowed.high) + "]";
-  }
-  const std::string unit = allowed.unit, sign = allowed.above_low ? " > " : " >= ";
-  return "a finite number" + sign + to_text(allowed.low) + (unit.empty() ? "" : " [" + unit + "]");
-}
-
-void check(const std::string& name, double value, const Allowed& allowed) {
-  const bool inside = allowed.above_low ? value > allowed.low : value >= allowed.low;
-  require(std::isfinite(value) && inside && value <= allowed.high, name, text(allowed), value);
-}
-
-std::string entry(const std::string& name, std::size_t n) {
-  return name + '[' + std::to_string(n) + ']';
-}
-
-void check(const std::string& name, const std::vector<double>& values, const Allowed& allowed) {
-  for (std::size_t n = 0; n < values.size(); ++n) {
-    check(entry(name, n), values[n], allowed);
-  }
-}
-
 /// x - 1 + e^-x for x >= 0, without cancellation where x is small.
 double rest_of_exponential(double x) {
   if (x > 1) return x + std::expm1(-x);
@@ -43,13 +20,6 @@ double rest_of_exponential(double x) {
   }
   return sum;
 }
-
-/// What `function` returns for each law, without values.
-template <class Function, std::size_t... n>
-void for_each_law(std::index_sequence<n...>, const Function& function) {
-  (function(std::variant_alternative_t<n, Hardening::Laws>{}), ...);
-}
-constexpr std::make_index_sequence<std::variant_size_v<Hardening::Laws>> all_laws;
 
 }  // namespace
 
@@ -119,7 +89,7 @@ Hardening::Hardening(Laws law, const Elastic& elastic) : law_(std::move(law)) {
       [&](auto& made) {
         std::decay_t<decltype(made)>::parameters(
             made, [](const char* name, const auto& value, const Allowed& allowed) {
-              check(name, value, allowed);
+              require_allowed(name, value, allowed);
             });
         made.prepare(elastic);
       },
@@ -129,7 +99,7 @@ Hardening::Hardening(Laws law, const Elastic& elastic) : law_(std::move(law)) {
 Hardening Hardening::named(const std::string& name, const Values& values, const Elastic& elastic) {
   Laws found;
   bool known = false;
-  for_each_law(all_laws, [&](auto law) {
+  for_each_law<Laws>([&](auto law) {
     using Law = decltype(law);
     if (name != Law::name) return;
     known = true;
@@ -149,7 +119,7 @@ Hardening Hardening::named(const std::string& name, const Values& values, const 
 
 std::vector<LawDescription> Hardening::descriptions() {
   std::vector<LawDescription> all;
-  for_each_law(all_laws, [&](const auto& law) {
+  for_each_law<Laws>([&](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
     LawDescription told{Law::name, Law::says, !std::is_same_v<Law, NoYield>, {}};
     Law::parameters(law, [&](const char* name, const auto& value, const Allowed& allowed) {

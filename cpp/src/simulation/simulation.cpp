@@ -112,7 +112,7 @@ double total(const Field& power) {
 
 Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
                        const plasticity::Body& body2, Field initial_gap,
-                       const contact::Friction& friction, const Settings& settings,
+                       const contact::FrictionLaw& friction, const Settings& settings,
                        const HeatMarch& march, Reliefs reliefs)
     : scene_((contact::require_gap(initial_gap, grid, "gap"),
               std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
@@ -202,7 +202,7 @@ const State& Simulation::step(const Target& target) {
   const long contact_before = counters_.contact_iterations;
   Target whole = target;
   const auto& [pressure, shear_x, shear_y] = target.tractions;
-  if (shear_x.empty() && shear_y.empty()) whole.tractions = scene_->sliding.tractions(pressure);
+  if (shear_x.empty() && shear_y.empty()) whole.tractions = scene_->friction.tractions(pressure);
   const bool slip_heats = whole.heating[0].is_of_slip() || whole.heating[1].is_of_slip();
   State reached = slip_heats ? heated_by_slip(std::move(whole)) : this->reached(whole);
   reached.contact_iterations = static_cast<int>(counters_.contact_iterations - contact_before);

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from .._util.display import quantity
 from ..bodies.layered import Layered
 from ..bodies.material import Material
-from ..scene.friction import coefficient
+from ..scene.friction import friction_law
 from .load_search_cases import PERMANENT, YIELD, label_and_unit
 
 if TYPE_CHECKING:
@@ -137,7 +137,7 @@ def _of_hertz(kind: str, simulation: Simulation, expected: Expected) -> _Limit |
     radius = math.sqrt(math.prod(simulation.engine.estimate.radii or (math.inf, math.inf)))
     depth = max(contact.approach, crushed / (2 * math.pi * radius))
     is_stressed = any(body.residual_stress is not None for body in bodies)
-    sliding = (1 + coefficient(simulation.friction)) * contact.p0
+    sliding = (1 + friction_law(simulation.friction).ratio(contact.p0)) * contact.p0
     largest = {
         **dict.fromkeys(_DEPTHS, depth),
         "contact_area": max(math.pi * a * b, crushed),

@@ -17,7 +17,7 @@ from .._util.quantities import described
 from .._util.short_text import in_short
 from ..diagnostics import sharp_edges
 from ..diagnostics.resolution import ROUND_SPOT, area_uncertainty
-from ..scene.friction import Coulomb
+from ..scene.friction import friction_law
 from ..simulation import coarsening, error_controlled_quantities, increment_errors
 from ..simulation.increment_errors import IncrementErrors
 from ..simulation.repeated import coarsened
@@ -218,7 +218,7 @@ def estimated(
         difference = _differences(fine, coarse_values, state, sharp=sharp)
         for name in known:
             values[name][at], errors[name][at] = fine[name], difference[name]
-    if isinstance(run.friction, Coulomb):
+    if friction_law(run.friction).sticks:
         for name, (value, error) in _of_slip(states, [found[n] for n in which]).items():
             values[name], errors[name] = value, error
     beyond = np.nan

@@ -359,7 +359,7 @@ def ends_of(case: Case) -> list[int]:
 def require_refinable(case: Case) -> None:
     """Raise ValueError naming what has no smaller cells than its own, and what to do instead."""
     remedy = "give [grid] with the cells of the data instead of accuracy"
-    if not isinstance(case.contact.friction, float):
+    if case.sticks:
         raise ValueError(
             "contact.friction: accuracy is not for bodies that stick and slip: give [grid]"
         )

@@ -30,6 +30,8 @@ class Constant:
     lt: float | None = None
     le: float | None = None
     many: bool = False
+    infinite: bool = False
+    """Whether it may be infinite."""
 
 
 @dataclass(frozen=True)
@@ -43,16 +45,16 @@ class Law:
     yields: bool = False
 
 
-def _constant(told: _core.LawParameter) -> Constant:
+def constant_of(told: _core.LawParameter) -> Constant:
+    """What the core says of a parameter."""
     low = {"gt" if told.above_low else "ge": told.low}
-    return Constant(
-        told.unit, **low, le=told.high if told.high < math.inf else None, many=told.many
-    )
+    high = told.high if told.high < math.inf else None
+    return Constant(told.unit, **low, le=high, many=told.many, infinite=told.infinite is not None)
 
 
 _E = {"E": Constant("Pa", gt=0.0), "nu": Constant(ge=0.0, lt=0.5)}
 _TOLD = {
-    law.name: Law(law.says, _E | {p.name: _constant(p) for p in law.parameters}, law.yields)
+    law.name: Law(law.says, _E | {p.name: constant_of(p) for p in law.parameters}, law.yields)
     for law in _core.hardening_laws()
 }
 LAWS: Mapping[str, Law] = {

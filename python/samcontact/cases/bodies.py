@@ -137,9 +137,10 @@ class _PlasticLayer(_PlasticSolid, _Layer):
     pass
 
 
-def _field(constant: Constant) -> Any:
+def field_of(constant: Constant) -> Any:
+    """What a parameter of a law may be, as a case file has it."""
     limits = Field(gt=constant.gt, ge=constant.ge, lt=constant.lt, le=constant.le)
-    value: Any = Annotated[Finite, limits]
+    value: Any = Annotated[float if constant.infinite else Finite, limits]
     if constant.many:
         value = list[value]
     return (
@@ -151,7 +152,7 @@ def _model(name: str, law: Law, part: str, *bases: type[_Solid]) -> Any:
     """The section of a law, e.g. `SwiftBody`; bases: where it is rigid, elastic, and yields."""
     base = bases[2] if law.yields else bases[1] if law.constants else bases[0]
     fields: dict[str, Any] = {"law": (Literal[name], ...)}
-    fields |= {constant: (_field(law.constants[constant]), ...) for constant in law.constants}
+    fields |= {constant: (field_of(law.constants[constant]), ...) for constant in law.constants}
     title = "".join(word.capitalize() for word in name.split("_"))
     made = create_model(
         f"{title}{part}", __base__=base, __doc__=law.says, __module__=__name__, **fields

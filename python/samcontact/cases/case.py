@@ -18,6 +18,7 @@ from .._util import memory
 from .._util.checks import file_path
 from .._util.short_text import in_short
 from ..bodies.layered import softest
+from ..scene.friction import FrictionLaw
 from ..scene.heating import COLD, heating
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
@@ -26,11 +27,11 @@ from .fatigue import FatigueSection
 from .motion import ReliefSection, Segment
 from .sections import (
     ContactSection,
-    CoulombFriction,
     GridSection,
     HeatSection,
     OutputSection,
     SurfaceSection,
+    law_of_section,
     settings_of,
 )
 from .shakedown import ShakedownSection
@@ -156,7 +157,12 @@ class Case(CaseFile):
     @property
     def sticks(self) -> bool:
         """Whether the bodies stick and slip, instead of sliding all over."""
-        return isinstance(self.contact.friction, CoulombFriction)
+        return self.friction.sticks
+
+    @property
+    def friction(self) -> FrictionLaw:
+        """Friction law of the contact."""
+        return law_of_section(self.contact)
 
     @property
     def moves(self) -> bool:
@@ -166,14 +172,14 @@ class Case(CaseFile):
     def _check_motion(self, steps: paths.Path) -> None:
         """Friction and heat know their directions: bodies under load must move along them."""
         heat = COLD if self.heat is None else self.heat.build()
-        friction = self.contact.friction
+        friction = self.friction
         for step in steps:
-            if isinstance(friction, CoulombFriction):
-                require_held(step, friction.coulomb)
+            if friction.sticks:
+                require_held(step, friction)
             if step.get("load") == 0.0 or "advance" not in step:
                 continue
             first, second = step["advance"]
-            if isinstance(friction, float) and friction > 0 and first < second:
+            if friction.sliding_ratio > 0 and first < second:
                 raise ValueError(
                     "friction pulls body 2 towards +x, so body 1 must slide towards +x over it, "
                     f"advance[0] >= advance[1], got {[first, second]}: turn the direction, or set "

@@ -8,7 +8,6 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from .base import changed
-from .sections import CoulombFriction
 
 if TYPE_CHECKING:
     from .bodies import BodySection
@@ -83,7 +82,7 @@ def _require_repeatable(case: Any) -> None:
 def _require_law_of_friction(case: Any) -> None:
     """What drives along the surface, and wear by slip, go with bodies that stick and slip."""
     by_slip = case.wear is not None and case.wear.law != "threshold"
-    if isinstance(case.contact.friction, CoulombFriction):
+    if case.sticks:
         if case.wear is not None and not by_slip:
             raise ValueError(
                 "wear.threshold is of gross sliding: give contact.friction as a number, or "

@@ -6,12 +6,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag, create_model, model_validator
+from pydantic import Field, create_model, model_validator
 
 from .. import surfaces
 from .._util.checks import FloatArray
 from ..heat import Heat
-from ..scene.friction import Coulomb
+from ..scene.friction import FrictionLaw, friction_law
 from ..scene.settings import Allowed, Counted, Friction, Settings, Words
 from ..scene.settings import allowed as allowed_of
 from .base import (
@@ -30,9 +30,11 @@ from .base import (
     Velocity,
     in_unit,
 )
+from .friction import FrictionField, friction_of
 
 if TYPE_CHECKING:
     from ..scene.grid import Grid
+    from .friction import FrictionSection
 
 
 class GridSection(Section):
@@ -186,25 +188,6 @@ SurfaceSection = Annotated[
 ]
 
 
-class CoulombFriction(Section):
-    """Bodies that stick and slip, see `Coulomb`; inf: no slip at all."""
-
-    coulomb: Annotated[float, Field(ge=0.0)]
-
-    def build(self) -> Coulomb:
-        return Coulomb(self.coulomb)
-
-
-def _kind_of_friction(given: Any) -> str:
-    return "law" if isinstance(given, (dict, CoulombFriction)) else "number"
-
-
-FrictionField = Annotated[
-    Annotated[NonNegative, Tag("number")] | Annotated[CoulombFriction, Tag("law")],
-    Discriminator(_kind_of_friction),
-]
-
-
 def _annotation(allowed: Allowed) -> Any:
     """What a setting may be, as a case file has it."""
     if isinstance(allowed, Friction):
@@ -236,16 +219,19 @@ def settings_section(name: str, module: str, without: tuple[str, ...] = (), **de
 if TYPE_CHECKING:
 
     class ContactSection(Section):
-        friction: float | CoulombFriction = 0.0
+        friction: float | FrictionSection = 0.0
 else:
     ContactSection = settings_section("ContactSection", __name__)
 
 
 def settings_of(section: ContactSection) -> dict[str, Any]:
     """Arguments of `Simulation`."""
-    friction = section.friction
-    law = friction.build() if isinstance(friction, CoulombFriction) else friction
-    return section.model_dump() | {"friction": law}
+    return section.model_dump() | {"friction": friction_of(section.friction)}
+
+
+def law_of_section(section: ContactSection) -> FrictionLaw:
+    """Friction law of the section."""
+    return friction_law(settings_of(section)["friction"])
 
 
 class HeatSection(Section):

@@ -10,6 +10,7 @@ from typing import Annotated, Any, NamedTuple
 from pydantic import model_validator
 
 from .. import paths
+from ..scene.friction import FrictionLaw
 from .base import Count, Finite, Position, Section, in_unit
 
 _MOTIONS = ("shift_x", "shift_y", "twist")
@@ -163,13 +164,13 @@ def _pair(x: float | None, y: float | None) -> tuple[float, float] | None:
     return None if x is None and y is None else (x or 0.0, y or 0.0)
 
 
-def require_held(step: dict[str, Any], friction: float) -> None:
+def require_held(step: dict[str, Any], friction: FrictionLaw) -> None:
     """Raise ValueError for a force along the surface that friction does not hold under the load."""
     load = step.get("load")
     pulled = math.hypot(*(force or 0.0 for force in step.get("tangential_load", ())))
     if load is None or pulled == 0.0:
         return
-    most = friction * load if load > 0 else 0.0
+    most = friction.ratio(0.0) * load if load > 0 else 0.0
     if not pulled < most:
         raise ValueError(
             f"tangential_load_x, tangential_load_y must be less than friction times the load, "

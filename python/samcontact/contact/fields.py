@@ -14,7 +14,7 @@ from .._util.checks import FloatArray, choice, finite_array, real_array, require
 from ..bodies.layered import Body
 from ..heat import Heat
 from ..scene.cell_fields import depths_of, shear_components
-from ..scene.friction import Coulomb
+from ..scene.friction import FrictionLaw
 from ..scene.grid import Grid
 from ..scene.settings import Configured
 from ..solutions.contact_solution import ContactSolution, ShearedSolution
@@ -30,6 +30,7 @@ class ContactFields(Configured):
     friction: Any
     heat: Heat
     _core: Any
+    _law: FrictionLaw
     _heating: Any
 
     def stress(
@@ -120,7 +121,7 @@ class ContactFields(Configured):
     ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
         """Pressure, s_x and s_y on a body, of those on body 2; without shear that of friction."""
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
-        if shear is None and not isinstance(self._core, _core.CoulombContact):
+        if shear is None and not self._law.sticks:
             shear = self._core.shear(p)
         elif shear is None:
             raise ValueError(
@@ -200,13 +201,13 @@ class ContactFields(Configured):
         p = solution.pressure
         if isinstance(solution, ShearedSolution):
             s_x, s_y = solution.shear
-        elif isinstance(self.friction, Coulomb):
+        elif self._law.sticks:
             raise ValueError(
                 f"solution must be one with shear where friction is {self.friction!r}, got a "
                 "ContactSolution of a solver with friction as a number"
             )
         else:
-            s_x, s_y = self.friction * p, 0.0 * p
+            s_x, s_y = self._law.sliding_ratio * p, 0.0 * p
         sign = 1.0 if number == 2 else -1.0
         tractions = p, sign * s_x, sign * s_y
         return stress_at_points(solution.grid, tractions, material.nu, (x, y, z))

@@ -18,6 +18,7 @@ from ..bodies.layered import softest
 
 if TYPE_CHECKING:
     from ..bodies.layered import Body
+    from ..scene.friction import FrictionLaw
     from ..solutions.contact_solution import ContactSolution
     from ..solutions.state import State
 
@@ -25,15 +26,15 @@ SHARE = 1e-3
 """Overlap that is a fault, of largest pressure times size of the contact over E*."""
 
 
-def may_overlap(bodies: tuple[Body, Body], friction: float) -> bool:
+def may_overlap(bodies: tuple[Body, Body], friction: FrictionLaw) -> bool:
     """Whether the shear of a sliding contact moves the surfaces towards each other."""
-    return friction > 0 and bodies[0]._core.stack != bodies[1]._core.stack
+    return friction.sliding_ratio > 0 and bodies[0]._core.stack != bodies[1]._core.stack
 
 
 def require_apart(
     found: ContactSolution | State,
     bodies: tuple[Body, Body],
-    friction: float,
+    friction: FrictionLaw,
     tol: float,
 ) -> None:
     """Raise ConvergenceError for a sliding contact whose bodies overlap."""

@@ -19,7 +19,7 @@ from ..bodies.layered import Body, require_bodies
 from ..diagnostics import hertz_estimate, resolution, sharp_edges, yield_check
 from ..heat import Heat
 from ..scene.domain import Domain, SurfaceGeometry, require_continued
-from ..scene.friction import Coulomb
+from ..scene.friction import FrictionLaw
 from ..scene.grid import Grid
 from ..scene.heating import COLD, heating, require_heat_of, require_reference
 from ..scene.settings import ContactSettings, memory_of_contact
@@ -69,7 +69,7 @@ class ContactSolver(ContactFields):
         grid: Grid,
         body1: Body,
         body2: Body,
-        friction: float | Coulomb = ContactSettings.friction,
+        friction: float | FrictionLaw = ContactSettings.friction,
         *,
         tol: float = ContactSettings.tol,
         on_border: str = ContactSettings.on_border,
@@ -81,7 +81,9 @@ class ContactSolver(ContactFields):
         self.grid = grid
         self.body1 = body1
         self.body2 = body2
-        self._configure(ContactSettings(friction, tol, on_border, max_iterations))
+        settings = ContactSettings(friction, tol, on_border, max_iterations)
+        self._configure(settings)
+        self._law = settings.law
         self.heat = COLD if heat is None else heat
         require_type("heat", self.heat, Heat)
         for name, instead in (("history", "give time, or"), ("partition", "slip takes time,")):
@@ -90,16 +92,16 @@ class ContactSolver(ContactFields):
                     f"heat.{name} must be None for a single contact, got {given!r}: {instead} use "
                     "Simulation"
                 )
-        require_heat_of(self.friction, self.heat)
+        require_heat_of(self._law, self.heat)
         self._heating = heating(self.heat, (body1, body2), grid)
-        cell = memory_of_contact(self.friction, (body1, body2), self.heat)
+        cell = memory_of_contact(self._law, (body1, body2), self.heat)
         memory.require_for_grid("a contact", grid, memory.surface(grid, cell))
         scene = grid._core, body1._core.stack, body2._core.stack
-        self._core: _core.ContactSolver | _core.CoulombContact
-        if isinstance(self.friction, Coulomb):
-            self._core = _core.CoulombContact(*scene, self.friction.coefficient)
+        law = self._law.to_core()
+        if self._law.sticks:
+            self._core = _core.PartialSlipContact(*scene, law)
         else:
-            self._core = _core.ContactSolver(*scene, self.friction, self._heating)
+            self._core = _core.ContactSolver(*scene, law, self._heating)
 
     def __repr__(self) -> str:
         return (
@@ -191,7 +193,7 @@ class ContactSolver(ContactFields):
             With on_border="warn", where there would be a GridTooSmallError.
         """
         drive = tangential_drive(
-            self.friction, shift, tangential_load, twist, torque, previous, advance, self.grid
+            self._law, shift, tangential_load, twist, torque, previous, advance, self.grid
         )
         return solve_driven(self, gap, load, approach, drive, initial_pressure)
 
@@ -221,12 +223,12 @@ class ContactSolver(ContactFields):
         self, contact: Pressing, drive: Drive, start: FloatArray | None
     ) -> tuple[ContactSolution, str]:
         settings = self.tol, self.max_iterations, self.on_border == "error"
-        if isinstance(self._core, _core.CoulombContact):
+        if self._law.sticks:
             return drive.solved(self._core, self.grid, contact, start, settings)
         found = self._core.solve(*contact, start, *settings)
         complaint, bodies = found.pop("border_complaint"), (self.body1, self.body2)
         solution = ContactSolution(grid=self.grid, **found)
-        require_apart(solution, bodies, self.friction, self.tol)
+        require_apart(solution, bodies, self._law, self.tol)
         return solution, complaint
 
 
@@ -286,7 +288,7 @@ def solve_driven(  # warnings name the caller's caller
     if doubted is None or not doubted.of_contact:
         resolution.warn_of_contact(solution, scene, stacklevel=3)
     resolution.warn_of_strain(solution, scene, stacklevel=3)
-    yield_check.warn_of_yield(solution, bodies, asked.friction, stacklevel=3)
+    yield_check.warn_of_yield(solution, bodies, asked._law, stacklevel=3)
     if sharp_edges.may_have_edge(solution, scene):
         edge = sharp_edges.edge_of(solution, bodies, window.initial_gap)
         sharp_edges.warn_of_edge(solution, edge, stacklevel=3)

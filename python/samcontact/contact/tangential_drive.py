@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Coulomb's law, and what drives a contact along the surface."""
+"""What drives a contact along the surface."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from .. import _core
 from .._util.checks import FloatArray, finite, finite_array, in_cells, require_type
 from .._util.short_text import in_short
-from ..scene.friction import Coulomb
+from ..scene.friction import FrictionLaw
 from ..scene.grid import Grid
 from ..solutions.contact_solution import (
     Before,
@@ -61,7 +61,7 @@ class GivenAlong:
 
 
 class Drive(Protocol):
-    """What drives a contact with Coulomb friction along the surface."""
+    """What drives a contact that sticks and slips along the surface."""
 
     @property
     def previous(self) -> ShearedSolution | None:
@@ -69,7 +69,7 @@ class Drive(Protocol):
 
     def solved(
         self,
-        core: _core.CoulombContact,
+        core: _core.PartialSlipContact,
         grid: Grid,
         contact: Pressing,
         start: FloatArray | None,
@@ -105,7 +105,7 @@ class Tangential:
 
     def solved(
         self,
-        core: _core.CoulombContact,
+        core: _core.PartialSlipContact,
         grid: Grid,
         contact: Pressing,
         start: FloatArray | None,
@@ -171,7 +171,7 @@ def _require_kept(pressure: FloatArray, cells: int, grid: Grid) -> None:
 
 
 def given_along(
-    friction: float | Coulomb,
+    friction: FrictionLaw,
     shift: Sequence[float | None] | None,
     tangential_load: Sequence[float | None] | None,
     twist: float | None,
@@ -184,7 +184,7 @@ def given_along(
         {"shift": shift, "twist": twist},
         {"tangential_load": tangential_load, "torque": torque},
     )
-    if isinstance(friction, Coulomb):
+    if friction.sticks:
         return GivenAlong.of(motions, forces)
     for name, value in (motions | forces | more).items():
         if value is not None:
@@ -196,7 +196,7 @@ def given_along(
 
 
 def tangential_drive(
-    friction: float | Coulomb,
+    friction: FrictionLaw,
     shift: Sequence[float | None] | None,
     tangential_load: Sequence[float | None] | None,
     twist: float | None,
@@ -211,7 +211,7 @@ def tangential_drive(
     along = given_along(
         friction, shift, tangential_load, twist, torque, previous=previous, advance=moves
     )
-    if not isinstance(friction, Coulomb):
+    if not friction.sticks:
         return Tangential(along, None)
     if previous is not None and not isinstance(previous, ShearedSolution):
         require_type("previous", previous, StickSlipSolution)

@@ -17,7 +17,7 @@ from .._util.tensors import von_mises
 from ..bodies.layered import Body, softest
 from ..hertz.axis import line_axis, point_axis
 from ..hertz.field import sliding_max_von_mises
-from ..scene.friction import Coulomb
+from ..scene.friction import FrictionLaw
 from ..solutions.contact_solution import ContactSolution, ShearedSolution
 from .resolution import main_spot
 
@@ -34,7 +34,7 @@ _MOST_FRICTION = 10.0
 def warn_of_yield(
     solution: ContactSolution,
     bodies: Sequence[Body],
-    friction: float | Coulomb,
+    friction: FrictionLaw,
     *,
     stacklevel: int,
 ) -> bool:
@@ -67,17 +67,17 @@ def warn_of_yield(
     return True
 
 
-def _traction(solution: ContactSolution, friction: float | Coulomb) -> float:
+def _traction(solution: ContactSolution, friction: FrictionLaw) -> float:
     """Largest shear over the largest pressure."""
     if isinstance(solution, ShearedSolution):
         largest = float(solution.pressure.max())
         shear = float(np.hypot(*solution.shear).max())
         return shear / largest if largest > 0 else 0.0
-    return 0.0 if isinstance(friction, Coulomb) else float(friction)
+    return friction.sliding_ratio
 
 
 def _over_yield(
-    solution: ContactSolution, body: Body, friction: float | Coulomb
+    solution: ContactSolution, body: Body, friction: FrictionLaw
 ) -> tuple[float, float]:
     """Largest von Mises stress over the yield stress of its depth, and that stress [Pa]."""
     grid, largest = solution.grid, float(solution.pressure.max())

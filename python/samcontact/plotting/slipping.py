@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, finite_array, non_negative
 from .._util.quantities import CONTACT
+from ..scene.friction import Coulomb, FrictionLaw, friction_law, law_of_attributes
 from .fields import Plane, clip, inside_of_contact, inside_of_slip, name_sides, outline
 from .parts import axes_or_new, edges, finish, prefixed, surface_line
 from .shown import require_possible
@@ -140,7 +141,7 @@ def shear_profile(
     pressure: ArrayLike,
     shear: ArrayLike,
     grid: Grid,
-    friction: float,
+    friction: float | FrictionLaw,
     ax: Axes | None = None,
     *,
     component: str = "x",
@@ -156,8 +157,8 @@ def shear_profile(
         [Pa], the shear on body 2.
     grid : Grid
         Of both fields.
-    friction : float
-        Its coefficient, >= 0 [-]; `math.inf`: without bounds.
+    friction : float or Coulomb
+        Its coefficient, >= 0 [-], or a friction law; `math.inf`: without bounds.
     ax : matplotlib.axes.Axes, optional
         Where to draw.
     component : {"x", "y"}
@@ -188,9 +189,10 @@ def shear_profile(
     ax = axes_or_new(ax)
     shown = CONTACT["shear_x"]
     ax.plot(s * 1e6, values * shown.factor, "o-", markersize=3, linewidth=1.2, label=label)
-    if np.isfinite(friction):
-        bound = non_negative("friction", friction) * p * shown.factor
-        for sign, name in ((1, "friction times pressure"), (-1, "_other side")):
+    law = friction_law(friction, Coulomb)
+    if not law.prevents_slip:
+        bound = law.bound(p) * shown.factor
+        for sign, name in ((1, "friction limit"), (-1, "_other side")):
             ax.plot(s * 1e6, sign * bound, "k--", linewidth=0.8, label=name)
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
     ax.set_xlabel(f"{axis} [µm]")
@@ -292,7 +294,7 @@ def _bounds(ax: Axes, forces: FloatArray, largest: float) -> None:
     small = 1e-6 * np.abs(forces).max(initial=0.0)
     sides = [side for side in (-1, 1) if np.any(side * forces > small)]
     for side in sides:
-        text = "friction times load" if side == sides[0] else "_other side"
+        text = "friction limit" if side == sides[0] else "_other side"
         ax.axhline(side * largest, color="k", linestyle="--", linewidth=0.8, label=text)
     ax.margins(y=0.08)
 
@@ -352,6 +354,9 @@ def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArr
 
 
 def largest_force(dataset: xr.Dataset) -> float | None:
-    """Friction times the largest load [N]; None without slip."""
-    mu = float(dataset.attrs.get("friction", np.inf))
-    return mu * float(dataset["load"].max()) if np.isfinite(mu) else None
+    """Largest force that friction holds in an increment [N]; None without slip."""
+    law = law_of_attributes(dataset.attrs)
+    if law is None or law.prevents_slip:
+        return None
+    area = float(dataset.attrs["dx"]) * float(dataset.attrs["dy"])
+    return area * float(law.bound(dataset["pressure"].values).sum(axis=(1, 2)).max())

@@ -12,8 +12,10 @@ from matplotlib.figure import Figure
 from .._util.check import Check
 from .._util.checks import FloatArray
 from ..plotting.slip_summary import chosen, slip_figures
+from ..plotting.slipping import largest_force
 from ..results.reading import cell_size
 from ..results.slipping import balance_of
+from ..scene.friction import law_of_attributes
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -26,22 +28,21 @@ ENERGY = 0.05
 
 
 def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check]:
-    """Of Coulomb's law, forces and energy; none of gross sliding."""
+    """Of the friction law, forces and energy; none of gross sliding."""
     if "friction_work" not in dataset:
         return
-    friction = float(dataset.attrs.get("friction", np.inf))
+    law = law_of_attributes(dataset.attrs)
     shear = _shear(dataset)
-    most = friction * float(dataset["load"].max())
+    most = largest_force(dataset)
     solved = np.isfinite(dataset["approach"].values)  # prescribed tractions keep to no law
-    if np.isfinite(friction) and np.any(solved):
-        pressure = dataset["pressure"].values[solved]
-        beyond = np.hypot(*shear[:, solved]) - friction * pressure
-        largest = friction * float(pressure.max())
-        name = "shear beyond friction times pressure, over the largest of that"
+    if law is not None and not law.prevents_slip and np.any(solved):
+        bound = law.bound(dataset["pressure"].values[solved])
+        beyond, largest = np.hypot(*shear[:, solved]) - bound, float(bound.max())
+        name = "shear beyond its bound, over the largest bound"
         yield Check(name, float(beyond.max()) / largest if largest > 0 else 0.0, tol)
     steps = case.steps() if case is not None else []
     pulled = any("tangential_load" in step for step in steps)
-    if pulled and len(steps) == dataset.sizes["increment"] and 0 < most < np.inf:
+    if pulled and len(steps) == dataset.sizes["increment"] and most:
         name = "forces along the surface: sum of s dA against those given, over the largest"
         yield Check(name, _missed(dataset, shear, steps) / most, tol)
     work = np.diff(dataset["friction_work"].values, prepend=0.0)

@@ -18,6 +18,7 @@ from ..bodies.depth_profiles import PARTS
 from ..cases.field_units import field_unit
 from ..results.against_hertz import hertz_rows
 from ..results.slipping import balance_of, moved_along
+from ..scene.friction import law_of_attributes
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -136,9 +137,13 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
                 constant = re.sub(r"^(layer\d+|substrate)_", "", field)
                 unit = field_unit(f"body{body}.{constant}")
                 rows.append(Row(f"body{body}", field.replace("_", " "), _value(plain, unit)))
-    for name in ("friction", "tol"):
-        if name in dataset.attrs:
-            rows.append(Row("contact", name, _value(float(dataset.attrs[name]), "")))
+    if (law := law_of_attributes(dataset.attrs)) is not None:
+        rows.append(Row("contact", "friction law", law.law))
+        for parameter, allowed in law.constants.items():
+            value = _value(getattr(law, parameter), allowed.unit)
+            rows.append(Row("contact", f"friction {parameter}", value))
+    if "tol" in dataset.attrs:
+        rows.append(Row("contact", "tol", _value(float(dataset.attrs["tol"]), "")))
     return rows
 
 

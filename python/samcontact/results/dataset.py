@@ -16,7 +16,7 @@ from .._util.tensors import COMPONENTS
 from .._util.version import version
 from ..bodies.depth_profiles import PARTS
 from ..bodies.layered import Body, Layered, materials_of, names_of_materials
-from ..scene.friction import Coulomb, coefficient
+from ..scene.friction import attributes_of, friction_law
 from ..solutions.interface_stress import SIDES
 from ..solutions.peak import peak_of_dataset
 from ..solutions.state import in_one_window
@@ -315,12 +315,10 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
         "body": body,
         "dx": float(simulation.grid.dx),
         "dy": float(simulation.grid.dy),
-        "friction": coefficient(simulation.friction),
+        **attributes_of(friction_law(simulation.friction)),
         "tol": float(simulation.tol),
         "reach": float(simulation.reach),
     }
-    if isinstance(simulation.friction, Coulomb):
-        attributes["stick_and_slip"] = 1
     if simulation.grid.periodic:
         attributes["periodic"] = simulation.grid.periodic
     if simulation.grid.dz is not None:

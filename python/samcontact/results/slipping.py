@@ -12,7 +12,7 @@ import xarray as xr
 from .. import energy
 from .._util.checks import FloatArray
 from .._util.quantities import CONTACT
-from ..scene.friction import Coulomb
+from ..scene.friction import friction_law
 from ..solutions.tangential_quantities import ALONG, ROUNDING, along_surface, not_rounding
 from .motion import add
 
@@ -36,7 +36,7 @@ def add_slipping(
 
     Nothing is added where friction is a number.
     """
-    if not isinstance(simulation.friction, Coulomb):
+    if not friction_law(simulation.friction).sticks:
         return
     for name, values in along_surface(states).items():
         add(dataset, name, "increment", values)

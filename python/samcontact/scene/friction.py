@@ -1,16 +1,115 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction laws."""
+"""Friction laws: each is a class of the core's law of the same name.
+
+The core says which parameters a law has and what they may be, and computes its bound of the shear;
+checks, case files, results and checkpoints follow from that.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, fields
+from typing import Any, ClassVar
 
-from .._util.checks import number
-from .._util.display import Shown
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import _core
+from .._util.checks import FloatArray, number
+from .._util.display import Rows, Shown, quantity
+from .._util.short_text import in_short
+from ..bodies.hardening_laws import Constant, constant_of
+
+__all__ = ["CappedCoulomb", "Coulomb", "Tresca"]
+
+_TOLD = {name: (sticks, parameters) for name, sticks, parameters in _core.friction_laws()}
+LAWS: dict[str, type[FrictionLaw]] = {}
+"""Friction laws by the name that case files, results and checkpoints give them."""
 
 
 @dataclass(frozen=True)
-class Coulomb(Shown):
+class FrictionLaw(Shown):
+    """A bound of the shear as a function of the pressure."""
+
+    law: ClassVar[str]
+    """Its name in case files and results."""
+    sticks: ClassVar[bool]
+    """Whether the bodies stick below the bound; else they slide everywhere along x."""
+    constants: ClassVar[Mapping[str, Constant]]
+    """Its parameters and what they may be."""
+
+    def __init_subclass__(cls) -> None:
+        cls.law = re.sub(r"(?<!^)(?=[A-Z])", "_", cls.__name__).lower()
+        cls.sticks, parameters = _TOLD[cls.law]
+        cls.constants = {one.name: constant_of(one) for one in parameters}
+        LAWS[cls.law] = cls
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            object.__setattr__(self, item.name, number(item.name, getattr(self, item.name)))
+        self.to_core()  # which checks the ranges
+
+    def to_core(self) -> _core.FrictionLaw:
+        """The law of the core; raises ValueError naming a parameter that is out of range."""
+        return _core.FrictionLaw(self.law, asdict(self))
+
+    def bound(self, pressure: ArrayLike) -> FloatArray:
+        """Largest shear under a pressure [Pa]: 0 out of contact, inf without slip."""
+        bound: FloatArray = self.to_core().bound(np.asarray(pressure, dtype=float))
+        return bound
+
+    def ratio(self, pressure: float) -> float:
+        """Largest shear over a pressure [-]; it does not grow with the pressure."""
+        return self.to_core().ratio(pressure)
+
+    @property
+    def sliding_ratio(self) -> float:
+        """Shear over pressure of gross sliding [-]; 0 where the bodies stick."""
+        return 0.0 if self.sticks else self.ratio(0.0)
+
+    @property
+    def is_frictionless(self) -> bool:
+        """Whether there is no shear."""
+        return float(self.bound(1.0)) == 0.0
+
+    @property
+    def prevents_slip(self) -> bool:
+        """Whether the shear has no bound."""
+        return math.isinf(float(self.bound(1.0)))
+
+    @property
+    def given(self) -> float | FrictionLaw:
+        """The law as users give it."""
+        return self
+
+    def to_tree(self) -> dict[str, Any]:
+        """Name and parameters, of which `law_of` makes the law."""
+        return {"law": self.law, **asdict(self)}
+
+    def _rows(self) -> Rows:
+        units = {name: constant.unit for name, constant in self.constants.items()}
+        return [(name, quantity(getattr(self, name), unit)) for name, unit in units.items()]
+
+
+@dataclass(frozen=True, repr=False)
+class GrossSliding(FrictionLaw):
+    """Gross sliding along x, with the shear mu p; given as the number mu."""
+
+    coefficient: float
+
+    @property
+    def given(self) -> float:
+        """The coefficient."""
+        return self.coefficient
+
+    def __repr__(self) -> str:
+        return repr(self.coefficient)
+
+
+@dataclass(frozen=True)
+class Coulomb(FrictionLaw):
     """Coulomb's law of friction, for `ContactSolver` and `Simulation`: bodies stick and slip.
 
     The shear is at most mu p. Cells stick where it is less, and slip along it where it is mu p.
@@ -28,13 +127,90 @@ class Coulomb(Shown):
 
     coefficient: float
 
-    def __post_init__(self) -> None:
-        mu = number("coefficient", self.coefficient)
-        if not mu >= 0:
-            raise ValueError(f"coefficient must be a number >= 0, or inf: no slip, got {mu!r}")
-        object.__setattr__(self, "coefficient", mu)
+
+@dataclass(frozen=True)
+class Tresca(FrictionLaw):
+    """Friction with a shear strength of the interface, which the pressure does not change.
+
+    The shear is at most k wherever the bodies touch. It jumps at the edge of the contact: where
+    they differ elastically, cells at the edge may then neither touch nor part, and there is no
+    solution to a small tolerance.
+
+    Attributes
+    ----------
+    limit : float
+        k >= 0 [Pa]; `math.inf`: no slip at all.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A limit that is negative, NaN or no number.
+    """
+
+    limit: float
 
 
-def coefficient(friction: float | Coulomb) -> float:
-    """Mu of either law [-]."""
-    return friction.coefficient if isinstance(friction, Coulomb) else float(friction)
+@dataclass(frozen=True)
+class CappedCoulomb(FrictionLaw):
+    """Coulomb friction whose shear has a limit, such as the shear strength of the softer body.
+
+    The shear is at most min(mu p, k).
+
+    Attributes
+    ----------
+    coefficient : float
+        mu >= 0 [-], finite.
+    limit : float
+        k >= 0 [Pa]; `math.inf`: Coulomb friction.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A parameter that is negative, NaN or no number, or a coefficient without end.
+    """
+
+    coefficient: float
+    limit: float
+
+
+def is_law(friction: Any) -> bool:
+    """Whether it is a law, not a number or something else."""
+    return isinstance(friction, FrictionLaw)
+
+
+def friction_law(
+    friction: float | FrictionLaw, of_number: Callable[[float], FrictionLaw] = GrossSliding
+) -> FrictionLaw:
+    """The law that is given as such, or as a coefficient, by default of gross sliding."""
+    return friction if isinstance(friction, FrictionLaw) else of_number(friction)
+
+
+def sticking_law(friction: Any) -> FrictionLaw:
+    """The same law; raises TypeError for what is none, or is gross sliding."""
+    if not (isinstance(friction, FrictionLaw) and friction.sticks):
+        raise TypeError(
+            f"friction must be a law such as samcontact.Coulomb(mu), got {in_short(friction)}"
+        )
+    return friction
+
+
+def law_of(tree: Mapping[str, Any]) -> FrictionLaw:
+    """The law of a name and parameters; raises LookupError, TypeError, ValueError for others."""
+    given = dict(tree)
+    return LAWS[given.pop("law")](**given)
+
+
+_PREFIX = "friction_"
+
+
+def attributes_of(law: FrictionLaw) -> dict[str, Any]:
+    """Attributes of results: friction_law, and each parameter, e.g. friction_coefficient."""
+    return {f"{_PREFIX}{name}": value for name, value in law.to_tree().items()}
+
+
+def law_of_attributes(attributes: Mapping[Any, Any]) -> FrictionLaw | None:
+    """The law of results; None where they tell of none."""
+    law = LAWS.get(str(attributes.get(f"{_PREFIX}law")))
+    if law is None:
+        return None
+    return law(**{name: float(attributes[f"{_PREFIX}{name}"]) for name in law.constants})

@@ -13,7 +13,7 @@ from .. import _core
 from .._util.checks import FloatArray, finite_array, require_type
 from ..bodies.layered import Body, Layered
 from ..heat import Heat
-from .friction import Coulomb
+from .friction import FrictionLaw
 from .grid import Grid
 
 COLD = Heat(0.0)
@@ -27,7 +27,7 @@ the march have no bounds."""
 Bodies = tuple[Body, Body]
 
 
-def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: float | Coulomb) -> Heat:
+def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: FrictionLaw) -> Heat:
     """Heat that bodies, kernels and friction allow; default none. Raises ValueError, TypeError."""
     checked = COLD if heat is None else heat
     require_type("heat", checked, Heat)
@@ -140,15 +140,14 @@ def require_reference(heat: Heat) -> None:
         )
 
 
-def require_heat_of(friction: float | Coulomb, heat: Heat) -> None:
+def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
     """Raise ValueError for heat of another kind than the friction's."""
-    sticks = isinstance(friction, Coulomb)
-    if sticks and any(heat.factor):
+    if friction.sticks and any(heat.factor):
         raise ValueError(
             f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: bodies that "
             "stick and slip are heated by their slip; give heat.partition to a Simulation"
         )
-    if not sticks and heat.partition is not None:
+    if not friction.sticks and heat.partition is not None:
         raise ValueError(
             f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: "
             "where all slides the heat goes with the pressure; give heat.factor, see heat.factors"

@@ -17,7 +17,7 @@ from .._util.checks import choice, in_cells, integer, number
 from .._util.frozen import Fixed
 from ..bodies.layered import Body
 from ..heat import Heat
-from .friction import Coulomb
+from .friction import FrictionLaw, friction_law, is_law
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class Friction(Range):
     """A coefficient, or a law of friction."""
 
     def check(self, name: str, value: Any) -> Any:
-        return value if isinstance(value, Coulomb) else super().check(name, value)
+        return value.given if is_law(value) else super().check(name, value)
 
 
 Allowed = Range | Counted | Words
@@ -102,7 +102,7 @@ def allowed(settings: type[ContactSettings]) -> Mapping[str, Allowed]:
 class ContactSettings:
     """Of `ContactSolver`, which tells what they mean."""
 
-    friction: float | Coulomb = _setting(0.0, Friction(ge=0.0))  # noqa: RUF009 (a field)
+    friction: float | FrictionLaw = _setting(0.0, Friction(ge=0.0))  # noqa: RUF009 (a field)
     tol: float = _setting(1e-8, Range(ge=1e-13, lt=1.0))
     on_border: str = _setting("error", Words(("error", "warn")))
     max_iterations: int = _setting(5000, Counted())
@@ -118,6 +118,11 @@ class ContactSettings:
     def checked(cls, name: str, value: Any) -> Any:
         """A value of one of them."""
         return allowed(cls)[name].check(name, value)
+
+    @property
+    def law(self) -> FrictionLaw:
+        """Friction as a law, also where it is given as a number."""
+        return friction_law(self.friction)
 
     def arguments(self) -> dict[str, Any]:
         """By name."""
@@ -174,11 +179,11 @@ class Configured(Fixed):
         vars(self).update(settings.arguments())
 
 
-def memory_of_contact(friction: float | Coulomb, bodies: tuple[Body, Body], heat: Heat) -> float:
+def memory_of_contact(friction: FrictionLaw, bodies: tuple[Body, Body], heat: Heat) -> float:
     """Memory of a surface cell of an elastic contact [bytes]."""
     body1, body2 = bodies
     return memory.of_contact(
-        coupled=friction != 0 and body1._core.stack != body2._core.stack,
-        sticks=isinstance(friction, Coulomb),
+        coupled=not friction.is_frictionless and body1._core.stack != body2._core.stack,
+        sticks=friction.sticks,
         heated=any(heat.factor),
     )

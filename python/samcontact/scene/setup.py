@@ -6,12 +6,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from .._util.cached_property import cached_property
 from .settings import Settings
 
 if TYPE_CHECKING:
     from ..bodies.layered import Body
     from ..heat import Heat
     from .domain import Domain, SurfaceGeometry
+    from .friction import FrictionLaw
     from .grid import Grid
 
 
@@ -29,10 +31,10 @@ class SimulationSetup:
         """Upper and lower body."""
         return self.body1, self.body2
 
-    @property
-    def friction(self) -> Any:
-        """Coefficient of gross sliding, or friction law."""
-        return self.settings.friction
+    @cached_property
+    def friction(self) -> FrictionLaw:
+        """Friction law, also where it is given as the coefficient of gross sliding."""
+        return self.settings.law
 
     def on_grid(self, grid: Grid, heat: Heat) -> dict[str, Any]:
         """Arguments of `Simulation`, with the surfaces as they were given."""

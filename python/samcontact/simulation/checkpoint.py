@@ -19,7 +19,7 @@ from ..restart.file import (
     write,
 )
 from ..restart.tree import Tree, array
-from ..scene.friction import Coulomb
+from ..scene.friction import friction_law, law_of
 from ..scene.grid import Grid
 from ..scene.moving_topography import Relief
 from ..scene.settings import Settings
@@ -58,7 +58,8 @@ def _scene(given: Mapping[str, Any]) -> Tree:
     """The arguments of a simulation as a tree."""
     scene: Tree = {
         "grid": given["grid"].__getstate__(),
-        "settings": {item.name: given[item.name] for item in fields(Settings)} | _law(given),
+        "settings": {item.name: given[item.name] for item in fields(Settings)}
+        | {"friction": friction_law(given["friction"]).to_tree()},
         "heat": asdict(given["heat"]),
         "gap": given["gap"],
     }
@@ -90,22 +91,14 @@ def _body_tree(body: Body) -> Tree:
     }
 
 
-def _law(given: Mapping[str, Any]) -> Tree:
-    """Of friction."""
-    friction = given["friction"]
-    sticks = isinstance(friction, Coulomb)
-    return {"friction": friction.coefficient if sticks else friction, "stick_and_slip": sticks}
-
-
 def _arguments(scene: Tree, *laws: Any) -> dict[str, Any]:
     """The reverse."""
     given: dict[str, Any] = dict(scene["settings"])
-    known = {item.name: item.default for item in fields(Settings)} | {"stick_and_slip": False}
+    known = {item.name: item.default for item in fields(Settings)}
     required = {name for name, default in known.items() if default is not None}
     if not required <= set(given) <= set(known):
         raise ValueError(f"its settings are {', '.join(given) or 'missing'}")
-    if given.pop("stick_and_slip"):
-        given["friction"] = Coulomb(given["friction"])
+    given["friction"] = law_of(given["friction"])
     given["heat"] = Heat(**scene["heat"])
     given["grid"] = Grid(**scene["grid"])
     for name, law in zip(("body1", "body2"), laws, strict=True):

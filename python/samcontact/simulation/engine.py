@@ -20,7 +20,6 @@ from ..diagnostics.monitor import Monitor
 from ..heat import Heat
 from ..restart.file import ForeignCheckpointError
 from ..scene.domain import Domain, require_continued
-from ..scene.friction import Coulomb
 from ..scene.grid import Grid
 from ..scene.heating import core_law, heating
 from ..scene.moving_topography import relief_rows
@@ -49,8 +48,7 @@ class Engine:
         self.history = History(heat)
         self.access = ExclusiveAccess()
         self._laws = [core_law(body) for body in setup.bodies]  # the core does not own them
-        sticks = isinstance(setup.friction, Coulomb)
-        self._may_overlap = not sticks and may_overlap(setup.bodies, setup.friction)
+        self._may_overlap = may_overlap(setup.bodies, setup.friction)
         self._open(self._checked_domain(grid))
         self.first = self.domain
         """The domain before any enlargement."""
@@ -72,14 +70,12 @@ class Engine:
     def _core_over(self, domain: Domain) -> Any:
         grid, setup = domain.grid, self.setup
         reliefs = [relief_rows(f"relief{n}", r, grid) for n, r in enumerate(domain.reliefs, 1)]
-        sticks = isinstance(setup.friction, Coulomb)
         return _core.Simulation(
             grid=grid._core,
             body1=setup.body1._core,
             body2=setup.body2._core,
             gap=domain.initial_gap,
-            friction=setup.friction.coefficient if sticks else setup.friction,
-            sticks=sticks,
+            friction=setup.friction.to_core(),
             settings=setup.settings.to_core(grid.dx),
             march=self.heat.history or (0.0, 0.0),
             softening=self._laws,
@@ -90,9 +86,8 @@ class Engine:
         """Return the domain of a grid; its surfaces must agree with those of domain `beside`."""
         setup = self.setup
         scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
-        sticks = isinstance(setup.friction, Coulomb)
         cell = memory_of_contact(setup.friction, setup.bodies, self.heat)
-        cell += memory.STICK_SLIP_SIMULATION if sticks else memory.SIMULATION
+        cell += memory.STICK_SLIP_SIMULATION if setup.friction.sticks else memory.SIMULATION
         cell += memory.YIELD_SCAN if scanned else 0.0
         memory.require_for_grid("a simulation", grid, memory.surface(grid, cell))
         domain = setup.surfaces.over(grid)

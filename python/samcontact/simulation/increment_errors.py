@@ -17,7 +17,6 @@ from .._util.display import Rows, Shown, percent
 from .._util.errors import IncrementWarning
 from ..bodies.layered import materials_of
 from ..diagnostics.resolution import cells_across, spots
-from ..scene.friction import Coulomb
 from ..solutions.peak import peak
 from . import coarsening, error_controlled_quantities
 from .increment_paths import cleaned, doubled, halved
@@ -103,7 +102,7 @@ def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
     It has where a body has yielded, unless `increment_tol` controls it, or where shear sticks.
     """
     last = states[-1]
-    if isinstance(setup.settings.friction, Coulomb):
+    if setup.friction.sticks:
         if any(state.shear.any() for state in states):
             return True
     elif setup.settings.increment_tol is not None:
@@ -260,7 +259,7 @@ Pairs = Sequence[tuple["State", "State"]]
 
 def _of_fields(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, float]:
     """Largest differences of fields over largest values."""
-    names = ["pressure", "shear"] if isinstance(setup.friction, Coulomb) else ["pressure"]
+    names = ["pressure", "shear"] if setup.friction.sticks else ["pressure"]
     found = {}
     for name in names:
         both = [(getattr(one, name), getattr(other, name)) for one, other in pairs]

@@ -16,7 +16,7 @@ from ..diagnostics.monitor import Monitor
 from ..heat import Heat
 from ..scene.cell_layers import require_servable_flow
 from ..scene.domain import SurfaceGeometry
-from ..scene.friction import Coulomb
+from ..scene.friction import FrictionLaw
 from ..scene.grid import Grid
 from ..scene.heating import checked_heat
 from ..scene.moving_topography import Relief
@@ -115,7 +115,7 @@ class Simulation(Configured, Shown):
         body1: Body,
         body2: Body,
         gap: ArrayLike | Callable[[Grid], ArrayLike],
-        friction: float | Coulomb = Settings.friction,
+        friction: float | FrictionLaw = Settings.friction,
         *,
         tol: float = Settings.tol,
         increment_tol: float | None = Settings.increment_tol,
@@ -146,7 +146,7 @@ class Simulation(Configured, Shown):
         )
         self._configure(settings)
         require_fast("residual_stress", self.residual_stress, grid.periodic)
-        heat = checked_heat(heat, (body1, body2), grid, self.friction)
+        heat = checked_heat(heat, (body1, body2), grid, settings.law)
         self.monitor = Monitor()
         surfaces = SurfaceGeometry(gap, relief1, relief2)
         self.engine = Engine(SimulationSetup(body1, body2, surfaces, settings), grid, heat)

@@ -23,7 +23,7 @@ from .._util.short_text import in_short
 from ..contact.tangential_drive import GivenAlong, given_along
 from ..heat import Heat
 from ..scene.cell_fields import shear_components
-from ..scene.friction import Coulomb
+from ..scene.friction import FrictionLaw
 from ..scene.grid import Grid
 from ..scene.heating import Bodies, heating, require_heat_of, require_reference
 
@@ -69,7 +69,7 @@ _HELD = GivenAlong((False, False, False), (0.0, 0.0, 0.0))
 class StepArguments:
     """Checks of the arguments of increments on one grid; the last heat is checked once."""
 
-    def __init__(self, grid: Grid, bodies: Bodies, friction: float | Coulomb) -> None:
+    def __init__(self, grid: Grid, bodies: Bodies, friction: FrictionLaw) -> None:
         self.grid, self.bodies, self.friction = grid, bodies, friction
         self._heated: tuple[Heat, float | None, list[Any]] | None = None
 
@@ -145,7 +145,7 @@ def _ways(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
 
 
 def _require_possible(
-    friction: float | Coulomb,
+    friction: FrictionLaw,
     tangential: GivenAlong,
     pressure: ArrayLike | None,
     shear: ArrayLike | None,
@@ -153,7 +153,7 @@ def _require_possible(
     advance: tuple[float, float],
 ) -> None:
     """What goes with each other of bodies that stick and slip."""
-    if not isinstance(friction, Coulomb):
+    if not friction.sticks:
         return
     if pressure is not None and (any(tangential.is_force) or any(tangential.values)):
         raise ValueError(

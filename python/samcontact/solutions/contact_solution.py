@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray
 from .._util.display import Brief, Rows, Shown, quantity
+from ..scene.friction import FrictionLaw
 from ..scene.grid import Grid
 from .contact_area import contact_area
 from .outline import Outline, outline_of
@@ -179,8 +180,8 @@ class RollingSolution(ShearedSolution):
         Rigid slip of body 1 over body 2 along x and y per way rolled [-].
     spin : float
         Turn of body 1 over body 2 about z per way rolled [1/m].
-    friction : float
-        Coefficient of friction [-].
+    friction : Coulomb
+        Friction law.
     slip : ndarray, shape (2, nx, ny)
         Of body 1 over body 2 per way rolled [-]; zero where the bodies stick or do not touch.
     work_per_way : float
@@ -191,7 +192,7 @@ class RollingSolution(ShearedSolution):
 
     creepage: FloatArray
     spin: float
-    friction: float
+    friction: FrictionLaw
     work_per_way: float
 
     def _motion(self) -> Rows:

@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, choice
 from .._util.display import Rows, quantity
-from ..scene.friction import Coulomb
 from ..scene.grid import Grid
 from ..scene.setup import SimulationSetup
 from .contact_area import contact_area
@@ -96,7 +95,7 @@ class SurfaceState:
 
     def _along_rows(self) -> Rows:
         """Forces and motions along the surface; none where friction is a number."""
-        if not isinstance(self.setup.friction, Coulomb):
+        if not self.setup.friction.sticks:
             return []
         touching = int(np.count_nonzero(self.pressure))
         rows = [
@@ -111,7 +110,7 @@ class SurfaceState:
         return rows
 
     def _require_stick_and_slip(self, name: str) -> None:
-        if not isinstance(friction := self.setup.friction, Coulomb):
+        if not (friction := self.setup.friction).sticks:
             raise ValueError(
                 f"{name} is not solved for where friction is a number, {friction!r}, which is "
                 "gross sliding: make the simulation with friction=samcontact.Coulomb(mu)"

@@ -17,7 +17,7 @@ from .._util.checks import FloatArray, boolean, integer
 from ..bodies.material import Material
 from ..diagnostics import resolution
 from ..scene.domain import SurfaceGeometry
-from ..scene.friction import Coulomb
+from ..scene.friction import FrictionLaw
 from ..scene.grid import Grid
 from ..scene.moving_topography import Relief
 from ..simulation.simulation import Simulation
@@ -49,7 +49,7 @@ def fretting(
     gap: ArrayLike | Callable[[Grid], ArrayLike],
     *,
     cycle: Iterable[Mapping[str, Any]],
-    friction: Coulomb,
+    friction: FrictionLaw,
     energy: float | Sequence[float] | None = None,
     archard: float | Sequence[float] | None = None,
     cycles: int = 20,
@@ -156,7 +156,9 @@ def _gone_through(scene: FrettingScene, heights: Mapping[int, list[FloatArray]])
     if scene.law == "archard":
         swept = np.sum([state.pressure for state in states] * ways, axis=0)
         return _Repeat(states, work, way, swept, way)
-    return _Repeat(states, work, way, work, scene.friction.coefficient * way)
+    pressures = np.concatenate([state.pressure[state.pressure > 0] for state in states])
+    ratio = scene.friction.ratio(float(pressures.mean())) if pressures.size else 0.0
+    return _Repeat(states, work, way, work, ratio * way)
 
 
 def _closed(simulation: Simulation, scene: FrettingScene) -> tuple[State, ...]:
@@ -167,7 +169,7 @@ def _closed(simulation: Simulation, scene: FrettingScene) -> tuple[State, ...]:
     for _ in range(_MOST_TIMES):
         start = simulation.state
         states = tuple(simulation.step(**step) for step in scene.cycle[lead:])
-        bound = scene.friction.coefficient * max(float(s.pressure.max()) for s in states)
+        bound = float(scene.friction.bound(max(s.pressure.max() for s in states)))
         if np.abs(states[-1].shear - start.shear).max() <= _CLOSED * bound:
             return states
     raise ValueError(

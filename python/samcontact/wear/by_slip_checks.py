@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -23,7 +22,7 @@ from ..bodies.material import Material
 from ..contact.tangential_drive import GivenAlong
 from ..diagnostics.plausibility import warn_of, wear_coefficient
 from ..scene.domain import SurfaceGeometry
-from ..scene.friction import Coulomb
+from ..scene.friction import FrictionLaw, sticking_law
 from ..scene.grid import Grid
 from ..scene.moving_topography import Relief
 from .checks import NO_WORN_LAYERS
@@ -42,7 +41,7 @@ class FrettingScene:
     bodies: tuple[Material, Material]
     gap: FloatArray
     cycle: list[dict[str, Any]]
-    friction: Coulomb
+    friction: FrictionLaw
     law: str
     coefficients: tuple[float, float]
     repeats: int
@@ -67,7 +66,7 @@ def make_scene(
     bodies: tuple[Material, Material],
     given: SurfaceGeometry,
     cycle: Iterable[Mapping[str, Any]],
-    friction: Coulomb,
+    friction: FrictionLaw,
     energy: float | Sequence[float] | None,
     archard: float | Sequence[float] | None,
     repeats: int,
@@ -82,8 +81,8 @@ def make_scene(
                 f"body{n} must not yield, got {body.law}: fretting wears elastic bodies; "
                 "samcontact.wear.run wears those whose plastic strain is too large"
             )
-    require_type("friction", friction, Coulomb)
-    if not 0 < friction.coefficient < math.inf:
+    sticking_law(friction)
+    if friction.is_frictionless or friction.prevents_slip:
         raise ValueError(
             f"friction must be above 0 and finite, got {friction!r}: there is no work of friction"
         )

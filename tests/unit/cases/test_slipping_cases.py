@@ -38,6 +38,25 @@ def test_a_law_is_what_simulations_take(mu):
     assert case(friction="friction = 0.3").build()[0].friction == 0.3
 
 
+LAWS = {
+    "{tresca = 2e8}": sc.Tresca(2e8),
+    "{tresca = '200 MPa'}": sc.Tresca(2e8),
+    "{tresca = inf}": sc.Tresca(math.inf),
+    "{capped_coulomb = {coefficient = 0.3, limit = '200 MPa'}}": sc.CappedCoulomb(0.3, 2e8),
+    "{capped_coulomb = {coefficient = 0.3, limit = inf}}": sc.CappedCoulomb(0.3, math.inf),
+}
+
+
+@pytest.mark.parametrize("text", LAWS)
+def test_laws_with_a_limit(text):
+    simulation, path = case("load = 600.0\nshift_x = 2e-6", friction=f"friction = {text}").build()
+    assert simulation.friction == LAWS[text]
+    state = simulation.run(path, progress=False)[-1]
+    bound = LAWS[text].bound(state.pressure)
+    assert 0 < state.tangential_load[0] <= bound.sum() * simulation.grid.cell_area
+    assert (np.hypot(*state.shear) <= bound * (1 + 1e-12)).all()
+
+
 def test_ramps_go_along_the_surface():
     steps = case(
         "load = 600.0\nincrements = 2\ntangential_load_x = 100.0\nshift_y = 4e-6\ntwist = 1e-4",
@@ -201,6 +220,15 @@ def test_errors_name_field_and_remedy(segment, message):
         ("{coulom = 0.1}", r"contact\.friction\.coulom: unknown field; .*did you mean coulomb\?"),
         ("{mu = 0.1}", r"contact\.friction\.mu: unknown field; .*did you mean coulomb\?"),
         ("inf", r"contact\.friction: must be a finite number >= 0, got inf"),
+        ("{coulomb = 0.1, tresca = 1e8}", r"exactly one of .*tresca.*; got coulomb, tresca"),
+        ("{}", r"contact\.friction: give exactly one of coulomb, tresca.*; got none"),
+        ("{tresca = -1.0}", r"contact\.friction\.tresca: must be a number >= 0"),
+        ("{capped_coulomb = 0.3}", r"contact\.friction\.capped_coulomb: must be a"),
+        ("{capped_coulomb = {coefficient = 0.3}}", r"friction\.capped_coulomb\.limit: .*missing"),
+        (
+            "{capped_coulomb = {coefficient = inf, limit = 1e8}}",
+            r"friction\.capped_coulomb\.coefficient: must be a finite number >= 0, got inf",
+        ),
     ],
 )
 def test_errors_of_laws_name_the_field(friction, message):

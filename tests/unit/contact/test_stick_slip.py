@@ -236,7 +236,12 @@ def test_periodic_surfaces():
             "shift and tangential_load along x cannot both be given",
         ),
         (sc.Coulomb(0.3), {"twist": 1e-3, "torque": 0.0}, ValueError, "twist and torque"),
-        (sc.Coulomb(0.3), {"tangential_load": (0.003, 0.0)}, ValueError, "load, 0.003 N.*shift"),
+        (
+            sc.Coulomb(0.3),
+            {"tangential_load": (0.003, 0.0)},
+            ValueError,
+            "than 0.003 N.*shift",
+        ),
         (sc.Coulomb(0.3), {"tangential_load": (0.0, -1.0)}, ValueError, "tangential_load must be"),
         (
             sc.Coulomb(0.3),

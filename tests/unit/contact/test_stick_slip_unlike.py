@@ -222,7 +222,9 @@ def test_without_slip_there_may_be_no_solution():
         return pressed, drive, lambda: solver.solve(gap, previous=pressed, **drive)
 
     pressed, drive, solve = sheared(math.inf)
-    with pytest.raises(sc.ConvergenceError, match=r"bodies unlike .* friction of at most 2$"):
+    with pytest.raises(
+        sc.ConvergenceError, match=r"bodies unlike .* friction of at most 2 times the pressure$"
+    ):
         solve()
     # the same by pivots: the worst cell changes sides
     n, matrix = gap.size, dense_matrix(grid, body1, body2)

@@ -185,7 +185,7 @@ def test_an_animation_shows_each_increment(fretting, rolling, tmp_path):
         (lambda s: plotting.stick_slip_map(s.pressure, s.slip[0], GRID), "slip must have shape"),
         (lambda s: plotting.stick_slip_map(s.pressure, s.slip, GRID, unit="km"), "unit must be"),
         (lambda s: plotting.stick_slip_map(s.pressure, s.slip, GRID, across="z"), "across must be"),
-        (lambda s: plotting.shear_profile(s.pressure, s.shear, GRID, -1.0), "friction must be"),
+        (lambda s: plotting.shear_profile(s.pressure, s.shear, GRID, -1.0), "coefficient must be"),
         (lambda s: plotting.creep_curve([1.0, 2.0], [1.0]), "force must have shape"),
         (lambda s: plotting.stick_slip_animation([]), "at least one state, got none"),
         (lambda s: plotting.stick_slip_animation([s], interval=0.0), "interval must be a finite"),

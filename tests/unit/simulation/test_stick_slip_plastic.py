@@ -218,7 +218,7 @@ def test_rolling_over_a_rail_that_yields_comes_to_a_steady_force():
     ("friction", "step", "text"),
     [
         (0.3, {"load": 1.0, "shift": (0.0, 0.0)}, "shift must be left out"),
-        (LAW, {"load": 10.0, "tangential_load": (4.0, 0.0)}, "shorter than friction times"),
+        (LAW, {"load": 10.0, "tangential_load": (4.0, 0.0)}, "the largest that friction holds"),
         (LAW, {"load": 10.0, "shift": (1e-7, 0), "tangential_load": (1, None)}, "cannot both"),
         (LAW, {"pressure": np.zeros(GRID.surface_shape)}, "shear must be given"),
         (LAW, {"load": 10.0, "torque": 0.0, "advance": (36e-6, 36e-6)}, "torque must be left out"),
@@ -346,8 +346,8 @@ def test_results_have_forces_motions_and_slip(tmp_path):
     path = tmp_path / "results.nc"
     results.save(results.to_dataset(run, states), path)
     with results.open_results(path) as kept:
-        assert kept.attrs["friction"] == 0.3
-        assert kept.attrs["stick_and_slip"] == 1
+        assert kept.attrs["friction_law"] == "coulomb"
+        assert kept.attrs["friction_coefficient"] == 0.3
         np.testing.assert_allclose(kept["tangential_load_y"], [0, 0, 15, 30], atol=1e-3)
         for n, state in enumerate(states):
             assert np.array_equal(kept["slip_x"][n], state.slip[0])

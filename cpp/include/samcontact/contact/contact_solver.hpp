@@ -6,7 +6,7 @@
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/grid.hpp"
-#include "samcontact/contact/laws/gross_sliding.hpp"
+#include "samcontact/contact/laws/friction_law.hpp"
 #include "samcontact/contact/normal/complementarity.hpp"
 #include "samcontact/contact/normal/multilevel.hpp"
 #include "samcontact/operators/surface/surface_influence.hpp"
@@ -33,10 +33,10 @@ struct ContactSettings {
 
 class ContactSolver {
  public:
-  /// heating: of the two bodies. Throws std::invalid_argument when both bodies are rigid or a rigid
-  /// one is heated.
+  /// friction: gross sliding. heating: of the two bodies. Throws std::invalid_argument when both
+  /// bodies are rigid or a rigid one is heated.
   ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
-                const operators::SharedMedium& body2, const GrossSliding& sliding,
+                const operators::SharedMedium& body2, const FrictionLaw& friction,
                 const operators::HeatingPair& heating = {});
 
   /// Where the displacement is an even operator (heat at rest included) one solve of the
@@ -49,11 +49,11 @@ class ContactSolver {
                  const ContactSettings& settings) const;
 
   const Grid& grid() const { return grid_; }
-  const GrossSliding& sliding() const { return sliding_; }
+  const FrictionLaw& friction() const { return friction_; }
 
  private:
   ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence,
-                const GrossSliding& sliding);
+                const FrictionLaw& friction);
   /// Whether a uniform pressure on the contact raises it, on the mean, more than it lowers it.
   bool is_unstable(const Field& pressure) const;
   /// Throws ConvergenceError otherwise.
@@ -63,7 +63,7 @@ class ContactSolver {
                          const ContactSettings& settings) const;
 
   Grid grid_;
-  GrossSliding sliding_;
+  FrictionLaw friction_;
   bool heated_;
   Multilevel multilevel_;
 };

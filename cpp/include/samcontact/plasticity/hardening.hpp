@@ -16,21 +16,13 @@
 #include <vector>
 
 #include "samcontact/base/elastic.hpp"
+#include "samcontact/base/law_parameters.hpp"
 
 namespace samcontact::plasticity {
 
 /// Yield stress and d yield_stress / dg [Pa] together: a power costs more than all else here.
 struct Point {
   double yield_stress, slope;
-};
-
-/// What a parameter may be: low <= value <= high, or low < value, and finite.
-struct Allowed {
-  const char* unit;  // "" for a plain number
-  double low = 0.0, high = std::numeric_limits<double>::infinity();
-  bool above_low = false;
-
-  static constexpr Allowed positive(const char* unit) { return {.unit = unit, .above_low = true}; }
 };
 
 /// Never yields.
@@ -185,14 +177,9 @@ struct Scaled {
 
 /// What is told of a law to those who make one by name.
 struct LawDescription {
-  struct Parameter {
-    std::string name;
-    Allowed allowed;
-    bool many;  // a list of such numbers
-  };
   std::string name, says;
   bool yields;
-  std::vector<Parameter> parameters;
+  std::vector<LawParameter> parameters;
 };
 
 /// One of the laws, its parameters checked.

@@ -21,7 +21,7 @@ class Simulation {
  public:
   /// Throws std::invalid_argument: wrong gap, an inelastic body on a grid without volume.
   Simulation(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
-             Field initial_gap, const contact::Friction& friction, const Settings& settings,
+             Field initial_gap, const contact::FrictionLaw& friction, const Settings& settings,
              const HeatMarch& march = {}, Reliefs reliefs = {});
 
   /// One increment; halves it where the fixed point does not converge. The present state changes

@@ -27,13 +27,13 @@ constexpr const char* beyond =
 /// Throws where forces that friction holds each are too much together: some motion takes more power
 /// of them than friction turns into heat.
 void require_held_together(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
-                           double friction) {
+                           const FrictionLaw& friction) {
   const std::vector<double> xs = grid.x(), ys = grid.y();
   ShearProblem problem;
   for (std::size_t at = 0; at < pressure.size(); ++at) {
     if (!(pressure[at] > 0)) continue;
     problem.cells.push_back(at);
-    problem.bound.push_back(friction * pressure[at]);
+    problem.bound.push_back(friction.bound(pressure[at]));
   }
   const std::size_t m = problem.size();
   if (m == 0) return;
@@ -66,21 +66,26 @@ void require_held_together(const Grid& grid, const TangentialDrive& drive, const
                               " at most: take smaller ones, or give the motion instead");
 }
 
-}  // namespace
-
-void require_held(const TangentialDrive& drive, double most, const MotionNames& motions) {
+void require_shorter(const TangentialDrive& drive, double most, const MotionNames& motions) {
   const double force = std::hypot(force_of(drive[0]), force_of(drive[1]));
   require(force == 0 || force < most * (1 - least_margin), "tangential_load",
-          "shorter than friction times the load, " + to_short_text(most, 6) + " N" + beyond +
-              motions.along + ") instead",
+          "shorter than " + to_short_text(most, 6) + " N" + beyond + motions.along + ") instead",
           force);
 }
 
+}  // namespace
+
+void require_held(const TangentialDrive& drive, const FrictionLaw& friction, double load,
+                  const MotionNames& motions) {
+  const double ratio = friction.ratio(0.0);
+  if (!std::isinf(ratio)) require_shorter(drive, ratio * load, motions);
+}
+
 void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
-                  double friction, const MotionNames& motions) {
-  if (std::isinf(friction)) return;
+                  const FrictionLaw& friction, const MotionNames& motions) {
+  if (friction.prevents_slip()) return;
   const LargestForces most = largest_forces(grid, pressure, friction);
-  require_held(drive, most.along, motions);
+  require_shorter(drive, most.along, motions);
   const double torque = force_of(drive[2]);
   require(torque == 0 || std::fabs(torque) < most.torque * (1 - least_margin), "torque",
           "smaller than " + to_short_text(most.torque, 6) + " N m" + beyond + motions.turn +

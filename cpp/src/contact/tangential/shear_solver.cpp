@@ -73,8 +73,8 @@ class ShearSolver::Level {
     int applications = 0;
     double operations = 0.0;
   };
-  Answer solve(const BoxTask& task, double friction, const TangentialDrive& drive, BoxStart start,
-               double tol, int most_steps) const;
+  Answer solve(const BoxTask& task, const FrictionLaw& friction, const TangentialDrive& drive,
+               BoxStart start, double tol, int most_steps) const;
 
  private:
   static Grid with_margin(Grid box, int margin) {
@@ -82,12 +82,13 @@ class ShearSolver::Level {
     return box;
   }
   std::size_t operator_size() const { return with_margin(box_, margin_).surface_size(); }
-  ShearProblem problem_of(const BoxTask& task, double friction, const TangentialDrive& drive) const;
+  ShearProblem problem_of(const BoxTask& task, const FrictionLaw& friction,
+                          const TangentialDrive& drive) const;
   /// Makes it that of rolling by one cell.
   void let_roll(ShearProblem& problem) const;
   double stiffness_of(const Field& pressure) const;
-  BoxStart coarse_start(const BoxTask& task, double friction, const TangentialDrive& drive,
-                        double tol, double& operations) const;
+  BoxStart coarse_start(const BoxTask& task, const FrictionLaw& friction,
+                        const TangentialDrive& drive, double tol, double& operations) const;
 
   Grid box_;
   int margin_;
@@ -109,7 +110,7 @@ double ShearSolver::Level::stiffness_of(const Field& pressure) const {
   return 1 / longest(displacement);
 }
 
-ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction,
+ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, const FrictionLaw& friction,
                                             const TangentialDrive& drive) const {
   ShearProblem problem;
   problem.operators = &operators_;
@@ -120,11 +121,9 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction
   const std::size_t m = problem.cells.size();
   std::array<Field, 3> directions{Field(2 * m, 0.0), Field(2 * m, 0.0), Field(2 * m)};
   problem.free_slip.resize(2 * m);
-  double largest = 0.0;
   for (std::size_t c = 0; c < m; ++c) {
     const std::size_t at = problem.cells[c];
-    largest = std::max(largest, task.pressure[at]);
-    problem.bound.push_back(friction * task.pressure[at]);
+    problem.bound.push_back(task.pressure[at]);
     problem.free_slip[c] = task.free_slip[at];
     problem.free_slip[m + c] = task.free_slip[task.pressure.size() + at];
     directions[0][c] = directions[1][m + c] = 1.0;
@@ -146,7 +145,10 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, double friction
   }
   problem.floats = floats_ && m == box_.surface_size();
   problem.stiffness = stiffness_of(task.pressure);
-  problem.smallest_shear = smallest_share * std::min(friction, 1.0) * largest;
+  const double pressure = largest_of(m, [&](std::size_t c) { return problem.bound[c]; });
+  problem.bound = friction.bound(std::move(problem.bound));
+  const double bound = largest_of(m, [&](std::size_t c) { return problem.bound[c]; });
+  problem.smallest_shear = smallest_share * std::min(bound, pressure);
   if (task.rolls) let_roll(problem);
   return problem;
 }
@@ -171,7 +173,7 @@ void ShearSolver::Level::let_roll(ShearProblem& problem) const {
   }
 }
 
-BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, double friction,
+BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, const FrictionLaw& friction,
                                           const TangentialDrive& drive, double tol,
                                           double& operations) const {
   const auto coarsen = [&](const Field& field) { return coarsened(box_, field); };
@@ -207,7 +209,8 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, double friction,
   return start;
 }
 
-ShearSolver::Level::Answer ShearSolver::Level::solve(const BoxTask& task, double friction,
+ShearSolver::Level::Answer ShearSolver::Level::solve(const BoxTask& task,
+                                                     const FrictionLaw& friction,
                                                      const TangentialDrive& drive, BoxStart start,
                                                      double tol, int most_steps) const {
   Answer answer;
@@ -231,7 +234,7 @@ ShearSolver::Level::Answer ShearSolver::Level::solve(const BoxTask& task, double
   if (task.rolls) {
     for (double& slip : answer.result.slip) slip /= box_.dx;
   }
-  if (std::isinf(friction)) {
+  if (friction.prevents_slip()) {
     answer.result.energy_gap = std::numeric_limits<double>::quiet_NaN();
   }
   answer.cells = std::move(problem.cells);
@@ -324,7 +327,7 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   ShearSolution solution = without_shear(grid_, task.drive);
   const bool touches =
       std::any_of(task.pressure.begin(), task.pressure.end(), [](double p) { return p > 0; });
-  if (!touches || task.friction == 0) return solution;
+  if (!touches || task.friction.is_frictionless()) return solution;
   const Box box = slipping_box(grid_, task.pressure, task.previous_shear);
   const auto level_of_box = level(box, task.rolls ? rolling_margin : 0);
   const auto boxed = [&](const Field& field) { return over(grid_, box, field); };
@@ -385,12 +388,12 @@ std::array<double, 3> forces(const Grid& grid, const Field& shear) {
           })};
 }
 
-LargestForces largest_forces(const Grid& grid, const Field& pressure, double friction) {
+LargestForces largest_forces(const Grid& grid, const Field& pressure, const FrictionLaw& friction) {
   const std::vector<double> x = grid.x(), y = grid.y();
-  const double bound = friction * grid.cell_area();
-  return {bound * ordered_sum(pressure.size(), [&](std::size_t at) { return pressure[at]; }),
-          bound * ordered_sum(pressure.size(), [&](std::size_t at) {
-            return pressure[at] * std::hypot(x[at / grid.ny], y[at % grid.ny]);
+  const Field bound = friction.bound(pressure);
+  return {grid.cell_area() * ordered_sum(bound.size(), [&](std::size_t at) { return bound[at]; }),
+          grid.cell_area() * ordered_sum(bound.size(), [&](std::size_t at) {
+            return bound[at] * std::hypot(x[at / grid.ny], y[at % grid.ny]);
           })};
 }
 

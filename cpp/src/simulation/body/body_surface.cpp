@@ -52,7 +52,7 @@ void BodySurface::add_displacement(const Box& box, const Field& displacement, Ax
 
 std::span<const Axis> BodySurface::axes() const {
   // Mirror images slide alike.
-  if (scene_.coulomb && copies_ == 1) return operators::all_axes;
+  if (scene_.friction.sticks() && copies_ == 1) return operators::all_axes;
   return operators::normal_axis;
 }
 

@@ -94,7 +94,7 @@ Target between(const State& from, const Target& target, double fraction) {
   Target part = target;
   if (fraction == 1.0) return part;
   const auto mix = [fraction](double a, double b) { return a + fraction * (b - a); };
-  if (from.scene().coulomb && !target.is_prescribed()) {
+  if (from.scene().friction.sticks() && !target.is_prescribed()) {
     const auto present = from.tangential_force();
     for (int k = 0; k < 3; ++k) {
       double& value = part.tangential[k].value;

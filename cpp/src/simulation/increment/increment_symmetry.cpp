@@ -13,7 +13,7 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
   if (task.target.is_prescribed()) {
     symmetry = symmetry_of(tractions, task.scene().grid);
   }
-  if (task.scene().coulomb) {
+  if (task.scene().friction.sticks()) {
     symmetry = common(symmetry, symmetry_of(tangential_drive(task)));
     symmetry = common(symmetry, task.from.shear_symmetry);
   }
@@ -28,7 +28,7 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
 
 bool has_twins(const IncrementTask& task, const Sources& sources) {
   const auto& [upper, lower] = task.scene().bodies;
-  if (!upper.is_plastic() || upper != lower || task.scene().sliding.is_on() ||
+  if (!upper.is_plastic() || upper != lower || task.scene().friction.slides() ||
       !is_free_of_shear(task))
     return false;
   if (task.target.heating[0] != task.target.heating[1] ||

@@ -148,10 +148,10 @@ contact::TangentialDrive tangential_drive(const IncrementTask& task) {
 }
 
 bool is_free_of_shear(const IncrementTask& task) {
-  if (!task.scene().coulomb) return true;
+  if (!task.scene().friction.sticks()) return true;
   const auto drive = tangential_drive(task);
   const auto is_zero = [](double v) { return v == 0; };
-  return !task.scene().coulomb->is_coupled() &&
+  return !task.scene().partial_slip->is_coupled() &&
          std::all_of(drive.begin(), drive.end(),
                      [](const contact::Given& given) { return given.value == 0; }) &&
          std::all_of(task.from.tractions.shear_x.begin(), task.from.tractions.shear_x.end(),
@@ -161,7 +161,7 @@ bool is_free_of_shear(const IncrementTask& task) {
 }
 
 SlipHistory::SlipHistory(const IncrementTask& task)
-    : task_(task), on_(task.scene().coulomb && !task.target.is_prescribed()) {
+    : task_(task), on_(task.scene().friction.sticks() && !task.target.is_prescribed()) {
   if (!on_) return;
   before_ = contact_before(task);
   carried_apart_ = before_.free_slip;
@@ -175,8 +175,8 @@ Field& SlipHistory::begin_slip() {
 
 contact::Solution SlipHistory::solve(const Field& gap, const Field& start,
                                      const contact::ContactSettings& settings) {
-  const contact::CoulombStart first{start, shear_.shear, shear_.sticking, shear_.motion};
-  contact::CoulombSolution found = task_.scene().coulomb->solve(
+  const contact::PartialSlipStart first{start, shear_.shear, shear_.sticking, shear_.motion};
+  contact::PartialSlipSolution found = task_.scene().partial_slip->solve(
       gap, task_.target.drive.normal, tangential_drive(task_), before_, first, settings);
   shear_ = std::move(found.tangential);
   contact::Solution solution = std::move(found.normal);
@@ -188,7 +188,7 @@ contact::Solution SlipHistory::solve(const Field& gap, const Field& start,
 }
 
 void SlipHistory::remember(const operators::Tractions& tractions, State& state) const {
-  if (!task_.scene().coulomb) return;
+  if (!task_.scene().friction.sticks()) return;
   state.slip_work.clear();
   if (task_.target.is_prescribed()) {
     state.slip.clear();

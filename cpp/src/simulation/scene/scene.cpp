@@ -47,26 +47,26 @@ Media media_of(const plasticity::Body& body1, const plasticity::Body& body2) {
 }  // namespace
 
 Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
-             Field initial_gap_, const contact::Friction& friction, double image_tol,
+             Field initial_gap_, const contact::FrictionLaw& friction_, double image_tol,
              const HeatMarch& march_, int reach_, Reliefs reliefs_,
              const operators::BandSplit& split_)
     : grid(grid_),
       bodies{body1, body2},
       media(media_of(body1, body2)),
       initial_gap(std::move(initial_gap_)),
-      sliding(friction.sticks ? 0.0 : friction.coefficient),
-      coulomb(friction.sticks ? std::make_unique<const contact::CoulombContact>(
-                                    grid_, media[0], media[1], friction.coefficient)
-                              : nullptr),
+      friction(friction_),
+      partial_slip(friction.sticks() ? std::make_unique<const contact::PartialSlipContact>(
+                                           grid_, media[0], media[1], friction)
+                                     : nullptr),
       march(march_),
       reach(reach_),
       split((require_valid(split_), split_)),
       reliefs(std::move(reliefs_)),
-      cache(grid, media, sliding, image_tol, split),
+      cache(grid, media, friction, image_tol, split),
       symmetry_(symmetry_of(initial_gap, grid_)) {
   // Throws for bodies that have no contact.
-  if (!coulomb) cache.solver({});
-  symmetry_ = common(symmetry_, sliding.symmetry());
+  if (!friction.sticks()) cache.solver({});
+  symmetry_ = common(symmetry_, friction.symmetry());
 }
 
 int Scene::followed() const {
@@ -79,7 +79,7 @@ int Scene::followed() const {
 
 Placement Scene::placement(const Travel& travel) const {
   const int body = followed();
-  if (body >= 0 || !coulomb) return {travel, body};
+  if (body >= 0 || !friction.sticks()) return {travel, body};
   // What sticks remembers the shear, which is carried by the mean of both ways.
   const double mean = 0.5 * (travel[0] + travel[1]);
   return {Travel{mean, mean}, 1};

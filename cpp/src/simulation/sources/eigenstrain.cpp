@@ -80,7 +80,7 @@ void require_followed(const Eigenstrains& strains, const Scene& scene, const Tra
   if (scene.followed() >= 0) return;
   for (int b = 0; b < 2; ++b) {
     const bool follows =
-        scene.coulomb ? travel[0] == travel[1] : travel[b] == std::round(travel[b]);
+        scene.friction.sticks() ? travel[0] == travel[1] : travel[b] == std::round(travel[b]);
     if (!strains[b] || follows) continue;
     throw std::invalid_argument(
         "an eigenstrain moves with a body by whole cells only where no body can yield or has a "

@@ -14,11 +14,12 @@ struct MotionNames {
 inline constexpr MotionNames increment_motions{"shift", "twist"},
     rolling_motions{"creepage", "spin"};
 
-/// Throws std::invalid_argument where no shear has the force. most: friction times the load [N].
-void require_held(const TangentialDrive& drive, double most, const MotionNames& motions);
+/// Throws std::invalid_argument where no shear has the force, under any pressure of this load [N].
+void require_held(const TangentialDrive& drive, const FrictionLaw& friction, double load,
+                  const MotionNames& motions);
 
 /// The same under a pressure, of the torque too, and of both together.
 void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
-                  double friction, const MotionNames& motions);
+                  const FrictionLaw& friction, const MotionNames& motions);
 
 }  // namespace samcontact::contact

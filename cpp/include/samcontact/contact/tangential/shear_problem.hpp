@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shear under a given pressure: |s| <= mu p, no slip below the bound, slip along the shear on it.
+// Shear under a given pressure: |s| <= bound, no slip below the bound, slip along the shear on it.
 // What its iterations share, on the cells of contact of one box.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace samcontact::contact {
 
-/// Shear below this share of the largest pressure, or of mu times it, is none.
+/// Shear below this share of the largest pressure, or of the largest bound, is none.
 constexpr double smallest_share = 1e-12;
 
 /// Vectors are [component][cell] on the cells of contact.
@@ -39,7 +39,7 @@ struct ShearProblem {
   /// 0, or C stands for C - T C: the displacement less that of the cell whose index in the box is
   /// larger by so much, from which the material comes.
   std::size_t carried = 0;
-  Field bound;      // mu p > 0 [Pa], may be infinite
+  Field bound;      // of the friction law, > 0 [Pa], may be infinite
   Field free_slip;  // b [m]
   /// Nothing resists a shear that is the same everywhere: the bodies have no ends and touch
   /// everywhere. C has no inverse there, and what they slip on the mean is given.

@@ -9,6 +9,7 @@
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/base/grid.hpp"
+#include "samcontact/contact/laws/friction_law.hpp"
 #include "samcontact/contact/normal/drive.hpp"
 #include "samcontact/contact/tangential/shear_problem.hpp"
 
@@ -31,7 +32,7 @@ struct SlidBefore {
 /// Vector fields are [2][i][j] on the grid.
 struct ShearTask {
   const Field& pressure;  // [i][j] [Pa]
-  double friction = 0.0;  // mu, may be infinite
+  const FrictionLaw& friction;
   /// Before this increment, on body 2 [Pa]; empty: none.
   const Field& previous_shear;
   /// Slip of body 1 over body 2 in this increment but for the rigid motion and what the change of
@@ -56,7 +57,7 @@ struct ShearSolution {
   std::array<double, 3> force{};        // [N, N, N m]
   double friction_work = 0.0;           // of this increment [J]
   double error = 0.0;                   // natural residual e_t
-  double energy_gap = 0.0;              // [J]; no number where friction is infinite
+  double energy_gap = 0.0;              // [J]; no number where friction prevents slip
   int steps = 0, iterations = 0, fallbacks = 0;
   int operator_applications = 0;  // of C on the box of the contact
   /// Transforms of the whole solve in applications on the box of the contact.
@@ -100,6 +101,6 @@ std::array<double, 3> forces(const Grid& grid, const Field& shear);
 struct LargestForces {
   double along, torque;
 };
-LargestForces largest_forces(const Grid& grid, const Field& pressure, double friction);
+LargestForces largest_forces(const Grid& grid, const Field& pressure, const FrictionLaw& friction);
 
 }  // namespace samcontact::contact

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "samcontact/contact/coulomb_contact.hpp"
 #include "samcontact/contact/normal/drive.hpp"
+#include "samcontact/contact/partial_slip_contact.hpp"
 #include "samcontact/operators/heat/heating.hpp"
 #include "samcontact/simulation/cells/motion.hpp"
 #include "samcontact/simulation/scene/past_heat.hpp"

@@ -30,9 +30,9 @@ void require_volume(const Grid& grid, const Media& media, int body);
 class OperatorCache {
  public:
   /// image_tol: of volume operators and zones. split: of zones.
-  OperatorCache(const Grid& grid, const Media& media, const contact::GrossSliding& sliding,
+  OperatorCache(const Grid& grid, const Media& media, const contact::FrictionLaw& friction,
                 double image_tol, const operators::BandSplit& split)
-      : grid_(grid), media_(media), sliding_(sliding), image_tol_(image_tol), split_(split) {}
+      : grid_(grid), media_(media), friction_(friction), image_tol_(image_tol), split_(split) {}
 
   /// The contact in gross sliding with this heat; the last one is kept.
   std::shared_ptr<const contact::ContactSolver> solver(const operators::HeatingPair& heating) const;
@@ -86,7 +86,7 @@ class OperatorCache {
 
   Grid grid_;
   Media media_;
-  contact::GrossSliding sliding_;
+  contact::FrictionLaw friction_;
   double image_tol_;
   operators::BandSplit split_;
   mutable std::mutex mutex_;

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "samcontact/base/box.hpp"
-#include "samcontact/contact/coulomb_contact.hpp"
+#include "samcontact/contact/partial_slip_contact.hpp"
 #include "samcontact/plasticity/body.hpp"
 #include "samcontact/simulation/cells/mirror.hpp"
 #include "samcontact/simulation/cells/motion.hpp"
@@ -21,15 +21,15 @@ class Scene {
  public:
   /// reach: how far beyond the grid plastic strain acts along x [cells].
   Scene(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
-        Field initial_gap, const contact::Friction& friction, double image_tol,
+        Field initial_gap, const contact::FrictionLaw& friction, double image_tol,
         const HeatMarch& march, int reach, Reliefs reliefs, const operators::BandSplit& split = {});
 
   const Grid grid;
   const std::array<plasticity::Body, 2> bodies;
   const Media media;
   const Field initial_gap;
-  const contact::GrossSliding sliding;  // none where the bodies stick and slip
-  const std::unique_ptr<const contact::CoulombContact> coulomb;  // null: they do not stick
+  const contact::FrictionLaw friction;
+  const std::unique_ptr<const contact::PartialSlipContact> partial_slip;  // null in gross sliding
   const HeatMarch march;
   const int reach;
   const operators::BandSplit split;  // of zones

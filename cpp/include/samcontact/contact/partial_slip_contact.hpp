@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact of two elastic bodies that stick and slip on each other by Coulomb's law: pressure and
+// Contact of two elastic bodies that stick and slip on each other by a friction law: pressure and
 // shear for a drive, from what the increments before have left.
 #pragma once
 
@@ -7,15 +7,10 @@
 #include <vector>
 
 #include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/contact/laws/friction_law.hpp"
 #include "samcontact/contact/tangential/shear_solver.hpp"
 
 namespace samcontact::contact {
-
-/// Of a contact along its surface.
-struct Friction {
-  double coefficient = 0.0;  // mu
-  bool sticks = false;       // by Coulomb's law; else gross sliding
-};
 
 /// What a contact remembers: its tractions, which tell how the surfaces lie against each other, and
 /// how far they were apart where they did not touch.
@@ -33,7 +28,7 @@ struct ContactHistory {
 };
 
 /// What the iteration begins with; empty: what the increment before has left.
-struct CoulombStart {
+struct PartialSlipStart {
   Field pressure = {};  // [i][j] [Pa]
   Field shear = {};     // [2][i][j] [Pa]
   /// [i][j], which cells stick with it; empty: those below their bound.
@@ -41,46 +36,45 @@ struct CoulombStart {
   std::array<double, 3> motion = {};  // where forces are given [m, m, rad]
 };
 
-struct CoulombSolution {
+struct PartialSlipSolution {
   Solution normal;  // its tractions hold the pressure only; work counts that of shear too
   ShearSolution tangential;
   int sweeps = 1;  // between pressure and shear
 };
 
-class CoulombContact {
+class PartialSlipContact {
  public:
-  /// friction: coefficient mu >= 0, infinity: no slip. Throws std::invalid_argument where it is
-  /// not, or both bodies are rigid.
-  CoulombContact(const Grid& grid, const operators::SharedMedium& body1,
-                 const operators::SharedMedium& body2, double friction);
+  /// friction: a law that sticks. Throws std::invalid_argument where both bodies are rigid.
+  PartialSlipContact(const Grid& grid, const operators::SharedMedium& body1,
+                     const operators::SharedMedium& body2, const FrictionLaw& friction);
 
   /// One increment. Bodies alike: pressure, then shear. Else both in turn (Panagiotopoulos), each
   /// for the displacement of the other, accelerated; with stick everywhere a sweep contracts by the
   /// square of Dundurs' second constant. Throws std::invalid_argument (bad input, a force beyond
   /// friction), GridTooSmallError and ConvergenceError.
-  CoulombSolution solve(const Field& gap, Given normal, const TangentialDrive& tangential,
-                        const ContactHistory& before, const CoulombStart& start,
-                        const ContactSettings& settings) const;
+  PartialSlipSolution solve(const Field& gap, Given normal, const TangentialDrive& tangential,
+                            const ContactHistory& before, const PartialSlipStart& start,
+                            const ContactSettings& settings) const;
 
   /// Steady rolling towards +x with creepages along x and y and a spin, per way rolled [-, -, 1/m],
   /// or with the forces that they make; so are slip [-] and friction work [N] of the solution.
   /// Throws as solve does.
-  CoulombSolution roll(const Field& gap, Given normal, const TangentialDrive& creepage,
-                       const CoulombStart& start, const ContactSettings& settings) const;
+  PartialSlipSolution roll(const Field& gap, Given normal, const TangentialDrive& creepage,
+                           const PartialSlipStart& start, const ContactSettings& settings) const;
 
   const Grid& grid() const { return grid_; }
-  double friction() const { return friction_; }
+  const FrictionLaw& friction() const { return friction_; }
   /// Whether pressure and shear act on each other.
   bool is_coupled() const { return coupling_.is_on(); }
 
  private:
   class Sweeps;
   void require_contact(const Field& gap, Given normal, const ContactHistory& before) const;
-  CoulombSolution finished(CoulombSolution solution, Given normal,
-                           const ContactSettings& settings) const;
+  PartialSlipSolution finished(PartialSlipSolution solution, Given normal,
+                               const ContactSettings& settings) const;
 
   Grid grid_;
-  double friction_;
+  FrictionLaw friction_;
   double crosswise_;  // compliance
   Multilevel normal_;
   ShearSolver shear_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samcontact/contact/coulomb_contact.hpp"
+#include "samcontact/contact/partial_slip_contact.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -53,21 +54,22 @@ void require_vectors(const Field& field, const Grid& grid, const std::string& na
 
 }  // namespace
 
-CoulombContact::CoulombContact(const Grid& grid, const operators::SharedMedium& body1,
-                               const operators::SharedMedium& body2, double friction)
+PartialSlipContact::PartialSlipContact(const Grid& grid, const operators::SharedMedium& body1,
+                                       const operators::SharedMedium& body2,
+                                       const FrictionLaw& friction)
     : grid_(grid),
       friction_(friction),
       crosswise_(crosswise_compliance(grid, {body1, body2})),
       normal_(grid, frictionless(body1, body2)),
       shear_(grid, {body1, body2}),
       coupling_(grid, {body1, body2}) {
-  require(friction >= 0, "friction", "a number >= 0, or infinite", friction);
+  assert(friction.sticks());
 }
 
 /// One increment.
-class CoulombContact::Sweeps {
+class PartialSlipContact::Sweeps {
  public:
-  Sweeps(const CoulombContact& contact, const Field& gap, Given normal,
+  Sweeps(const PartialSlipContact& contact, const Field& gap, Given normal,
          const TangentialDrive& tangential, const ContactHistory& before,
          const ContactSettings& settings, bool rolls = false)
       : contact_(contact),
@@ -89,7 +91,7 @@ class CoulombContact::Sweeps {
 
   /// Bodies that act on each other do so through raised_, which is iterated until it is what the
   /// shear raises.
-  CoulombSolution run(Field pressure, const CoulombStart& start) {
+  PartialSlipSolution run(Field pressure, const PartialSlipStart& start) {
     s_.tangential.shear = start.shear;
     s_.tangential.sticking = start.sticking;
     s_.tangential.motion = start.motion;
@@ -178,11 +180,13 @@ class CoulombContact::Sweeps {
   Field shear_before() const {
     if (before_.pressure.empty() || !(longest(before_.shear) > 0)) return {};
     Field shear = before_.shear;
-    const double mu = contact_.friction_;
-    for (std::size_t i = 0; i < n_ && !std::isinf(mu); ++i) {
-      const double bound = mu * before_.pressure[i];
+    const FrictionLaw& law = contact_.friction_;
+    if (law.prevents_slip()) return shear;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double p = before_.pressure[i], now = s_.normal.tractions.pressure[i];
+      const double bound = law.bound(p);
       if (!(bound > 0) || std::hypot(shear[i], shear[n_ + i]) < bound * on_circle) continue;
-      const double grown = s_.normal.tractions.pressure[i] / before_.pressure[i];
+      const double grown = now > 0 ? law.ratio(now) / law.ratio(p) * (now / p) : 0.0;
       shear[i] *= grown;
       shear[n_ + i] *= grown;
     }
@@ -195,12 +199,24 @@ class CoulombContact::Sweeps {
     const double closer = s_.normal.motion.approach - before_.approach;
     if (before_.pressure.empty() || before_.has_moved || !(closer > 0)) return {};
     if (gap_before_.empty()) gap_before_ = find_gap_before();
-    // Shear that is mu p slides round contacts so far.
-    const double most = 0.5 * (1 + contact_.crosswise_) * contact_.friction_ * closer;
+    // Shear in this proportion to the pressure slides round contacts so far.
+    const double ratio = contact_.friction_.ratio(mean_pressure());
+    const double most = 0.5 * (1 + contact_.crosswise_) * ratio * closer;
     return slip_in_touch(
         contact_.grid_,
         {before_.pressure, s_.normal.tractions.pressure, gap_before_, closer, given_motion(), most},
         contact_.crosswise_);
+  }
+
+  /// Of the contact [m^2].
+  double area() const {
+    const Field& p = s_.normal.tractions.pressure;
+    const auto cells = std::count_if(p.begin(), p.end(), [](double v) { return v > 0; });
+    return static_cast<double>(cells) * contact_.grid_.cell_area();
+  }
+  double mean_pressure() const {
+    const double contact = area();
+    return contact > 0 ? s_.normal.load / contact : 0.0;
   }
 
   /// The largest given slip, about [m].
@@ -208,9 +224,7 @@ class CoulombContact::Sweeps {
     const auto given = [this](int k) {
       return tangential_[k].is_force() ? 0.0 : tangential_[k].value;
     };
-    const Field& p = s_.normal.tractions.pressure;
-    const auto cells = std::count_if(p.begin(), p.end(), [](double v) { return v > 0; });
-    const double size = std::sqrt(static_cast<double>(cells) * contact_.grid_.cell_area());
+    const double size = std::sqrt(area());
     return std::hypot(given(0), given(1)) + 0.5 * size * std::fabs(given(2));
   }
 
@@ -252,7 +266,7 @@ class CoulombContact::Sweeps {
     return change;
   }
 
-  const CoulombContact& contact_;
+  const PartialSlipContact& contact_;
   const Field& gap_;
   const Given normal_;
   const TangentialDrive& tangential_;
@@ -265,13 +279,13 @@ class CoulombContact::Sweeps {
   Field slid_before_;  // B' p of the history
   SlidBefore slid_by_shear_;
   ComplexField work_;
-  CoulombSolution s_;
+  PartialSlipSolution s_;
 };
 
 namespace {
 
-void require_solved(const CoulombSolution& solution, Given normal, const ContactSettings& settings,
-                    bool may_have_none) {
+void require_solved(const PartialSlipSolution& solution, Given normal,
+                    const ContactSettings& settings, bool may_have_none) {
   const ShearSolution& shear = solution.tangential;
   if (!is_finite(solution.normal) || !all_finite(shear.shear) || !all_finite(shear.slip)) {
     throw ConvergenceError("stick and slip did not converge at " + describe(Drive{normal}) +
@@ -293,7 +307,7 @@ void require_solved(const CoulombSolution& solution, Given normal, const Contact
     text +=
         "; bodies unlike with so much friction may have no solution, as cells at the edge can "
         "neither stick nor part: take a friction of at most " +
-        to_text(always_solved);
+        to_text(always_solved) + " times the pressure";
   }
   throw ConvergenceError(text, solution.normal.iterations + shear.iterations,
                          std::max(shear.error, solution.normal.error));
@@ -301,8 +315,8 @@ void require_solved(const CoulombSolution& solution, Given normal, const Contact
 
 }  // namespace
 
-void CoulombContact::require_contact(const Field& gap, Given normal,
-                                     const ContactHistory& before) const {
+void PartialSlipContact::require_contact(const Field& gap, Given normal,
+                                         const ContactHistory& before) const {
   require_gap(gap, grid_, "gap");
   if (!before.pressure.empty()) {
     require_surface(before.pressure, grid_, "previous.pressure");
@@ -313,9 +327,9 @@ void CoulombContact::require_contact(const Field& gap, Given normal,
   require_below_mean(grid_, gap, normal);
 }
 
-CoulombSolution CoulombContact::finished(CoulombSolution solution, Given normal,
-                                         const ContactSettings& settings) const {
-  require_solved(solution, normal, settings, is_coupled() && friction_ > always_solved);
+PartialSlipSolution PartialSlipContact::finished(PartialSlipSolution solution, Given normal,
+                                                 const ContactSettings& settings) const {
+  require_solved(solution, normal, settings, is_coupled() && friction_.ratio(0.0) > always_solved);
   Solution& pressed = solution.normal;
   pressed.border_complaint =
       border_complaint(grid_, pressed.tractions.pressure, describe(Drive{normal}));
@@ -325,15 +339,14 @@ CoulombSolution CoulombContact::finished(CoulombSolution solution, Given normal,
   return solution;
 }
 
-CoulombSolution CoulombContact::solve(const Field& gap, Given normal,
-                                      const TangentialDrive& tangential,
-                                      const ContactHistory& before, const CoulombStart& start,
-                                      const ContactSettings& settings) const {
+PartialSlipSolution PartialSlipContact::solve(const Field& gap, Given normal,
+                                              const TangentialDrive& tangential,
+                                              const ContactHistory& before,
+                                              const PartialSlipStart& start,
+                                              const ContactSettings& settings) const {
   require_contact(gap, normal, before);
   if (!start.pressure.empty()) require_surface(start.pressure, grid_, "initial_pressure");
-  if (normal.is_force() && !std::isinf(friction_)) {
-    require_held(tangential, friction_ * normal.value, increment_motions);
-  }
+  if (normal.is_force()) require_held(tangential, friction_, normal.value, increment_motions);
   Field pressure = start.pressure.empty() ? before.pressure : start.pressure;
   pressure.resize(gap.size(), 0.0);
   for (double& p : pressure) p = std::max(p, 0.0);
@@ -341,15 +354,14 @@ CoulombSolution CoulombContact::solve(const Field& gap, Given normal,
   return finished(sweeps.run(std::move(pressure), start), normal, settings);
 }
 
-CoulombSolution CoulombContact::roll(const Field& gap, Given normal,
-                                     const TangentialDrive& creepage, const CoulombStart& start,
-                                     const ContactSettings& settings) const {
+PartialSlipSolution PartialSlipContact::roll(const Field& gap, Given normal,
+                                             const TangentialDrive& creepage,
+                                             const PartialSlipStart& start,
+                                             const ContactSettings& settings) const {
   require_contact(gap, normal, {start.pressure, start.shear, {}});
-  if (normal.is_force() && !std::isinf(friction_)) {
-    require_held(creepage, friction_ * normal.value, rolling_motions);
-  }
+  if (normal.is_force()) require_held(creepage, friction_, normal.value, rolling_motions);
   const ContactHistory none;
-  CoulombStart begin = start;
+  PartialSlipStart begin = start;
   begin.pressure.resize(gap.size(), 0.0);
   // No shear to start from: coarser boxes first.
   if (!begin.shear.empty() && !(longest(begin.shear) > 0)) begin.shear.clear();

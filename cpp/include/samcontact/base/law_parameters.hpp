@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the parameters of a law may be, as its struct says it.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace samcontact {
+
+/// What a parameter may be: low <= value <= high, or low < value; finite, but for what is allowed.
+struct Allowed {
+  const char* unit;  // "" for a plain number
+  double low = 0.0, high = std::numeric_limits<double>::infinity();
+  bool above_low = false;
+  const char* infinite = nullptr;  // what an infinite value means; null: it must be finite
+
+  static constexpr Allowed positive(const char* unit) { return {.unit = unit, .above_low = true}; }
+};
+
+/// A parameter of a law, for those who make one by name.
+struct LawParameter {
+  std::string name;
+  Allowed allowed;
+  bool many = false;  // a list of such numbers
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what is allowed.
+void require_allowed(const std::string& name, double value, const Allowed& allowed);
+/// The same of each value; name[n] is named.
+void require_allowed(const std::string& name, const std::vector<double>& values,
+                     const Allowed& allowed);
+/// "name[n]".
+std::string entry(const std::string& name, std::size_t n);
+
+/// Calls `function` with each alternative of a variant, without values.
+template <class Laws, class Function>
+void for_each_law(const Function& function) {
+  [&]<std::size_t... n>(std::index_sequence<n...>) {
+    (function(std::variant_alternative_t<n, Laws>{}), ...);
+  }(std::make_index_sequence<std::variant_size_v<Laws>>{});
+}
+
+}  // namespace samcontact

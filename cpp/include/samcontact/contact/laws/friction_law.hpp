@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Friction laws: the largest shear of a cell as a function of its pressure.
+//
+// A law is a struct here and an alternative of FrictionLaw::Laws. It says its name, its parameters
+// and what they may be; checks, bindings and case files take it from there.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "samcontact/base/law_parameters.hpp"
+#include "samcontact/fft/mirrored_transform.hpp"
+#include "samcontact/operators/influence/tractions.hpp"
+
+namespace samcontact::contact {
+
+/// Body 1 slides over body 2 towards +x everywhere: the shear is mu p, and is not solved for.
+struct GrossSliding {
+  static constexpr auto name = "gross_sliding",
+                        says = "Gross sliding along x, with the shear mu p.";
+  static constexpr bool sticks = false;
+  double coefficient;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("coefficient", law.coefficient, Allowed{""});
+  }
+  double bound(double pressure) const { return coefficient * pressure; }
+  double ratio(double) const { return coefficient; }
+  bool operator==(const GrossSliding&) const = default;
+};
+
+/// At most mu p.
+struct Coulomb {
+  static constexpr auto name = "coulomb", says = "Coulomb's law: the shear is at most mu p.";
+  static constexpr bool sticks = true;
+  double coefficient;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("coefficient", law.coefficient, Allowed{.unit = "", .infinite = "no slip"});
+  }
+  double bound(double pressure) const { return coefficient * pressure; }
+  double ratio(double) const { return coefficient; }
+  bool operator==(const Coulomb&) const = default;
+};
+
+/// At most k, at any pressure.
+struct Tresca {
+  static constexpr auto name = "tresca", says = "A shear of at most k, at any pressure.";
+  static constexpr bool sticks = true;
+  double limit;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("limit", law.limit, Allowed{.unit = "Pa", .infinite = "no slip"});
+  }
+  double bound(double) const { return limit; }
+  double ratio(double pressure) const { return limit > 0 ? limit / pressure : 0.0; }
+  bool operator==(const Tresca&) const = default;
+};
+
+/// At most mu p, and at most k.
+struct CappedCoulomb {
+  static constexpr auto name = "capped_coulomb", says = "A shear of at most mu p, and at most k.";
+  static constexpr bool sticks = true;
+  double coefficient, limit;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("coefficient", law.coefficient, Allowed{""});
+    visit("limit", law.limit, Allowed{.unit = "Pa", .infinite = "Coulomb friction"});
+  }
+  double bound(double pressure) const { return std::min(coefficient * pressure, limit); }
+  double ratio(double pressure) const {
+    return limit > 0 ? std::min(coefficient, limit / pressure) : 0.0;
+  }
+  bool operator==(const CappedCoulomb&) const = default;
+};
+
+/// What is told of a law to those who make one by name.
+struct FrictionDescription {
+  std::string name, says;
+  bool sticks;
+  std::vector<LawParameter> parameters;
+};
+
+/// One of the laws, its parameters checked.
+class FrictionLaw {
+ public:
+  using Laws = std::variant<GrossSliding, Coulomb, Tresca, CappedCoulomb>;
+  using Values = std::map<std::string, double>;
+
+  /// Throws std::invalid_argument naming the parameter, its value and what is allowed.
+  explicit FrictionLaw(Laws law);
+  static FrictionLaw named(const std::string& name, const Values& values);
+  static std::vector<FrictionDescription> descriptions();
+
+  /// Whether cells stick below the bound, and the shear is solved for.
+  bool sticks() const;
+  /// The largest shear under a pressure [Pa]; 0 out of contact, infinite without slip.
+  double bound(double pressure) const;
+  /// The same of all cells.
+  Field bound(Field pressure) const;
+  /// The largest shear over a pressure >= 0 [-]; it does not grow with the pressure, so that
+  /// friction holds at most ratio(0) times the load.
+  double ratio(double pressure) const;
+  bool is_frictionless() const { return bound(1.0) == 0; }
+  bool prevents_slip() const;
+
+  /// Whether the bodies slide everywhere, and with friction.
+  bool slides() const { return shear_over_pressure(1) > 0; }
+  /// Of gross sliding, else 0: shear s_x over the pressure on body 1 or 2 (index 0 or 1), mu on
+  /// body 2, -mu on body 1.
+  double shear_over_pressure(int body) const;
+  /// Tractions on body 2 that follow from a pressure [Pa]: the shear of gross sliding, or none.
+  operators::Tractions tractions(Field pressure) const;
+  /// Mirror planes that these leave.
+  fft::Symmetry symmetry() const;
+
+  bool operator==(const FrictionLaw&) const = default;
+
+ private:
+  /// What the function returns for the law itself.
+  template <class Function>
+  decltype(auto) visit(Function&& function) const {
+    return std::visit(std::forward<Function>(function), law_);
+  }
+
+  Laws law_;
+};
+
+}  // namespace samcontact::contact

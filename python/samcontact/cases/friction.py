@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Friction of a case file: a coefficient of gross sliding, or one of the friction laws."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Any
+
+from pydantic import Discriminator, Tag, create_model, model_validator
+
+from ..scene.friction import LAWS, FrictionLaw, law_of
+from .base import NonNegative, Section
+from .bodies import field_of
+
+
+class _FrictionLaw(Section):
+    """A law by which bodies stick and slip, by its name; inf: no slip at all."""
+
+    @model_validator(mode="after")
+    def _one_law(self) -> _FrictionLaw:
+        names = type(self).model_fields
+        given = [name for name in names if getattr(self, name) is not None]
+        if len(given) != 1:
+            raise ValueError(
+                f"give exactly one of {', '.join(names)}; got {', '.join(given) or 'none'}"
+            )
+        return self
+
+    def build(self) -> FrictionLaw:
+        """The law, of its one parameter or a section of them."""
+        ((name, given),) = self.model_dump(exclude_none=True).items()
+        parameters = given if isinstance(given, dict) else {next(iter(LAWS[name].constants)): given}
+        return law_of({"law": name, **parameters})
+
+
+def _friction_section() -> Any:
+    """The section of all laws: a number where a law has one parameter, else a section."""
+    laws: dict[str, Any] = {}
+    for name, law in LAWS.items():
+        if not law.sticks:
+            continue
+        fields = {n: field_of(constant) for n, constant in law.constants.items()}
+        annotation = next(iter(fields.values()))
+        if len(fields) > 1:
+            parameters: dict[str, Any] = {n: (field, ...) for n, field in fields.items()}
+            annotation = create_model(
+                f"{law.__name__}Parameters",
+                __base__=Section,
+                __doc__=f"Parameters of `{law.__name__}`.",
+                __module__=__name__,
+                **parameters,
+            )
+            globals()[annotation.__name__] = annotation  # where a pickle looks for it
+        laws[name] = (annotation | None, None)
+    says = _FrictionLaw.__doc__
+    return create_model(
+        "FrictionSection", __base__=_FrictionLaw, __doc__=says, __module__=__name__, **laws
+    )
+
+
+if TYPE_CHECKING:
+    FrictionSection = _FrictionLaw
+else:
+    FrictionSection = _friction_section()
+
+
+def _kind_of_friction(given: Any) -> str:
+    return "law" if isinstance(given, (dict, FrictionSection)) else "number"
+
+
+FrictionField = Annotated[
+    Annotated[NonNegative, Tag("number")] | Annotated[FrictionSection, Tag("law")],
+    Discriminator(_kind_of_friction),
+]
+
+
+def friction_of(given: float | FrictionSection) -> float | FrictionLaw:
+    """Argument `friction` of a simulation."""
+    return given.build() if isinstance(given, FrictionSection) else given
