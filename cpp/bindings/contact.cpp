@@ -25,9 +25,15 @@ using contact::ContactSolver;
 using contact::Drive;
 
 /// Fields of a ContactSolution.
-py::dict to_python(contact::Solution solution, const Grid& grid) {
+py::dict to_python(contact::Solution solution, const Grid& grid, const contact::ContactLaw& law) {
   py::dict result;
+  Field repulsion;
+  if (law.attracts()) {
+    repulsion = contact::repulsion(law, solution.tractions.pressure, solution.gap);
+  }
   result["pressure"] = surface_array(std::move(solution.tractions.pressure), grid);
+  result["repulsion"] =
+      law.attracts() ? surface_array(std::move(repulsion), grid) : result["pressure"];
   result["gap"] = surface_array(std::move(solution.gap), grid);
   result["approach"] = solution.motion.approach;
   result["load"] = solution.load;
@@ -52,7 +58,7 @@ py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, 
     solution =
         solver.solve(h, load_driven ? Drive::load(value) : Drive::approach(value), start, settings);
   }
-  return to_python(std::move(solution), solver.grid());
+  return to_python(std::move(solution), solver.grid(), solver.law());
 }
 
 py::array_t<bool> flags_array(const std::vector<unsigned char>& flags, const Grid& grid) {
@@ -62,9 +68,11 @@ py::array_t<bool> flags_array(const std::vector<unsigned char>& flags, const Gri
 }
 
 /// Fields of a StickSlipSolution, without the totals of increments before.
-py::dict to_python(contact::PartialSlipSolution solution, const Grid& grid) {
+py::dict to_python(contact::PartialSlipSolution solution,
+                   const contact::PartialSlipContact& contact) {
   auto& [normal, tangential, sweeps] = solution;
-  py::dict result = to_python(std::move(normal), grid);
+  const Grid& grid = contact.grid();
+  py::dict result = to_python(std::move(normal), grid, contact.law());
   result["shear"] = vector_array(std::move(tangential.shear), grid);
   result["slip"] = vector_array(std::move(tangential.slip), grid);
   result["sticking"] = flags_array(tangential.sticking, grid);
@@ -100,7 +108,7 @@ py::dict stick_and_slip(const contact::PartialSlipContact& contact, const Array&
     solution = contact.solve(h, normal, contact::tangential_drive(is_force, tangential), before,
                              start, settings);
   }
-  return to_python(std::move(solution), contact.grid());
+  return to_python(std::move(solution), contact);
 }
 
 py::dict roll(const contact::PartialSlipContact& contact, const Array& gap, bool load_driven,
@@ -120,7 +128,7 @@ py::dict roll(const contact::PartialSlipContact& contact, const Array& gap, bool
     solution =
         contact.roll(h, normal, contact::tangential_drive(is_force, tangential), start, settings);
   }
-  return to_python(std::move(solution), contact.grid());
+  return to_python(std::move(solution), contact);
 }
 
 /// Shear s_x on body 2 that goes with a pressure; None without friction.
@@ -170,15 +178,24 @@ void bind_contact(py::module_& m) {
   m.def("contact_outline", &outline, py::arg("pressure"), py::arg("along_x"), py::arg("along_y"),
         py::arg("rise"));
   bind_friction(m);
+  py::class_<contact::ContactLaw, std::shared_ptr<contact::ContactLaw>>(m, "ContactLaw")
+      .def(py::init([](const std::string& kind, const std::vector<double>& parameters) {
+             return std::const_pointer_cast<contact::ContactLaw>(
+                 contact::contact_law(kind, parameters));
+           }),
+           py::arg("kind"), py::arg("parameters"))
+      .def_property_readonly("attracts", &contact::ContactLaw::attracts);
+
   py::class_<ContactSolver>(m, "ContactSolver")
-      .def(
-          py::init([](const Grid& grid, const Stack& body1, const Stack& body2,
-                      const contact::FrictionLaw& friction, const operators::HeatingPair& heating) {
-            return std::make_unique<ContactSolver>(grid, operators::medium_of(body1),
-                                                   operators::medium_of(body2), friction, heating);
-          }),
-          py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
-          py::arg("heating"))
+      .def(py::init([](const Grid& grid, const Stack& body1, const Stack& body2,
+                       const contact::FrictionLaw& friction, const operators::HeatingPair& heating,
+                       const std::shared_ptr<contact::ContactLaw>& law) {
+             return std::make_unique<ContactSolver>(grid, operators::medium_of(body1),
+                                                    operators::medium_of(body2), friction, heating,
+                                                    law);
+           }),
+           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
+           py::arg("heating"), py::arg("contact_law"))
       .def("solve", &solve, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
            py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
            py::arg("error_on_border"))
@@ -187,11 +204,13 @@ void bind_contact(py::module_& m) {
   m.attr("spin_lead") = contact::spin_lead;
   py::class_<contact::PartialSlipContact>(m, "PartialSlipContact")
       .def(py::init([](const Grid& grid, const Stack& body1, const Stack& body2,
-                       const contact::FrictionLaw& friction) {
+                       const contact::FrictionLaw& friction,
+                       const std::shared_ptr<contact::ContactLaw>& law) {
              return std::make_unique<contact::PartialSlipContact>(
-                 grid, operators::medium_of(body1), operators::medium_of(body2), friction);
+                 grid, operators::medium_of(body1), operators::medium_of(body2), friction, law);
            }),
-           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"))
+           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
+           py::arg("contact_law"))
       .def_property_readonly("is_coupled", &contact::PartialSlipContact::is_coupled)
       .def("solve", &stick_and_slip, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
            py::arg("is_force"), py::arg("tangential"), py::arg("previous_pressure"),

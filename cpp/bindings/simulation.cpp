@@ -7,6 +7,7 @@
 #include "rooms.hpp"
 #include "samcontact/simulation/cells/mirror.hpp"
 #include "samcontact/simulation/simulation.hpp"
+#include "samcontact/simulation/state/contact_fields.hpp"
 #include "samcontact/simulation/state/description.hpp"
 #include "samcontact/simulation/state/flow_zones.hpp"
 #include "samcontact/simulation/state/strain_fields.hpp"
@@ -224,6 +225,12 @@ void bind_state(py::module_& m) {
              Field gap = worked([&] { return simulation::gap(state); });
              return surface_array(std::move(gap), state.scene().grid);
            })
+      .def("repulsion",
+           [](const State& state) {
+             Field repulsion = worked([&] { return simulation::repulsion(state); });
+             return surface_array(std::move(repulsion), state.scene().grid);
+           })
+      .def("attraction_energy", &simulation::attraction_energy)
       .def("max_equivalent_plastic_strain", &simulation::max_equivalent_plastic_strain,
            py::arg("body"))
       .def("max_plastic_strain_magnitude", &simulation::max_plastic_strain_magnitude,
@@ -347,7 +354,8 @@ void bind_simulation(py::module_& m) {
                [](const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
                   const Array& gap, const contact::FrictionLaw& friction, Settings settings,
                   const std::array<double, 2>& march, const std::array<py::object, 2>& softening,
-                  const std::array<py::object, 2>& reliefs) {
+                  const std::array<py::object, 2>& reliefs,
+                  const std::shared_ptr<contact::ContactLaw>& contact_law) {
                  for (int b = 0; b < 2; ++b) {
                    if (!softening[b].is_none())
                      settings.softening[b] = softening_law(softening[b], grid);
@@ -355,11 +363,11 @@ void bind_simulation(py::module_& m) {
                  const Team team;
                  return std::make_unique<Simulation>(
                      grid, body1, body2, to_field(gap), friction, settings,
-                     simulation::HeatMarch{march[0], march[1]}, to_reliefs(reliefs));
+                     simulation::HeatMarch{march[0], march[1]}, to_reliefs(reliefs), contact_law);
                }),
            py::kw_only(), py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"),
            py::arg("friction"), py::arg("settings"), py::arg("march"), py::arg("softening"),
-           py::arg("reliefs"))
+           py::arg("reliefs"), py::arg("contact_law"))
       .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
            py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"), py::arg("duration"),
            py::arg("advance"), py::arg("is_force"), py::arg("tangential"))

@@ -102,6 +102,10 @@ class Body:
     stack: Stack
     def __init__(self, substrate: Material, layers: list[tuple[Material, float]]) -> None: ...
 
+class ContactLaw:
+    attracts: bool
+    def __init__(self, kind: str, parameters: list[float]) -> None: ...
+
 class FrictionLaw:
     def __init__(self, name: str, values: dict[str, float]) -> None: ...
     def ratio(self, pressure: float) -> float: ...
@@ -109,7 +113,13 @@ class FrictionLaw:
 
 class ContactSolver:
     def __init__(
-        self, grid: Grid, body1: Stack, body2: Stack, friction: FrictionLaw, heating: Heatings
+        self,
+        grid: Grid,
+        body1: Stack,
+        body2: Stack,
+        friction: FrictionLaw,
+        heating: Heatings,
+        contact_law: ContactLaw,
     ) -> None: ...
     def solve(
         self,
@@ -128,7 +138,14 @@ def contact_outline(
 ) -> tuple[int, int, int, bool, float]: ...
 
 class PartialSlipContact:
-    def __init__(self, grid: Grid, body1: Stack, body2: Stack, friction: FrictionLaw) -> None: ...
+    def __init__(
+        self,
+        grid: Grid,
+        body1: Stack,
+        body2: Stack,
+        friction: FrictionLaw,
+        contact_law: ContactLaw,
+    ) -> None: ...
     is_coupled: bool
     def solve(
         self,
@@ -185,6 +202,8 @@ class State:
     def deviator_in_own_box(self, body: int, loaded: bool) -> FloatArray: ...
     def stress_in_zones(self, body: int, loaded: bool) -> FloatArray: ...
     def gap(self) -> FloatArray: ...
+    def repulsion(self) -> FloatArray: ...
+    def attraction_energy(self) -> float: ...
     def max_equivalent_plastic_strain(self, body: int) -> float: ...
     def max_plastic_strain_magnitude(self, body: int) -> float: ...
     def plastic_cells(self, body: int) -> int: ...
@@ -240,6 +259,7 @@ class Simulation:
         march: tuple[float, float],
         softening: list[Callable[[FloatArray], FloatArray] | None],
         reliefs: list[tuple[FloatArray, int, bool, FloatArray | None] | None],
+        contact_law: ContactLaw,
     ) -> None: ...
     def step(
         self,

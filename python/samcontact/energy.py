@@ -243,6 +243,11 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
             f"friction must be samcontact.Coulomb(mu), got {simulation.friction!r}: gross sliding "
             "has no motion along the surface"
         )
+    if simulation.contact_law.attracts:
+        return (
+            f"contact_law must be without attraction, which stores energy too, got "
+            f"{simulation.contact_law!r}"
+        )
     if any(any(state.travel) for state in states):
         return "states must be of bodies that stay in their place, but they have moved on"
     if not all(_have_equal_eigenstrain(states[0], state) for state in states):

@@ -54,6 +54,7 @@ CORE_USERS = {
     "operators",
     "restart.file",
     "rolling",
+    "scene.contact_law",
     "scene.friction",
     "scene.grid",
     "scene.heating",

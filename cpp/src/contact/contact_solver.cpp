@@ -10,6 +10,7 @@
 
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/iteration/anderson.hpp"
+#include "samcontact/contact/normal/attraction.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -26,10 +27,12 @@ bool is_zero(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
 }
 
-/// Largest pressure on the sides of the grid across x and across y.
-std::array<double, 2> border_pressure(const Grid& grid, const Field& pressure) {
+/// Largest repulsion on the sides of the grid across x and across y.
+std::array<double, 2> border_repulsion(const Grid& grid, const Field& repulsion) {
   std::array<double, 2> largest{};
-  const auto at = [&](int i, int j) { return pressure[static_cast<std::size_t>(i) * grid.ny + j]; };
+  const auto at = [&](int i, int j) {
+    return repulsion[static_cast<std::size_t>(i) * grid.ny + j];
+  };
   for (int j = 0; grid.period.x == 0 && j < grid.ny; ++j) {
     largest[0] = std::max({largest[0], at(0, j), at(grid.nx - 1, j)});
   }
@@ -44,7 +47,7 @@ std::array<double, 2> border_pressure(const Grid& grid, const Field& pressure) {
 double change_in_contact(const Field& a, const Field& b, const Field& pressure, bool load_driven) {
   double lowest = INFINITY, highest = -INFINITY;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (pressure[i] <= 0) continue;
+    if (!in_contact(pressure[i])) continue;
     lowest = std::min(lowest, a[i] - b[i]);
     highest = std::max(highest, a[i] - b[i]);
   }
@@ -92,23 +95,22 @@ void require_below_mean(const Grid& grid, const Field& gap, Given normal) {
           normal.value);
 }
 
-std::string border_complaint(const Grid& grid, const Field& pressure, const std::string& what) {
-  const auto [at_x, at_y] = border_pressure(grid, pressure);
-  if (at_x <= 0 && at_y <= 0) return {};
-  const double most = *std::max_element(pressure.begin(), pressure.end());
+std::string border_complaint(const Grid& grid, const Field& repulsion, const std::string& what) {
+  const auto [at_x, at_y] = border_repulsion(grid, repulsion);
+  if (!in_contact(at_x) && !in_contact(at_y)) return {};
+  const double most = *std::max_element(repulsion.begin(), repulsion.end());
   const auto percent = [most](double p) { return to_short_text(100 * p / most) + " % "; };
   std::string where, what_helps;
-  if (at_x > 0) {
+  if (in_contact(at_x)) {
     where = percent(at_x) + "at the sides across x";
     what_helps = "nx dx";
   }
-  if (at_y > 0) {
+  if (in_contact(at_y)) {
     where += (where.empty() ? "" : ", ") + percent(at_y) + "at those across y";
     what_helps += what_helps.empty() ? "ny dy" : " and ny dy";
   }
-  const auto touching =
-      std::count_if(pressure.begin(), pressure.end(), [](double p) { return p > 0; });
-  const double share = static_cast<double>(touching) / static_cast<double>(pressure.size());
+  const auto touching = std::count_if(repulsion.begin(), repulsion.end(), in_contact);
+  const double share = static_cast<double>(touching) / static_cast<double>(repulsion.size());
   const std::string cover =
       share >= covered ? ", and covers " + to_short_text(100 * share) + " % of it" : "";
   return "at " + what + " the contact touches the border of the grid (" +
@@ -116,24 +118,32 @@ std::string border_complaint(const Grid& grid, const Field& pressure, const std:
          " m), with a pressure of " + where + " of the largest" + cover + ": enlarge " + what_helps;
 }
 
-GridTooSmallError too_small(const Grid& grid, const Field& pressure, const std::string& complaint) {
-  const auto [at_x, at_y] = border_pressure(grid, pressure);
-  return {complaint + ", or ask for a warning with on_border=\"warn\"", at_x > 0, at_y > 0};
+GridTooSmallError too_small(const Grid& grid, const Field& repulsion,
+                            const std::string& complaint) {
+  const auto [at_x, at_y] = border_repulsion(grid, repulsion);
+  return {complaint + ", or ask for a warning with on_border=\"warn\"", in_contact(at_x),
+          in_contact(at_y)};
 }
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
                              const operators::SharedMedium& body2, const FrictionLaw& friction,
-                             const operators::HeatingPair& heating)
-    : ContactSolver(grid, influence_of(grid, {body1, body2}, friction, heating), friction) {
+                             const operators::HeatingPair& heating, SharedContactLaw law)
+    : ContactSolver(grid, influence_of(grid, {body1, body2}, friction, heating), friction,
+                    std::move(law)) {
   assert(!friction.sticks());
 }
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence,
-                             const FrictionLaw& friction)
+                             const FrictionLaw& friction, SharedContactLaw law)
     : grid_(grid),
       friction_(friction),
+      law_(std::move(law)),
       heated_(influence.is_heated()),
-      multilevel_(grid, influence) {}
+      multilevel_(grid, influence) {
+  if (heated_ && law_->attracts()) {
+    throw std::invalid_argument("heat cannot enter surfaces that attract each other");
+  }
+}
 
 void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
                                    const ContactSettings& settings) const {
@@ -175,30 +185,33 @@ Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field&
                               const ContactSettings& settings) const {
   require_gap(gap, grid_, "gap");
   if (!initial_pressure.empty()) require_surface(initial_pressure, grid_, "initial_pressure");
-  require_valid(drive);
+  require_valid(drive, *law_);
   require_below_mean(grid_, gap, drive.normal);
   require(settings.tol >= 1e-13 && settings.tol < 1, "tol", "in [1e-13, 1)", settings.tol);
   require(settings.max_iterations > 0, "max_iterations", "an integer > 0", settings.max_iterations);
-  Field pressure = initial_pressure;
-  pressure.resize(gap.size(), 0.0);
-  for (double& p : pressure) p = std::max(p, 0.0);
+  const Attraction attraction(*law_, grid_, multilevel_.displacement(), gap);
+  const Given normal = attraction.normal(drive.normal);
+  Field repulsion = attraction.repulsion(initial_pressure);
+  repulsion.resize(gap.size(), 0.0);
+  for (double& r : repulsion) r = std::max(r, 0.0);
 
   Solution solution = multilevel_.displacement().has_rest()
-                          ? solve_coupled(gap, drive.normal, std::move(pressure), settings)
-                          : multilevel_.solve(gap, drive.normal, std::move(pressure), settings.tol,
-                                              settings.max_iterations);
+                          ? solve_coupled(attraction.gap(), normal, std::move(repulsion), settings)
+                          : multilevel_.solve(attraction.gap(), normal, std::move(repulsion),
+                                              settings.tol, settings.max_iterations);
   require_solved(solution, drive, settings);
   solution.border_complaint = border_complaint(grid_, solution.tractions.pressure, describe(drive));
   if (!solution.border_complaint.empty() && settings.on_border == OnBorder::error) {
     throw too_small(grid_, solution.tractions.pressure, solution.border_complaint);
   }
   solution.tractions = friction_.tractions(std::move(solution.tractions.pressure));
-  return solution;
+  return attraction.with_attraction(std::move(solution), drive.normal);
 }
 
 bool ContactSolver::is_unstable(const Field& pressure) const {
   Field contact(pressure.size()), displacement(pressure.size());
-  for (std::size_t i = 0; i < pressure.size(); ++i) contact[i] = pressure[i] > 0 ? 1.0 : 0.0;
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    contact[i] = in_contact(pressure[i]) ? 1.0 : 0.0;
   ComplexField scratch;
   multilevel_.displacement().apply(contact.data(), displacement.data(), scratch);
   return ordered_dot(contact.data(), displacement.data(), contact.size()) < 0;

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <span>
 
+#include "samcontact/contact/laws/contact_law.hpp"
+
 namespace samcontact::contact {
 
 namespace {
@@ -21,12 +23,12 @@ struct Line {
 /// Adds the sides across a line between cell i and the next one, at its end the first.
 void add_side(const Line& p, int i, double rise, Outline& found) {
   const int next = i + 1 < p.n ? i + 1 : 0;
-  if ((p[i] > 0) == (p[next] > 0)) return;
+  if (in_contact(p[i]) == in_contact(p[next])) return;
   ++found.sides;
-  const bool ascends = p[next] > 0;
+  const bool ascends = in_contact(p[next]);
   const int own = ascends ? next : i;
   const int inner = ascends ? (next + 1) % p.n : (i + p.n - 1) % p.n;
-  found.rises |= p[inner] > 0 && p[own] > rise * p[inner];
+  found.rises |= in_contact(p[inner]) && p[own] > rise * p[inner];
 }
 
 void add_line(const Line& p, bool periodic, double rise, Outline& found) {
@@ -37,8 +39,8 @@ void add_line(const Line& p, bool periodic, double rise, Outline& found) {
 /// How far contact reaches from a cell in it.
 int reach(const Line& p, int at) {
   int before = at, behind = at;
-  while (before > 0 && p[before - 1] > 0) --before;
-  while (behind + 1 < p.n && p[behind + 1] > 0) ++behind;
+  while (before > 0 && in_contact(p[before - 1])) --before;
+  while (behind + 1 < p.n && in_contact(p[behind + 1])) ++behind;
   return std::min(at - before, behind - at + 1);
 }
 
@@ -51,8 +53,8 @@ Outline outline(std::span<const double> pressure, const Cells& cells, double ris
     return Line{p + static_cast<std::ptrdiff_t>(i) * cells.ny, cells.ny, 1};
   };
   const auto column = [&](int j) { return Line{p + j, cells.nx, cells.ny}; };
-  found.cells = static_cast<std::size_t>(
-      std::count_if(pressure.begin(), pressure.end(), [](double value) { return value > 0; }));
+  found.cells =
+      static_cast<std::size_t>(std::count_if(pressure.begin(), pressure.end(), in_contact));
   if (found.cells == 0) return found;
   for (int i = 0; i < cells.nx; ++i) add_line(row(i), cells.along_y, rise, found);
   for (int j = 0; j < cells.ny; ++j) add_line(column(j), cells.along_x, rise, found);

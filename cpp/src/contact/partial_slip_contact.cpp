@@ -56,9 +56,10 @@ void require_vectors(const Field& field, const Grid& grid, const std::string& na
 
 PartialSlipContact::PartialSlipContact(const Grid& grid, const operators::SharedMedium& body1,
                                        const operators::SharedMedium& body2,
-                                       const FrictionLaw& friction)
+                                       const FrictionLaw& friction, SharedContactLaw law)
     : grid_(grid),
       friction_(friction),
+      law_(std::move(law)),
       crosswise_(crosswise_compliance(grid, {body1, body2})),
       normal_(grid, frictionless(body1, body2)),
       shear_(grid, {body1, body2}),
@@ -186,7 +187,7 @@ class PartialSlipContact::Sweeps {
       const double p = before_.pressure[i], now = s_.normal.tractions.pressure[i];
       const double bound = law.bound(p);
       if (!(bound > 0) || std::hypot(shear[i], shear[n_ + i]) < bound * on_circle) continue;
-      const double grown = now > 0 ? law.ratio(now) / law.ratio(p) * (now / p) : 0.0;
+      const double grown = in_contact(now) ? law.ratio(now) / law.ratio(p) * (now / p) : 0.0;
       shear[i] *= grown;
       shear[n_ + i] *= grown;
     }
@@ -211,7 +212,7 @@ class PartialSlipContact::Sweeps {
   /// Of the contact [m^2].
   double area() const {
     const Field& p = s_.normal.tractions.pressure;
-    const auto cells = std::count_if(p.begin(), p.end(), [](double v) { return v > 0; });
+    const auto cells = std::count_if(p.begin(), p.end(), in_contact);
     return static_cast<double>(cells) * contact_.grid_.cell_area();
   }
   double mean_pressure() const {
@@ -323,11 +324,12 @@ void PartialSlipContact::require_contact(const Field& gap, Given normal,
     require_vectors(before.shear, grid_, "previous.shear");
     if (!before.gap.empty()) require_gap(before.gap, grid_, "previous.gap");
   }
-  require_valid(Drive{normal});
+  require_valid(Drive{normal}, *law_);
   require_below_mean(grid_, gap, normal);
 }
 
 PartialSlipSolution PartialSlipContact::finished(PartialSlipSolution solution, Given normal,
+                                                 const Attraction& attraction,
                                                  const ContactSettings& settings) const {
   require_solved(solution, normal, settings, is_coupled() && friction_.ratio(0.0) > always_solved);
   Solution& pressed = solution.normal;
@@ -336,6 +338,7 @@ PartialSlipSolution PartialSlipContact::finished(PartialSlipSolution solution, G
   if (!pressed.border_complaint.empty() && settings.on_border == OnBorder::error) {
     throw too_small(grid_, pressed.tractions.pressure, pressed.border_complaint);
   }
+  pressed = attraction.with_attraction(std::move(pressed), normal);
   return solution;
 }
 
@@ -346,12 +349,21 @@ PartialSlipSolution PartialSlipContact::solve(const Field& gap, Given normal,
                                               const ContactSettings& settings) const {
   require_contact(gap, normal, before);
   if (!start.pressure.empty()) require_surface(start.pressure, grid_, "initial_pressure");
-  if (normal.is_force()) require_held(tangential, friction_, normal.value, increment_motions);
-  Field pressure = start.pressure.empty() ? before.pressure : start.pressure;
-  pressure.resize(gap.size(), 0.0);
-  for (double& p : pressure) p = std::max(p, 0.0);
-  Sweeps sweeps(*this, gap, normal, tangential, before, settings);
-  return finished(sweeps.run(std::move(pressure), start), normal, settings);
+  const Attraction attraction(*law_, grid_, normal_.displacement(), gap);
+  const Given repelling = attraction.normal(normal);
+  if (normal.is_force()) require_held(tangential, friction_, repelling.value, increment_motions);
+  ContactHistory repelled;
+  if (law_->attracts()) {
+    repelled = before;
+    repelled.pressure = attraction.repulsion(before.pressure);
+  }
+  const ContactHistory& history = law_->attracts() ? repelled : before;
+  Field repulsion =
+      start.pressure.empty() ? history.pressure : attraction.repulsion(start.pressure);
+  repulsion.resize(gap.size(), 0.0);
+  for (double& r : repulsion) r = std::max(r, 0.0);
+  Sweeps sweeps(*this, attraction.gap(), repelling, tangential, history, settings);
+  return finished(sweeps.run(std::move(repulsion), start), normal, attraction, settings);
 }
 
 PartialSlipSolution PartialSlipContact::roll(const Field& gap, Given normal,
@@ -359,14 +371,17 @@ PartialSlipSolution PartialSlipContact::roll(const Field& gap, Given normal,
                                              const PartialSlipStart& start,
                                              const ContactSettings& settings) const {
   require_contact(gap, normal, {start.pressure, start.shear, {}});
-  if (normal.is_force()) require_held(creepage, friction_, normal.value, rolling_motions);
+  const Attraction attraction(*law_, grid_, normal_.displacement(), gap);
+  const Given repelling = attraction.normal(normal);
+  if (normal.is_force()) require_held(creepage, friction_, repelling.value, rolling_motions);
   const ContactHistory none;
   PartialSlipStart begin = start;
+  begin.pressure = attraction.repulsion(std::move(begin.pressure));
   begin.pressure.resize(gap.size(), 0.0);
   // No shear to start from: coarser boxes first.
   if (!begin.shear.empty() && !(longest(begin.shear) > 0)) begin.shear.clear();
-  Sweeps sweeps(*this, gap, normal, creepage, none, settings, true);
-  return finished(sweeps.run(begin.pressure, begin), normal, settings);
+  Sweeps sweeps(*this, attraction.gap(), repelling, creepage, none, settings, true);
+  return finished(sweeps.run(begin.pressure, begin), normal, attraction, settings);
 }
 
 }  // namespace samcontact::contact

@@ -15,6 +15,7 @@
 #include "samcontact/simulation/cells/box_choice.hpp"
 #include "samcontact/simulation/increment/division.hpp"
 #include "samcontact/simulation/increment/fixed_point.hpp"
+#include "samcontact/simulation/state/contact_fields.hpp"
 #include "samcontact/simulation/state/description.hpp"
 
 namespace samcontact::simulation {
@@ -113,11 +114,12 @@ double total(const Field& power) {
 Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
                        const plasticity::Body& body2, Field initial_gap,
                        const contact::FrictionLaw& friction, const Settings& settings,
-                       const HeatMarch& march, Reliefs reliefs)
+                       const HeatMarch& march, Reliefs reliefs,
+                       contact::SharedContactLaw contact_law)
     : scene_((contact::require_gap(initial_gap, grid, "gap"),
               std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
                                       settings.image_tol, march, settings.reach, std::move(reliefs),
-                                      settings.split))),
+                                      settings.split, std::move(contact_law)))),
       settings_(settings),
       state_(scene_, settings.residual_stress) {
   if (!grid.has_volume() && (body1.is_plastic() || body2.is_plastic())) {
@@ -145,7 +147,13 @@ const Scans& Simulation::scans(const operators::HeatingPair& heating) {
 }
 
 void Simulation::check(const Target& target) const {
-  if (!target.is_prescribed()) return contact::require_valid(target.drive);
+  if (!target.is_prescribed()) {
+    return contact::require_valid(target.drive, *scene_->contact_law);
+  }
+  if (scene_->contact_law->attracts()) {
+    throw std::invalid_argument(
+        "pressure cannot be given for bodies that attract each other: no contact is solved then");
+  }
   contact::require_surface(target.tractions.pressure, scene_->grid, "pressure");
   for (const Field* shear : {&target.tractions.shear_x, &target.tractions.shear_y}) {
     if (!shear->empty()) contact::require_surface(*shear, scene_->grid, "shear");
@@ -155,11 +163,11 @@ void Simulation::check(const Target& target) const {
 std::vector<std::string> Simulation::border_complaints(const State& reached,
                                                        const Target& target) const {
   if (target.is_prescribed()) return {};
-  const Field& pressure = reached.tractions.pressure;
-  std::string what = contact::border_complaint(scene_->grid, pressure, describe(target));
+  const Field repulsion = simulation::repulsion(reached);
+  std::string what = contact::border_complaint(scene_->grid, repulsion, describe(target));
   if (what.empty()) return {};
   if (settings_.on_border == contact::OnBorder::error) {
-    throw contact::too_small(scene_->grid, pressure, what);
+    throw contact::too_small(scene_->grid, repulsion, what);
   }
   return {std::move(what)};
 }

@@ -136,6 +136,7 @@ CONTACT = {
         "shift along y", "shift\nalong y",
     ),
     "twist": Q("rad", "turn of body 1 over body 2 about z", "rad", "twist", "twist"),
+    "attraction_energy": Q("J", "work against the attraction to open the gap", "J"),
     "friction_work": Q(
         "J", "work of friction since the start", "µJ", "friction work", "friction\nwork"
     ),
@@ -213,6 +214,7 @@ CONTACT = {
     ),
     # of the surface
     "pressure": Q("Pa", "contact pressure", "GPa", "pressure", kind="magnitude"),
+    "repulsion": Q("Pa", "contact pressure beside the attraction", "GPa", "repulsion"),
     "gap": Q("m", "gap under load", "µm", "gap", kind="length"),
     "shear_x": Q("Pa", "shear along +x on body 2", "MPa", "shear along x", kind="signed"),
     "shear_y": Q("Pa", "shear along +y on body 2", "MPa", "shear along y", kind="signed"),

@@ -268,10 +268,10 @@ def _differences(
         for name in relative:
             found[name] = max(found[name], least * abs(fine[name]))
     if fine["contact_area"] > 0:
-        share = area_uncertainty(state.pressure, state.grid.periodic)
+        share = area_uncertainty(state.repulsion, state.grid.periodic)
         of_area = _OF_AREA * (2 * share / ROUND_SPOT) ** 1.5
-        of_area += area_doubt(state.pressure, state.grid.periodic)
-        cells = np.count_nonzero(state.pressure)
+        of_area += area_doubt(state.repulsion, state.grid.periodic)
+        cells = np.count_nonzero(state.in_contact)
         if 0 < (open_ := state.pressure.size - cells) < cells and state.grid.periodic == "xy":
             of_area *= (cells / open_) ** 0.5  # the spots that are not resolved are the open ones
         found["contact_area"] = max(found["contact_area"], of_area * fine["contact_area"])

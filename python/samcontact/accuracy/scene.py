@@ -68,7 +68,7 @@ class Solved(NamedTuple):
         reach = [0, 0]
         for state in self.states:
             nx, ny = state.grid.surface_shape
-            touched = np.nonzero(state.pressure > 0)
+            touched = np.nonzero(state.in_contact)
             found = [touched] if touched[0].size else []
             if state is self.states[-1]:
                 extents = [strained_extent(state, body) for body in (1, 2)]

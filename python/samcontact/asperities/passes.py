@@ -138,7 +138,7 @@ class Passes:
                 state.max_equivalent_plastic_strain(1),
                 state.max_equivalent_plastic_strain(2),
             ),
-            contact_cells=resolution.cells_across(state.pressure),
+            contact_cells=resolution.cells_across(state.repulsion),
             plastic_layers=(layers[0], layers[1]),
         )
 

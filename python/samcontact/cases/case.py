@@ -31,6 +31,7 @@ from .sections import (
     HeatSection,
     OutputSection,
     SurfaceSection,
+    contact_law_of,
     law_of_section,
     settings_of,
 )
@@ -173,8 +174,9 @@ class Case(CaseFile):
         """Friction and heat know their directions: bodies under load must move along them."""
         heat = COLD if self.heat is None else self.heat.build()
         friction = self.friction
+        attracts = contact_law_of(self.contact).attracts  # which holds some more
         for step in steps:
-            if friction.sticks:
+            if friction.sticks and not attracts:
                 require_held(step, friction)
             if step.get("load") == 0.0 or "advance" not in step:
                 continue
@@ -202,7 +204,7 @@ class Case(CaseFile):
         """
         radii = self.surface.radii()
         periodic = self.grid is not None and self.grid.periodic
-        if self.body1.coating or self.body2.coating:
+        if self.body1.coating or self.body2.coating or contact_law_of(self.contact).attracts:
             return None
         if self.relief1 is not None or self.relief2 is not None or periodic:
             return None

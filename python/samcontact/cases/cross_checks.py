@@ -7,7 +7,9 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from ..scene.heating import COLD
 from .base import changed
+from .sections import contact_law_of
 
 if TYPE_CHECKING:
     from .bodies import BodySection
@@ -25,6 +27,7 @@ def require_all_used(case: Any) -> None:
     require_image_tol(case.contact)
     _require_zones(case)
     _require_law_of_friction(case)
+    _require_law_of_contact(case)
     _require_cycle(case)
     _require_repeatable(case)
     given = changed(case.output, ("body", "volume"))
@@ -99,6 +102,24 @@ def _require_law_of_friction(case: Any) -> None:
             raise ValueError(
                 f"path[{index}]: {', '.join(segment.slips)} is for bodies that stick and slip: "
                 "give [contact] friction = {coulomb = 0.3}, or leave it out"
+            )
+
+
+def _require_law_of_contact(case: Any) -> None:
+    """What a contact law without attraction cannot bear, and what one with it has no part in."""
+    law = contact_law_of(case.contact)
+    if law.attracts:
+        if case.wear is not None:
+            raise ValueError(f"contact.contact_law must be hard with [wear], got {law!r}")
+        law.require_possible(COLD if case.heat is None else case.heat.build(), {})
+        if case.moves:
+            raise ValueError(f"path must not move the bodies with contact.contact_law = {law!r}")
+        return
+    for index, segment in enumerate(case.path):
+        if segment.load is not None and segment.load < 0:
+            raise ValueError(
+                f"path[{index}].load: must be a number >= 0 [N], got {segment.load!r}: bodies that "
+                "do not attract each other bear no tension"
             )
 
 

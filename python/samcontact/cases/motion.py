@@ -79,7 +79,7 @@ class Sliding(_Passes):
 class Segment(Along):
     """[[path]]: a ramp from the value reached so far to this one, or passes at this one."""
 
-    load: Annotated[NonNegative, in_unit("N")] | None = None
+    load: Annotated[Finite, in_unit("N")] | None = None
     approach: Position | None = None
     increments: Count = 10
     start: Finite | None = None

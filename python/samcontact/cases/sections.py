@@ -3,16 +3,18 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 
 from pydantic import Field, create_model, model_validator
 
 from .. import surfaces
 from .._util.checks import FloatArray
 from ..heat import Heat
+from ..scene.contact_law import LAWS, ContactLaw, HardContact, law_of
 from ..scene.friction import FrictionLaw, friction_law
-from ..scene.settings import Allowed, Counted, Friction, Settings, Words
+from ..scene.settings import Allowed, Counted, Friction, LawOfContact, Settings, Words
 from ..scene.settings import allowed as allowed_of
 from .base import (
     BodyNumber,
@@ -188,8 +190,42 @@ SurfaceSection = Annotated[
 ]
 
 
+class _LawSection(Section):
+    """A contact law, see `ContactLaw`."""
+
+    kind: str
+
+    def build(self) -> ContactLaw:
+        return law_of(self.model_dump())
+
+
+def _law_section(law: type[ContactLaw]) -> type[_LawSection]:
+    """The section of a contact law, with its parameters, which are not negative."""
+    parameters: Any = {
+        item.name: (Annotated[NonNegative, in_unit(item.metadata["unit"])], ...)
+        for item in fields(law)
+    }
+    kind: Any = (Literal[law.kind], ...)
+    return create_model(
+        f"{law.__name__}Section", __base__=_LawSection, __module__=__name__, kind=kind, **parameters
+    )
+
+
+_LAW_SECTIONS = {law.kind: _law_section(law) for law in LAWS}
+globals().update({section.__name__: section for section in _LAW_SECTIONS.values()})  # for pickles
+
+
+def _contact_law_field() -> Any:
+    sections = tuple(_LAW_SECTIONS.values())
+    if len(sections) == 1:
+        return sections[0]
+    return Annotated[Union[sections], Field(discriminator="kind")]  # noqa: UP007 (a tuple)
+
+
 def _annotation(allowed: Allowed) -> Any:
     """What a setting may be, as a case file has it."""
+    if isinstance(allowed, LawOfContact):
+        return _contact_law_field()
     if isinstance(allowed, Friction):
         return FrictionField
     if isinstance(allowed, Words):
@@ -205,33 +241,42 @@ def settings_section(name: str, module: str, without: tuple[str, ...] = (), **de
 
     module: where it stands under this name, for pickles.
     """
-    fields: dict[str, Any] = {}
+    found: dict[str, Any] = {}
     for setting, allowed in allowed_of(Settings).items():
         if setting in without:
             continue
         default = defaults.get(setting, getattr(Settings, setting))
+        if isinstance(allowed, LawOfContact):
+            default = None  # hard contact
         annotation = _annotation(allowed)
-        fields[setting] = (annotation | None if default is None else annotation, default)
+        found[setting] = (annotation | None if default is None else annotation, default)
     says = "[contact]: solver settings."
-    return create_model(name, __base__=Section, __doc__=says, __module__=module, **fields)
+    return create_model(name, __base__=Section, __doc__=says, __module__=module, **found)
 
 
 if TYPE_CHECKING:
 
     class ContactSection(Section):
         friction: float | FrictionSection = 0.0
+        contact_law: _LawSection | None = None
 else:
     ContactSection = settings_section("ContactSection", __name__)
 
 
 def settings_of(section: ContactSection) -> dict[str, Any]:
     """Arguments of `Simulation`."""
-    return section.model_dump() | {"friction": friction_of(section.friction)}
+    laws = {"friction": friction_of(section.friction), "contact_law": contact_law_of(section)}
+    return section.model_dump() | laws
 
 
 def law_of_section(section: ContactSection) -> FrictionLaw:
     """Friction law of the section."""
     return friction_law(settings_of(section)["friction"])
+
+
+def contact_law_of(section: ContactSection) -> ContactLaw:
+    """Contact law of a case."""
+    return HardContact() if section.contact_law is None else section.contact_law.build()
 
 
 class HeatSection(Section):

@@ -50,7 +50,9 @@ if TYPE_CHECKING:
     TuggingSolver = Section
 else:
     # the spheres are smooth; without a tol it is that of `tug`
-    TuggingSolver = settings_section("TuggingSolver", __name__, without=("friction",), tol=None)
+    TuggingSolver = settings_section(
+        "TuggingSolver", __name__, without=("friction", "contact_law"), tol=None
+    )
 
 
 class TuggingCase(CaseFile):

@@ -201,7 +201,7 @@ class _Run:
         made = {}
         if self.case.moves and self.case.has_volume:
             made["rolling"] = rolling_animation(shown, body=self.case.output.body)
-        if self.case.sticks and any(state.pressure.any() for state in shown):
+        if self.case.sticks and any(state.in_contact.any() for state in shown):
             made["stick_slip"] = stick_slip_animation(shown)
         return [save_animation(one, self.directory / f"{name}.gif") for name, one in made.items()]
 

@@ -121,12 +121,14 @@ class ContactFields(Configured):
     ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
         """Pressure, s_x and s_y on a body, of those on body 2; without shear that of friction."""
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
-        if shear is None and not self._law.sticks:
+        attracted = self.contact_law.attracts and self.friction != 0
+        if shear is None and not (attracted or self._law.sticks):
             shear = self._core.shear(p)
         elif shear is None:
+            law = f" and contact_law {self.contact_law!r}" if attracted else ""
             raise ValueError(
-                f"shear must be given where friction is {self.friction!r}, got None: it does not "
-                "follow from the pressure; a solution has it"
+                f"shear must be given where friction is {self.friction!r}{law}, got None: it does "
+                "not follow from the pressure; a solution has it"
             )
         parts = shear_components(self.grid, shear)
         s_x, s_y = parts if body == 2 else (None if s is None else -s for s in parts)
@@ -207,7 +209,7 @@ class ContactFields(Configured):
                 "ContactSolution of a solver with friction as a number"
             )
         else:
-            s_x, s_y = self._law.sliding_ratio * p, 0.0 * p
+            s_x, s_y = self._law.sliding_ratio * solution.repulsion, 0.0 * p
         sign = 1.0 if number == 2 else -1.0
         tractions = p, sign * s_x, sign * s_y
         return stress_at_points(solution.grid, tractions, material.nu, (x, y, z))

@@ -40,9 +40,8 @@ def require_apart(
     """Raise ConvergenceError for a sliding contact whose bodies overlap."""
     if not may_overlap(bodies, friction):
         return
-    pressed = found.pressure > 0
-    size = math.sqrt(np.count_nonzero(pressed) * found.grid.cell_area)
-    scale = float(found.pressure.max()) * size / hertz.effective_modulus(*map(softest, bodies))
+    size = math.sqrt(np.count_nonzero(found.in_contact) * found.grid.cell_area)
+    scale = float(found.repulsion.max()) * size / hertz.effective_modulus(*map(softest, bodies))
     overlap = -float(found.gap.min())
     if overlap > max(SHARE, 10 * tol) * scale > 0:
         error = ConvergenceError(

@@ -18,6 +18,7 @@ from .._util.errors import GridTooSmallWarning
 from ..bodies.layered import Body, require_bodies
 from ..diagnostics import hertz_estimate, resolution, sharp_edges, yield_check
 from ..heat import Heat
+from ..scene.contact_law import ContactLaw
 from ..scene.domain import Domain, SurfaceGeometry, require_continued
 from ..scene.friction import FrictionLaw
 from ..scene.grid import Grid
@@ -54,6 +55,10 @@ class ContactSolver(ContactFields):
     max_iterations : int, optional
     heat : Heat, optional
         Frictional heat, without a `history`; default none, `Heat(0.0)`.
+    contact_law : ContactLaw, optional
+        How far the pressure may fall at a gap; default `HardContact()`, p >= 0. Friction goes with
+        the repulsion alone. Bodies that attract each other do so all over the grid, which is not
+        enlarged.
 
     Raises
     ------
@@ -75,13 +80,14 @@ class ContactSolver(ContactFields):
         on_border: str = ContactSettings.on_border,
         max_iterations: int = ContactSettings.max_iterations,
         heat: Heat | None = None,
+        contact_law: ContactLaw = ContactSettings.contact_law,
     ) -> None:
         require_type("grid", grid, Grid)
         require_bodies(body1, body2)
         self.grid = grid
         self.body1 = body1
         self.body2 = body2
-        settings = ContactSettings(friction, tol, on_border, max_iterations)
+        settings = ContactSettings(friction, tol, on_border, max_iterations, contact_law)
         self._configure(settings)
         self._law = settings.law
         self.heat = COLD if heat is None else heat
@@ -93,15 +99,16 @@ class ContactSolver(ContactFields):
                     "Simulation"
                 )
         require_heat_of(self._law, self.heat)
+        self.contact_law.require_possible(self.heat, {})
         self._heating = heating(self.heat, (body1, body2), grid)
         cell = memory_of_contact(self._law, (body1, body2), self.heat)
         memory.require_for_grid("a contact", grid, memory.surface(grid, cell))
         scene = grid._core, body1._core.stack, body2._core.stack
-        law = self._law.to_core()
+        law, contact = self._law.to_core(), self.contact_law.to_core()
         if self._law.sticks:
-            self._core = _core.PartialSlipContact(*scene, law)
+            self._core = _core.PartialSlipContact(*scene, law, contact)
         else:
-            self._core = _core.ContactSolver(*scene, law, self._heating)
+            self._core = _core.ContactSolver(*scene, law, self._heating, contact)
 
     def __repr__(self) -> str:
         return (
@@ -136,7 +143,7 @@ class ContactSolver(ContactFields):
             that of the solver does not hold the contact, as in a `Simulation`; the solver keeps its
             own.
         load : float
-            Total load [N], >= 0; or
+            Total load [N], >= 0, or at least the largest tension that the contact law bears; or
         approach : float
             Rigid-body approach [m]; exactly one of the two.
         shift : pair of float, optional
@@ -192,6 +199,7 @@ class ContactSolver(ContactFields):
         GridTooSmallWarning
             With on_border="warn", where there would be a GridTooSmallError.
         """
+        self.contact_law.require_possible(self.heat, {"advance": advance})
         drive = tangential_drive(
             self._law, shift, tangential_load, twist, torque, previous, advance, self.grid
         )
@@ -255,12 +263,13 @@ def solve_driven(  # warnings name the caller's caller
     if initial_pressure is not None:
         start = finite_array("initial_pressure", initial_pressure, asked.grid.surface_shape)
         # numbers that mean nothing beside any load would divide by zero
-        start = np.where(start > 1e-75, start, 0.0)
+        start = np.where(np.abs(start) > 1e-75, start, 0.0)
     surfaces, solver = SurfaceGeometry(gap), asked
     if callable(gap) and drive.previous is not None and not fits(drive.previous, asked.grid):
         solver = asked._over(drive.previous.grid.surface_shape)
     window, bodies = surfaces.over(solver.grid), (asked.body1, asked.body2)
-    scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies)
+    pulled = asked.contact_law.attracts
+    scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
     doubted = scene.doubted(asked.heat, {"load": load, "approach": approach}, stacklevel=3)
     while True:
         try:
@@ -273,14 +282,14 @@ def solve_driven(  # warnings name the caller's caller
             hertz_estimate.explain_size(error, scene.hertz(load, approach))
             if not callable(gap) and not asked.grid.periodic:
                 told_of_fixed(error, scene)
-            if not callable(gap) or asked.grid.periodic:
+            if not callable(gap) or asked.grid.periodic or pulled:
                 raise
             with told_in(error, window.grid):
                 counts = counts_for(error, asked.grid, scene, load, approach)
                 solver, before = asked._over(counts), window
                 window = surfaces.over(solver.grid)
                 require_continued(window, before)
-            scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies)
+            scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
             start = None
     if complaint:
         text = complaint if callable(gap) else advised(complaint, scene)

@@ -12,6 +12,7 @@ import numpy as np
 from .. import _core
 from .._util.checks import FloatArray, finite, finite_array, in_cells, require_type
 from .._util.short_text import in_short
+from ..scene.contact_law import in_contact
 from ..scene.friction import FrictionLaw
 from ..scene.grid import Grid
 from ..solutions.contact_solution import (
@@ -160,7 +161,7 @@ def carried(field: FloatArray, cells: int) -> FloatArray:
 
 def _require_kept(pressure: FloatArray, cells: int, grid: Grid) -> None:
     """Raise ValueError where tractions would leave the grid, with what they displace in it."""
-    rows = np.flatnonzero(pressure.any(axis=1))
+    rows = np.flatnonzero(in_contact(pressure).any(axis=1))
     least, most = (-int(rows[0]), grid.nx - 1 - int(rows[-1])) if rows.size else (cells, cells)
     if not least <= cells <= most:
         raise ValueError(

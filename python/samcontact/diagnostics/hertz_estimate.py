@@ -49,7 +49,8 @@ class PlasticBody(NamedTuple):
 class ContactSetup:
     """A gap between two bodies, with what Hertz says where the gap is a paraboloid.
 
-    relieved: there is something else between the bodies, and Hertz says nothing.
+    relieved: there is something else between the bodies, or they attract each other, and Hertz says
+    nothing.
     """
 
     def __init__(

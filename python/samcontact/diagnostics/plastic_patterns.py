@@ -48,9 +48,9 @@ def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool
     if largest <= most * stress:
         return False
     mean = state.mean_pressure / stress
-    if mean <= most or spots(state.pressure) > 1:
+    if mean <= most or spots(state.repulsion) > 1:
         return False
-    across = cells_across(state.pressure)
+    across = cells_across(state.repulsion)
     over = 100 * (mean / LIMIT_PRESSURE - 1)
     text = (
         f"the mean pressure is {mean:.3g} times the yield stress of body {number} at its largest "

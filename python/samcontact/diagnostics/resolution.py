@@ -15,6 +15,7 @@ from .._util.checks import FloatArray
 from .._util.display import lengths, quantity
 from .._util.errors import ElasticStrainWarning, ResolutionWarning
 from .._util.lazy_scipy import scipy
+from ..scene.contact_law import in_contact
 from ..solutions.contact_area import AREA_OF_A_SIDE
 from ..solutions.outline import Outline, outline_of
 from ..solutions.strained_cells import strained_extent
@@ -93,7 +94,7 @@ def _labelled(pressure: ArrayLike, periodic: str) -> tuple[NDArray[np.int32], tu
     ]
     field = np.roll(field, shifts, (0, 1))
     labels: NDArray[np.int32]
-    labels, _ = scipy.ndimage.label(field > 0, structure=np.ones((3, 3)))
+    labels, _ = scipy.ndimage.label(in_contact(field), structure=np.ones((3, 3)))
     return labels, (peak[0] + shifts[0], peak[1] + shifts[1])
 
 
@@ -155,7 +156,7 @@ def _is_wide(pressure: FloatArray) -> bool:
     """
     i, j = divmod(int(pressure.argmax()), pressure.shape[1])
     around = (pressure[max(0, i - FEW) : i + FEW, j], pressure[i, max(0, j - FEW) : j + FEW])
-    return all(_longest_run(line > 0) >= FEW for line in around)
+    return all(_longest_run(in_contact(line)) >= FEW for line in around)
 
 
 def _longest_run(inside: NDArray[np.bool_]) -> int:
@@ -189,7 +190,7 @@ def warn_of_contact(
     solution: ContactSolution | State, scene: ContactSetup, few: int = FEW, *, stacklevel: int
 ) -> bool:
     """Warn when fewer than `few` cells lie across a contact, or its spots; whether it did."""
-    pressure, grid = solution.pressure, scene.grid
+    pressure, grid = solution.repulsion, scene.grid
     outline = solution.outline
     share = _uncertainty(outline)
     thin = share > (UNCERTAIN if few >= FEW else TOO_UNCERTAIN)
@@ -266,7 +267,7 @@ def warn_of_unseen(
     ]
     if not doubtful:
         return False
-    spot = main_spot(peak.pressure, grid.periodic)
+    spot = main_spot(peak.repulsion, grid.periodic)
     if spot is None:
         return False
     sizes = grid.dx, grid.dy

@@ -15,6 +15,7 @@ from .._util.display import quantity
 from .._util.errors import SingularPressureWarning
 from .._util.lazy_scipy import scipy
 from ..bodies.layered import Body, softest
+from ..scene.contact_law import in_contact
 from ..solutions.outline import (
     _rising,
     around,
@@ -68,7 +69,7 @@ def sharp_edge(
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
-        [Pa], >= 0.
+        [Pa], >= 0; the repulsion where surfaces attract each other.
     gap : array_like, shape (nx, ny)
         Separation under load [m]; NaN or infinite where there is no body.
     grid_sizes : pair of float
@@ -88,11 +89,11 @@ def sharp_edge(
     """
     p, heights = np.asarray(pressure, dtype=np.float64), np.asarray(gap, dtype=np.float64)
     whole = np.zeros(p.shape, dtype=np.bool_)
-    window = around(p > 0, periodic)
+    window = around(in_contact(p), periodic)
     p, heights = p[window], heights[window]
     if not has_ridge(p, periodic):
         return None
-    found, inside = whole[window], p > 0
+    found, inside = whole[window], in_contact(p)
     looked_at = [(sides, heights) for sides in sides_of(inside, periodic)]
     if initial_gap is not None:
         before = np.asarray(initial_gap, dtype=np.float64)[window]
@@ -135,7 +136,7 @@ def edge_of(
     solution: ContactSolution | State, bodies: tuple[Body, Body], initial_gap: FloatArray | None
 ) -> SharpEdge | None:
     """The sharp edges of a solution; None without any, and of given tractions."""
-    pressure, grid = solution.pressure, solution.grid
+    pressure, grid = solution.repulsion, solution.grid
     if not np.isfinite(solution.approach):
         return None
     if initial_gap is None and not solution.outline.rises:

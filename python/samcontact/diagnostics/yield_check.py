@@ -81,7 +81,7 @@ def _over_yield(
 ) -> tuple[float, float]:
     """Largest von Mises stress over the yield stress of its depth, and that stress [Pa]."""
     grid, largest = solution.grid, float(solution.pressure.max())
-    spot = main_spot(solution.pressure, grid.periodic)
+    spot = main_spot(solution.repulsion, grid.periodic)
     assert spot is not None  # there is a pressure above the yield stress
     sides = [
         math.inf if axis in grid.periodic and s.stop - s.start == n else (s.stop - s.start) * d

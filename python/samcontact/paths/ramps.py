@@ -11,10 +11,10 @@ import numpy as np
 from .._util.checks import (
     FloatArray,
     choice,
+    exactly_one,
     finite,
     finite_array,
     load_or_approach,
-    non_negative,
     of_bodies,
     positive,
     step_count,
@@ -113,7 +113,7 @@ def ramp(
     Parameters
     ----------
     load, approach : float
-        Target load [N], >= 0, or approach [m]; give one.
+        Target load [N], below 0 for bodies that attract each other, or approach [m]; give one.
     increments : int
         Number of steps, from 1 to 100000.
     start : float
@@ -140,8 +140,8 @@ def ramp(
     >>> ramp(load=300.0, increments=3)
     [{'load': 100.0}, {'load': 200.0}, {'load': 300.0}]
     """
-    name, end = load_or_approach(load, approach)
-    begin = non_negative("start", start) if name == "load" else finite("start", start)
+    name = exactly_one(load=load, approach=approach)
+    end, begin = finite(name, load if approach is None else approach), finite("start", start)
     if begin == end:
         raise ValueError(f"start must differ from {name}, got {begin!r} for both")
     steps = _steps(name, begin, end, fractions(increments, spacing, exponent))
@@ -167,7 +167,7 @@ def load_unload(
     increments, unload_increments : int
         Number of steps up and down (as many down as up by default), from 1 to 100000.
     end : float
-        Value of the last step [N] or [m], below the peak.
+        Value of the last step [N] or [m], below the peak; a load below 0 as in `ramp`.
     spacing, exponent
         As in `ramp`; unloading mirrors loading, so that small steps are near zero load.
 
@@ -182,7 +182,7 @@ def load_unload(
         Both or neither of load and approach, or a value outside its range.
     """
     name, peak = load_or_approach(load, approach)
-    last = non_negative("end", end) if name == "load" else finite("end", end)
+    last = finite("end", end)
     if not peak > max(last, 0.0):
         raise ValueError(f"{name} must be > {max(last, 0.0)!r}, got {peak!r}")
     up = fractions(increments, spacing, exponent)

@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, finite, finite_array, integer
 from .._util.quantities import CONTACT
+from ..results.contact import repulsion_of
+from ..scene.contact_law import in_contact
 from .fields import touching_along
 from .parts import (
     COMPONENTS,
@@ -71,7 +73,7 @@ def interface_profile(
     position : float
         Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
     contact : array_like, shape (nx, ny), optional
-        Above zero where the bodies touch, e.g. the pressure: a bar along the upper side.
+        Above zero where the bodies touch, e.g. the repulsion: a bar along the upper side.
 
     Returns
     -------
@@ -91,7 +93,7 @@ def interface_profile(
     along_x = axis == "x"
     across = grid.y if along_x else grid.x
     row = [nearest(across, finite("position", position))]
-    touching = None if contact is None else finite_array("contact", contact, shape) > 0
+    touching = None if contact is None else in_contact(finite_array("contact", contact, shape))
 
     s, step = (np.asarray(grid.x), grid.dx) if along_x else (np.asarray(grid.y), grid.dy)
     ax = axes_or_new(ax)
@@ -145,7 +147,7 @@ def interface_figure(scene: Scene, number: int) -> Figure:
     y = float(grid.y[row_of_interest(change, grid.y)])
     figure = new_figure(5.0, 0.5 + 2.6 * len(shown))
     panels = np.ravel(figure.subplots(len(shown), 1, sharex=True))
-    contact = scene.dataset["pressure"].sel(increment=number).values
+    contact = repulsion_of(scene.dataset).sel(increment=number).values
     for ax, interface in zip(panels, shown, strict=True):
         interface_profile(
             stress, grid, ax, interface=int(interface), interfaces=scene.interfaces,

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from .._util.checks import FloatArray, choice, finite_array, gap_array
 from .._util.quantities import CONTACT, Quantity
 from ..results.reading import cell_size
+from ..scene.contact_law import in_contact
 from .fields import Plane, inside_of_contact, name_sides, outline, show_surface
 from .parts import SURFACES, edges
 from .shown import of_either_sign, quantity_of
@@ -88,11 +89,11 @@ def surface_map(
 
 def peak_map(scene: Scene, name: str, ax: Axes) -> Axes:
     """`surface_map` of the pressure or the gap of a run at its peak, also of given tractions."""
-    values, pressure = scene.surface(name, scene.peak), scene.surface("pressure", scene.peak)
+    values, repulsion = scene.surface(name, scene.peak), scene.surface("repulsion", scene.peak)
     shown = of_either_sign(name, values, scene.grid)
     solved = np.isfinite(scene.dataset["approach"].values[scene.peak])
     known = name if solved or name == "pressure" else None  # no gap is closed by given tractions
-    return _draw(values, scene.grid, ax, known, shown, pressure, scene.map_look[0], cells=False)
+    return _draw(values, scene.grid, ax, known, shown, repulsion, scene.map_look[0], cells=False)
 
 
 def _draw(
@@ -118,7 +119,8 @@ def _draw(
         plane, values, pressed = Plane(*plane[::-1]), values.T, pressed.T
     inside, note = None, ""
     edge = inside_of_contact(np.maximum(pressed, 0.0))
-    ends = bool(np.any(pressed > 0) and not np.all(pressed > 0))
+    touching = in_contact(pressed)
+    ends = bool(np.any(touching) and not np.all(touching))
     if name in _BLANK and ends and not shown.signed:
         inside, note = edge if name == "pressure" else -edge, _BLANK[name]
     if np.isnan(values).any():

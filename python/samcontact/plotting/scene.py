@@ -11,6 +11,7 @@ import numpy as np
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray
 from .._util.tensors import von_mises
+from ..results.contact import repulsion_of
 from ..results.motion import track_of
 from ..results.reading import graded_of, grid_of
 from ..results.zones import on_grid
@@ -63,7 +64,10 @@ class Scene:
         return int(self.dataset["increment"].values[position])
 
     def surface(self, name: str, position: int) -> FloatArray:
-        """A field of the contact, or of the surface of the body."""
+        """A field of the contact, its repulsion, or a field of the surface of the body."""
+        if name == "repulsion":
+            known: FloatArray = repulsion_of(self.dataset).values[position]
+            return known
         own = f"{name}_body{self.body}"
         field: FloatArray = self.dataset[own if own in self.dataset else name].values[position]
         return field

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from .._util.checks import choice, finite, finite_array
+from ..scene.contact_law import in_contact
 from .fields import Plane, show_section, touching_along
 from .parts import INTERFACE, SECTIONS, depths_of, edges, nearest
 from .shown import quantity_of
@@ -55,7 +56,7 @@ def section(
     interfaces : array_like, shape (n,), optional
         Depths between layers [m], as `Layered.interfaces` has them: lines.
     contact : array_like, shape (nx, ny), optional
-        Above zero where the bodies touch, e.g. the pressure: a bar along the surface.
+        Above zero where the bodies touch, e.g. the repulsion: a bar along the surface.
     cells : bool, optional
         Show each cell in its colour, instead of what is smooth through their centres.
 
@@ -91,5 +92,5 @@ def section(
     for depth in between[between < sides.down[-1]]:
         ax.axhline(depth * 1e6, **INTERFACE)
     if touching is not None:
-        touching_along(ax, across, touching[row] > 0)
+        touching_along(ax, across, in_contact(touching[row]))
     return ax

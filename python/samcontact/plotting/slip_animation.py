@@ -69,7 +69,7 @@ def stick_slip_animation(states: Sequence[State], *, interval: float = 100.0) ->
     def draw(number: int) -> list[Any]:
         state = states[number]
         left.clear()
-        stick_slip_map(state.pressure, state.slip, grid, left, unit="m", across=across)
+        stick_slip_map(state.repulsion, state.slip, grid, left, unit="m", across=across)
         left.set(xlim=limits[lies], ylim=limits[0][::-1] if lies else limits[1])
         right.set_title(f"load {state.load:.4g} N", fontsize="medium")
         point.set_data([course.across[number]], [course.force[number]])
@@ -107,7 +107,7 @@ def course_of(states: Sequence[State]) -> Course:
 
 def _limits(states: Sequence[State], grid: Grid) -> list[tuple[float, float]]:
     """Of the contact of all states along x and y [µm]."""
-    touched = np.any([state.pressure > 0 for state in states], axis=0)
+    touched = np.any([state.in_contact for state in states], axis=0)
     if not touched.any():
         raise ValueError("states must hold one in contact, got none")
     found = []

@@ -9,7 +9,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .._util.quantities import CONTACT
+from ..results.contact import repulsion_of
 from ..results.slipping import moved_along
+from ..scene.contact_law import in_contact
 from ..solutions.tangential_quantities import ROUNDING
 from .parts import new_figure
 from .scene import Scene
@@ -30,14 +32,16 @@ if TYPE_CHECKING:
 def slip_figures(scene: Scene) -> dict[str, Figure]:
     """Of a run whose bodies stick and slip, by name of the figure; none of gross sliding."""
     data = scene.dataset
-    if "friction_work" not in data or not np.any(data["pressure"].values[chosen(data)] > 0):
+    if "friction_work" not in data or not np.any(
+        in_contact(repulsion_of(data).values[chosen(data)])
+    ):
         return {}
     across, size = scene.map_look
     figures = {"stick_slip": new_figure(*size)}
     slip = np.stack([data[f"slip_{axis}"].values[chosen(data)] for axis in "xy"])
-    pressure = data["pressure"].values[chosen(data)]
+    repulsion = repulsion_of(data).values[chosen(data)]
     look: Any = {"unit": "m", "across": across}
-    stick_slip_map(pressure, slip, scene.grid, figures["stick_slip"].subplots(), **look)
+    stick_slip_map(repulsion, slip, scene.grid, figures["stick_slip"].subplots(), **look)
     along = driven(data)
     if along and "travel_body1" in data:
         if along[0] != "z":

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, finite_array, non_negative
 from .._util.quantities import CONTACT
+from ..scene.contact_law import in_contact
 from ..scene.friction import Coulomb, FrictionLaw, friction_law, law_of_attributes
 from .fields import Plane, clip, inside_of_contact, inside_of_slip, name_sides, outline
 from .parts import axes_or_new, edges, finish, prefixed, surface_line
@@ -48,7 +49,7 @@ def stick_slip_map(
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
-        [Pa]; white where it is zero.
+        [Pa], where surfaces attract each other the repulsion; white where it is zero.
     slip : array_like, shape (2, nx, ny)
         Of body 1 over body 2, e.g. of a `State` or a solution; it sticks where it is zero. Arrows
         are as long as the slip, the longest of them named in the title.
@@ -77,7 +78,7 @@ def stick_slip_map(
     choice("across", across, ("x", "y"))
     shape = (grid.nx, grid.ny)
     pressed = finite_array("pressure", pressure, shape)
-    touching = pressed > 0
+    touching = in_contact(pressed)
     moved = np.where(touching, finite_array("slip", slip, (2, *shape)), 0.0)
     plane = Plane(edges(grid.x, grid.dx), edges(grid.y, grid.dy))
     if across == "y":
@@ -86,7 +87,7 @@ def stick_slip_map(
     ax.grid(False)
     if touching.any():
         _kinds(ax, np.hypot(*moved), np.maximum(pressed, 0.0), plane)
-    largest = _arrows(ax, moved, pressed > 0, plane)
+    largest = _arrows(ax, moved, in_contact(pressed), plane)
     handles = [Patch(color=colour, label=label) for colour, label in zip(
         COLOURS, ("sticks", "slips"), strict=True)]  # fmt: skip
     ax.legend(handles=handles, loc="upper right", fontsize="small", framealpha=0.85, borderpad=0.3)
@@ -99,7 +100,7 @@ def stick_slip_map(
 
 def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, plane: Plane) -> None:
     """The parts of the contact in their colours, and its edge."""
-    inside, slips = inside_of_contact(pressure), inside_of_slip(slip, pressure > 0)
+    inside, slips = inside_of_contact(pressure), inside_of_slip(slip, in_contact(pressure))
     levels = [slips.min() - 1.0, 0.0, slips.max() + 1.0]
     parts = ax.contourf(*plane.smooth(slips), levels=levels, colors=COLOURS)
     clip(ax, [parts], plane, inside)

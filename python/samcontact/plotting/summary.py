@@ -155,7 +155,7 @@ def _sections(scene: Scene, number: int) -> Figure:
     for ax, (name, field) in zip(panels, fields.items(), strict=True):
         lines: Any = {
             "interfaces": scene.interfaces,
-            "contact": scene.surface("pressure", scene.peak),
+            "contact": scene.surface("repulsion", scene.peak),
         }
         section(field, scene.grid, ax, quantity=name, position=y, **lines)
         add_to_title(ax, elsewhere("y", y, scene.grid.dy))
@@ -186,7 +186,7 @@ def _of_the_print(scene: Scene) -> dict[str, Figure]:
     y = scene.row(depth)
     ax = print_profile(depth, grid, figures["print"].axes[0], position=y)
     add_to_title(ax, _moment(scene, -1), elsewhere("y", y, grid.dy))
-    pressed = scene.surface("pressure", scene.peak)
+    pressed = scene.surface("repulsion", scene.peak)
     below: Any = {"quantity": "print", "contact": pressed, "across": across}
     surface_map(depth, grid, figures["print_map"].axes[0], **below)
     if scene.has("residual_stress", number := scene.number(-1)):

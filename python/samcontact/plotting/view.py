@@ -14,8 +14,10 @@ import numpy as np
 from .._util.checks import FloatArray, choice
 from .._util.quantities import CONTACT
 from ..files.atomic import replacing
+from ..results.contact import repulsion_of
 from ..results.reading import body_shown
 from ..results.vtk import stored_number, volume_names
+from ..scene.contact_law import in_contact
 from .fields import Plane, inside_of_contact, scale_of
 from .parts import edges
 from .scene import Scene
@@ -98,8 +100,8 @@ def _drawn(pv: Any, scene: Scene, number: int, quantity: str) -> Any:
         lighting=False,
         scalar_bar_args={"title": f"{shown.label}\n", "color": "black"},
     )
-    pressure = scene.dataset["pressure"].sel(increment=number).values
-    for line in _edge(scene, pressure):
+    repulsion = repulsion_of(scene.dataset).sel(increment=number).values
+    for line in _edge(scene, repulsion):
         plotter.add_mesh(pv.lines_from_points(line), color="black", line_width=3)
     for depth in scene.interfaces[scene.interfaces < depths[-1]] * 1e6 * sign:
         plotter.add_mesh(_loop(pv, sides, float(depth)), color="black", line_width=2)
@@ -124,15 +126,15 @@ def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
     return points.clip_box(quarter, invert=True).extract_surface(algorithm="dataset_surface")
 
 
-def _edge(scene: Scene, pressure: FloatArray) -> list[FloatArray]:
+def _edge(scene: Scene, repulsion: FloatArray) -> list[FloatArray]:
     """Lines around the contact, on the surface [µm]."""
     import contourpy  # which draws the contours of Matplotlib
 
-    if not pressure.any() or np.all(pressure > 0):
+    if not repulsion.any() or np.all(in_contact(repulsion)):
         return []
     grid = scene.grid
     plane = Plane(edges(grid.x, grid.dx), edges(grid.y, grid.dy))
-    contours = contourpy.contour_generator(*plane.smooth(inside_of_contact(pressure)))
+    contours = contourpy.contour_generator(*plane.smooth(inside_of_contact(repulsion)))
     lines: Any = contours.lines(0.0)
     return [np.column_stack([line, np.zeros(len(line))]) for line in lines]
 

@@ -29,6 +29,7 @@ from ..plotting.parts import (
     place,
 )
 from ..plotting.scene import Scene
+from ..results.contact import repulsion_of
 from ..solutions.peak import peak_of_dataset
 from . import slipping
 
@@ -156,7 +157,7 @@ def _section(scene: Scene, quantity: str, number: int) -> Made:
         quantity=quantity,
         position=y,
         interfaces=scene.interfaces,
-        contact=scene.dataset["pressure"].sel(increment=number).values,
+        contact=repulsion_of(scene.dataset).sel(increment=number).values,
     )
     add_to_title(ax, elsewhere("y", y, scene.grid.dy))
     low, high = (f"{shown.factor * float(value):.4g}" for value in (values.min(), values.max()))
@@ -201,7 +202,7 @@ def _remains(scene: Scene) -> Iterator[Made]:
     if f"residual_displacement_body{scene.body}" in data:
         values = scene.surface("residual_displacement", -1)
         across, size = scene.map_look
-        pressed, figure = scene.surface("pressure", scene.peak), new_figure(*size)
+        pressed, figure = scene.surface("repulsion", scene.peak), new_figure(*size)
         seen: Any = {"quantity": "print", "contact": pressed, "across": across}
         plotting.surface_map(values, scene.grid, figure.subplots(), **seen)
         caption = f"Map of the print, body {scene.body}, {_moment(scene, number)}"

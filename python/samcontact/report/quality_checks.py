@@ -16,7 +16,9 @@ from ..diagnostics.expected_contact import Expected
 from ..diagnostics.monitor import SMALL_STRAIN
 from ..diagnostics.plausibility import Contact, doubts_of
 from ..diagnostics.resolution import FEW, TOO_FEW, TOO_UNCERTAIN
+from ..results.contact import repulsion_of
 from ..results.reading import cell_size, grid_of
+from ..scene.contact_law import in_contact
 from ..scene.heating import COLD
 from . import slipping
 
@@ -64,7 +66,7 @@ def _complementarity(dataset: xr.Dataset, tol: float) -> Iterator[Check]:
     solved = np.isfinite(approach)  # prescribed tractions have no approach
     if not np.any(solved):
         return
-    pressure = dataset["pressure"].values[solved]
+    pressure = repulsion_of(dataset).values[solved]
     gap = dataset["gap"].values[solved]
     initial = dataset["initial_gap"].values
     body = np.isfinite(initial)
@@ -76,7 +78,7 @@ def _complementarity(dataset: xr.Dataset, tol: float) -> Iterator[Check]:
     if largest > 0:
         name = "least gap over the largest displacement"
         yield Check(name, float(gap.min()) / largest, -tol, at_least=True)
-    loaded = np.max(pressure, axis=(1, 2)) > 0
+    loaded = in_contact(np.max(pressure, axis=(1, 2)))
     if np.any(loaded):
         peak = np.max(pressure[loaded], axis=(1, 2), keepdims=True)
         ratio = gap[loaded] / displacement[loaded, None, None]

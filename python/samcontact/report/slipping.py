@@ -13,6 +13,7 @@ from .._util.check import Check
 from .._util.checks import FloatArray
 from ..plotting.slip_summary import chosen, slip_figures
 from ..plotting.slipping import largest_force
+from ..results.contact import repulsion_of
 from ..results.reading import cell_size
 from ..results.slipping import balance_of
 from ..scene.friction import law_of_attributes
@@ -36,7 +37,7 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
     most = largest_force(dataset)
     solved = np.isfinite(dataset["approach"].values)  # prescribed tractions keep to no law
     if law is not None and not law.prevents_slip and np.any(solved):
-        bound = law.bound(dataset["pressure"].values[solved])
+        bound = law.bound(repulsion_of(dataset).values[solved])
         beyond, largest = np.hypot(*shear[:, solved]) - bound, float(bound.max())
         name = "shear beyond its bound, over the largest bound"
         yield Check(name, float(beyond.max()) / largest if largest > 0 else 0.0, tol)

@@ -33,7 +33,7 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
 
     margins = [
         free_cells(
-            extent_of(state.pressure != 0),
+            extent_of(state.repulsion != 0),
             state.grid.surface_shape,
             not state.grid.along_x,
             not state.grid.along_y,
@@ -43,7 +43,7 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
     add(dataset, "contact_margin", "increment", margins)
     solved = [np.isfinite(state.approach) for state in states]  # else the tractions were given
     across = [
-        cells_across(state.pressure, state.grid.periodic) if found else np.nan
+        cells_across(state.repulsion, state.grid.periodic) if found else np.nan
         for state, found in zip(states, solved, strict=True)
     ]
     add(dataset, "contact_cells", "increment", across)
@@ -69,8 +69,8 @@ def _add_area_uncertainty(
 ) -> None:
     """Of contacts of several spots, where there are some."""
     found = [
-        area_uncertainty(state.pressure, state.grid.periodic)
-        if there and spots(state.pressure, state.grid.periodic) > 1
+        area_uncertainty(state.repulsion, state.grid.periodic)
+        if there and spots(state.repulsion, state.grid.periodic) > 1
         else np.nan
         for state, there in zip(states, solved, strict=True)
     ]

@@ -163,6 +163,10 @@ def _add_scalars(dataset: xr.Dataset, states: Sequence[State]) -> None:
 
 def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
     add(dataset, "pressure", _SURFACE, np.stack([s.pressure for s in states]))
+    if simulation.contact_law.attracts:
+        add(dataset, "repulsion", _SURFACE, np.stack([s.repulsion for s in states]))
+        energy = [state.attraction_energy for state in states]
+        add(dataset, "attraction_energy", "increment", energy)
     add(dataset, "gap", _SURFACE, np.stack([s.gap for s in states]))
     shear = np.stack([s.shear for s in states], axis=1)  # (2, increment, x, y)
     for direction, fields in zip("xy", shear, strict=True):
@@ -319,6 +323,10 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
         "tol": float(simulation.tol),
         "reach": float(simulation.reach),
     }
+    if simulation.contact_law.attracts:
+        tree = simulation.contact_law.to_tree()
+        attributes["contact_law"] = tree.pop("kind")
+        attributes |= {f"contact_law_{name}": value for name, value in tree.items()}
     if simulation.grid.periodic:
         attributes["periodic"] = simulation.grid.periodic
     if simulation.grid.dz is not None:

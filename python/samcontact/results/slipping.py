@@ -63,7 +63,7 @@ def balance_of(dataset: xr.Dataset) -> energy.EnergyBalance | None:
 
 
 def _share(state: State) -> float:
-    cells = np.count_nonzero(state.pressure)
+    cells = np.count_nonzero(state.in_contact)
     return float(state.sticking.sum() / cells) if cells else float("nan")
 
 

@@ -23,7 +23,8 @@ from .zones import cells_of
 VTK_COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 _VOXEL = 11  # VTK's number of this type of cell
 _COMMON = (
-    "pressure", "gap", "shear_x", "shear_y", "slip_x", "slip_y", "sticking", "initial_gap",
+    "pressure", "repulsion", "gap", "shear_x", "shear_y", "slip_x", "slip_y", "sticking",
+    "initial_gap",
 )  # fmt: skip
 
 

@@ -17,6 +17,7 @@ from .._util.checks import choice, in_cells, integer, number
 from .._util.frozen import Fixed
 from ..bodies.layered import Body
 from ..heat import Heat
+from .contact_law import ContactLaw, HardContact, require_law
 from .friction import FrictionLaw, friction_law, is_law
 
 
@@ -85,7 +86,15 @@ class Friction(Range):
         return value.given if is_law(value) else super().check(name, value)
 
 
-Allowed = Range | Counted | Words
+@dataclass(frozen=True)
+class LawOfContact:
+    """A contact law."""
+
+    def check(self, name: str, value: Any) -> ContactLaw:
+        return require_law(name, value)
+
+
+Allowed = Range | Counted | Words | LawOfContact
 
 
 def _setting(default: Any, allowed: Allowed) -> Any:
@@ -106,6 +115,7 @@ class ContactSettings:
     tol: float = _setting(1e-8, Range(ge=1e-13, lt=1.0))
     on_border: str = _setting("error", Words(("error", "warn")))
     max_iterations: int = _setting(5000, Counted())
+    contact_law: ContactLaw = _setting(HardContact(), LawOfContact())  # noqa: RUF009 (a field)
 
     def __post_init__(self) -> None:
         for item in fields(self):
@@ -158,7 +168,7 @@ class Settings(ContactSettings):
     def to_core(self, dx: float) -> _core.Settings:
         """As the core takes them, on cells of this length along x [m]."""
         given = self.arguments()
-        del given["friction"]  # of the scene
+        del given["friction"], given["contact_law"]  # of the scene
         given["increment_tol"] = self.increment_tol or 0.0
         given["one_zone"] = given.pop("zones") == "one"
         given["reach"] = round(in_cells("reach", given["reach"], dx))
@@ -172,6 +182,7 @@ class Configured(Fixed):
     tol: float
     on_border: str
     max_iterations: int
+    contact_law: ContactLaw
     _settings: ContactSettings
 
     def _configure(self, settings: ContactSettings) -> None:

@@ -12,6 +12,7 @@ from .settings import Settings
 if TYPE_CHECKING:
     from ..bodies.layered import Body
     from ..heat import Heat
+    from .contact_law import ContactLaw
     from .domain import Domain, SurfaceGeometry
     from .friction import FrictionLaw
     from .grid import Grid
@@ -35,6 +36,11 @@ class SimulationSetup:
     def friction(self) -> FrictionLaw:
         """Friction law, also where it is given as the coefficient of gross sliding."""
         return self.settings.law
+
+    @property
+    def contact_law(self) -> ContactLaw:
+        """Contact law."""
+        return self.settings.contact_law
 
     def on_grid(self, grid: Grid, heat: Heat) -> dict[str, Any]:
         """Arguments of `Simulation`, with the surfaces as they were given."""

@@ -19,6 +19,7 @@ from ..restart.file import (
     write,
 )
 from ..restart.tree import Tree, array
+from ..scene import contact_law
 from ..scene.friction import friction_law, law_of
 from ..scene.grid import Grid
 from ..scene.moving_topography import Relief
@@ -59,7 +60,10 @@ def _scene(given: Mapping[str, Any]) -> Tree:
     scene: Tree = {
         "grid": given["grid"].__getstate__(),
         "settings": {item.name: given[item.name] for item in fields(Settings)}
-        | {"friction": friction_law(given["friction"]).to_tree()},
+        | {
+            "friction": friction_law(given["friction"]).to_tree(),
+            "contact_law": given["contact_law"].to_tree(),
+        },
         "heat": asdict(given["heat"]),
         "gap": given["gap"],
     }
@@ -99,6 +103,7 @@ def _arguments(scene: Tree, *laws: Any) -> dict[str, Any]:
     if not required <= set(given) <= set(known):
         raise ValueError(f"its settings are {', '.join(given) or 'missing'}")
     given["friction"] = law_of(given["friction"])
+    given["contact_law"] = contact_law.law_of(given["contact_law"])
     given["heat"] = Heat(**scene["heat"])
     given["grid"] = Grid(**scene["grid"])
     for name, law in zip(("body1", "body2"), laws, strict=True):

@@ -63,6 +63,7 @@ class Engine:
             stand(core)
         setup, grid = self.setup, domain.grid
         relieved = any(relief is not None for relief in domain.reliefs)
+        relieved = relieved or setup.contact_law.attracts
         self.estimate = ContactSetup(grid, domain.initial_gap, setup.bodies, relieved)
         self._arguments = StepArguments(grid, setup.bodies, setup.friction)
         self.domain, self.core = domain, core
@@ -80,6 +81,7 @@ class Engine:
             march=self.heat.history or (0.0, 0.0),
             softening=self._laws,
             reliefs=reliefs,
+            contact_law=setup.contact_law.to_core(),
         )
 
     def _checked_domain(self, grid: Grid, beside: Domain | None = None) -> Domain:
@@ -114,6 +116,7 @@ class Engine:
             while True:
                 step = self._arguments.checked(self.heat, **given)
                 target = step.target
+                self.setup.contact_law.require_possible(step.heat, given)
                 if monitor.checks_steps:
                     monitor.doubt(self.estimate, step.heat, target, stacklevel=4)
                 if target and not any(step.heat.shares):
@@ -195,6 +198,8 @@ class Engine:
             return "it stays"
         if self.heat.history is not None or setup.body1.softening or setup.body2.softening:
             return "the grid stays, with heat of a history or bodies that soften"
+        if setup.contact_law.attracts:
+            return "the grid stays, with bodies that attract each other all over it"
         if not setup.surfaces.are_known:
             return GROWS
         return ""

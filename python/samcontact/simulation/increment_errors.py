@@ -248,8 +248,8 @@ def _level(states: Sequence[State]) -> int:
     top = max(states, key=lambda state: float(state.pressure.max()))
     periodic = top.grid.periodic
     yields = any(states[-1].max_equivalent_plastic_strain(body) > 0 for body in (1, 2))
-    across = cells_across(top.pressure, periodic)
-    if math.isnan(across) or spots(top.pressure, periodic) > 1:  # a rough surface
+    across = cells_across(top.repulsion, periodic)
+    if math.isnan(across) or spots(top.repulsion, periodic) > 1:  # a rough surface
         return int(min(top.grid.surface_shape) >= 32)
     return max(0, min(_COARSEST, int(math.log2(across / _ENOUGH[yields]))))
 

@@ -15,6 +15,7 @@ from ..bodies.layered import Body, require_bodies
 from ..diagnostics.monitor import Monitor
 from ..heat import Heat
 from ..scene.cell_layers import require_servable_flow
+from ..scene.contact_law import ContactLaw
 from ..scene.domain import SurfaceGeometry
 from ..scene.friction import FrictionLaw
 from ..scene.grid import Grid
@@ -84,6 +85,11 @@ class Simulation(Configured, Shown):
     reach : float, optional
         Distance beyond the grid, along x, within which plastic strain that has moved out of it
         still acts [m], >= 0. Default: the length of the grid.
+    contact_law : ContactLaw, optional
+        Contact law: how far the pressure may fall at a gap. Default: `HardContact()`, p >= 0. Where
+        the bodies attract each other, friction goes with the repulsion, the grid is not enlarged,
+        and the simulation starts with the bodies apart, under the largest tension; `advance`,
+        prescribed pressure and heat are refused.
 
     Raises
     ------
@@ -128,6 +134,7 @@ class Simulation(Configured, Shown):
         relief1: Relief | Callable[[Grid], Relief] | None = None,
         relief2: Relief | Callable[[Grid], Relief] | None = None,
         reach: float | None = Settings.reach,
+        contact_law: ContactLaw = Settings.contact_law,
     ) -> None:
         require_type("grid", grid, Grid)
         require_bodies(body1, body2)
@@ -143,6 +150,7 @@ class Simulation(Configured, Shown):
             image_tol=image_tol,
             zones="one" if layered else zones,
             reach=grid.nx * grid.dx if reach is None else reach,
+            contact_law=contact_law,
         )
         self._configure(settings)
         require_fast("residual_stress", self.residual_stress, grid.periodic)
@@ -197,7 +205,8 @@ class Simulation(Configured, Shown):
         Parameters
         ----------
         load, approach : float
-            Total load [N], >= 0 (0: unloaded); rigid-body approach [m].
+            Total load [N], >= 0 (0: unloaded), or down to the largest tension of the contact law;
+            rigid-body approach [m].
         pressure : array_like, shape (nx, ny)
             Prescribed pressure [Pa]; no contact is solved.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional

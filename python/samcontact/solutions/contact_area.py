@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._util.checks import FloatArray
+from ..scene.contact_law import in_contact
 from .outline import Sides, around, sides_of, steps_beside
 
 AREA_OF_A_SIDE = (math.pi - 1 + math.log(2)) / 24
@@ -38,7 +39,7 @@ def contact_area(
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
-        [Pa], >= 0.
+        [Pa], >= 0; the repulsion where surfaces attract each other.
     cell_area : float
         [m^2].
     periodic : {"", "x", "y", "xy"}, optional
@@ -61,7 +62,7 @@ def area_doubt(pressure: ArrayLike, periodic: str = "", gap: ArrayLike | None = 
 def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple[float, float]:
     """Contact area, and the part of the perimeter correction that it rests on [cells]."""
     field = np.asarray(pressure, dtype=np.float64)
-    inside = field > 0
+    inside = in_contact(field)
     count = int(np.count_nonzero(inside))
     if count == 0:
         return 0.0, 0.0

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray
 from .._util.display import Brief, Rows, Shown, quantity
+from ..scene.contact_law import in_contact
 from ..scene.friction import FrictionLaw
 from ..scene.grid import Grid
 from .contact_area import contact_area
@@ -29,9 +30,11 @@ class ContactSolution(Brief, Shown):
     grid : Grid
         Of the fields: that of the solver, or a larger one.
     pressure : ndarray, shape (nx, ny)
-        Contact pressure [Pa], >= 0.
+        Contact pressure [Pa], >= 0; less, down to minus the attraction of the contact law.
+    repulsion : ndarray, shape (nx, ny)
+        What is left of the pressure beside the attraction [Pa], >= 0; without any, the pressure.
     gap : ndarray, shape (nx, ny)
-        Separation under load [m], zero (to `error`) where the pressure is positive.
+        Separation under load [m], zero (to `error`) where the repulsion is positive.
     approach : float
         Rigid-body approach of the bodies [m].
     load : float
@@ -45,13 +48,15 @@ class ContactSolution(Brief, Shown):
         All transforms of the solve, those of the preconditioner, of its cheap displacements and of
         coarser grids included, in units of one exact displacement [-].
     error : float
-        Largest violation of p >= 0, g >= 0, p g = 0: largest size of min(p/max p, g/max u) [-].
+        Largest violation of r >= 0, g >= 0, r g = 0 for the repulsion r: largest size of
+        min(r/max r, g/max u) [-].
     converged : bool
         Whether error <= tol (a solve that is not raises ConvergenceError).
     """
 
     grid: Grid
     pressure: FloatArray
+    repulsion: FloatArray
     gap: FloatArray
     approach: float
     load: float
@@ -64,14 +69,19 @@ class ContactSolution(Brief, Shown):
     @cached_property
     def outline(self) -> Outline:
         """Outline of the contact in the cells of the grid."""
-        return outline_of(self.pressure, self.grid.periodic)
+        return outline_of(self.repulsion, self.grid.periodic)
+
+    @property
+    def in_contact(self) -> NDArray[np.bool_]:
+        """Cells in contact, shape (nx, ny)."""
+        return in_contact(self.repulsion)
 
     @property
     def contact_area(self) -> float:
         """Contact area [m^2], with its edge between the cells; see the theory page."""
         grid = self.grid
         gap = self.gap if self.outline.rises else None
-        return contact_area(self.pressure, grid.cell_area, grid.periodic, gap)
+        return contact_area(self.repulsion, grid.cell_area, grid.periodic, gap)
 
     def _rows(self) -> Rows:
         return [
@@ -79,7 +89,7 @@ class ContactSolution(Brief, Shown):
             ("approach", quantity(self.approach, "m")),
             ("maximum pressure", quantity(float(self.pressure.max()), "Pa")),
             ("contact area", quantity(self.contact_area, "m²")),
-            ("cells in contact", f"{np.count_nonzero(self.pressure)} of {self.pressure.size}"),
+            ("cells in contact", f"{np.count_nonzero(self.in_contact)} of {self.pressure.size}"),
             ("iterations", str(self.iterations)),
             ("work", quantity(self.work)),
             ("error", quantity(self.error)),

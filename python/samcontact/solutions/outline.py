@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .._core import contact_outline
 from .._util.checks import FloatArray
+from ..scene.contact_law import in_contact
 
 RISE = 1.05
 """Pressure of a cell at a sharp edge over that of its neighbour further inside, at least."""
@@ -177,12 +178,12 @@ def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
         if len(p) == 1:
             continue
         neighbours = np.maximum(p[:-2], p[2:])
-        if ((neighbours > 0) & (p[1:-1] > RISE * neighbours)).any():
+        if (in_contact(neighbours) & (p[1:-1] > RISE * neighbours)).any():
             return True
         ends = ((p[0], p[1], p[-1]), (p[-1], p[-2], p[0]))
         for own, inner, around_the_end in ends:
             others = np.maximum(inner, around_the_end) if name in periodic else inner
-            if ((others > 0) & (own > RISE * others)).any():
+            if (in_contact(others) & (own > RISE * others)).any():
                 return True
     return False
 
@@ -191,5 +192,5 @@ def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:
     """Where the pressure is more than further inside, and falls by as much or more beside."""
     own, inner = pressure[sides.i, sides.j], pressure[sides.neighbours(pressure.shape, -1)]
     beside = pressure[sides.neighbours(pressure.shape, 1)]
-    found: NDArray[np.bool_] = (inner > 0) & (own > RISE * inner) & (own > RISE * beside)
+    found: NDArray[np.bool_] = in_contact(inner) & (own > RISE * inner) & (own > RISE * beside)
     return found

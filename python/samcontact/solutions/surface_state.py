@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, choice
 from .._util.display import Rows, quantity
+from ..scene.contact_law import in_contact
 from ..scene.grid import Grid
 from ..scene.setup import SimulationSetup
 from .contact_area import contact_area
@@ -36,7 +37,28 @@ class SurfaceState:
     @cached_property
     def outline(self) -> Outline:
         """Outline of the contact in the cells of the grid."""
-        return outline_of(self.pressure, self.grid.periodic)
+        return outline_of(self.repulsion, self.grid.periodic)
+
+    @property
+    def repulsion(self) -> FloatArray:
+        """What is left of the pressure beside the attraction of the contact law [Pa], (nx, ny).
+
+        The pressure itself in hard contact.
+        """
+        if not self.setup.contact_law.attracts:
+            return self.pressure
+        field: FloatArray = self._core.repulsion()
+        return field
+
+    @property
+    def in_contact(self) -> NDArray[np.bool_]:
+        """Cells in contact, shape (nx, ny)."""
+        return in_contact(self.repulsion)
+
+    @property
+    def attraction_energy(self) -> float:
+        """Work against the attraction of the contact law to open the gap [J]; 0 without one."""
+        return float(self._core.attraction_energy())
 
     @property
     def shear(self) -> FloatArray:
@@ -60,7 +82,7 @@ class SurfaceState:
 
         Raises ValueError where friction is a number.
         """
-        return (self.pressure > 0) & ~self.slip.any(axis=0)
+        return self.in_contact & ~self.slip.any(axis=0)
 
     @property
     def tangential_load(self) -> FloatArray:
@@ -97,7 +119,7 @@ class SurfaceState:
         """Forces and motions along the surface; none where friction is a number."""
         if not self.setup.friction.sticks:
             return []
-        touching = int(np.count_nonzero(self.pressure))
+        touching = int(np.count_nonzero(self.in_contact))
         rows = [
             ("tangential load", both(self.tangential_load, "N")),
             ("shift", both(self.shift, "m")),
@@ -140,9 +162,9 @@ class SurfaceState:
 
         Under prescribed tractions that of their pressure.
         """
-        pressure, grid = self.pressure, self.grid
+        repulsion, grid = self.repulsion, self.grid
         gap = self.gap if np.isfinite(self.approach) and self.outline.rises else None
-        return contact_area(pressure, grid.cell_area, grid.periodic, gap)
+        return contact_area(repulsion, grid.cell_area, grid.periodic, gap)
 
     def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: int = 2) -> FloatArray:
         """Stress of pressure and shear at any points [Pa], shape (6, ...): the elastic part.

@@ -183,7 +183,7 @@ def _advance(scene: FrettingScene, standing: Standing) -> tuple[tuple[State, ...
     heights = {body: [*before, before[-1]] for body, before in standing.heights.items()}
     left, parts, work, removed = float(scene.repeats), 0, 0.0, np.zeros(scene.grid.surface_shape)
     first = _gone_through(scene, heights)
-    if not standing.cycles and not any(state.pressure.any() for state in first.states):
+    if not standing.cycles and not any(state.in_contact.any() for state in first.states):
         raise ValueError("cycle must bring the bodies into contact where it repeats, got none")
     while left > 0:
         now = _gone_through(scene, heights) if parts else first
@@ -229,7 +229,7 @@ def _record(
 ) -> FrettingCycle:
     losses = [rows[-2] - rows[-1] for rows in heights.values()]
     loaded = max(first.states, key=lambda state: state.load)
-    grid, sticking = loaded.grid, (loaded.pressure > 0) & (first.way == 0)
+    grid, sticking = loaded.grid, loaded.in_contact & (first.way == 0)
     return FrettingCycle(
         number=number,
         parts=parts,
@@ -241,7 +241,7 @@ def _record(
         max_pressure=max(float(state.pressure.max()) for state in first.states),
         contact_area=loaded.contact_area,
         sticking_area=int(np.count_nonzero(sticking)) * grid.cell_area,
-        contact_cells=resolution.cells_across(loaded.pressure),
+        contact_cells=resolution.cells_across(loaded.repulsion),
     )
 
 

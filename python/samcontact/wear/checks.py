@@ -26,6 +26,7 @@ from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
 from ..contact.solver import ContactSolver
 from ..diagnostics.monitor import SMALL_STRAIN
+from ..scene.contact_law import in_contact
 from ..scene.domain import SurfaceGeometry
 from ..scene.grid import Grid
 from ..scene.moving_topography import Relief, heights_over
@@ -182,10 +183,11 @@ def _check_filter(scene: Scene) -> None:
         # of a pressure that the cycles, in which the bodies yield, do not reach
         warnings.simplefilter("ignore", ElasticStrainWarning)
         pressure = _elastic_pressure(scene)
-    if not (pressure > 0).any():
+    touched_cells = in_contact(pressure)
+    if not touched_cells.any():
         raise ValueError("cycle must bring the bodies into contact, which none of its steps does")
     for axis, name in enumerate("xy"):
-        touched = np.flatnonzero((pressure > 0).any(axis=1 - axis))
+        touched = np.flatnonzero(touched_cells.any(axis=1 - axis))
         extent = int(touched[-1] - touched[0]) + 1
         size = f"the contact, which is {extent} cells long along {name} at the largest load"
         if isinstance(scene.filter, Gaussian):

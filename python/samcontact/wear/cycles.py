@@ -209,7 +209,7 @@ def _wear(scene: Scene, standing: Standing, moments: Moments) -> Standing:
         max_pressure=float(peak.pressure.max()),
         max_von_mises=max(float(peak.von_mises(body=body).max()) for body in scene.worn),
         contact_area=peak.contact_area,
-        contact_cells=resolution.cells_across(peak.pressure),
+        contact_cells=resolution.cells_across(peak.repulsion),
         plastic_layers=tuple(
             0.0 if b is None else resolution.layers_across(b.equivalent) for b in bodies
         ),

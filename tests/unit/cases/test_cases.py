@@ -42,6 +42,7 @@ def test_defaults_and_steps(write):
         "tol": 1e-6,
         "on_border": "error",
         "max_iterations": 60,
+        "contact_law": None,
         "increment_tol": None,
         "residual_stress": "fast",
         "image_tol": 1e-3,

@@ -10,7 +10,15 @@ import pytest
 
 import samcontact as sc
 from samcontact.cases import Case, TuggingCase
-from samcontact.scene.settings import ContactSettings, Range, Settings, Words, allowed
+from samcontact.scene.contact_law import LAWS
+from samcontact.scene.settings import (
+    ContactSettings,
+    LawOfContact,
+    Range,
+    Settings,
+    Words,
+    allowed,
+)
 
 DOCS = Path(__file__).parents[3] / "docs"
 NUMBERS = [
@@ -85,11 +93,11 @@ def test_arguments_have_these_names_and_defaults(kind, made):
 )
 def test_case_files_have_these_names_defaults_and_ranges(case, others):
     section = type(case.model_fields["contact"].default)
-    expected = asdict(Settings()) | others
+    expected = asdict(Settings()) | {"contact_law": None} | others
     if "friction" in others:
-        del expected["friction"]
+        del expected["friction"], expected["contact_law"]
     assert section().model_dump() == expected
-    for name in expected:
+    for name in expected.keys() - {"contact_law"}:
         limits = allowed(Settings)[name]
         given = beyond(limits) if isinstance(limits, Range) else ["no", 0]
         for value in given:
@@ -106,6 +114,9 @@ def test_the_pages_tell_these_ranges():
     rows = dict(re.findall(r"^\| (\w+) \| (.*?) \|", page, re.MULTILINE))
     for name, limits in allowed(Settings).items():
         default = getattr(Settings, name)
+        if isinstance(limits, LawOfContact):
+            assert all(f'kind = "{law.kind}"' in rows[name] for law in LAWS)
+            continue
         if isinstance(limits, Words):
             assert all(f'"{word}"' in rows[name] for word in limits.allowed)
             assert f'"{default}" (default)' in rows[name]
@@ -125,7 +136,7 @@ def test_what_was_given_is_told_and_kept(tmp_path):
     given = {
         "friction": 0.1, "tol": 1e-5, "on_border": "warn", "max_iterations": 9,
         "increment_tol": 1e-3, "residual_stress": "exact", "image_tol": 1e-2, "zones": "one",
-            "reach": 2e-5,
+            "reach": 2e-5, "contact_law": sc.HardContact(),
     }  # fmt: skip
     assert set(given) == {item.name for item in fields(Settings)}
     body = sc.Material.elastic(1e11, 0.3)

@@ -8,6 +8,7 @@
 
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/contact/laws/friction_law.hpp"
+#include "samcontact/contact/normal/attraction.hpp"
 #include "samcontact/contact/tangential/shear_solver.hpp"
 
 namespace samcontact::contact {
@@ -44,9 +45,11 @@ struct PartialSlipSolution {
 
 class PartialSlipContact {
  public:
-  /// friction: a law that sticks. Throws std::invalid_argument where both bodies are rigid.
+  /// friction: a law that sticks, of the repulsion. Throws std::invalid_argument where both bodies
+  /// are rigid.
   PartialSlipContact(const Grid& grid, const operators::SharedMedium& body1,
-                     const operators::SharedMedium& body2, const FrictionLaw& friction);
+                     const operators::SharedMedium& body2, const FrictionLaw& friction,
+                     SharedContactLaw law = hard_contact());
 
   /// One increment. Bodies alike: pressure, then shear. Else both in turn (Panagiotopoulos), each
   /// for the displacement of the other, accelerated; with stick everywhere a sweep contracts by the
@@ -64,17 +67,20 @@ class PartialSlipContact {
 
   const Grid& grid() const { return grid_; }
   const FrictionLaw& friction() const { return friction_; }
+  const ContactLaw& law() const { return *law_; }
   /// Whether pressure and shear act on each other.
   bool is_coupled() const { return coupling_.is_on(); }
 
  private:
   class Sweeps;
   void require_contact(const Field& gap, Given normal, const ContactHistory& before) const;
+  /// From the solution for the repulsion.
   PartialSlipSolution finished(PartialSlipSolution solution, Given normal,
-                               const ContactSettings& settings) const;
+                               const Attraction& attraction, const ContactSettings& settings) const;
 
   Grid grid_;
   FrictionLaw friction_;
+  SharedContactLaw law_;
   double crosswise_;  // compliance
   Multilevel normal_;
   ShearSolver shear_;

@@ -22,7 +22,8 @@ class Simulation {
   /// Throws std::invalid_argument: wrong gap, an inelastic body on a grid without volume.
   Simulation(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
              Field initial_gap, const contact::FrictionLaw& friction, const Settings& settings,
-             const HeatMarch& march = {}, Reliefs reliefs = {});
+             const HeatMarch& march = {}, Reliefs reliefs = {},
+             contact::SharedContactLaw contact_law = contact::hard_contact());
 
   /// One increment; halves it where the fixed point does not converge. The present state changes
   /// only on success. Throws std::invalid_argument, GridTooSmallError, ConvergenceError.

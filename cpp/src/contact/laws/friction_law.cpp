@@ -6,13 +6,14 @@
 #include <type_traits>
 
 #include "samcontact/base/errors.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 
 namespace samcontact::contact {
 namespace {
 
 template <class Law>
 double bound_of(const Law& law, double pressure) {
-  return pressure > 0 ? law.bound(pressure) : 0.0;
+  return in_contact(pressure) ? law.bound(pressure) : 0.0;
 }
 
 }  // namespace

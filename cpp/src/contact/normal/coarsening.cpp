@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "samcontact/base/threads.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -62,11 +63,11 @@ Field filled_outwards(const Grid& grid, const Field& pressure, const Field& valu
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
       const std::size_t at = static_cast<std::size_t>(i) * grid.ny + j;
-      if (pressure[at] > 0) continue;
+      if (in_contact(pressure[at])) continue;
       double sum = 0.0;
       int count = 0;
       const auto add = [&](bool inside, std::size_t there) {
-        if (!inside || !(pressure[there] > 0)) return;
+        if (!inside || !in_contact(pressure[there])) return;
         sum += values[there];
         ++count;
       };

@@ -6,6 +6,7 @@
 
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/base/threads.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 
 namespace samcontact::contact {
 
@@ -22,9 +23,10 @@ bool is_finite(const Solution& solution) {
 
 double contact_mean(const Field& pressure, const Field& field) {
   const std::size_t n = field.size();
-  const double cells = ordered_sum(n, [&](std::size_t i) { return pressure[i] > 0 ? 1.0 : 0.0; });
+  const double cells =
+      ordered_sum(n, [&](std::size_t i) { return in_contact(pressure[i]) ? 1.0 : 0.0; });
   const double sum =
-      ordered_sum(n, [&](std::size_t i) { return pressure[i] > 0 ? field[i] : 0.0; });
+      ordered_sum(n, [&](std::size_t i) { return in_contact(pressure[i]) ? field[i] : 0.0; });
   return cells > 0 ? sum / cells : 0.0;
 }
 

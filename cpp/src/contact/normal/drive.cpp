@@ -14,11 +14,13 @@ std::string describe(const Drive& drive) {
   return normal.is_force() ? "load " + value + " N" : "approach " + value + " m";
 }
 
-void require_valid(const Drive& drive) {
+void require_valid(const Drive& drive, const ContactLaw& law) {
   const double value = drive.normal.value;
   if (drive.normal.is_force()) {
-    require(std::isfinite(value) && value >= 0, "load", "a finite number >= 0 [N]", value);
-    if (value > 0) require_moderate("load", value, "[N], or 0");
+    const bool pulls = law.attracts();
+    require(std::isfinite(value) && (pulls || value >= 0), "load",
+            pulls ? "a finite number [N]" : "a finite number >= 0 [N]", value);
+    if (value != 0) require_moderate("load", std::fabs(value), "[N], or 0");
   } else {
     require(std::isfinite(value), "approach", "a finite number [m]", value);
   }

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "samcontact/contact/laws/contact_law.hpp"
+
 namespace samcontact::contact {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr double same_gap = 1e-6;
 std::vector<std::size_t> new_cells(const Growth& growth) {
   std::vector<std::size_t> cells;
   for (std::size_t i = 0; i < growth.gap.size(); ++i) {
-    const bool touches = growth.pressure[i] > 0 && !(growth.before[i] > 0);
+    const bool touches = in_contact(growth.pressure[i]) && !in_contact(growth.before[i]);
     if (touches && growth.gap[i] > 0) cells.push_back(i);
   }
   std::stable_sort(cells.begin(), cells.end(),
@@ -28,8 +30,8 @@ std::vector<std::size_t> new_cells(const Growth& growth) {
 /// Of each of them, the share of cells that touched before in a round contact that reaches it.
 /// Cells that mirror each other have gaps that differ by rounding: they are reached together.
 std::vector<double> touched_before(const Growth& growth, const std::vector<std::size_t>& cells) {
-  const auto before = static_cast<double>(
-      std::count_if(growth.before.begin(), growth.before.end(), [](double p) { return p > 0; }));
+  const auto before =
+      static_cast<double>(std::count_if(growth.before.begin(), growth.before.end(), in_contact));
   std::vector<double> shares;
   while (shares.size() < cells.size()) {
     const std::size_t first = shares.size();

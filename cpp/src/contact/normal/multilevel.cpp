@@ -12,6 +12,7 @@
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/normal/active_set.hpp"
 #include "samcontact/contact/normal/coarsening.hpp"
 #include "samcontact/contact/normal/polonsky_keer.hpp"
@@ -303,7 +304,7 @@ Solution Multilevel::solve_beside_ends(const Field& initial_gap, Given normal, F
     bool touches = false;
     for (std::size_t i = 0; i < gap.size(); ++i) {
       if (!std::isinf(initial_gap[i])) continue;
-      touches = touches || solution.tractions.pressure[i] > 0;
+      touches = touches || in_contact(solution.tractions.pressure[i]);
       solution.gap[i] = initial_gap[i];
     }
     if (!touches) return solution;

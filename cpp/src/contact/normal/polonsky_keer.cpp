@@ -6,6 +6,7 @@
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -72,7 +73,7 @@ class ConjugateGradient {
 
   /// One projected conjugate-gradient step from the current gap.
   void advance() {
-    const auto active = [&](std::size_t i) { return p_[i] > 0; };
+    const auto active = [&](std::size_t i) { return in_contact(p_[i]); };
     const double norm =
         ordered_sum(size_, [&](std::size_t i) { return active(i) ? g_[i] * g_[i] : 0.0; });
     const double beta = conjugate_ && norm_ > 0 ? norm / norm_ : 0.0;
@@ -91,7 +92,7 @@ class ConjugateGradient {
     for (std::size_t i = 0; i < size_; ++i) {
       if (active(i)) {
         const double p = p_[i] - step * t_[i];
-        clipped |= p <= 0;
+        clipped |= !in_contact(p);
         p_[i] = std::max(p, 0.0);
       } else if (g_[i] < 0) {
         released = true;

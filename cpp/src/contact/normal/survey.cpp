@@ -6,6 +6,7 @@
 
 #include "samcontact/base/multiversion.hpp"
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -25,15 +26,15 @@ void add(const Totals& part, Totals& all) {
 SAMCONTACT_MULTIVERSION
 void block_totals(const double* p, const double* rest, const double* gap, std::size_t n,
                   Totals& block) {
-  double contacts[lanes] = {}, in_contact[lanes] = {}, pressure[lanes] = {}, energy[lanes] = {},
+  double contacts[lanes] = {}, rests[lanes] = {}, pressure[lanes] = {}, energy[lanes] = {},
          p_max[lanes] = {}, u_max[lanes] = {};
   for (std::size_t first = 0; first < n; first += lanes) {
     const std::size_t width = std::min(lanes, n - first);
     const auto add_lane = [&](std::size_t l) {
       const double pi = p[first + l], ri = rest[first + l], gi = gap[first + l];
       const double u = std::fabs(ri - gi);
-      contacts[l] += pi > 0 ? 1.0 : 0.0;
-      in_contact[l] += pi > 0 ? ri : 0.0;
+      contacts[l] += in_contact(pi) ? 1.0 : 0.0;
+      rests[l] += in_contact(pi) ? ri : 0.0;
       pressure[l] += pi;
       energy[l] += pi * (0.5 * (ri + gi));
       p_max[l] = pi > p_max[l] ? pi : p_max[l];
@@ -46,7 +47,7 @@ void block_totals(const double* p, const double* rest, const double* gap, std::s
     }
   }
   for (std::size_t l = 0; l < lanes; ++l) {
-    add({contacts[l], in_contact[l], pressure[l], energy[l], p_max[l], u_max[l]}, block);
+    add({contacts[l], rests[l], pressure[l], energy[l], p_max[l], u_max[l]}, block);
   }
 }
 
@@ -81,7 +82,7 @@ void judge_cells(const double* p, const double* rest, std::size_t n, const Judge
   std::size_t held = 0, pressed = 0, open = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const double g = rest[i] - judge.approach;
-    const bool presses = p[i] > 0, works = presses && p[i] > judge.hold * g;
+    const bool presses = in_contact(p[i]), works = presses && p[i] > judge.hold * g;
     const bool penetrates = !presses && g < 0;
     states[i] = static_cast<unsigned char>(works + 2 * penetrates);
     held += works;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "samcontact/contact/laws/contact_law.hpp"
+
 namespace samcontact::contact {
 namespace {
 
@@ -28,7 +30,7 @@ int side_of_window(int length, int share) {
 
 Box possible_contact(const Grid& grid, const Field& pressure, const Field& gap) {
   const Box box =
-      bounding_box(grid, [&](std::size_t at) { return pressure[at] > 0 || gap[at] < 0; });
+      bounding_box(grid, [&](std::size_t at) { return in_contact(pressure[at]) || gap[at] < 0; });
   return box.empty() ? Box::surface(grid) : box;
 }
 
@@ -50,7 +52,7 @@ Box with_margin(const Grid& grid, const Box& window, const Box& present) {
 Box slipping_box(const Grid& grid, const Field& pressure, const Field& before) {
   const std::size_t n = before.size() / 2;
   Box box = bounding_box(grid, [&](std::size_t at) {
-    return pressure[at] > 0 || (n > 0 && (before[at] != 0 || before[n + at] != 0));
+    return in_contact(pressure[at]) || (n > 0 && (before[at] != 0 || before[n + at] != 0));
   });
   if (box.empty()) return box;
   widen(grid.nx, box.nx, box.i0, box.nx);

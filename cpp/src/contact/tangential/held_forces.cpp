@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "samcontact/base/errors.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/tangential/projected_gradient.hpp"
 
 namespace samcontact::contact {
@@ -31,7 +32,7 @@ void require_held_together(const Grid& grid, const TangentialDrive& drive, const
   const std::vector<double> xs = grid.x(), ys = grid.y();
   ShearProblem problem;
   for (std::size_t at = 0; at < pressure.size(); ++at) {
-    if (!(pressure[at] > 0)) continue;
+    if (!in_contact(pressure[at])) continue;
     problem.cells.push_back(at);
     problem.bound.push_back(friction.bound(pressure[at]));
   }

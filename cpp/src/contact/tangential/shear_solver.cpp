@@ -9,6 +9,7 @@
 
 #include "samcontact/base/memory.hpp"
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/normal/coarsening.hpp"
 #include "samcontact/contact/normal/window.hpp"
 #include "samcontact/contact/tangential/steady_rolling.hpp"
@@ -116,7 +117,7 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, const FrictionL
   problem.operators = &operators_;
   problem.box_size = operator_size();
   for (std::size_t at = 0; at < task.pressure.size(); ++at) {
-    if (task.pressure[at] > 0) problem.cells.push_back(at);
+    if (in_contact(task.pressure[at])) problem.cells.push_back(at);
   }
   const std::size_t m = problem.cells.size();
   std::array<Field, 3> directions{Field(2 * m, 0.0), Field(2 * m, 0.0), Field(2 * m)};
@@ -325,8 +326,7 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
                                  const std::array<double, 3>& motion, double tol,
                                  int most_steps) const {
   ShearSolution solution = without_shear(grid_, task.drive);
-  const bool touches =
-      std::any_of(task.pressure.begin(), task.pressure.end(), [](double p) { return p > 0; });
+  const bool touches = std::any_of(task.pressure.begin(), task.pressure.end(), in_contact);
   if (!touches || task.friction.is_frictionless()) return solution;
   const Box box = slipping_box(grid_, task.pressure, task.previous_shear);
   const auto level_of_box = level(box, task.rolls ? rolling_margin : 0);

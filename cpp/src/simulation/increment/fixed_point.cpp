@@ -42,6 +42,7 @@ class FixedPoint {
  public:
   explicit FixedPoint(const IncrementTask& task)
       : grid_(task.scene().grid),
+        law_(*task.scene().contact_law),
         target_(task.target),
         settings_(task.settings),
         counters_(task.counters),
@@ -60,9 +61,10 @@ class FixedPoint {
     while (result_.grown && !any(mapped_)) evaluate();
     // Plastic flow only widens the contact: what is too large now will not fit later.
     if (settings_.on_border == contact::OnBorder::error && !target_.is_prescribed()) {
-      const Field& pressure = result_.contact.tractions.pressure;
-      const auto complaint = contact::border_complaint(grid_, pressure, describe(target_));
-      if (!complaint.empty()) throw contact::too_small(grid_, pressure, complaint);
+      const contact::Solution& contact = result_.contact;
+      const Field repulsion = contact::repulsion(law_, contact.tractions.pressure, contact.gap);
+      const auto complaint = contact::border_complaint(grid_, repulsion, describe(target_));
+      if (!complaint.empty()) throw contact::too_small(grid_, repulsion, complaint);
     }
     if (problem_.has_plastic_body()) ++counters_.yield_checks;
     if (!any(mapped_) && contact_tol_ > elastic_tol_) {
@@ -188,6 +190,7 @@ class FixedPoint {
   }
 
   const Grid& grid_;
+  const contact::ContactLaw& law_;
   const Target& target_;
   const Settings& settings_;
   Counters& counters_;

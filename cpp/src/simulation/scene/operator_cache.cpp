@@ -33,7 +33,7 @@ std::shared_ptr<const contact::ContactSolver> OperatorCache::solver(
   const std::lock_guard lock(mutex_);
   if (!solver_ || solver_heating_ != heating) {
     solver_ = std::make_shared<const contact::ContactSolver>(grid_, media_[0], media_[1], friction_,
-                                                             heating);
+                                                             heating, contact_law_);
     solver_heating_ = heating;
   }
   return solver_;

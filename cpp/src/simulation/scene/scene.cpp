@@ -16,12 +16,13 @@ namespace {
 constexpr double depth_in_radii = 1.5;
 constexpr int fewest_layers = 8;
 
-/// Radius of the spots under pressure, a circle's from its mean chord, along the direction in which
+/// Radius of the spots in contact, a circle's from its mean chord, along the direction in which
 /// they are shorter [m].
-double spot_radius(const Field& pressure, const Grid& grid) {
+double spot_radius(const Field& repulsion, const Grid& grid) {
   std::size_t cells = 0, chords_x = 0, chords_y = 0;
   const auto touches = [&](int i, int j) {
-    return i >= 0 && j >= 0 && pressure[static_cast<std::size_t>(i) * grid.ny + j] > 0;
+    return i >= 0 && j >= 0 &&
+           contact::in_contact(repulsion[static_cast<std::size_t>(i) * grid.ny + j]);
   };
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
@@ -49,20 +50,21 @@ Media media_of(const plasticity::Body& body1, const plasticity::Body& body2) {
 Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
              Field initial_gap_, const contact::FrictionLaw& friction_, double image_tol,
              const HeatMarch& march_, int reach_, Reliefs reliefs_,
-             const operators::BandSplit& split_)
+             const operators::BandSplit& split_, contact::SharedContactLaw contact_law_)
     : grid(grid_),
       bodies{body1, body2},
       media(media_of(body1, body2)),
       initial_gap(std::move(initial_gap_)),
+      contact_law(std::move(contact_law_)),
       friction(friction_),
       partial_slip(friction.sticks() ? std::make_unique<const contact::PartialSlipContact>(
-                                           grid_, media[0], media[1], friction)
+                                           grid_, media[0], media[1], friction, contact_law)
                                      : nullptr),
       march(march_),
       reach(reach_),
       split((require_valid(split_), split_)),
       reliefs(std::move(reliefs_)),
-      cache(grid, media, friction, image_tol, split),
+      cache(grid, media, friction, contact_law, image_tol, split),
       symmetry_(symmetry_of(initial_gap, grid_)) {
   // Throws for bodies that have no contact.
   if (!friction.sticks()) cache.solver({});
@@ -147,10 +149,10 @@ operators::HeatHistory Scene::heat_history(int body, const operators::Heating& h
           {.shortest = march.shortest, .longest = march.longest, .in_depth = grid.has_volume()});
 }
 
-Box Scene::volume_below(const Field& pressure) const {
+Box Scene::volume_below(const Field& repulsion) const {
   Box box = Box::whole(grid);
   if (grid.nz > 0 || !grid.has_volume()) return box;
-  const double depth = depth_in_radii * spot_radius(pressure, grid);
+  const double depth = depth_in_radii * spot_radius(repulsion, grid);
   box.nz = std::max(fewest_layers, cells_over(depth, grid.dz));
   return box;
 }

@@ -6,14 +6,33 @@
 #include <cmath>
 #include <utility>
 
+#include "samcontact/base/reduce.hpp"
 #include "samcontact/simulation/cells/traction_window.hpp"
+#include "samcontact/simulation/state/contact_fields.hpp"
+#include "samcontact/simulation/state/surface_fields.hpp"
 
 namespace samcontact::simulation {
+
+namespace {
+
+/// Sets the start of bodies that attract each other: apart, just before they touch.
+void part(State& state) {
+  const Scene& scene = state.scene();
+  const Field pull = contact::attraction(*scene.contact_law, scene.initial_gap);
+  contact::add_scaled(-1.0, pull, state.tractions.pressure);
+  state.load =
+      -scene.grid.cell_area() * ordered_sum(pull.size(), [&](std::size_t i) { return pull[i]; });
+  const Field attracted = gap(state);
+  state.approach += *std::min_element(attracted.begin(), attracted.end());
+}
+
+}  // namespace
 
 State::State(std::shared_ptr<const Scene> scene, operators::ResidualMethod method_)
     : method(method_), scene_(std::move(scene)) {
   tractions.pressure.assign(scene_->grid.surface_size(), 0.0);
   approach = *std::min_element(scene_->initial_gap.begin(), scene_->initial_gap.end());
+  if (scene_->contact_law->attracts()) part(*this);
 }
 
 PastHeat State::heat_so_far() const {
@@ -78,7 +97,7 @@ operators::Tractions State::tractions_on(int body) const {
 }
 
 int State::layers() const {
-  Box box = scene_->volume_below(tractions.pressure);
+  Box box = scene_->volume_below(repulsion(*this));
   if (scene_->grid.nz > 0) return box.nz;
   for (const auto* strains : {&plastic, &eigenstrain}) {
     for (const auto& strain : *strains) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frictionless contact problem on a grid: p >= 0, g = h + K p - delta >= 0, p g = 0. What all
-// its solvers share.
+// its solvers share. Where surfaces attract each other, p is the repulsion (see Attraction).
 #pragma once
 
 #include <cmath>

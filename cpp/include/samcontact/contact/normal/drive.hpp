@@ -6,6 +6,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/grid.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 
 namespace samcontact::contact {
 
@@ -37,8 +38,9 @@ struct Drive {
 /// For messages.
 std::string describe(const Drive& drive);
 
-/// Throws std::invalid_argument, naming the argument, unless a contact can be driven so.
-void require_valid(const Drive& drive);
+/// Throws std::invalid_argument, naming the argument, unless a contact of this law can be driven
+/// so: loads below zero need an attraction.
+void require_valid(const Drive& drive, const ContactLaw& law);
 /// Throws std::invalid_argument unless a surface field has the shape of the grid and is finite.
 void require_surface(const Field& field, const Grid& grid, const std::string& name);
 /// The same of a gap, which is +inf in cells without a body, finite in at least one.

@@ -31,8 +31,14 @@ class OperatorCache {
  public:
   /// image_tol: of volume operators and zones. split: of zones.
   OperatorCache(const Grid& grid, const Media& media, const contact::FrictionLaw& friction,
-                double image_tol, const operators::BandSplit& split)
-      : grid_(grid), media_(media), friction_(friction), image_tol_(image_tol), split_(split) {}
+                contact::SharedContactLaw contact_law, double image_tol,
+                const operators::BandSplit& split)
+      : grid_(grid),
+        media_(media),
+        friction_(friction),
+        contact_law_(std::move(contact_law)),
+        image_tol_(image_tol),
+        split_(split) {}
 
   /// The contact in gross sliding with this heat; the last one is kept.
   std::shared_ptr<const contact::ContactSolver> solver(const operators::HeatingPair& heating) const;
@@ -87,6 +93,7 @@ class OperatorCache {
   Grid grid_;
   Media media_;
   contact::FrictionLaw friction_;
+  contact::SharedContactLaw contact_law_;
   double image_tol_;
   operators::BandSplit split_;
   mutable std::mutex mutex_;

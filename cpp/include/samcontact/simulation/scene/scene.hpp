@@ -22,12 +22,14 @@ class Scene {
   /// reach: how far beyond the grid plastic strain acts along x [cells].
   Scene(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
         Field initial_gap, const contact::FrictionLaw& friction, double image_tol,
-        const HeatMarch& march, int reach, Reliefs reliefs, const operators::BandSplit& split = {});
+        const HeatMarch& march, int reach, Reliefs reliefs, const operators::BandSplit& split = {},
+        contact::SharedContactLaw contact_law = contact::hard_contact());
 
   const Grid grid;
   const std::array<plasticity::Body, 2> bodies;
   const Media media;
   const Field initial_gap;
+  const contact::SharedContactLaw contact_law;
   const contact::FrictionLaw friction;
   const std::unique_ptr<const contact::PartialSlipContact> partial_slip;  // null in gross sliding
   const HeatMarch march;
@@ -51,9 +53,9 @@ class Scene {
   /// An empty history of the heat that enters a body as told.
   operators::HeatHistory heat_history(int body, const operators::Heating& heating) const;
 
-  /// The cells of the grid, and the layers in which the stress under a pressure is seen: as many as
-  /// the grid has, or down to one and a half radii of the spots in contact.
-  Box volume_below(const Field& pressure) const;
+  /// The cells of the grid, and the layers in which the stress under a repulsion is seen: as many
+  /// as the grid has, or down to one and a half radii of the spots in contact.
+  Box volume_below(const Field& repulsion) const;
   /// Throws std::invalid_argument for a grid without volume or a rigid body.
   void require_volume(int body) const;
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/laws/contact_law.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+namespace samcontact::contact {
+namespace {
+
+using Make = std::function<SharedContactLaw(const std::vector<double>& parameters)>;
+
+const std::map<std::string, Make>& laws() {
+  static const std::map<std::string, Make> laws{
+      {"hard", [](const auto&) { return hard_contact(); }},
+  };
+  return laws;
+}
+
+}  // namespace
+
+SharedContactLaw hard_contact() {
+  static const auto law = std::make_shared<const HardContact>();
+  return law;
+}
+
+SharedContactLaw contact_law(const std::string& kind, const std::vector<double>& parameters) {
+  const auto found = laws().find(kind);
+  if (found == laws().end()) throw std::invalid_argument("no contact law is named " + kind);
+  return found->second(parameters);
+}
+
+Field attraction(const ContactLaw& law, const Field& gap) {
+  Field pull(gap.size());
+  for (std::size_t i = 0; i < gap.size(); ++i) pull[i] = law.attraction(gap[i]);
+  return pull;
+}
+
+Field repulsion(const ContactLaw& law, Field pressure, const Field& gap) {
+  if (!law.attracts()) return pressure;
+  for (std::size_t i = 0; i < pressure.size(); ++i) pressure[i] += law.attraction(gap[i]);
+  return pressure;
+}
+
+}  // namespace samcontact::contact

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact in the results dataset."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def repulsion_of(dataset: xr.Dataset) -> xr.DataArray:
+    """Repulsion in each increment [Pa]; in hard contact it is the pressure."""
+    return dataset["repulsion" if "repulsion" in dataset else "pressure"]

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact laws: how far the pressure may fall at a gap, and which cells are in contact.
+
+Nothing else compares a pressure with zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, astuple, dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import _core
+from .._util.checks import require_type
+from .._util.display import Shown
+from ..heat import Heat
+
+
+@dataclass(frozen=True)
+class ContactLaw(Shown):
+    """A contact law, with its parameters as fields.
+
+    The pressure is p = r - a(g), with a repulsion r >= 0 that closed cells carry and an attraction
+    a(g) >= 0 across the gap g. The unit of a parameter is metadata of its field.
+    """
+
+    kind: ClassVar[str]
+    """Name of the law in case files, results and the core."""
+
+    def to_core(self) -> _core.ContactLaw:
+        """The law in the core."""
+        return _core.ContactLaw(self.kind, list(astuple(self)))
+
+    @property
+    def attracts(self) -> bool:
+        """Whether surfaces attract each other."""
+        return self.to_core().attracts
+
+    def to_tree(self) -> dict[str, Any]:
+        """Kind and parameters by name."""
+        return {"kind": self.kind, **asdict(self)}
+
+    def require_possible(self, heat: Heat, given: Mapping[str, Any]) -> None:
+        """Raise ValueError for what an attraction has no part in.
+
+        Parameters
+        ----------
+        heat : Heat
+            Frictional heat.
+        given : mapping
+            Arguments of `Simulation.step` or `ContactSolver.solve`.
+        """
+        if not self.attracts:
+            return
+        if any(heat.factor) or heat.partition is not None:
+            raise ValueError(f"heat must be left out with contact_law = {self!r}, got {heat!r}")
+        if given.get("pressure") is not None:
+            raise ValueError(
+                f"pressure must be left out with contact_law = {self!r}: no contact is solved then"
+            )
+        ways: Sequence[float] = given.get("advance", (0.0, 0.0))
+        if np.any(ways):
+            raise ValueError(
+                f"advance must be (0, 0) with contact_law = {self!r}, got {tuple(ways)!r}: the "
+                "surfaces that attract each other do not leave the grid"
+            )
+
+
+@dataclass(frozen=True)
+class HardContact(ContactLaw):
+    """Hard contact, for `ContactSolver` and `Simulation`: p >= 0, without attraction."""
+
+    kind: ClassVar[str] = "hard"
+
+
+LAWS: tuple[type[ContactLaw], ...] = (HardContact,)
+"""Those of case files and checkpoints."""
+
+
+def law_of(tree: Mapping[str, Any]) -> ContactLaw:
+    """The law of a tree from `ContactLaw.to_tree`.
+
+    Raises ValueError for an unknown kind, TypeError for parameters of another one.
+    """
+    parameters = dict(tree)
+    kind = parameters.pop("kind")
+    for law in LAWS:
+        if law.kind == kind:
+            return law(**parameters)
+    raise ValueError(f"kind must be one of {[law.kind for law in LAWS]}, got {kind!r}")
+
+
+def require_law(name: str, value: Any) -> ContactLaw:
+    """The value, if it is a contact law; TypeError otherwise."""
+    require_type(name, value, ContactLaw)
+    law: ContactLaw = value
+    return law
+
+
+def in_contact(repulsion: ArrayLike) -> NDArray[np.bool_]:
+    """Whether cells are in contact, from their repulsion; that of hard contact is the pressure."""
+    found: NDArray[np.bool_] = np.asarray(repulsion) > 0
+    return found
