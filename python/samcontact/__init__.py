@@ -53,7 +53,7 @@ from .contact.solver import ContactSolver
 from .heat import Heat
 from .restart.file import CheckpointError
 from .scene import friction as _friction
-from .scene.contact_law import HardContact
+from .scene.contact_law import HardContact, TensileLimit
 from .scene.friction import *  # noqa: F403  (all laws)
 from .scene.grid import Grid
 from .scene.moving_topography import Relief
@@ -93,6 +93,7 @@ __all__ = [
     "State",
     "StickSlipSolution",
     "SweepInterrupted",
+    "TensileLimit",
     "Track",
     "UnitWarning",
     "Zone",

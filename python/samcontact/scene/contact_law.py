@@ -7,14 +7,14 @@ Nothing else compares a pressure with zero.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, astuple, dataclass
+from dataclasses import asdict, astuple, dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
-from .._util.checks import require_type
+from .._util.checks import non_negative, require_type
 from .._util.display import Shown
 from ..heat import Heat
 
@@ -76,7 +76,37 @@ class HardContact(ContactLaw):
     kind: ClassVar[str] = "hard"
 
 
-LAWS: tuple[type[ContactLaw], ...] = (HardContact,)
+@dataclass(frozen=True)
+class TensileLimit(ContactLaw):
+    """Constant tensile limit, for `ContactSolver` and `Simulation`: p >= -limit.
+
+    Surfaces part where the tension reaches the limit, and open cells go on to carry it at any gap:
+    an attraction of infinite range, Dugdale's (1960, doi:10.1016/0022-5096(60)90013-2) without an
+    end. So does a gap that is evacuated, or filled by a liquid whose pressure is lower by the
+    limit, as capillary pressure is; for attraction across gaps it is the limit of a range that is
+    large against them, as in Derjaguin, Muller and Toporov's theory of adhesion. The solution is
+    unique: it does not depend on the path. The force of the attraction is the limit times the area
+    of the grid; on one that is not periodic it grows with the grid, and bends the surfaces.
+
+    Attributes
+    ----------
+    limit : float
+        Tensile limit [Pa], >= 0; 0 is hard contact.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A limit that is negative or not finite, or no number.
+    """
+
+    kind: ClassVar[str] = "tensile_limit"
+    limit: float = field(metadata={"unit": "Pa"})
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "limit", non_negative("limit", self.limit))
+
+
+LAWS: tuple[type[ContactLaw], ...] = (HardContact, TensileLimit)
 """Those of case files and checkpoints."""
 
 

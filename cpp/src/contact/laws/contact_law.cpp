@@ -1,19 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/contact/laws/contact_law.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <map>
 #include <stdexcept>
 
+#include "samcontact/base/errors.hpp"
+
 namespace samcontact::contact {
 namespace {
+
+/// p >= -limit at any gap: an attraction of infinite range.
+class TensileLimit final : public ContactLaw {
+ public:
+  explicit TensileLimit(double limit) : limit_(limit) {
+    require(std::isfinite(limit) && limit >= 0, "limit", "a finite number >= 0", limit);
+  }
+
+  double attraction(double gap) const override { return std::isinf(gap) ? 0.0 : limit_; }
+  double largest_attraction() const override { return limit_; }
+  double energy(double gap) const override { return std::isinf(gap) ? 0.0 : limit_ * gap; }
+
+ private:
+  double limit_;  // [Pa]
+};
 
 using Make = std::function<SharedContactLaw(const std::vector<double>& parameters)>;
 
 const std::map<std::string, Make>& laws() {
   static const std::map<std::string, Make> laws{
       {"hard", [](const auto&) { return hard_contact(); }},
+      {"tensile_limit",
+       [](const auto& limit) { return std::make_shared<const TensileLimit>(limit.at(0)); }},
   };
   return laws;
 }

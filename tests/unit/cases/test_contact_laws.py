@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Case files with a contact law: what is built, what tension needs, and what is refused."""
+
+import pytest
+from rich.console import Console
+
+import samcontact as sc
+from case_texts import BODIES, GRID
+from samcontact.cases import CaseError, parse_case
+from samcontact.commands.solve_contact import solve_contact
+from samcontact.results import open_results
+
+LAW = 'contact_law = {kind = "tensile_limit", limit = "0.5 MPa"}'
+
+
+def case(*segments, contact=LAW, more=""):
+    path = "".join(f"[[path]]\n{segment}\n" for segment in segments)
+    return parse_case(f'title = "t"\n{GRID}\n{BODIES}\n[contact]\n{contact}\n{path}{more}')
+
+
+def test_laws_are_what_simulations_take():
+    loads = "load = 600.0\nincrements = 1", "load = -0.01\nincrements = 1"
+    simulation, _ = case(*loads).build()
+    assert simulation.contact_law == sc.TensileLimit(5e5)
+    hard = case(loads[0], contact='contact_law = {kind = "hard"}').build()[0]
+    assert hard.contact_law == case(loads[0], contact="").build()[0].contact_law
+    assert hard.contact_law == sc.HardContact()
+
+
+@pytest.mark.parametrize(
+    ("contact", "message"),
+    [
+        ('contact_law = {kind = "soft"}', "kind"),
+        ('contact_law = {kind = "tensile_limit"}', "limit"),
+        ('contact_law = {kind = "tensile_limit", limit = "-1 MPa"}', "limit"),
+        ('contact_law = {kind = "tensile_limit", limit = "1 N"}', "limit"),
+    ],
+)
+def test_laws_are_checked(contact, message):
+    with pytest.raises(CaseError, match=message):
+        case("load = 600.0", contact=contact)
+
+
+def test_tension_needs_an_attraction():
+    with pytest.raises(
+        CaseError, match=r"path\[1\]\.load: must be a number >= 0 \[N\], got -0\.01"
+    ):
+        case("load = 600.0", "load = -0.01", contact="")
+
+
+def test_what_attraction_has_no_part_in_is_refused():
+    with pytest.raises(CaseError, match="path must not move the bodies"):
+        case("load = 600.0", "load = 600.0\nadvance = [1e-4, 1e-4]")
+
+
+def test_a_run_stores_law_and_repulsion(tmp_path):
+    loads = "load = 600.0\nincrements = 1", "load = -0.01\nincrements = 1"
+    console = Console(width=200)
+    solve_contact(case(*loads), tmp_path, console, figures=False, animate=False, resume=False)
+    with open_results(tmp_path / "results.nc") as found:
+        assert found.attrs["contact_law"] == "tensile_limit"
+        assert found.attrs["contact_law_limit"] == 5e5
+        assert float(found["load"][-1]) == pytest.approx(-0.01)
+        pulled = found["pressure"].values + 5e5
+        assert abs(found["repulsion"].values - pulled).max() < 1e-9 * pulled.max()
