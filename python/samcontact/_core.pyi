@@ -139,12 +139,7 @@ def contact_outline(
 
 class PartialSlipContact:
     def __init__(
-        self,
-        grid: Grid,
-        body1: Stack,
-        body2: Stack,
-        friction: FrictionLaw,
-        contact_law: ContactLaw,
+        self, grid: Grid, body1: Stack, body2: Stack, friction: FrictionLaw, contact_law: ContactLaw
     ) -> None: ...
     is_coupled: bool
     def solve(
