@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from samcontact import Grid, Material, hertz
+from samcontact import Grid, HardContact, Material, hertz
 from samcontact.solutions.contact_area import contact_area
 
 ELASTIC = Material.elastic(210e9, 0.3)
@@ -38,6 +38,14 @@ class FakeState:
         else:
             self.pressure, self.approach = np.zeros(shape), 0.0
         self.contact_area = contact_area(self.pressure, grid.cell_area)
+
+    @property
+    def repulsion(self):
+        return self.pressure
+
+    @property
+    def in_contact(self):
+        return self.pressure > 0
 
     @property
     def depths(self):
@@ -102,6 +110,7 @@ def make_simulation(nz=4, body1=ELASTIC, body2=SWIFT):
         body2=body2,
         initial_gap=gap,
         friction=0.0,
+        contact_law=HardContact(),
         tol=1e-6,
         reach=1e-3,
         heat_factor=(0.0, 0.0),

@@ -156,7 +156,7 @@ def _gone_through(scene: FrettingScene, heights: Mapping[int, list[FloatArray]])
     if scene.law == "archard":
         swept = np.sum([state.pressure for state in states] * ways, axis=0)
         return _Repeat(states, work, way, swept, way)
-    pressures = np.concatenate([state.pressure[state.pressure > 0] for state in states])
+    pressures = np.concatenate([state.pressure[state.in_contact] for state in states])
     ratio = scene.friction.ratio(float(pressures.mean())) if pressures.size else 0.0
     return _Repeat(states, work, way, work, ratio * way)
 
