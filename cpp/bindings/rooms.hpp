@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One binding function per room of the core.
+// Binding functions of the rooms of the core, and of parts of them that have their own file.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,6 +12,7 @@ void bind_heating(pybind11::module_& m);
 void bind_operators(pybind11::module_& parent);
 void bind_plasticity(pybind11::module_& m);
 void bind_contact(pybind11::module_& m);
+void bind_state(pybind11::module_& m);
 void bind_simulation(pybind11::module_& m);
 void bind_fatigue(pybind11::module_& parent);
 

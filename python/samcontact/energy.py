@@ -264,12 +264,12 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
 
 def _have_equal_eigenstrain(one: State, other: State) -> bool:
     """Whether both bodies have the same eigenstrain in two states."""
+    bodies = [n for n in (1, 2) if one.has_eigenstrain(n) or other.has_eigenstrain(n)]
+    if not bodies:
+        return True
     layers = max(one.layers, other.layers)
     a, b = one.at_layers(layers), other.at_layers(layers)
-    return all(
-        np.array_equal(a.eigenstrain(body), b.eigenstrain(body)) for body in (1, 2)
-        if one.has_eigenstrain(body) or other.has_eigenstrain(body)
-    )  # fmt: skip
+    return all(np.array_equal(a.eigenstrain(body), b.eigenstrain(body)) for body in bodies)
 
 
 def _work(states: Sequence[State]) -> FloatArray:

@@ -24,7 +24,10 @@ class ContactLaw(Shown):
     """A contact law, with its parameters as fields.
 
     The pressure is p = r - a(g), with a repulsion r >= 0 that closed cells carry and an attraction
-    a(g) >= 0 across the gap g. The unit of a parameter is metadata of its field.
+    a(g) >= 0 across the gap g. Where the law attracts, friction goes with the repulsion, the
+    grid is not enlarged, a simulation starts with the bodies apart, under the largest tension, and
+    `advance`, prescribed pressure and heat are refused. The unit of a parameter is metadata of its
+    field.
     """
 
     kind: ClassVar[str]

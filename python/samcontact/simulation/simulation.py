@@ -72,8 +72,7 @@ class Simulation(Configured, Shown):
         of the layers, memory is 1 kB a cell. With little hardening and cubic cells, plastic strain
         may alternate from layer to layer (a ResolutionWarning) or not converge.
     image_tol : float, optional
-        With "fast": error due to the periodicity of the transforms, relative to the largest
-        residual stress; in [1e-6, 0.1].
+        With "fast": error by periodic transforms over the largest residual stress; in [1e-6, 0.1].
     zones : {"auto", "one"}, optional
         Domain of the plastic strain. "auto": several boxes where this reduces the work, as on rough
         surfaces; "one": always a single one. They differ by about 1e-3 of the residual stress.
@@ -83,13 +82,9 @@ class Simulation(Configured, Shown):
         Surface topography (roughness, dents) that moves with body 1 or 2, or a function of a grid
         that returns it.
     reach : float, optional
-        Distance beyond the grid, along x, within which plastic strain that has moved out of it
-        still acts [m], >= 0. Default: the length of the grid.
+        Distance beyond the grid, along x, up to which plastic strain acts [m]; default: its length.
     contact_law : ContactLaw, optional
-        Contact law: how far the pressure may fall at a gap. Default: `HardContact()`, p >= 0. Where
-        the bodies attract each other, friction goes with the repulsion, the grid is not enlarged,
-        and the simulation starts with the bodies apart, under the largest tension; `advance`,
-        prescribed pressure and heat are refused.
+        Bound of the pressure at a gap. Default: `HardContact()`, p >= 0.
 
     Raises
     ------
@@ -205,8 +200,7 @@ class Simulation(Configured, Shown):
         Parameters
         ----------
         load, approach : float
-            Total load [N], >= 0 (0: unloaded), or down to the largest tension of the contact law;
-            rigid-body approach [m].
+            Total load [N], >= 0 or down to the tension of the contact law; approach [m].
         pressure : array_like, shape (nx, ny)
             Prescribed pressure [Pa]; no contact is solved.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
@@ -346,9 +340,8 @@ class Simulation(Configured, Shown):
         backstress : array_like, shape (terms, 6, nx, ny, nz), optional
             Deviators of kinematic hardening [Pa], as from `State.backstress`; default 0.
         first : int, optional
-            Row of the grid over which the first row of these fields lies, possibly negative. They
-            may then have any number of rows along x, e.g. those of a track:
-            ``set_plastic_strain(2, track.plastic_strain(), first=track.first)``.
+            Row of the grid of the first row of these fields, possibly negative; they may then have
+            any length: ``set_plastic_strain(2, track.plastic_strain(), first=track.first)``.
 
         Raises
         ------
@@ -362,7 +355,8 @@ class Simulation(Configured, Shown):
     ) -> None:
         """Add an eigenstrain (misfit, swelling, transformation) to an elastic or plastic body.
 
-        It acts from the next increment on and moves with the body: see `State.eigenstress`.
+        It acts from the next increment on and moves with the body: see `State.eigenstress`. Raises
+        ValueError: box beyond the grid, no dz, a rigid body, strain that is not finite.
 
         Parameters
         ----------
@@ -374,8 +368,6 @@ class Simulation(Configured, Shown):
             First cell of the box along x, y and z; it may begin below the surface.
         cells : tuple of int, optional
             Numbers of cells (nx, ny, nz) of the box, with six numbers only.
-
-        Raises ValueError: box beyond the grid, no dz, a rigid body, strain that is not finite.
         """
         add_eigenstrain(self.engine, body, strain, first, cells)
 

@@ -19,7 +19,7 @@ from ..heat import Heat
 from ..scene.domain import Domain
 from ..scene.setup import SimulationSetup
 from .interface_stress import layered_body, stress_at_interfaces
-from .surface_state import SurfaceState
+from .surface_state import SurfaceState, rows_along_surface
 from .track import Track
 from .zone import Zone, ZoneStress
 
@@ -378,7 +378,7 @@ class State(SurfaceState, Fixed, Shown):
             if strain > 0:
                 name = f"maximum equivalent plastic strain, body {body}"
                 rows.append((name, f"{100 * strain:.4g} %"))
-        rows += self._along_rows()
+        rows += rows_along_surface(self)
         if any(self.travel):
             rows += [(f"travel, body {n}", quantity(self.travel[n - 1], "m")) for n in (1, 2)]
         if self.time > 0:

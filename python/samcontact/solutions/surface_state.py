@@ -71,7 +71,7 @@ class SurfaceState:
 
         Raises ValueError where friction is a number: gross sliding is not resolved.
         """
-        self._require_stick_and_slip("slip")
+        _require_sticking("slip", self.setup)
         shape = (2, *self.grid.surface_shape)
         field = self._core.slip
         return np.zeros(shape) if field is None else field.reshape(shape)
@@ -100,43 +100,20 @@ class SurfaceState:
 
         The difference of their ways is in it. Raises ValueError where friction is a number.
         """
-        self._require_stick_and_slip("shift")
+        _require_sticking("shift", self.setup)
         return np.array(self._core.motion[:2])
 
     @property
     def twist(self) -> float:
         """Turn of body 1 over body 2 about z since the start [rad]; ValueError as `shift`."""
-        self._require_stick_and_slip("twist")
+        _require_sticking("twist", self.setup)
         return float(self._core.motion[2])
 
     @property
     def friction_work(self) -> float:
         """Turned into heat by slip since the start [J]; ValueError as `shift`."""
-        self._require_stick_and_slip("friction_work")
+        _require_sticking("friction_work", self.setup)
         return float(self._core.friction_work)
-
-    def _along_rows(self) -> Rows:
-        """Forces and motions along the surface; none where friction is a number."""
-        if not self.setup.friction.sticks:
-            return []
-        touching = int(np.count_nonzero(self.in_contact))
-        rows = [
-            ("tangential load", both(self.tangential_load, "N")),
-            ("shift", both(self.shift, "m")),
-            ("friction work", quantity(self.friction_work, "J")),
-            ("cells that stick", f"{np.count_nonzero(self.sticking)} of {touching} in contact"),
-        ]
-        if self.twist != 0.0:
-            turned = [("torque", self.torque, "N m"), ("twist", self.twist, "rad")]
-            rows[2:2] = [(name, quantity(value, unit)) for name, value, unit in turned]
-        return rows
-
-    def _require_stick_and_slip(self, name: str) -> None:
-        if not (friction := self.setup.friction).sticks:
-            raise ValueError(
-                f"{name} is not solved for where friction is a number, {friction!r}, which is "
-                "gross sliding: make the simulation with friction=samcontact.Coulomb(mu)"
-            )
 
     def _surface(self, name: str) -> FloatArray:
         """A field of the surface; 0 where the core has none."""
@@ -189,3 +166,29 @@ class SurfaceState:
     def approach(self) -> float:
         """Rigid-body approach [m]; NaN under prescribed tractions."""
         return float(self._core.approach)
+
+
+def rows_along_surface(state: SurfaceState) -> Rows:
+    """Forces and motions along the surface; none where friction is a number."""
+    if not state.setup.friction.sticks:
+        return []
+    touching = int(np.count_nonzero(state.in_contact))
+    rows = [
+        ("tangential load", both(state.tangential_load, "N")),
+        ("shift", both(state.shift, "m")),
+        ("friction work", quantity(state.friction_work, "J")),
+        ("cells that stick", f"{np.count_nonzero(state.sticking)} of {touching} in contact"),
+    ]
+    if state.twist != 0.0:
+        turned = [("torque", state.torque, "N m"), ("twist", state.twist, "rad")]
+        rows[2:2] = [(name, quantity(value, unit)) for name, value, unit in turned]
+    return rows
+
+
+def _require_sticking(name: str, setup: SimulationSetup) -> None:
+    """Raise ValueError where the bodies slide everywhere."""
+    if not (friction := setup.friction).sticks:
+        raise ValueError(
+            f"{name} is not solved for where friction is a number, {friction!r}, which is "
+            "gross sliding: make the simulation with friction=samcontact.Coulomb(mu)"
+        )

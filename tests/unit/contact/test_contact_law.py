@@ -150,7 +150,7 @@ def test_stick_and_slip_go_with_the_repulsion():
     more = held.solve(gap, load=1.2 * pull, tangential_load=(0.0, 0.0), previous=hard)
     same(on.shear, more.shear, 1e-6)
     np.testing.assert_array_equal(on.sticking, more.sticking)
-    with pytest.raises(ValueError, match="shorter than friction times the load"):
+    with pytest.raises(ValueError, match="the largest that friction holds"):
         of.solve(gap, load=0.0, tangential_load=(1.01 * mu * pull, 0.0))
 
 

@@ -122,12 +122,14 @@ def test_balances_that_are_not_known_are_refused():
     heated = Mock(
         spec=sc.Simulation,
         friction=sc.Coulomb(0.3),
+        contact_law=sc.HardContact(),
         body1=body.with_thermal(50.0, 1e-5, 1e-5),
         body2=body,
     )
     warm = Mock(
-        spec=sc.State, travel=(0.0, 0.0), approach=1e-6, surface_temperature=lambda body: 1.0
-    )
+        spec=sc.State, travel=(0.0, 0.0), approach=1e-6, surface_temperature=lambda body: 1.0,
+        has_eigenstrain=lambda body: False,
+    )  # fmt: skip
     with pytest.raises(ValueError, match="states must be cold, but body 1 is heated"):
         energy.balance(heated, [warm])
 

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "long_work.hpp"
+#include "parts.hpp"
+#include "rooms.hpp"
+#include "samcontact/simulation/simulation.hpp"
+#include "samcontact/simulation/state/contact_fields.hpp"
+#include "samcontact/simulation/state/description.hpp"
+#include "samcontact/simulation/state/flow_zones.hpp"
+#include "samcontact/simulation/state/strain_fields.hpp"
+#include "samcontact/simulation/state/stress_fields.hpp"
+#include "samcontact/simulation/state/surface_fields.hpp"
+#include "samcontact/simulation/state/temperature_fields.hpp"
+
+namespace samcontact::bindings {
+
+namespace {
+
+using simulation::State;
+
+enum class Rank { surface, scalar, tensor, tensors };
+
+/// A field that takes a while.
+template <class Make>
+Field worked(const Make& make) {
+  const LongWork work;
+  return make();
+}
+
+template <Rank rank>
+py::array to_array(Field field, const Grid& grid, py::ssize_t layers) {
+  if constexpr (rank == Rank::surface) return surface_array(std::move(field), grid);
+  if constexpr (rank == Rank::scalar) return volume_array(std::move(field), grid, layers);
+  if constexpr (rank == Rank::tensor) return tensor_array(std::move(field), grid, layers);
+  if constexpr (rank == Rank::tensors) return tensors_array(std::move(field), grid, layers);
+}
+
+auto surface_method(Field (*method)(const State&, int)) {
+  return [method](const State& state, int body) {
+    Field field = worked([&] { return (*method)(state, body); });
+    return surface_array(std::move(field), state.scene().grid);
+  };
+}
+
+/// A field of the volume down to a number of layers.
+template <Rank rank>
+auto volume_method(Field (*method)(const State&, int, simulation::Layers)) {
+  return [method](const State& state, int body, int layers) {
+    Field field = worked([&] { return (*method)(state, body, layers); });
+    return to_array<rank>(std::move(field), state.scene().grid, layers);
+  };
+}
+
+/// First cell and sizes (i0, j0, nx, ny, nz), as Python has boxes.
+using BoxTuple = std::array<int, 5>;
+BoxTuple to_tuple(const Box& box) { return {box.i0, box.j0, box.nx, box.ny, box.nz}; }
+Box to_box(const BoxTuple& cells) {
+  const auto& [i0, j0, nx, ny, nz] = cells;
+  return {i0, j0, nx, ny, nz};
+}
+
+/// A field over the cells of a box, which may lie beside the grid.
+template <Rank rank>
+auto box_method(Field (*method)(const State&, int, const Box&)) {
+  return [method](const State& state, int body, const BoxTuple& cells) {
+    const Box box = to_box(cells);
+    Field field = worked([&] { return (*method)(state, body, box); });
+    return to_array<rank>(std::move(field), box.grid(state.scene().grid), box.nz);
+  };
+}
+
+void bind_zones(py::class_<State>& state) {
+  state
+      .def(
+          "zones",
+          [](const State& s, int body) {
+            std::vector<BoxTuple> zones;
+            for (const Box& zone : simulation::zones(s, body)) zones.push_back(to_tuple(zone));
+            return zones;
+          },
+          py::arg("body"))
+      .def(
+          "own_box",
+          [](const State& s, int body) -> py::object {
+            const Box box = simulation::own_box(s, body);
+            if (box.empty()) return py::none();
+            return py::cast(to_tuple(box));
+          },
+          py::arg("body"))
+      .def(
+          "deviator_in_own_box",
+          [](const State& s, int body, bool loaded) {
+            Field field = worked([&] { return simulation::deviator_in_own_box(s, body, loaded); });
+            const Box box = simulation::own_box(s, body);
+            return tensor_array(std::move(field), box.grid(s.scene().grid), box.nz);
+          },
+          py::arg("body"), py::arg("loaded"))
+      .def(
+          "stress_in_zones",
+          [](const State& s, int body, bool loaded) {
+            Field field = worked([&] { return simulation::stress_in_zones(s, body, loaded); });
+            const auto size = static_cast<py::ssize_t>(field.size());
+            return own(std::move(field), {size}, {item});
+          },
+          py::arg("body"), py::arg("loaded"));
+}
+
+void bind_boxes(py::class_<State>& state) {
+  const auto bind = [&](const char* name, auto method) {
+    state.def(name, method, py::arg("body"), py::arg("box"));
+  };
+  bind("residual_stress_in", box_method<Rank::tensor>(&simulation::residual_stress));
+  bind("initial_stress_in", box_method<Rank::tensor>(&simulation::initial_stress));
+  bind("eigenstress_in", box_method<Rank::tensor>(&simulation::eigenstress));
+  bind("eigenstrain_in", box_method<Rank::tensor>(&simulation::eigenstrain));
+  bind("yield_factor_in", box_method<Rank::scalar>(&simulation::yield_factor));
+  bind("plastic_strain_in", box_method<Rank::tensor>(&simulation::plastic_strain));
+  bind("equivalent_plastic_strain_in",
+       box_method<Rank::scalar>(&simulation::equivalent_plastic_strain));
+  bind("backstress_in", box_method<Rank::tensors>(&simulation::backstress));
+  state.def(
+      "residual_displacement_in",
+      [](const State& s, int body, const BoxTuple& cells, int axis) {
+        const Box box = to_box(cells);
+        Field field;
+        {
+          const LongWork work;
+          field =
+              simulation::residual_displacement(s, body, static_cast<operators::Axis>(axis), box);
+        }
+        return surface_array(std::move(field), box.grid(s.scene().grid));
+      },
+      py::arg("body"), py::arg("box"), py::arg("axis"));
+  bind_zones(state);
+}
+
+void bind_track(py::class_<State>& state) {
+  state
+      .def(
+          "widened",
+          [](const State& s, const State& like) { return s.widened(like.shared_scene()); },
+          py::arg("like"))
+      .def(
+          "relief",
+          [](const State& s, int body) {
+            return surface_array(s.scene().relief(body, s.travel), s.scene().grid);
+          },
+          py::arg("body"))
+      .def_property_readonly("origin", [](const State& s) { return s.placement().origin; })
+      .def_property_readonly("offset", [](const State& s) { return s.placement().offset; })
+      .def_property_readonly("first_cell", [](const State& s) { return s.placement().first; })
+      .def(
+          "history_rows",
+          [](const State& s, int body) -> py::object {
+            Box box;
+            for (const auto& strain : {s.plastic[body], s.eigenstrain[body]}) {
+              if (!strain) continue;
+              box = box.united(
+                  simulation::whole_box(strain->box(), s.scene().grid, strain->symmetry()));
+            }
+            if (box.empty()) return py::none();
+            return py::make_tuple(box.i0, box.nx);
+          },
+          py::arg("body"));
+}
+
+void bind_fields(py::class_<State>& bound) {
+  const auto bind = [&](const char* name, auto method) {
+    bound.def(name, method, py::arg("body"), py::arg("layers"));
+  };
+  bind("stress", volume_method<Rank::tensor>(&simulation::stress));
+  bind("residual_stress", volume_method<Rank::tensor>(&simulation::residual_stress));
+  bind("initial_stress", volume_method<Rank::tensor>(&simulation::initial_stress));
+  bind("backstress", volume_method<Rank::tensors>(&simulation::backstress));
+  bind("eigenstress", volume_method<Rank::tensor>(&simulation::eigenstress));
+  bind("eigenstrain", volume_method<Rank::tensor>(&simulation::eigenstrain));
+  bind("plastic_strain", volume_method<Rank::tensor>(&simulation::plastic_strain));
+  bind("temperature", volume_method<Rank::scalar>(&simulation::temperature));
+  bind("equivalent_plastic_strain",
+       volume_method<Rank::scalar>(&simulation::equivalent_plastic_strain));
+  const auto bind_surface = [&](const char* name, Field (*method)(const State&, int)) {
+    bound.def(name, surface_method(method), py::arg("body"));
+  };
+  bind_surface("surface_temperature", &simulation::surface_temperature);
+  bound.def(
+      "residual_displacement",
+      [](const State& s, int body, int axis) {
+        Field field = worked([&] {
+          return simulation::residual_displacement(s, body, static_cast<operators::Axis>(axis));
+        });
+        return surface_array(std::move(field), s.scene().grid);
+      },
+      py::arg("body"), py::arg("axis"));
+  bind_surface("surface_displacement", &simulation::surface_displacement);
+}
+
+}  // namespace
+
+void bind_state(py::module_& m) {
+  py::class_<State> bound(m, "State");
+  bind_boxes(bound);
+  bind_track(bound);
+  bound
+      .def("content",
+           [](const State& state) {
+             PartWriter visit;
+             describe(state, visit);
+             return visit.content;
+           })
+      .def("__getattr__",
+           [](const py::object& self, const std::string& name) -> py::object {
+             PartWriter visit(name, self);
+             describe(self.cast<const State&>(), visit);
+             if (!visit.found) throw py::attribute_error("no part of a state is named " + name);
+             return visit.content.attr("get")(name);
+           })
+      .def("gap",
+           [](const State& state) {
+             Field gap = worked([&] { return simulation::gap(state); });
+             return surface_array(std::move(gap), state.scene().grid);
+           })
+      .def("repulsion",
+           [](const State& state) {
+             Field repulsion = worked([&] { return simulation::repulsion(state); });
+             return surface_array(std::move(repulsion), state.scene().grid);
+           })
+      .def("attraction_energy", &simulation::attraction_energy)
+      .def("max_equivalent_plastic_strain", &simulation::max_equivalent_plastic_strain,
+           py::arg("body"))
+      .def("max_plastic_strain_magnitude", &simulation::max_plastic_strain_magnitude,
+           py::arg("body"))
+      .def(
+          "has_eigenstrain",
+          [](const State& state, int body) { return state.eigenstrain[body] != nullptr; },
+          py::arg("body"))
+      .def("plastic_cells", &simulation::plastic_cells, py::arg("body"))
+      .def_readonly("converged", &State::converged)
+      .def_readonly("warnings", &State::warnings)
+      .def("tangential_force", &State::tangential_force)
+      .def("layers", &State::layers)
+      .def(
+          "strain_beyond",
+          [](const State& state, int body) -> py::object {
+            const Box box = simulation::strain_beyond(state, body);
+            if (box.empty()) return py::none();
+            return py::cast(to_tuple(box));
+          },
+          py::arg("body"))
+      .def(
+          "softening",
+          [](const State& state, int body) -> py::object {
+            if (!state.softening[body]) return py::none();
+            const auto& [box, values] = *state.softening[body];
+            const Grid& grid = state.scene().grid;
+            const Box here{0, 0, grid.nx, grid.ny, box.nz};
+            Field factor(here.volume_size());
+            extract(values.data(), box, factor.data(), here);
+            return volume_array(std::move(factor), grid, box.nz);
+          },
+          py::arg("body"));
+  bind_fields(bound);
+}
+
+}  // namespace samcontact::bindings
