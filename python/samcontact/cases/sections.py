@@ -207,7 +207,12 @@ def _law_section(law: type[ContactLaw]) -> type[_LawSection]:
     }
     kind: Any = (Literal[law.kind], ...)
     return create_model(
-        f"{law.__name__}Section", __base__=_LawSection, __module__=__name__, kind=kind, **parameters
+        f"{law.__name__}Section",
+        __base__=_LawSection,
+        __doc__=f"Contact law `{law.__name__}`.",
+        __module__=__name__,
+        kind=kind,
+        **parameters,
     )
 
 
