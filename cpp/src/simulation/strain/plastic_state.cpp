@@ -54,6 +54,7 @@ Zones PlasticState::zones() const {
 Field PlasticState::gather(std::size_t first, std::size_t count, const Zones& zones) const {
   const std::size_t cells = zones.cells();
   Field out(count * cells, 0.0);
+  if (out.empty()) return out;
   for (std::size_t zone = 0; zone < zones.count(); ++zone) {
     tiles_.copy(first, count, of_body(zones.boxes()[zone]), out.data() + zones.first(zone), cells);
   }
