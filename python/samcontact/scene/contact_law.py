@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from .. import _core
 from .._util.checks import non_negative, require_type
 from .._util.display import Shown
+from .._util.short_text import in_short
 from ..heat import Heat
 
 
@@ -59,7 +60,9 @@ class ContactLaw(Shown):
         if not self.attracts:
             return
         if any(heat.factor) or heat.partition is not None:
-            raise ValueError(f"heat must be left out with contact_law = {self!r}, got {heat!r}")
+            raise ValueError(
+                f"heat must be left out with contact_law = {self!r}, got {in_short(heat)}"
+            )
         if given.get("pressure") is not None:
             raise ValueError(
                 f"pressure must be left out with contact_law = {self!r}: no contact is solved then"

@@ -271,6 +271,7 @@ def public_objects():
         sc.FoundLoad("max_pressure", 1.0 / 3, 1e-3, 1e9 / 3, 1e6 / 3, [state] * 100),
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
         sc.Coulomb(0.3), sc.Tresca(1e9 / 3), sc.CappedCoulomb(1 / 3, 1e9 / 3),
+        sc.HardContact(), sc.TensileLimit(1e6 / 3),
         sc.ContactSolver(grid, BALL, BALL, sc.Coulomb(0.3)).solve(gap, load=10.0),
         sc.rolling.steady(grid, BALL, BALL, gap, load=10.0, friction=sc.Coulomb(0.3)),
         sc.energy.EnergyBalance(1 / 3, 1 / 7, 1 / 9, 1 / 11, 1 / 13, 1 / 17),
@@ -328,5 +329,5 @@ def test_arrays_are_told_by_shape_and_range():
     grid = sc.Grid(4, 4, 1e-6, 1e-6)
     assert repr(sc.ContactSolver(grid, sc.Material.rigid(), BALL, tol=1e-6)).endswith(
         "friction=0.0, tol=1e-06, on_border='error', max_iterations=5000, "
-        "heat=Heat(factor=(0.0, 0.0)))"
+        "contact_law=HardContact(), heat=Heat(factor=(0.0, 0.0)))"
     )
