@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
+from .._util.cached_property import cached_property
 from .._util.checks import non_negative, require_type
 from .._util.display import Shown
 from .._util.short_text import in_short
@@ -38,7 +39,7 @@ class ContactLaw(Shown):
         """The law in the core."""
         return _core.ContactLaw(self.kind, list(astuple(self)))
 
-    @property
+    @cached_property
     def attracts(self) -> bool:
         """Whether surfaces attract each other."""
         return self.to_core().attracts

@@ -39,7 +39,7 @@ class SurfaceState:
         """Outline of the contact in the cells of the grid."""
         return outline_of(self.repulsion, self.grid.periodic)
 
-    @property
+    @cached_property
     def repulsion(self) -> FloatArray:
         """What is left of the pressure beside the attraction of the contact law [Pa], (nx, ny).
 
@@ -48,6 +48,7 @@ class SurfaceState:
         if not self.setup.contact_law.attracts:
             return self.pressure
         field: FloatArray = self._core.repulsion()
+        field.flags.writeable = False
         return field
 
     @property
