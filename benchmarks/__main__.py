@@ -45,7 +45,7 @@ PAGE = ROOT / "docs" / "benchmarks.md"
 @click.option("--threads", default=1, help="OMP_NUM_THREADS (1).")
 @click.option("--output", type=Path, default=ROOT / "results" / "benchmarks", help="Folder.")
 @click.option("--docs", is_flag=True, help="Also put their tables into docs/benchmarks.md.")
-@click.option("--notes", is_flag=True, help="Only make the sentences below its tables anew.")
+@click.option("--notes", is_flag=True, help="Only write the sentences below the tables again.")
 def main(
     parts: tuple[str, ...], quick: bool, threads: int, output: Path, docs: bool, notes: bool
 ) -> None:

@@ -112,7 +112,7 @@ def _short(value: float) -> float:
 
 
 def _beyond_rounding(difference: float) -> float:
-    """Of what is given, which has no error."""
+    """Records of given values, whose error is 0."""
     return abs(difference) if abs(difference) > 1e-9 else 0.0
 
 

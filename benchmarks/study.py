@@ -38,7 +38,7 @@ class Study:
     points: Callable[[bool], Sequence[Record]]
     """All points; when its argument is true, few small ones that are never kept."""
     run: Callable[..., Record | list[Record]]
-    """What one point, passed as keyword arguments, finds: a record, or one for each of its rows."""
+    """Run of one point, given as keyword arguments; returns a record, or one for each row."""
     page: Callable[[list[Record]], str] = lambda records: ""
     draw: Callable[[list[Record]], dict[str, Any]] = lambda records: {}
     """Figures by the name of their file."""
@@ -53,7 +53,7 @@ class Study:
 
     @property
     def file(self) -> Path:
-        """Where the records are kept."""
+        """File of the stored records."""
         place = Path(__file__).with_name(self.name)
         return place / "results.json" if place.is_dir() else place.with_suffix(".json")
 
@@ -62,7 +62,7 @@ class Study:
         return ROOT / "docs" / f"{self.document or self.name}.md"
 
     def records(self) -> list[Record]:
-        """Those that are kept, in the order of the points."""
+        """Stored records in the order of the points."""
         found: list[Record] = json.loads(self.file.read_text("utf-8")) if self.file.exists() else []
         return found
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.theory --docs: the tables of numbers in docs/theory, computed anew.
+"""python -m benchmarks.theory --docs: compute the tables of numbers in docs/theory again.
 
 Each lies between markers that name the function below that makes it.
 """

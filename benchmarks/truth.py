@@ -79,7 +79,7 @@ def points(quick: bool) -> list[Record]:
 
 
 def known() -> dict[str, dict[str, float]]:
-    """What is kept, by case and quantity."""
+    """Stored records by case and quantity."""
     return {record["of"]: record["values"] for record in STUDY.records()}
 
 

@@ -63,7 +63,7 @@ FILTERS: dict[str, dict[str, Any]] = {
     "gaussian": {"smoothing_length": SMOOTHING},
     "lens": {"smoothing_length": 300e-6 / 12**0.5},
 }
-"""What smooths the border; else a window in cells."""
+"""Method that smooths the border, or a window in cells."""
 
 
 def solve(
@@ -91,7 +91,7 @@ def solve(
 
 
 def run(**point: Any) -> Record:
-    """What the line of a mesh shows."""
+    """Values in the row of a mesh."""
     return {"line": lens(point) if point["of"] == "lens" else running_in(point)}
 
 

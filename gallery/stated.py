@@ -38,7 +38,7 @@ class Number:
     remark: str = ""
     """E.g. what a converged mesh gives where the two differ."""
     converged: float | None = None
-    """What a mesh study gives, where it contradicts the thesis; `holds` then compares with it."""
+    """Value of a mesh study that contradicts the thesis; `holds` then compares with it."""
 
     @property
     def difference(self) -> float:
@@ -89,11 +89,11 @@ class Stated:
         self.part, self.fields = part, fields
 
     def on(self, mesh: str, **fields: Any) -> Stated:
-        """The same rows, with a mesh for those that have none of their own."""
+        """Rows with this mesh where they have none of their own."""
         return Stated(self.part, **self.fields, mesh=mesh, **fields)
 
     def values(self, name: str) -> dict[Any, Any]:
-        """What the thesis states in a row of many values, by these."""
+        """Stated values of a row that has many, by their conditions."""
         found: dict[str, Any] = table()[self.part][name]["thesis"]
         return {_key(key): value for key, value in found.items()}
 

@@ -148,7 +148,7 @@ CASE = {
 
 
 def limit() -> dict[str, float]:
-    """What the scene tends to with finer grids and more increments."""
+    """Limit of the scene for finer grids and more increments."""
     truth = finest(CASE, TRUTH)
     return {quantity: truth[name] for quantity, name in ASKED_FOR.items()}
 

@@ -50,7 +50,7 @@ def cases(quick: bool) -> list[Record]:
 
 
 def run(of: str, by: str, size: float) -> Record:
-    """What a case has found, in SI units."""
+    """Results of a case in SI units."""
     scene = SCENES[of]
     if by == "samcontact":
         runs = (scene.solve(int(size)) for _ in range(REPEATS))
@@ -65,7 +65,7 @@ def run(of: str, by: str, size: float) -> Record:
 
 
 def runs_of(records: list[Record], name: str) -> dict[str, Runs]:
-    """What was found of a scene, by code and size."""
+    """Records of a scene by code and size."""
     found: dict[str, Runs] = {"CalculiX": {}, "samcontact": {}}
     for record in records:
         if record["of"] == name:

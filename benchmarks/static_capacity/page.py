@@ -55,7 +55,7 @@ def run(of: str, name: str, pressure: float) -> Record:
 
 
 def pressed(records: list[Record]) -> tuple[Rows, Rows, Rows]:
-    """Of contacts, of steels, and on finer grids, by name."""
+    """Tables of contacts, of steels and of finer grids, by name."""
     found: dict[str, Rows] = {"contacts": {}, "steels": {}, "fine": {}}
     for record in records:
         rows = found[record["of"]].setdefault(record["name"], [])

@@ -37,7 +37,7 @@ def says(file: Path) -> str:
 
 
 def folders(language: str) -> dict[str, dict[str, str]]:
-    """Of each folder the names of its files with what they say; "" is the folder of all."""
+    """First lines of all files by folder and name; "" is the top folder."""
     top, pattern = (INCLUDE, "*.hpp") if language == "cpp" else (PACKAGE, "*.py")
     found: dict[str, dict[str, str]] = defaultdict(dict)
     for file in sorted(top.rglob(pattern)):
@@ -53,7 +53,7 @@ def table(heading: str, rows: dict[str, str]) -> list[str]:
 
 
 class _OfSources(SphinxDirective):
-    """What is made of the sources, and anew when one of them has changed."""
+    """Tables made from the sources; a changed source makes its pages again."""
 
     def depend_on(self, folder: Path) -> None:
         for file in folder.rglob("*.?p*"):

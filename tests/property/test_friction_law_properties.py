@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What must hold by any friction law, along random paths of random contacts."""
+"""Conditions that any friction law meets along random paths of random contacts."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is asked first of a setup or a solution, at little cost, misses no warning."""
+"""Cheap checks that come first miss no warning of the full checks."""
 
 import math
 import warnings
@@ -107,7 +107,7 @@ def test_a_contact_that_reaches_far_is_not_coarse(seed, shape, periodic, few):
     st.sampled_from([None, 1e-9, 1e-5]), st.booleans(), st.booleans(),
 )  # fmt: skip
 def test_loads_that_pass_have_no_doubts(radius, ratio, cell, modulus, dz, yields, heated):
-    """Of spheres and ellipsoids, under loads over twelve decades, and approaches to them."""
+    """Spheres and ellipsoids under loads over twelve decades, and their approaches."""
     grid = sc.Grid(17, 21, 10**cell, 1.3 * 10**cell, dz=dz)
     E = 10**modulus
     body = sc.Material.perfect_plastic(E, 0.3, 4e-3 * E) if yields else sc.Material.elastic(E, 0.3)

@@ -19,7 +19,7 @@ SOURCES = {
 
 
 def recipes():
-    """Of each recipe with an example: its title, names of the example, and files of its table."""
+    """Title, names of the example and files of the table of each recipe that has an example."""
     for section in re.split(r"^## ", PAGE, flags=re.MULTILINE)[1:]:
         if example := re.search(r"^Example: (.*)\.$", section, re.MULTILINE):
             names = re.findall(r"`(\w+)`", example[1])

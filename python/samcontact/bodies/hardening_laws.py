@@ -46,7 +46,7 @@ class Law:
 
 
 def constant_of(told: _core.LawParameter) -> Constant:
-    """What the core says of a parameter."""
+    """Description of a parameter by the core."""
     low = {"gt" if told.above_low else "ge": told.low}
     high = told.high if told.high < math.inf else None
     return Constant(told.unit, **low, le=high, many=told.many, infinite=told.infinite is not None)

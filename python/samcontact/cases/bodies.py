@@ -138,7 +138,7 @@ class _PlasticLayer(_PlasticSolid, _Layer):
 
 
 def field_of(constant: Constant) -> Any:
-    """What a parameter of a law may be, as a case file has it."""
+    """Field of a case file for a parameter of a law."""
     limits = Field(gt=constant.gt, ge=constant.ge, lt=constant.lt, le=constant.le)
     value: Any = Annotated[float if constant.infinite else Finite, limits]
     if constant.many:

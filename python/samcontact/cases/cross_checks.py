@@ -106,7 +106,7 @@ def _require_law_of_friction(case: Any) -> None:
 
 
 def _require_law_of_contact(case: Any) -> None:
-    """What a contact law without attraction cannot bear, and what one with it has no part in."""
+    """Raise ValueError for tension without attraction, and for what attraction excludes."""
     law = contact_law_of(case.contact)
     if law.attracts:
         if case.wear is not None:

@@ -13,7 +13,7 @@ from .bodies import field_of
 
 
 class _FrictionLaw(Section):
-    """A law by which bodies stick and slip, by its name; inf: no slip at all."""
+    """Friction law of bodies that stick and slip, by its name; inf: no slip."""
 
     @model_validator(mode="after")
     def _one_law(self) -> _FrictionLaw:
@@ -26,14 +26,14 @@ class _FrictionLaw(Section):
         return self
 
     def build(self) -> FrictionLaw:
-        """The law, of its one parameter or a section of them."""
+        """Friction law made from its one parameter or its section."""
         ((name, given),) = self.model_dump(exclude_none=True).items()
         parameters = given if isinstance(given, dict) else {next(iter(LAWS[name].constants)): given}
         return law_of({"law": name, **parameters})
 
 
 def _friction_section() -> Any:
-    """The section of all laws: a number where a law has one parameter, else a section."""
+    """Section with all laws: a number where a law has one parameter, else a section."""
     laws: dict[str, Any] = {}
     for name, law in LAWS.items():
         if not law.sticks:

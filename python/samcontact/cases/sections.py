@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 from dataclasses import fields
+from functools import reduce
+from operator import or_
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import Field, create_model, model_validator
 
@@ -221,14 +223,12 @@ globals().update({section.__name__: section for section in _LAW_SECTIONS.values(
 
 
 def _contact_law_field() -> Any:
-    sections = tuple(_LAW_SECTIONS.values())
-    if len(sections) == 1:
-        return sections[0]
-    return Annotated[Union[sections], Field(discriminator="kind")]  # noqa: UP007 (a tuple)
+    sections: Any = reduce(or_, _LAW_SECTIONS.values())
+    return Annotated[sections, Field(discriminator="kind")]
 
 
 def _annotation(allowed: Allowed) -> Any:
-    """What a setting may be, as a case file has it."""
+    """Field of a case file for a setting."""
     if isinstance(allowed, LawOfContact):
         return _contact_law_field()
     if isinstance(allowed, Friction):

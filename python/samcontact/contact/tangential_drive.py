@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What drives a contact along the surface."""
+"""Tangential drive of a contact."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ class GivenAlong:
 
 
 class Drive(Protocol):
-    """What drives a contact that sticks and slips along the surface."""
+    """Tangential drive of a contact with stick and slip."""
 
     @property
     def previous(self) -> ShearedSolution | None:

@@ -37,7 +37,7 @@ FailedChecks = tuple[plausibility.Doubt, ...]
 
 
 class PlasticBody(NamedTuple):
-    """What is asked of a body that can yield."""
+    """Quantities of a body that can yield."""
 
     number: int
     weakest: float
@@ -272,7 +272,7 @@ class ContactSetup:
 def extent(
     setup: ContactSetup, load: float | None = None, approach: float | None = None
 ) -> tuple[float, float]:
-    """How far the Hertz contact reaches from its middle along x and y [m]; 0 without one."""
+    """Semi-axes of the Hertz contact along x and y [m]; 0 without one."""
     expected = setup.hertz(load, approach)
     return (0.0, 0.0) if expected is None else _extent_of(expected, setup._paraboloid)
 
@@ -280,7 +280,7 @@ def extent(
 def _extent_of(
     expected: Expected, paraboloid: tuple[float, float, float] | None
 ) -> tuple[float, float]:
-    """How far a contact reaches from its middle along x and y [m]."""
+    """Largest distance of a contact from its middle along x and y [m]."""
     if paraboloid is None:
         return 0.0, 0.0
     (a, b), c = expected.semi_axes, paraboloid[2]

@@ -293,7 +293,7 @@ def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material])
 
 
 def _in_layers(contact: Contact, grid: Grid, bodies: Iterable[Material]) -> Iterator[Doubt]:
-    """How large a contact of bodies that may yield is."""
+    """Size of the contact of bodies that may yield."""
     dz = grid.dz
     if dz is not None:
         wider = max(_flattened(contact, body) for body in bodies)

@@ -29,7 +29,7 @@ ENERGY = 0.05
 
 
 def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check]:
-    """Of the friction law, forces and energy; none of gross sliding."""
+    """Checks of the friction law, forces and energy; none in gross sliding."""
     if "friction_work" not in dataset:
         return
     law = law_of_attributes(dataset.attrs)

@@ -114,11 +114,11 @@ class TensileLimit(ContactLaw):
 
 
 LAWS: tuple[type[ContactLaw], ...] = (HardContact, TensileLimit)
-"""Those of case files and checkpoints."""
+"""Contact laws of case files and checkpoints."""
 
 
 def law_of(tree: Mapping[str, Any]) -> ContactLaw:
-    """The law of a tree from `ContactLaw.to_tree`.
+    """Contact law of a tree from `ContactLaw.to_tree`.
 
     Raises ValueError for an unknown kind, TypeError for parameters of another one.
     """

@@ -34,11 +34,11 @@ class FrictionLaw(Shown):
     """A bound of the shear as a function of the pressure."""
 
     law: ClassVar[str]
-    """Its name in case files and results."""
+    """Name of the law in case files and results."""
     sticks: ClassVar[bool]
     """Whether the bodies stick below the bound; else they slide everywhere along x."""
     constants: ClassVar[Mapping[str, Constant]]
-    """Its parameters and what they may be."""
+    """Parameters of the law and their ranges."""
 
     def __init_subclass__(cls) -> None:
         cls.law = re.sub(r"(?<!^)(?=[A-Z])", "_", cls.__name__).lower()
@@ -81,7 +81,7 @@ class FrictionLaw(Shown):
 
     @property
     def given(self) -> float | FrictionLaw:
-        """The law as users give it."""
+        """Value of the argument `friction` for this law."""
         return self
 
     def to_tree(self) -> dict[str, Any]:
@@ -174,19 +174,19 @@ class CappedCoulomb(FrictionLaw):
 
 
 def is_law(friction: Any) -> bool:
-    """Whether it is a law, not a number or something else."""
+    """Whether a value is a friction law."""
     return isinstance(friction, FrictionLaw)
 
 
 def friction_law(
     friction: float | FrictionLaw, of_number: Callable[[float], FrictionLaw] = GrossSliding
 ) -> FrictionLaw:
-    """The law that is given as such, or as a coefficient, by default of gross sliding."""
+    """Friction law of a law or a coefficient, by default that of gross sliding."""
     return friction if isinstance(friction, FrictionLaw) else of_number(friction)
 
 
 def sticking_law(friction: Any) -> FrictionLaw:
-    """The same law; raises TypeError for what is none, or is gross sliding."""
+    """Return a law that allows stick; raise TypeError for anything else, gross sliding included."""
     if not (isinstance(friction, FrictionLaw) and friction.sticks):
         raise TypeError(
             f"friction must be a law such as samcontact.Coulomb(mu), got {in_short(friction)}"
@@ -195,7 +195,7 @@ def sticking_law(friction: Any) -> FrictionLaw:
 
 
 def law_of(tree: Mapping[str, Any]) -> FrictionLaw:
-    """The law of a name and parameters; raises LookupError, TypeError, ValueError for others."""
+    """Friction law of a name and parameters; raises LookupError, TypeError or ValueError."""
     given = dict(tree)
     return LAWS[given.pop("law")](**given)
 
@@ -209,7 +209,7 @@ def attributes_of(law: FrictionLaw) -> dict[str, Any]:
 
 
 def law_of_attributes(attributes: Mapping[Any, Any]) -> FrictionLaw | None:
-    """The law of results; None where they tell of none."""
+    """Friction law of a results file; None where it has none."""
     law = LAWS.get(str(attributes.get(f"{_PREFIX}law")))
     if law is None:
         return None

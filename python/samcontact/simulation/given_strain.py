@@ -94,7 +94,7 @@ def eigenstrain_field(
     """Arguments of `Simulation.add_eigenstrain`: first cell, and strain, depth-major."""
     place = _three("first", first, 0)
     if not grid.has_volume:
-        raise ValueError("the grid has no dz: an eigenstrain needs layers")
+        raise ValueError(f"grid must have dz for an eigenstrain, which needs layers; got {grid!r}")
     shape = real_array("strain", strain).shape
     if cells is not None or shape == (6,):
         if cells is None or shape != (6,):

@@ -280,7 +280,7 @@ class State(SurfaceState, Fixed, Shown):
 
     @cached_property
     def largest_strains(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Of each body: `max_equivalent_plastic_strain` and `max_plastic_strain_magnitude` [-]."""
+        """`max_equivalent_plastic_strain` and `max_plastic_strain_magnitude` of each body [-]."""
         of, core = [], self._core
         for body in (0, 1):
             accumulated = core.max_equivalent_plastic_strain(body)

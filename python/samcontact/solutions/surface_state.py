@@ -41,7 +41,7 @@ class SurfaceState:
 
     @cached_property
     def repulsion(self) -> FloatArray:
-        """What is left of the pressure beside the attraction of the contact law [Pa], (nx, ny).
+        """Pressure plus the attraction of the contact law [Pa], shape (nx, ny).
 
         The pressure itself in hard contact.
         """

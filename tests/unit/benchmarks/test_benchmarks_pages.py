@@ -73,7 +73,7 @@ def test_a_page_is_made_of_the_records(study):
 
 
 def other(value, chance):
-    """The same with all of its numbers larger."""
+    """A record with all its numbers larger."""
     if isinstance(value, bool):
         return chance.random() < 0.5
     if isinstance(value, float):

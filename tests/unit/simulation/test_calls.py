@@ -17,7 +17,7 @@ MOST = {"elastic": 55, "plastic": 62}
 
 
 def calls_of(function):
-    """How many functions of the package are called."""
+    """Number of calls of functions of the package."""
     count = 0
 
     def look(frame, event, _):

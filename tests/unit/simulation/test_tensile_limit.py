@@ -47,7 +47,7 @@ def test_a_path_of_loads_is_that_of_single_contacts():
 
 
 def test_work_is_found_as_energy():
-    """Of the load over the approach: elastic, and against the attraction that opens gaps."""
+    """Work of the load over the approach equals elastic energy plus that of the attraction."""
     grid = grid_of()
     gap = rough(grid)
     simulation = sc.Simulation(grid, STEEL, SOFT, gap, contact_law=LAW, tol=1e-10)
