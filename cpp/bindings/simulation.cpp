@@ -5,7 +5,6 @@
 #include "long_work.hpp"
 #include "parts.hpp"
 #include "rooms.hpp"
-#include "samcontact/simulation/cells/mirror.hpp"
 #include "samcontact/simulation/simulation.hpp"
 #include "samcontact/simulation/state/description.hpp"
 #include "softening.hpp"

@@ -5,7 +5,6 @@
 #include "long_work.hpp"
 #include "parts.hpp"
 #include "rooms.hpp"
-#include "samcontact/simulation/simulation.hpp"
 #include "samcontact/simulation/state/contact_fields.hpp"
 #include "samcontact/simulation/state/description.hpp"
 #include "samcontact/simulation/state/flow_zones.hpp"
@@ -196,12 +195,7 @@ void bind_fields(py::class_<State>& bound) {
   bind_surface("surface_displacement", &simulation::surface_displacement);
 }
 
-}  // namespace
-
-void bind_state(py::module_& m) {
-  py::class_<State> bound(m, "State");
-  bind_boxes(bound);
-  bind_track(bound);
+void bind_content(py::class_<State>& bound) {
   bound
       .def("content",
            [](const State& state) {
@@ -209,13 +203,16 @@ void bind_state(py::module_& m) {
              describe(state, visit);
              return visit.content;
            })
-      .def("__getattr__",
-           [](const py::object& self, const std::string& name) -> py::object {
-             PartWriter visit(name, self);
-             describe(self.cast<const State&>(), visit);
-             if (!visit.found) throw py::attribute_error("no part of a state is named " + name);
-             return visit.content.attr("get")(name);
-           })
+      .def("__getattr__", [](const py::object& self, const std::string& name) -> py::object {
+        PartWriter visit(name, self);
+        describe(self.cast<const State&>(), visit);
+        if (!visit.found) throw py::attribute_error("no part of a state is named " + name);
+        return visit.content.attr("get")(name);
+      });
+}
+
+void bind_contact_of(py::class_<State>& bound) {
+  bound
       .def("gap",
            [](const State& state) {
              Field gap = worked([&] { return simulation::gap(state); });
@@ -227,6 +224,18 @@ void bind_state(py::module_& m) {
              return surface_array(std::move(repulsion), state.scene().grid);
            })
       .def("attraction_energy", &simulation::attraction_energy)
+      .def("tangential_force", &State::tangential_force);
+}
+
+}  // namespace
+
+void bind_state(py::module_& m) {
+  py::class_<State> bound(m, "State");
+  bind_boxes(bound);
+  bind_track(bound);
+  bind_content(bound);
+  bind_contact_of(bound);
+  bound
       .def("max_equivalent_plastic_strain", &simulation::max_equivalent_plastic_strain,
            py::arg("body"))
       .def("max_plastic_strain_magnitude", &simulation::max_plastic_strain_magnitude,
@@ -238,7 +247,6 @@ void bind_state(py::module_& m) {
       .def("plastic_cells", &simulation::plastic_cells, py::arg("body"))
       .def_readonly("converged", &State::converged)
       .def_readonly("warnings", &State::warnings)
-      .def("tangential_force", &State::tangential_force)
       .def("layers", &State::layers)
       .def(
           "strain_beyond",

@@ -14,7 +14,6 @@
 #include "samcontact/plasticity/return_mapping.hpp"
 #include "samcontact/simulation/cells/box_choice.hpp"
 #include "samcontact/simulation/increment/division.hpp"
-#include "samcontact/simulation/increment/fixed_point.hpp"
 #include "samcontact/simulation/state/contact_fields.hpp"
 #include "samcontact/simulation/state/description.hpp"
 

@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "samcontact/base/errors.hpp"
 #include "samcontact/contact/laws/contact_law.hpp"
 
 namespace samcontact::contact {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/contact/normal/attraction.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 

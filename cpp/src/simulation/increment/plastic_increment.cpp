@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/base/threads.hpp"

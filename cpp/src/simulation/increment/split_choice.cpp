@@ -2,7 +2,6 @@
 #include "samcontact/simulation/increment/split_choice.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "samcontact/simulation/cells/traction_window.hpp"
 #include "samcontact/simulation/cells/zone_choice.hpp"

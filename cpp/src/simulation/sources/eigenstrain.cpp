@@ -70,7 +70,7 @@ std::shared_ptr<const PlasticState> sum_of(const std::shared_ptr<const PlasticSt
     double* to = sum.data() + c * cells + k0 * box.surface_size();
     for (std::size_t n = 0; n < given; ++n) to[n] += strain[c * given + n];
   }
-  auto found = std::make_shared<const PlasticState>(
+  const auto found = std::make_shared<const PlasticState>(
       before.get(), fft::Symmetry::none, Tensor::full,
       PlasticFields{zones, std::move(sum), Field(cells, 0.0), {}});
   return found->zones().empty() ? nullptr : found;
@@ -117,6 +117,7 @@ Box Eigenstrain::box_beyond(int body, const Strength& strength, double softening
     region = region.intersected(window);
     if (region.empty()) return {};
     std::vector<LayerRange> layers;
+    layers.reserve(region.nz);
     for (int k = 0; k < region.nz; ++k) layers.push_back({k, k, k + 1});
     const Box found = cells_beyond(stress_of(*strains_[body], scene_, body, method_, region),
                                    region, strength.limits(layers, softening, share, share));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "samcontact/simulation/scene/yield_scan.hpp"
 #include "samcontact/simulation/sources/sources.hpp"
@@ -12,9 +13,8 @@ namespace samcontact::simulation {
 class YieldSearch {
  public:
   /// heating: that goes with the pressure. strength: of the body in the increment.
-  YieldSearch(const Scene& scene, int body, const operators::Heating& heating,
-              const Strength& strength)
-      : scene_(scene), body_(body), heating_(heating), strength_(strength) {}
+  YieldSearch(const Scene& scene, int body, const operators::Heating& heating, Strength strength)
+      : scene_(scene), body_(body), heating_(heating), strength_(std::move(strength)) {}
 
   /// The least factor of the yield stress by softening.
   void soften(double weakest) { weakest_ = weakest; }

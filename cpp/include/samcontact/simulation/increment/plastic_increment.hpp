@@ -22,6 +22,9 @@ class PlasticIncrement {
   // Its parts refer to each other.
   PlasticIncrement(const PlasticIncrement&) = delete;
   PlasticIncrement& operator=(const PlasticIncrement&) = delete;
+  PlasticIncrement(PlasticIncrement&&) = delete;
+  PlasticIncrement& operator=(PlasticIncrement&&) = delete;
+  ~PlasticIncrement() = default;
 
   struct Result {
     contact::Solution contact;

@@ -16,16 +16,16 @@ using Softening = std::function<Field(const Field& temperature, const Box& box)>
 
 /// Defaults and ranges are the caller's.
 struct Settings {
-  double tol;  // relative change of the plastic strain increment, and yield excess
+  double tol{};  // relative change of the plastic strain increment, and yield excess
   /// Error of the division into increments, by step doubling; 0: increments as given.
-  double increment_tol;
-  int max_iterations;
-  contact::OnBorder on_border;
-  operators::ResidualMethod residual_stress;
+  double increment_tol{};
+  int max_iterations{};
+  contact::OnBorder on_border{};
+  operators::ResidualMethod residual_stress{};
   /// Fast residual stress: error due to periodic images, relative to the largest stress.
-  double image_tol;
+  double image_tol{};
   /// How far beyond the grid plastic strain acts along x [cells].
-  int reach;
+  int reach{};
   /// Plastic strain in one box always, never in small zones.
   bool one_zone = false;
   /// How the operators of small zones are split in bands.

@@ -6,6 +6,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "samcontact/base/box.hpp"
@@ -30,11 +31,11 @@ void require_volume(const Grid& grid, const Media& media, int body);
 class OperatorCache {
  public:
   /// image_tol: of volume operators and zones. split: of zones.
-  OperatorCache(const Grid& grid, const Media& media, const contact::FrictionLaw& friction,
+  OperatorCache(const Grid& grid, Media media, const contact::FrictionLaw& friction,
                 contact::SharedContactLaw contact_law, double image_tol,
                 const operators::BandSplit& split)
       : grid_(grid),
-        media_(media),
+        media_(std::move(media)),
         friction_(friction),
         contact_law_(std::move(contact_law)),
         image_tol_(image_tol),

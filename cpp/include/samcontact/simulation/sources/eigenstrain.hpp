@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 
 #include "samcontact/simulation/sources/source.hpp"
 #include "samcontact/simulation/strain/acting_strain.hpp"
@@ -24,10 +25,10 @@ void require_followed(const Eigenstrains& strains, const Scene& scene, const Tra
 class Eigenstrain : public Source {
  public:
   Eigenstrain(const Scene& scene, const Travel& travel, operators::ResidualMethod method,
-              const Eigenstrains& strains)
+              Eigenstrains strains)
       : scene_(scene),
         method_(method),
-        strains_(strains),
+        strains_(std::move(strains)),
         offsets_(scene.placement(travel).offset) {}
 
   bool acts_on(int body) const override { return strains_[body] != nullptr; }
