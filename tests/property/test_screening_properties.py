@@ -89,7 +89,7 @@ def test_a_contact_that_reaches_far_is_not_coarse(seed, shape, periodic, few):
         return
     grid = sc.Grid(*pressure.shape, 1e-5, 1e-5, periodic=periodic)
     solution = SimpleNamespace(
-        pressure=pressure, outline=outline.outline_of(pressure, periodic), load=1.0
+        repulsion=pressure, outline=outline.outline_of(pressure, periodic), load=1.0
     )
     scene = SimpleNamespace(grid=grid, hertz=lambda load: None)
     with warnings.catch_warnings():

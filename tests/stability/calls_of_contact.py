@@ -4,6 +4,7 @@
 import atexit
 import shutil
 import tempfile
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
@@ -99,11 +100,12 @@ BODY_FIELDS = (
     "offset", "stress", "residual_stress", "initial_stress", "von_mises", "hydrostatic",
     "plastic_strain", "equivalent_plastic_strain", "backstress", "max_equivalent_plastic_strain",
     "max_plastic_strain_magnitude", "relief", "surface_displacement", "temperature",
-    "surface_temperature", "softening", "zones",
+    "surface_temperature", "softening", "zones", "eigenstrain", "eigenstress", "has_eigenstrain",
 )  # fmt: skip
 TRACK_FIELDS = (
     "residual_stress", "initial_stress", "yield_factor", "residual_von_mises",
     "residual_hydrostatic", "plastic_strain", "equivalent_plastic_strain", "backstress",
+    "eigenstrain", "eigenstress",
 )  # fmt: skip
 ZONE_FIELDS = ("stress", "residual_stress", "plastic_strain", "equivalent_plastic_strain")
 
@@ -115,14 +117,34 @@ CALLS = [
         sc.ContactSolver,
         {
             "grid": GRID, "body1": HOT, "body2": HOT, **HEATED, "tol": 1e-6,
-            "on_border": "error", "max_iterations": 50,
+            "on_border": "error", "max_iterations": 50, "contact_law": sc.HardContact(),
         },
     ),
     *(
         ("ContactSolver.solve", SOLVER.solve, {"gap": GAP, "initial_pressure": PATCH, **driver})
         for driver in DRIVERS
     ),
-    ("Coulomb", sc.Coulomb, {"coefficient": 0.3}),
+    *(
+        (f"{type(law).__name__}{call}", function, arguments)
+        for law in (sc.Coulomb(0.3), sc.Tresca(1e8), sc.CappedCoulomb(0.3, 1e8))
+        for call, function, arguments in (
+            ("", type(law), asdict(law)),
+            (".bound", law.bound, {"pressure": PATCH}),
+            (".ratio", law.ratio, {"pressure": 1e8}),
+            (".to_core", law.to_core, {}),
+            (".to_tree", law.to_tree, {}),
+        )
+    ),
+    *(
+        (f"{type(law).__name__}{call}", function, arguments)
+        for law in (sc.HardContact(), sc.TensileLimit(1e6))
+        for call, function, arguments in (
+            ("", type(law), asdict(law)),
+            (".require_possible", law.require_possible, {"heat": sc.Heat(), "given": {}}),
+            (".to_core", law.to_core, {}),
+            (".to_tree", law.to_tree, {}),
+        )
+    ),
     *(
         (
             "ContactSolver.solve",
@@ -173,7 +195,7 @@ CALLS = [
         {
             **BODIES, "body1": HOT, "body2": HOT, "gap": GAP, **HEATED, **SETTINGS,
             "increment_tol": 1e-2, "residual_stress": "exact", "image_tol": 1e-3, "zones": "auto",
-            "relief1": FLAT, "relief2": FLAT, "reach": 1e-4,
+            "relief1": FLAT, "relief2": FLAT, "reach": 1e-4, "contact_law": sc.HardContact(),
         },
     ),
     (
@@ -284,6 +306,7 @@ CALLS = [
         {"material": SOFT, "after": TRACK, "before": TRACK},
     ),
     ("energy.residual_energy", sc.energy.residual_energy, {"track": TRACK}),
+    ("energy.eigenstrain_energy", sc.energy.eigenstrain_energy, {"track": TRACK}),
     (
         "energy.balance",
         sc.energy.balance,

@@ -39,6 +39,8 @@ MEANT = {
     ("bearings.roller_on_race", "crown_radius", math.inf),
     # no slip
     ("Coulomb", "coefficient", math.inf),
+    ("Tresca", "limit", math.inf),
+    ("CappedCoulomb", "limit", math.inf),
     # a steady state
     ("heat_kernels.temperature", "time", math.inf),
     ("heat_kernels.displacement", "time", math.inf),

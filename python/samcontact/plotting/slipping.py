@@ -360,4 +360,4 @@ def largest_force(dataset: xr.Dataset) -> float | None:
     if law is None or law.prevents_slip:
         return None
     area = float(dataset.attrs["dx"]) * float(dataset.attrs["dy"])
-    return area * float(law.bound(dataset["pressure"].values).sum(axis=(1, 2)).max())
+    return area * float(law.bound(dataset["pressure"].fillna(0.0).values).sum(axis=(1, 2)).max())

@@ -13,11 +13,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, fields
 from typing import Any, ClassVar
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _core
-from .._util.checks import FloatArray, number
+from .._util.checks import FloatArray, finite_array, non_negative, number
 from .._util.display import Rows, Shown, quantity
 from .._util.short_text import in_short
 from ..bodies.hardening_laws import Constant, constant_of
@@ -57,12 +56,12 @@ class FrictionLaw(Shown):
 
     def bound(self, pressure: ArrayLike) -> FloatArray:
         """Largest shear under a pressure [Pa]: 0 out of contact, inf without slip."""
-        bound: FloatArray = self.to_core().bound(np.asarray(pressure, dtype=float))
+        bound: FloatArray = self.to_core().bound(finite_array("pressure", pressure))
         return bound
 
     def ratio(self, pressure: float) -> float:
         """Largest shear over a pressure [-]; it does not grow with the pressure."""
-        return self.to_core().ratio(pressure)
+        return self.to_core().ratio(non_negative("pressure", pressure))
 
     @property
     def sliding_ratio(self) -> float:

@@ -129,6 +129,18 @@ KINDS = {
                  "roll": ROLL | {"lateral_creepage": 1e-3, "spin": 2.0}},
                 {"load": 2.0, "increments": 2, "roll": {
                     "distance": 1e-5, "step": 5e-6, "passes": 2, "tangential_load_x": 0.1}}]},
+    "capped friction": STICKS
+    | {"contact": {"friction": {"capped_coulomb": {"coefficient": 0.3, "limit": 1e8}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "shear strength": STICKS
+    | {"contact": {"friction": {"tresca": 1e8}}, "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "hard": STICKS
+    | {"contact": STICKS["contact"] | {"contact_law": {"kind": "hard"}},
+       "path": [{"load": 2.0, "increments": 2}]},
+    "attracted": STICKS
+    | {"contact": STICKS["contact"]
+       | {"contact_law": {"kind": "tensile_limit", "limit": 1e6}},
+       "path": [{"load": 2.0, "increments": 2}]},
     "fretting": STICKS
     | {"path": [{"load": 2.0, "increments": 2},
                 {"load": 2.0, "fret": {"tangential_load_x": 0.1, "tangential_load_y": 0.05,

@@ -279,7 +279,7 @@ REFUSED = {
     "together with cells": ((MISFIT,), {}),
     "finite": ((np.full(6, math.nan), (0, 0, 0), (1, 1, 1)), {}),
     "shape": ((np.zeros((5, 2, 2, 2)),), {}),
-    "no dz": ((MISFIT, (0, 0, 0), (1, 1, 1)), {"grid": sc.Grid(24, 20, D, D)}),
+    "grid must have dz": ((MISFIT, (0, 0, 0), (1, 1, 1)), {"grid": sc.Grid(24, 20, D, D)}),
     "rigid": ((MISFIT, (0, 0, 0), (1, 1, 1)), {"body": sc.Material.rigid()}),
 }
 
