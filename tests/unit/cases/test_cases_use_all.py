@@ -348,8 +348,8 @@ def test_every_field_of_every_section_is_tried():
     assert missing - {model.__name__ for model in sections} == set()
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
-        "kinematic yield_profile layers surface path body1 body2 contact heat "
-        "tugging output fatigue limit shakedown"
+        "kinematic yield_profile layers surface path body1 body2 contact contact_law "
+        "capped_coulomb heat tugging output fatigue limit shakedown"
     )
     given = (
         "law kind shape title description estimate_error directory column "
