@@ -4,8 +4,10 @@
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,57 +21,60 @@ namespace py = pybind11;
 
 /// C-contiguous float64 only; the Python layer converts and checks the shape.
 using Array = py::array_t<double, py::array::c_style>;
+using MaybeArray = std::optional<Array>;
+/// What the core gives: float64 in any order of memory.
+using Values = py::array_t<double>;
 
 inline Field to_field(const Array& array) {
   return Field(array.data(), array.data() + array.size());
 }
 
 /// None becomes an empty field.
-inline Field to_field_or_empty(const py::object& object) {
-  return object.is_none() ? Field{} : to_field(object.cast<Array>());
+inline Field to_field_or_empty(const MaybeArray& array) {
+  return array ? to_field(*array) : Field{};
 }
 
 /// Hands a field's memory to NumPy.
-inline py::array own(Field field, py::array::ShapeContainer shape,
-                     py::array::StridesContainer strides) {
+inline Values own(Field field, py::array::ShapeContainer shape,
+                  py::array::StridesContainer strides) {
   auto kept = std::make_unique<Field>(std::move(field));
   const double* values = kept->data();
   const py::capsule owner(kept.get(),
                           [](void* p) { std::default_delete<Field>()(static_cast<Field*>(p)); });
   // NumPy owns it now.
   static_cast<void>(kept.release());  // NOLINT(bugprone-unused-return-value)
-  return py::array(py::dtype::of<double>(), std::move(shape), std::move(strides), values, owner);
+  return Values(std::move(shape), std::move(strides), values, owner);
 }
 
 constexpr py::ssize_t item = sizeof(double);
 
-inline py::array surface_array(Field field, const Grid& grid) {
+inline Values surface_array(Field field, const Grid& grid) {
   return own(std::move(field), {grid.nx, grid.ny}, {item * grid.ny, item});
 }
 
 /// [component][i][j] of a vector of the surface.
-inline py::array vector_array(Field field, const Grid& grid) {
+inline Values vector_array(Field field, const Grid& grid) {
   const auto plane = static_cast<py::ssize_t>(grid.surface_size());
   return own(std::move(field), {py::ssize_t{2}, py::ssize_t{grid.nx}, py::ssize_t{grid.ny}},
              {item * plane, item * grid.ny, item});
 }
 
 /// Depth-major [k][i][j] seen as (nx, ny, layers).
-inline py::array volume_array(Field field, const Grid& grid, py::ssize_t layers) {
+inline Values volume_array(Field field, const Grid& grid, py::ssize_t layers) {
   const auto plane = static_cast<py::ssize_t>(grid.surface_size());
   return own(std::move(field), {py::ssize_t{grid.nx}, py::ssize_t{grid.ny}, layers},
              {item * grid.ny, item, item * plane});
 }
 
 /// Depth-major [component][k][i][j] seen as (6, nx, ny, layers).
-inline py::array tensor_array(Field field, const Grid& grid, py::ssize_t layers) {
+inline Values tensor_array(Field field, const Grid& grid, py::ssize_t layers) {
   const auto plane = static_cast<py::ssize_t>(grid.surface_size());
   return own(std::move(field), {py::ssize_t{6}, py::ssize_t{grid.nx}, py::ssize_t{grid.ny}, layers},
              {item * plane * layers, item * grid.ny, item, item * plane});
 }
 
 /// Depth-major [term][component][k][i][j] seen as (terms, 6, nx, ny, layers).
-inline py::array tensors_array(Field field, const Grid& grid, py::ssize_t layers) {
+inline Values tensors_array(Field field, const Grid& grid, py::ssize_t layers) {
   const auto plane = static_cast<py::ssize_t>(grid.surface_size());
   const auto terms = static_cast<py::ssize_t>(field.size()) / (6 * plane * layers);
   return own(

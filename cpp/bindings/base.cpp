@@ -4,6 +4,8 @@
 #include <pybind11/stl.h>
 
 #include <new>
+#include <optional>
+#include <string>
 
 #include "rooms.hpp"
 #include "samcontact/base/aligned.hpp"
@@ -57,6 +59,8 @@ void bind_errors(py::module_& m) {
     const py::exception<ConvergenceError> type(m, "ConvergenceError", PyExc_RuntimeError);
     type.attr("__doc__") =
         "An iteration did not reach its tolerance: .iterations, .residual; the state before stays.";
+    type.attr("iterations") = 0;
+    type.attr("residual") = 0.0;
     return py::object(type);
   });
   PYBIND11_CONSTINIT static py::gil_safe_call_once_and_store<py::object> too_small_error;
@@ -102,7 +106,10 @@ void bind_base(py::module_& m) {
       .def_property_readonly("low", [](const LawParameter& p) { return p.allowed.low; })
       .def_property_readonly("high", [](const LawParameter& p) { return p.allowed.high; })
       .def_property_readonly("above_low", [](const LawParameter& p) { return p.allowed.above_low; })
-      .def_property_readonly("infinite", [](const LawParameter& p) { return p.allowed.infinite; });
+      .def_property_readonly("infinite", [](const LawParameter& p) -> std::optional<std::string> {
+        if (p.allowed.infinite == nullptr) return {};
+        return p.allowed.infinite;
+      });
   py::class_<Grid>(m, "Grid")
       .def(py::init(
                [](int nx, int ny, double dx, double dy, int nz, double dz, bool along_x,

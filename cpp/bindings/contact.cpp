@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "samcontact/contact/outline.hpp"
 #include "samcontact/contact/partial_slip_contact.hpp"
 #include "samcontact/operators/medium/layered_half_space.hpp"
+#include "typed.hpp"
 
 namespace samcontact::bindings {
 
@@ -25,15 +27,15 @@ using contact::ContactSolver;
 using contact::Drive;
 
 /// Fields of a ContactSolution.
-py::dict to_python(contact::Solution solution, const Grid& grid, const contact::ContactLaw& law) {
-  py::dict result;
+Content to_python(contact::Solution solution, const Grid& grid, const contact::ContactLaw& law) {
+  Content result;
   Field repulsion;
   if (law.attracts()) {
     repulsion = contact::repulsion(law, solution.tractions.pressure, solution.gap);
   }
-  result["pressure"] = surface_array(std::move(solution.tractions.pressure), grid);
-  result["repulsion"] =
-      law.attracts() ? surface_array(std::move(repulsion), grid) : result["pressure"];
+  const Values pressure = surface_array(std::move(solution.tractions.pressure), grid);
+  result["pressure"] = pressure;
+  result["repulsion"] = law.attracts() ? surface_array(std::move(repulsion), grid) : pressure;
   result["gap"] = surface_array(std::move(solution.gap), grid);
   result["approach"] = solution.motion.approach;
   result["load"] = solution.load;
@@ -46,9 +48,9 @@ py::dict to_python(contact::Solution solution, const Grid& grid, const contact::
   return result;
 }
 
-py::dict solve(const ContactSolver& solver, const Array& gap, bool load_driven, double value,
-               const py::object& initial_pressure, double tol, int max_iterations,
-               bool error_on_border) {
+Content solve(const ContactSolver& solver, const Array& gap, bool load_driven, double value,
+              const MaybeArray& initial_pressure, double tol, int max_iterations,
+              bool error_on_border) {
   const Field h = to_field(gap), start = to_field_or_empty(initial_pressure);
   const contact::ContactSettings settings{
       tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
@@ -68,11 +70,11 @@ py::array_t<bool> flags_array(const std::vector<unsigned char>& flags, const Gri
 }
 
 /// Fields of a StickSlipSolution, without the totals of increments before.
-py::dict to_python(contact::PartialSlipSolution solution,
-                   const contact::PartialSlipContact& contact) {
+Content to_python(contact::PartialSlipSolution solution,
+                  const contact::PartialSlipContact& contact) {
   auto& [normal, tangential, sweeps] = solution;
   const Grid& grid = contact.grid();
-  py::dict result = to_python(std::move(normal), grid, contact.law());
+  Content result = to_python(std::move(normal), grid, contact.law());
   result["shear"] = vector_array(std::move(tangential.shear), grid);
   result["slip"] = vector_array(std::move(tangential.slip), grid);
   result["sticking"] = flags_array(tangential.sticking, grid);
@@ -89,12 +91,12 @@ py::dict to_python(contact::PartialSlipSolution solution,
   return result;
 }
 
-py::dict stick_and_slip(const contact::PartialSlipContact& contact, const Array& gap,
-                        bool load_driven, double value, const std::array<bool, 3>& is_force,
-                        const std::array<double, 3>& tangential, const py::object& pressure,
-                        const py::object& shear, const py::object& gap_before,
-                        double approach_before, bool has_moved, const py::object& initial_pressure,
-                        double tol, int max_iterations, bool error_on_border) {
+Content stick_and_slip(const contact::PartialSlipContact& contact, const Array& gap,
+                       bool load_driven, double value, const std::array<bool, 3>& is_force,
+                       const std::array<double, 3>& tangential, const MaybeArray& pressure,
+                       const MaybeArray& shear, const MaybeArray& gap_before,
+                       double approach_before, bool has_moved, const MaybeArray& initial_pressure,
+                       double tol, int max_iterations, bool error_on_border) {
   const Field h = to_field(gap);
   const contact::PartialSlipStart start{.pressure = to_field_or_empty(initial_pressure)};
   const contact::ContactHistory before{to_field_or_empty(pressure), to_field_or_empty(shear),
@@ -111,11 +113,11 @@ py::dict stick_and_slip(const contact::PartialSlipContact& contact, const Array&
   return to_python(std::move(solution), contact);
 }
 
-py::dict roll(const contact::PartialSlipContact& contact, const Array& gap, bool load_driven,
-              double value, const std::array<bool, 3>& is_force,
-              const std::array<double, 3>& tangential, const py::object& pressure,
-              const py::object& shear, const std::array<double, 3>& creepage, double tol,
-              int max_iterations, bool error_on_border) {
+Content roll(const contact::PartialSlipContact& contact, const Array& gap, bool load_driven,
+             double value, const std::array<bool, 3>& is_force,
+             const std::array<double, 3>& tangential, const MaybeArray& pressure,
+             const MaybeArray& shear, const std::array<double, 3>& creepage, double tol,
+             int max_iterations, bool error_on_border) {
   const Field h = to_field(gap);
   const contact::PartialSlipStart start{
       to_field_or_empty(pressure), to_field_or_empty(shear), {}, creepage};
@@ -132,19 +134,20 @@ py::dict roll(const contact::PartialSlipContact& contact, const Array& gap, bool
 }
 
 /// Shear s_x on body 2 that goes with a pressure; None without friction.
-py::object shear(const ContactSolver& solver, const Array& pressure) {
+std::optional<Values> shear(const ContactSolver& solver, const Array& pressure) {
   Field along_x = solver.friction().tractions(to_field(pressure)).shear_x;
-  if (along_x.empty()) return py::none();
+  if (along_x.empty()) return {};
   return surface_array(std::move(along_x), solver.grid());
 }
 
 /// Cells, sides, reach, whether the pressure rises to a side, and the largest pressure.
-py::tuple outline(const Array& pressure, bool along_x, bool along_y, double rise) {
+std::tuple<std::size_t, std::size_t, int, bool, double> outline(const Array& pressure, bool along_x,
+                                                                bool along_y, double rise) {
   const contact::Cells cells{static_cast<int>(pressure.shape(0)),
                              static_cast<int>(pressure.shape(1)), along_x, along_y};
   const auto found =
       contact::outline({pressure.data(), static_cast<std::size_t>(pressure.size())}, cells, rise);
-  return py::make_tuple(found.cells, found.sides, found.reach, found.rises, found.largest);
+  return {found.cells, found.sides, found.reach, found.rises, found.largest};
 }
 
 void bind_friction(py::module_& m) {

@@ -18,7 +18,7 @@ f::Paths to_paths(const Array& stress) {
           static_cast<std::size_t>(stress.shape(2))};
 }
 
-py::array flat(Field field) {
+Values flat(Field field) {
   const auto size = static_cast<py::ssize_t>(field.size());
   return own(std::move(field), {size}, {item});
 }
@@ -37,16 +37,15 @@ auto field_of(const Criterion& criterion) {
 }
 
 template <class Criterion>
-py::tuple plane_of(const Criterion& criterion) {
+std::pair<Values, Values> plane_of(const Criterion& criterion) {
   f::CriticalPlane found;
   {
     const LongWork work;
     found = criterion();
   }
   const auto cells = static_cast<py::ssize_t>(found.value.size());
-  const py::array normal =
-      own(std::move(found.normal), {py::ssize_t{3}, cells}, {item * cells, item});
-  return py::make_tuple(flat(std::move(found.value)), normal);
+  Values normal = own(std::move(found.normal), {py::ssize_t{3}, cells}, {item * cells, item});
+  return {flat(std::move(found.value)), std::move(normal)};
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ constexpr double pi = std::numbers::pi;
 
 /// out[n][point] = f(point)[n] for flat arrays of points.
 template <std::size_t N, class F>
-py::array evaluate(const Array& X, const F& f) {
+Values evaluate(const Array& X, const F& f) {
   const py::ssize_t points = X.size();
   py::array_t<double> out({static_cast<py::ssize_t>(N), points});
   double* to = out.mutable_data();
@@ -38,9 +38,9 @@ py::array evaluate(const Array& X, const F& f) {
 
 /// A table of a heat source in units of its width 2 a; `table(source, points, unit)`.
 template <class Table>
-py::array heat_table(const Array& x, const Array& y, double a, double b, double heated,
-                     std::pair<double, double> speed, int components, double scale,
-                     const Table& table) {
+Values heat_table(const Array& x, const Array& y, double a, double b, double heated,
+                  std::pair<double, double> speed, int components, double scale,
+                  const Table& table) {
   const double unit = 2 * a;
   const auto scaled = [unit](const Array& array) {
     std::vector<double> values(array.data(), array.data() + array.size());

@@ -6,9 +6,9 @@ PYBIND11_MODULE(_core, m) {
   m.attr("version") = SAMCONTACT_VERSION;
   samcontact::bindings::bind_base(m);
   samcontact::bindings::bind_kernels(m);
+  samcontact::bindings::bind_plasticity(m);
   samcontact::bindings::bind_heating(m);
   samcontact::bindings::bind_operators(m);
-  samcontact::bindings::bind_plasticity(m);
   samcontact::bindings::bind_contact(m);
   samcontact::bindings::bind_simulation(m);
   samcontact::bindings::bind_fatigue(m);

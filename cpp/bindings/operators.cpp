@@ -17,8 +17,8 @@ namespace samcontact::bindings {
 
 namespace {
 
-py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& elastic, bool exact,
-                          double image_tol) {
+Values residual_stress(const Grid& grid, const Array& strain, const Elastic& elastic, bool exact,
+                       double image_tol) {
   const Field field = to_field(strain);
   Field stress;
   {
@@ -34,7 +34,7 @@ py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& 
 }
 
 /// Along x, y or z: axis 0, 1 or 2.
-py::array residual_displacement(const Grid& grid, const Array& strain, double nu, int axis) {
+Values residual_displacement(const Grid& grid, const Array& strain, double nu, int axis) {
   const Field field = to_field(strain);
   Field out(grid.surface_size());
   {
@@ -48,8 +48,8 @@ py::array residual_displacement(const Grid& grid, const Array& strain, double nu
 }
 
 /// Along x, y or z: axis 0, 1 or 2.
-py::array surface_displacement(const Grid& grid, const Stack& body, const Array& pressure,
-                               const py::object& shear_x, const py::object& shear_y, int axis) {
+Values surface_displacement(const Grid& grid, const Stack& body, const Array& pressure,
+                            const MaybeArray& shear_x, const MaybeArray& shear_y, int axis) {
   const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
                                        to_field_or_empty(shear_y)};
   Field out;
@@ -61,9 +61,9 @@ py::array surface_displacement(const Grid& grid, const Stack& body, const Array&
   return surface_array(std::move(out), grid);
 }
 
-py::array surface_stress(const Grid& grid, const Stack& body, const operators::Heating& heating,
-                         const std::vector<double>& z, const Array& pressure,
-                         const py::object& shear_x, const py::object& shear_y) {
+Values surface_stress(const Grid& grid, const Stack& body, const operators::Heating& heating,
+                      const std::vector<double>& z, const Array& pressure,
+                      const MaybeArray& shear_x, const MaybeArray& shear_y) {
   const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
                                        to_field_or_empty(shear_y)};
   Field out;
@@ -76,11 +76,11 @@ py::array surface_stress(const Grid& grid, const Stack& body, const operators::H
 
 /// By zones (i0, j0, nx, ny, nz): stress there, 0 elsewhere, of a strain and of tractions on body
 /// 2, and displacement [axis][i][j] of the strain.
-std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& elastic,
-                                            const std::vector<std::array<int, 5>>& boxes,
-                                            const Array& strain, const py::object& pressure,
-                                            const py::object& shear_x, const py::object& shear_y,
-                                            double image_tol) {
+std::pair<Values, Values> zone_fields(const Grid& grid, const Elastic& elastic,
+                                      const std::vector<std::array<int, 5>>& boxes,
+                                      const Array& strain, const MaybeArray& pressure,
+                                      const MaybeArray& shear_x, const MaybeArray& shear_y,
+                                      double image_tol) {
   const Field field = to_field(strain);
   const operators::Tractions tractions{to_field_or_empty(pressure), to_field_or_empty(shear_x),
                                        to_field_or_empty(shear_y)};
@@ -130,8 +130,8 @@ std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& ela
                         {item * nx * ny, item * ny, item})};
 }
 
-py::array temperature(const Grid& grid, const operators::Heating& heating,
-                      const std::vector<double>& z, const Array& pressure) {
+Values temperature(const Grid& grid, const operators::Heating& heating,
+                   const std::vector<double>& z, const Array& pressure) {
   const Field p = to_field(pressure);
   Field rise;
   {
@@ -152,7 +152,7 @@ struct BoundHistory {
   Grid grid;
   HeatHistory history;
 
-  py::array temperature(double ahead, const std::vector<double>& z) const {
+  Values temperature(double ahead, const std::vector<double>& z) const {
     Field rise;
     {
       const LongWork work;
@@ -160,7 +160,7 @@ struct BoundHistory {
     }
     return volume_array(std::move(rise), grid, static_cast<py::ssize_t>(z.size()));
   }
-  py::array displacement(double ahead) const {
+  Values displacement(double ahead) const {
     Field u;
     {
       const LongWork work;
@@ -168,7 +168,7 @@ struct BoundHistory {
     }
     return surface_array(std::move(u), grid);
   }
-  py::array stress(double ahead, const std::vector<double>& z) const {
+  Values stress(double ahead, const std::vector<double>& z) const {
     Field stress;
     {
       const LongWork work;

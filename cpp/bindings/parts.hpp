@@ -20,6 +20,7 @@
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/simulation/cells/zones.hpp"
+#include "typed.hpp"
 
 namespace samcontact::bindings {
 
@@ -97,33 +98,29 @@ class PartWriter {
     if (wants(name) && part) content[name.c_str()] = to_python(plain(*part), py::none());
   }
 
-  py::dict content;
-  bool found = false;  // whether there is a part of the name
+  Content content;
 
- private:
-  bool wants(const std::string& name) {
-    const bool wanted = only_.empty() || name == only_;
-    found = found || wanted;
-    return wanted;
-  }
   template <class T>
-  static py::object to_python(const T& part, const py::object& owner) {
+  static auto to_python(const T& part, const py::object& owner) {
     if constexpr (Rows<T>) {
       return rows_of(part);
     } else if constexpr (Sequence<T>) {
       return array_of(part, owner);
     } else if constexpr (std::is_enum_v<T>) {
-      return py::int_(static_cast<int>(part));
+      return static_cast<int>(part);
     } else if constexpr (std::is_same_v<T, Box>) {
-      return py::cast(std::array{part.i0, part.j0, part.nx, part.ny, part.nz});
+      return std::array{part.i0, part.j0, part.nx, part.ny, part.nz};
     } else if constexpr (requires(PartWriter visit) { describe(part, visit); }) {
       PartWriter inner;
       describe(part, inner);
       return std::move(inner.content);
     } else {
-      return py::cast(part);
+      return part;
     }
   }
+
+ private:
+  bool wants(const std::string& name) const { return only_.empty() || name == only_; }
 
   std::string only_;
   py::object owner_;

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace samcontact::bindings {
 namespace {
 
 template <class Function>
-Array each(const Array& g, const Function& function) {
-  py::array_t<double> out(g.size());
+Values each(const Array& g, const Function& function) {
+  Values out(g.size());
   std::transform(g.data(), g.data() + g.size(), out.mutable_data(), function);
   return out;
 }
@@ -42,9 +43,9 @@ void bind_stack(py::module_& m) {
             return each(wavenumbers, [&](double q) { return medium->wave_compliance(q); });
           },
           py::arg("wavenumbers"))
-      .def(
-          "__eq__", [](const Stack& one, const Stack& other) { return one == other; },
-          py::is_operator());
+      .def("__eq__", [](const Stack& one, const py::object& other) {
+        return py::isinstance<Stack>(other) && one == other.cast<const Stack&>();
+      });
 }
 
 using plasticity::Material;
@@ -64,16 +65,18 @@ plasticity::Body body_of(const Material& substrate,
   return {substrate, std::move(layers)};
 }
 
-py::tuple radial_return(const Material& s, const plasticity::Tensor& stress, double g,
-                        const std::vector<plasticity::Tensor>& backstresses) {
+using plasticity::Tensor;
+
+std::tuple<Tensor, double, std::vector<Tensor>> radial_return(
+    const Material& s, const Tensor& stress, double g, const std::vector<Tensor>& backstresses) {
   const auto r = plasticity::radial_return(stress, {}, g, s, backstresses);
-  std::vector<plasticity::Tensor> after;
+  std::vector<Tensor> after;
   after.reserve(backstresses.size());
   for (std::size_t n = 0; n < backstresses.size(); ++n) {
     after.push_back(
         plasticity::advanced(backstresses[n], s.backstresses[n], r.increment, r.equivalent));
   }
-  return py::make_tuple(r.increment, r.equivalent, after);
+  return {r.increment, r.equivalent, std::move(after)};
 }
 
 void bind_material(py::module_& m) {

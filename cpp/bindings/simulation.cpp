@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+
 #include "arrays.hpp"
 #include "long_work.hpp"
 #include "parts.hpp"
@@ -8,6 +14,7 @@
 #include "samcontact/simulation/simulation.hpp"
 #include "samcontact/simulation/state/description.hpp"
 #include "softening.hpp"
+#include "typed.hpp"
 
 namespace samcontact::bindings {
 
@@ -19,21 +26,21 @@ using simulation::Simulation;
 using simulation::State;
 using simulation::Target;
 
-/// Each None or (heights (rows, ny), first row, whether periodic, what is worn off or None).
-simulation::Reliefs to_reliefs(const std::array<py::object, 2>& given) {
+/// Heights (rows, ny), first row, whether periodic, what is worn off.
+using ReliefTuple = std::tuple<Array, int, bool, MaybeArray>;
+simulation::Reliefs to_reliefs(const std::array<std::optional<ReliefTuple>, 2>& given) {
   simulation::Reliefs reliefs;
   for (int b = 0; b < 2; ++b) {
-    if (given[b].is_none()) continue;
-    const auto parts = given[b].cast<py::tuple>();
-    const auto heights = parts[0].cast<Array>();
-    reliefs[b] = {to_field(heights), static_cast<int>(heights.shape(0)), parts[1].cast<int>(),
-                  parts[2].cast<bool>(), to_field_or_empty(parts[3])};
+    if (!given[b]) continue;
+    const auto& [heights, first_row, periodic, worn] = *given[b];
+    reliefs[b] = {to_field(heights), static_cast<int>(heights.shape(0)), first_row, periodic,
+                  to_field_or_empty(worn)};
   }
   return reliefs;
 }
 
 State step(Simulation& simulation, const std::string& kind, double value,
-           const py::object& pressure, const py::object& shear_x, const py::object& shear_y,
+           const MaybeArray& pressure, const MaybeArray& shear_x, const MaybeArray& shear_y,
            const operators::HeatingPair& heating, double duration,
            const simulation::Travel& advance, const std::array<bool, 3>& is_force,
            const std::array<double, 3>& tangential) {
@@ -49,7 +56,7 @@ State step(Simulation& simulation, const std::string& kind, double value,
   return simulation.step(target);
 }
 
-py::dict counters(const Simulation& simulation) {
+Content counters(const Simulation& simulation) {
   PartWriter visit;
   describe(simulation.counters(), visit);
   visit.content["volume_bytes"] = simulation.volume_bytes();
@@ -57,7 +64,7 @@ py::dict counters(const Simulation& simulation) {
 }
 
 /// Sets state and counters from their content; heating: that of the state.
-void restore(Simulation& simulation, const py::dict& content, const py::dict& counters,
+void restore(Simulation& simulation, const Content& content, const Content& counters,
              const operators::HeatingPair& heating) {
   State state(simulation.shared_scene(), operators::ResidualMethod::fast);
   state.heating = heating;
@@ -102,21 +109,21 @@ void bind_simulation(py::module_& m) {
   bind_state(m);
   bind_settings(m);
   py::class_<Simulation>(m, "Simulation")
-      .def(py::init(
-               [](const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
-                  const Array& gap, const contact::FrictionLaw& friction, Settings settings,
-                  const std::array<double, 2>& march, const std::array<py::object, 2>& softening,
-                  const std::array<py::object, 2>& reliefs,
-                  const std::shared_ptr<contact::ContactLaw>& contact_law) {
-                 for (int b = 0; b < 2; ++b) {
-                   if (!softening[b].is_none())
-                     settings.softening[b] = softening_law(softening[b], grid);
-                 }
-                 const Team team;
-                 return std::make_unique<Simulation>(
-                     grid, body1, body2, to_field(gap), friction, settings,
-                     simulation::HeatMarch{march[0], march[1]}, to_reliefs(reliefs), contact_law);
-               }),
+      .def(py::init([](const Grid& grid, const plasticity::Body& body1,
+                       const plasticity::Body& body2, const Array& gap,
+                       const contact::FrictionLaw& friction, Settings settings,
+                       const std::array<double, 2>& march,
+                       const std::array<std::optional<SofteningFunction>, 2>& softening,
+                       const std::array<std::optional<ReliefTuple>, 2>& reliefs,
+                       const std::shared_ptr<contact::ContactLaw>& contact_law) {
+             for (int b = 0; b < 2; ++b) {
+               if (softening[b]) settings.softening[b] = softening_law(*softening[b], grid);
+             }
+             const Team team;
+             return std::make_unique<Simulation>(
+                 grid, body1, body2, to_field(gap), friction, settings,
+                 simulation::HeatMarch{march[0], march[1]}, to_reliefs(reliefs), contact_law);
+           }),
            py::kw_only(), py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"),
            py::arg("friction"), py::arg("settings"), py::arg("march"), py::arg("softening"),
            py::arg("reliefs"), py::arg("contact_law"))
@@ -126,7 +133,7 @@ void bind_simulation(py::module_& m) {
       .def(
           "set_plastic_state",
           [](Simulation& s, int body, int first_row, const Array& strain,
-             const py::object& equivalent, const py::object& backstress) {
+             const MaybeArray& equivalent, const MaybeArray& backstress) {
             const Box box{first_row, 0, static_cast<int>(strain.shape(2)), s.scene().grid.ny,
                           static_cast<int>(strain.shape(1))};
             s.set_plastic_state(body, box, to_field(strain), to_field_or_empty(equivalent),

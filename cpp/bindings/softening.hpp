@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <pybind11/typing.h>
+
 #include <memory>
 #include <stdexcept>
 
@@ -9,9 +11,12 @@
 
 namespace samcontact::bindings {
 
-/// A Python function of the rise of temperature (nx, ny, nz), called with the GIL. A law may refer
-/// to its simulation, and Python's garbage collector does not see what the core owns: Python's
-/// simulation owns the law, and the core has a weak reference.
+/// Of the rise of temperature (nx, ny, nz).
+using SofteningFunction = py::typing::Callable<Array(Values)>;
+
+/// A SofteningFunction, called with the GIL. A law may refer to its simulation, and Python's
+/// garbage collector does not see what the core owns: Python's simulation owns the law, and the
+/// core has a weak reference.
 inline simulation::Softening softening_law(const py::object& law, const Grid& grid) {
   // The last owner may let go of it on any thread.
   const std::shared_ptr<py::weakref> known(new py::weakref(law), [](py::weakref* p) {

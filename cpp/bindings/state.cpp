@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
 #include "arrays.hpp"
 #include "long_work.hpp"
 #include "parts.hpp"
@@ -12,6 +20,7 @@
 #include "samcontact/simulation/state/stress_fields.hpp"
 #include "samcontact/simulation/state/surface_fields.hpp"
 #include "samcontact/simulation/state/temperature_fields.hpp"
+#include "typed.hpp"
 
 namespace samcontact::bindings {
 
@@ -29,7 +38,7 @@ Field worked(const Make& make) {
 }
 
 template <Rank rank>
-py::array to_array(Field field, const Grid& grid, py::ssize_t layers) {
+Values to_array(Field field, const Grid& grid, py::ssize_t layers) {
   if constexpr (rank == Rank::surface) return surface_array(std::move(field), grid);
   if constexpr (rank == Rank::scalar) return volume_array(std::move(field), grid, layers);
   if constexpr (rank == Rank::tensor) return tensor_array(std::move(field), grid, layers);
@@ -55,6 +64,10 @@ auto volume_method(Field (*method)(const State&, int, simulation::Layers)) {
 /// First cell and sizes (i0, j0, nx, ny, nz), as Python has boxes.
 using BoxTuple = std::array<int, 5>;
 BoxTuple to_tuple(const Box& box) { return {box.i0, box.j0, box.nx, box.ny, box.nz}; }
+std::optional<BoxTuple> to_tuple_or_none(const Box& box) {
+  if (box.empty()) return {};
+  return to_tuple(box);
+}
 Box to_box(const BoxTuple& cells) {
   const auto& [i0, j0, nx, ny, nz] = cells;
   return {i0, j0, nx, ny, nz};
@@ -82,11 +95,7 @@ void bind_zones(py::class_<State>& state) {
           py::arg("body"))
       .def(
           "own_box",
-          [](const State& s, int body) -> py::object {
-            const Box box = simulation::own_box(s, body);
-            if (box.empty()) return py::none();
-            return py::cast(to_tuple(box));
-          },
+          [](const State& s, int body) { return to_tuple_or_none(simulation::own_box(s, body)); },
           py::arg("body"))
       .def(
           "deviator_in_own_box",
@@ -152,15 +161,15 @@ void bind_track(py::class_<State>& state) {
       .def_property_readonly("first_cell", [](const State& s) { return s.placement().first; })
       .def(
           "history_rows",
-          [](const State& s, int body) -> py::object {
+          [](const State& s, int body) -> std::optional<std::pair<int, int>> {
             Box box;
             for (const auto& strain : {s.plastic[body], s.eigenstrain[body]}) {
               if (!strain) continue;
               box = box.united(
                   simulation::whole_box(strain->box(), s.scene().grid, strain->symmetry()));
             }
-            if (box.empty()) return py::none();
-            return py::make_tuple(box.i0, box.nx);
+            if (box.empty()) return {};
+            return std::pair{box.i0, box.nx};
           },
           py::arg("body"));
 }
@@ -195,20 +204,49 @@ void bind_fields(py::class_<State>& bound) {
   bind_surface("surface_displacement", &simulation::surface_displacement);
 }
 
+/// Binds a property for each part that is visited; None: there is none.
+class PartProperties {
+ public:
+  explicit PartProperties(py::class_<State>& bound) : bound_(bound) {}
+
+  template <class T>
+  void operator()(const std::string& name, const T& /*part*/) {
+    bind<std::conditional_t<Sequence<T>, std::optional<Made<T>>, Made<T>>>(name);
+  }
+  void maybe_nan(const std::string& name, double part) { (*this)(name, part); }
+
+  template <class T, class Plain, class Make>
+  void made(const std::string& name, const std::shared_ptr<const T>& /*part*/,
+            const Plain& /*plain*/, const Make& /*make*/) {
+    bind<std::optional<Made<std::invoke_result_t<const Plain&, const T&>>>>(name);
+  }
+
+ private:
+  /// What a part becomes in Python.
+  template <class T>
+  using Made = decltype(PartWriter::to_python(std::declval<T>(), py::object()));
+
+  template <class Made>
+  void bind(const std::string& name) {
+    bound_.def_property_readonly(name.c_str(), [name](const py::object& self) {
+      PartWriter visit(name, self);
+      describe(self.cast<const State&>(), visit);
+      return Typed<Made>(visit.content.attr("get")(name));
+    });
+  }
+
+  py::class_<State>& bound_;
+};
+
 void bind_content(py::class_<State>& bound) {
-  bound
-      .def("content",
-           [](const State& state) {
-             PartWriter visit;
-             describe(state, visit);
-             return visit.content;
-           })
-      .def("__getattr__", [](const py::object& self, const std::string& name) -> py::object {
-        PartWriter visit(name, self);
-        describe(self.cast<const State&>(), visit);
-        if (!visit.found) throw py::attribute_error("no part of a state is named " + name);
-        return visit.content.attr("get")(name);
-      });
+  PartProperties properties(bound);
+  const State blank = State::without_scene();
+  describe(blank, properties);
+  bound.def("content", [](const State& state) {
+    PartWriter visit;
+    describe(state, visit);
+    return visit.content;
+  });
 }
 
 void bind_contact_of(py::class_<State>& bound) {
@@ -250,16 +288,14 @@ void bind_state(py::module_& m) {
       .def("layers", &State::layers)
       .def(
           "strain_beyond",
-          [](const State& state, int body) -> py::object {
-            const Box box = simulation::strain_beyond(state, body);
-            if (box.empty()) return py::none();
-            return py::cast(to_tuple(box));
+          [](const State& state, int body) {
+            return to_tuple_or_none(simulation::strain_beyond(state, body));
           },
           py::arg("body"))
       .def(
           "softening",
-          [](const State& state, int body) -> py::object {
-            if (!state.softening[body]) return py::none();
+          [](const State& state, int body) -> std::optional<Values> {
+            if (!state.softening[body]) return {};
             const auto& [box, values] = *state.softening[body];
             const Grid& grid = state.scene().grid;
             const Box here{0, 0, grid.nx, grid.ny, box.nz};

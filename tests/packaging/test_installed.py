@@ -31,7 +31,7 @@ def test_it_holds_the_package_and_nothing_else():
     wanted = {name.removeprefix("python/") for name in listed} | {str(CORE)}
     packaged = {name for name in FILES if not re.search(r"\.dist-info/|\.pyc$|bin/", name)}
     assert packaged == wanted
-    assert {"samcontact/py.typed", "samcontact/_core.pyi"} < packaged
+    assert {"samcontact/py.typed", "samcontact/_core/__init__.pyi"} < packaged
     assert any(name.endswith("dist-info/licenses/LICENSE") for name in FILES)
 
 

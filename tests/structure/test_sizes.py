@@ -10,7 +10,7 @@ FILES = sorted(
     file
     for folder in FOLDERS
     for file in (ROOT / folder).rglob("*")
-    if file.suffix in (".py", ".hpp", ".cpp", ".sh", ".cmake")  # the stub of a module is one file
+    if file.suffix in (".py", ".hpp", ".cpp", ".sh", ".cmake")  # stubs are generated
 )
 # Lines; of a function those of its docstring do not count. clang-tidy has the same limit for C++.
 FILE, FUNCTION = 400, 60

@@ -35,6 +35,8 @@ using Layers = std::optional<int>;
 class State {
  public:
   State(std::shared_ptr<const Scene> scene, operators::ResidualMethod method);
+  /// Names and types of the parts of a description, and nothing else.
+  static State without_scene() { return {}; }
 
   /// Tractions in the frame of body 2; on body 1 the shear is reversed. Shear arrays may be empty.
   operators::Tractions tractions;
@@ -59,7 +61,7 @@ class State {
   fft::Symmetry shear_symmetry = fft::Symmetry::xy;  // mirror planes of all such motion so far
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
   Eigenstrains eigenstrain;                                    // that is given, as it lies now
-  operators::ResidualMethod method;
+  operators::ResidualMethod method{};
   Travel travel{};
   Travel advance{};  // by which moved() has just taken it there
   /// The strain with which the tractions were found, where it has been changed since; null: it has
@@ -111,6 +113,8 @@ class State {
   operators::Tractions tractions_on(int body) const;
 
  private:
+  State() = default;
+
   std::shared_ptr<const Scene> scene_;
 };
 
