@@ -57,7 +57,14 @@ class ContactLaw(Shown):
             Frictional heat.
         given : mapping
             Arguments of `Simulation.step` or `ContactSolver.solve`.
+
+        Raises
+        ------
+        ValueError, TypeError
+            Something that the law excludes, or an argument of the wrong kind.
         """
+        require_type("heat", heat, Heat)
+        require_type("given", given, Mapping)
         if not self.attracts:
             return
         if any(heat.factor) or heat.partition is not None:
