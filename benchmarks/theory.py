@@ -72,8 +72,8 @@ def shakedown_limits(frictions: Sequence[float] = FRICTIONS) -> str:
         "line, Tresca": lambda mu: shakedown.line(mu, criterion="tresca"),
         "line, von Mises": lambda mu: shakedown.line(mu, criterion="von_mises"),
         "line, kinematic": shakedown.line_kinematic,
-        "circle, at most": shakedown.point,
-        "circle, at least": shakedown.point_safe,
+        "circle, upper bound": shakedown.point,
+        "circle, lower bound": shakedown.point_safe,
     }
     rows = [
         [name, *(f"{limit(mu).ratio:.3f}" for mu in frictions)] for name, limit in limits.items()
@@ -137,8 +137,8 @@ def shakedown_cycles(scenes: Sequence[tuple[float, float, float]] = CYCLES) -> s
         strains = [f"{1e3 * one.rate / one.yield_strain:.3g}" for one in found]
         cycles = [f"{one.solved} of {one.cycles[-1].number}" for one in found]
         rows.append([name, *dict.fromkeys(one.verdict for one in found), *cycles, *strains])
-    heading = ["scene", "comes to", "with jumps", "without"]
-    return table([*heading, "strain of the last [10⁻³ σ_y/E]", "without"], rows)
+    heading = ["load, friction", "result", "with jumps", "without"]
+    return table([*heading, "strain of the last cycle [10⁻³ σ_y/E]", "without"], rows)
 
 
 ERRORS = {

@@ -245,11 +245,11 @@ SMALL = {
     "grid_errors": (lambda: theory.grid_errors((8, 9), (), ()), 1.0, math.inf, ["quantity"]),
     "increment_errors": (
         lambda: increment_errors.stated_errors([*increment_errors.SCENES][:1], runs=1),
-        0.95, 1.05, ["scene", "field"],
+        0.95, 1.05, ["case", "field"],
     ),
     "rolling_reach": (lambda: theory.rolling_reach(20), 0.0, 2.0, ["length of the grid"]),
     "shakedown_cycles": (
-        lambda: theory.shakedown_cycles(theory.CYCLES[:1]), 0.95, 1.05, ["scene", "comes to"]
+        lambda: theory.shakedown_cycles(theory.CYCLES[:1]), 0.95, 1.05, ["load, friction", "result"]
     ),
 }  # fmt: skip
 ALONE = {"grid_errors": {"least"}}  # columns that do not depend on how many there are
