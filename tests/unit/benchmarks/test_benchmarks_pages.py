@@ -95,7 +95,7 @@ def cells_of(page):
         for number, row in enumerate(lines[2:]):
             same = [one[0] for one in lines[2 : number + 2]].count(row[0])
             for column, cell in enumerate(row):
-                if re.search(r"[1-9]", cell) and row[0] != "**at most**":
+                if re.search(r"[1-9]", cell) and row[0] != "**limit**":
                     found[block, column, lines[0][column], row[0], same] = cell
     return found
 
