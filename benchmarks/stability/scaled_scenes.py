@@ -242,8 +242,10 @@ def worn(unit):
 
 
 SCENES = {
-    "plastic fretting": plastic_fretting, "infinite friction": without_slip, "heat due to slip": heat_of_slip,
-    "coated": coated, "coated steel": coated_steel, "yield-stress profile": graded, "rolling": rolling,
+    "plastic fretting": plastic_fretting, "infinite friction": without_slip,
+    "heat due to slip": heat_of_slip,
+    "coated": coated, "coated steel": coated_steel, "yield-stress profile": graded,
+    "rolling": rolling,
     "periodic": periodic, "subdomains": zones, "periodic subdomains": periodic_zones,
     "elastic-plastic layers": yielding_layers, "cycles and fatigue": cycles, "wear by slip": worn,
     "to an accuracy": to_accuracy,

@@ -2,9 +2,10 @@
 """Elastic-plastic half-space against axisymmetric finite elements (reference/fem).
 
 Tolerances are those that the finite element data themselves support (reference/fem/README.md):
-p_max 0.5 %, approach 0.2 %, largest plastic strain 1 %, loaded von Mises 1 %, residual von Mises
-2 %, imprint depth 2 %, profiles 2 % rms of their maximum. They are met with 16 cells per Hertz radius and
-16 load increments; finer runs, marked slow, show that the differences go on falling.
+p_max 0.5 %, approach 0.2 %, maximum plastic strain 1 %, loaded von Mises stress 1 %, residual von
+Mises stress 2 %, imprint depth 2 %, profiles 2 % rms of their maximum. They are met with 16 cells
+per Hertz radius and 16 load increments. The differences of finer runs, marked slow, decrease
+further.
 """
 
 import numpy as np
@@ -320,8 +321,8 @@ class TestPerfectPlasticity:
         print_ = unloaded.residual_displacement()
         centre = print_[print_.shape[0] // 2, print_.shape[1] // 2]
         expected = 1e6 * summary["uz_center_residual_m"]
-        measured.close(self.TABLE, "unloaded: imprint depth", 1e6 * centre, expected, unit="µm", rel=0.01,
-                       mesh=mesh)  # fmt: skip
+        measured.close(self.TABLE, "unloaded: imprint depth", 1e6 * centre, expected, unit="µm",
+                       rel=0.01, mesh=mesh)  # fmt: skip
         largest = 1e-6 * unloaded.von_mises().max()
         expected = 1e-6 * summary["unloaded"]["max_vm_Pa"]
         measured.close(self.TABLE, "unloaded: residual von Mises stress", largest, expected,

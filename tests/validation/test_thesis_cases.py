@@ -80,8 +80,8 @@ class TestTwoBallsAt1500N:
         for source, expected in (("FEM", largest), ("thesis", 2349.1)):
             measured.close(self.TABLE, "maximum von Mises stress", 1e-6 * von_mises.max(), expected,
                            unit="MPa", rel=1.5e-3, source=source, mesh=mesh)  # fmt: skip
-        measured.close(self.TABLE, "depth of this maximum", 1e6 * depth, 202, unit="µm", abs=20, source="FEM",
-                       mesh=mesh)  # fmt: skip
+        measured.close(self.TABLE, "depth of this maximum", 1e6 * depth, 202, unit="µm", abs=20,
+                       source="FEM", mesh=mesh)  # fmt: skip
         strain = 100 * loaded.equivalent_plastic_strain().max()
         largest = 100 * self.FEM["loaded"]["max_gamma_p"]
         # the thesis gives two digits

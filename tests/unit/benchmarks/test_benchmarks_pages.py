@@ -37,8 +37,8 @@ KEPT = {name: studies.find(name) for name in sorted(STUDIES - WITHOUT_RECORDS)}
 by_study = pytest.mark.parametrize("study", KEPT.values(), ids=KEPT)
 # Columns that are not measured, besides the first ones, which name rows.
 GIVEN = {
-    "accuracy": {"values", "quantity", "finite elements", "truth here", "difference [%]",
-                 "finite elements are good to [%]"},
+    "accuracy": {"values", "quantity", "finite elements", "reference", "difference [%]",
+                 "accuracy of finite elements [%]"},
     "accuracy_cost": {"asked [%]"},
     "experiments": {"Y/E\\*", "a/R of 30"},
     "finite_elements": {"on the radius", "on half a period, on a period"},
