@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.accuracy: stated errors against true ones, as a page of the docs.
+"""python -m benchmarks.accuracy: stated and true errors, as a page of the documentation.
 
-Contacts with a closed form, and others whose truth is a run that is much finer.
+The true error follows from a closed form, or from a much finer run.
 """
 
 from __future__ import annotations
@@ -20,54 +20,59 @@ from .study import Record, Study, table
 from .truth import FINEST, known
 
 ASKED = (0.05, 0.01, 0.002)
-LONGEST = 25.0  # s of a processor for a run that is judged
+LONGEST = 25.0  # limit of the processor time of a run [s]
 LATER = ("V1, diamond tip", "2d, rigid on perfectly plastic", "F2, friction 0.25",
          "R2, two passes", "rolling along the short axis, 1:2",
          "rolling along the long axis, 2:1")  # fmt: skip
 QUICK = ("balls, 1500 N", "semi-axes 1:4", "T1, 600 N")
-LONG = {"max_von_mises": "von Mises", "max_equivalent_plastic_strain": "strain",
-        "max_residual_von_mises": "residual", "max_pressure": "pressure",
-        "contact_area": "area", "print_depth": "print"}  # fmt: skip
+LONG = {"max_von_mises": "von Mises", "max_equivalent_plastic_strain": "plastic strain",
+        "max_residual_von_mises": "residual von Mises", "max_pressure": "pressure",
+        "contact_area": "area", "print_depth": "imprint depth"}  # fmt: skip
 SCENE_2D = "2d, rigid on perfectly plastic"
 GOOD = {"approach": 0.002, "max_pressure": 0.005, "max_von_mises": 0.01,
         "max_equivalent_plastic_strain": 0.01, "max_residual_von_mises": 0.02,
         "print_depth": 0.02}  # fmt: skip
-"""What finite elements can be relied on for, from their page; and of 2d."""
+"""Relative accuracy of the finite elements, from their page; that of 2d follows."""
 GOOD_OF_2D = 0.04
 TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.accuracy --docs -->
-# What stated errors are worth
+# Reliability of the estimated errors
 
-`samcontact.to_accuracy`, or `accuracy` in a case file, gives values with errors
-([how](theory/accuracy.md#solution-to-an-accuracy)). Here {cases} contacts are asked for
-to 5, 1 and 0.2 %, and the stated errors compared with the true ones. The truth is Hertz for
-pressure, approach and area of elastic
-paraboloids; else that to which the finest grids of about {finest:.0f} s extrapolate with order 2,
-and 32 or 64 increments on a coarser grid with orders 1 and 2. For what rolls that is hardly better
-than what is judged. [Finite elements](#the-truth-against-finite-elements) of three of the scenes
-agree with it as well as they are known. No run may take more than {longest:.0f} s: "not reached"
-are those that would; they still state their errors. The constants of the estimate were chosen
-with these contacts but for {new}: {later}.
+This page shows how often the true error of a value exceeds the error that samcontact states for
+it. `samcontact.to_accuracy`, or `accuracy` in a case file, gives values with estimated errors
+([how errors are estimated](theory/accuracy.md#solution-to-an-accuracy)).
+
+{cases} contacts are solved to 5, 1 and 0.2 %, and the stated errors are compared with the true
+ones. The reference is Hertz for pressure, approach and area of elastic paraboloids. For other
+values it is the extrapolation with order 2 of the finest grids of about {finest:.0f} s, and of 32
+or 64 increments on a coarser grid with orders 1 and 2. For rolling contacts this reference is
+hardly more accurate than the values judged. [Finite
+elements](#comparison-of-the-reference-with-finite-elements) of three of the cases agree with the
+reference to within their own accuracy.
+
+No run may take more than {longest:.0f} s. Runs that would take longer are marked "not reached";
+they still state their errors. The constants of the estimate were calibrated with these contacts,
+except for {new}: {later}.
 
 {summary}
 
-A value is covered when its true error is below the stated one.
-Times are those of all grids of a run, of one processor, of a machine that had other work. Cells are
-those of the finest surface.
+A value is covered if its true error is below the stated one. Times are the sum over all grids of
+a run, on one processor of a machine with other work. The numbers of cells are those of the finest
+surface.
 
 {costs}
 
-## The truth against finite elements
+## Comparison of the reference with finite elements
 
-In SI units; axisymmetric curves in `reference/fem`, whose page says what they can be relied on
-for. Those of 2d go on to loads whose residual stress takes finer grids than a run here may have, so
-that the contact here is one of its earlier increments.
+All values are in SI units. The axisymmetric curves are in `reference/fem`, whose page states
+their accuracy. The curves of case 2d continue to loads whose residual stress needs finer grids
+than permitted for a run here, so the contact here is one of their earlier increments.
 
 {elements}
 
-## Each quantity
+## Errors of each quantity
 
-True and stated errors relative to the largest value of the run [%].
+True and stated errors relative to the maximum value of the run [%].
 
 {tables}
 """
@@ -87,9 +92,9 @@ class Judged(NamedTuple):
 
 
 def judged(name: str, truth: dict[str, float], asked: float) -> Record:
-    """Stated and true errors of the quantities of a case, over them; not of those that are nothing.
+    """Relative stated and true errors of the non-zero quantities of a case.
 
-    Time is that of one processor, whatever else the machine does.
+    The time is processor time.
     """
     start = time.process_time()
     with mock.patch.object(time, "perf_counter", time.process_time):
@@ -112,7 +117,7 @@ def _short(value: float) -> float:
 
 
 def _beyond_rounding(difference: float) -> float:
-    """Records of given values, whose error is 0."""
+    """Absolute difference; zero if it is rounding, as for prescribed values."""
     return abs(difference) if abs(difference) > 1e-9 else 0.0
 
 
@@ -125,7 +130,7 @@ def run(of: str, asked: float) -> Record:
 
 
 def quantities(records: list[Record]) -> list[Judged]:
-    """Each quantity of the records."""
+    """All quantities of the records."""
     return [
         Judged(record["of"], record["asked"], quantity, record["stated"][quantity], true,
                record["seconds"], record["cells"], record["reached"])
@@ -134,7 +139,7 @@ def quantities(records: list[Record]) -> list[Judged]:
 
 
 def summary(rows: list[Judged]) -> str:
-    head = ("asked [%]", "values", "covered [%]", "worst true over stated",
+    head = ("accuracy [%]", "values", "covered [%]", "maximum true over stated",
             "median stated over true", "reached")  # fmt: skip
     lines = []
     for asked in ASKED:
@@ -149,9 +154,9 @@ def summary(rows: list[Judged]) -> str:
 
 
 def costs(rows: list[Judged]) -> str:
-    """Time and cells of the finest surface."""
-    head = "case", "truth", *(f"to {100 * asked:g} %" for asked in ASKED)
-    by = {name: "finer grids, as finite elements" for name in elements_of()}
+    """Table of times and cells of the finest surface."""
+    head = "case", "reference", *(f"to {100 * asked:g} %" for asked in ASKED)
+    by = {name: "finer grids, and finite elements" for name in elements_of()}
     by |= {name: "Hertz" for name, case in CASES.items() if closed_form(case)}
     lines = []
     for name in dict.fromkeys(row.case for row in rows):
@@ -166,9 +171,9 @@ def costs(rows: list[Judged]) -> str:
 
 
 def elements() -> str:
-    """The truth of scenes of which there are finite elements, beside these."""
-    head = ("case", "quantity", "finite elements", "truth here", "difference [%]",
-            "finite elements are good to [%]")  # fmt: skip
+    """Table of reference values and finite element values of some cases."""
+    head = ("case", "quantity", "finite elements", "reference", "difference [%]",
+            "accuracy of finite elements [%]")  # fmt: skip
     truth = known()
     lines = []
     for name, found in elements_of().items():
@@ -181,7 +186,7 @@ def elements() -> str:
 
 
 def elements_of() -> dict[str, dict[str, float]]:
-    """What finite elements give, in SI units; of the axis, where stress and strain are largest."""
+    """Finite element values in SI units; stress and strain are largest on the axis."""
     found: dict[str, dict[str, float]] = {}
     for scene, name in (("2b1500", "T1, 1500 N"), ("2a", "2a, rigid on M50")):
         summary = fem.load(scene).summary
@@ -206,10 +211,10 @@ def elements_of() -> dict[str, dict[str, float]]:
 
 
 def errors(rows: list[Judged], name: str) -> str:
-    """True and stated errors of a case, a column for each quantity."""
+    """Table of true and stated errors of a case, with one column per quantity."""
     mine = [row for row in rows if row.case == name]
     shown = list(dict.fromkeys(row.quantity for row in mine))
-    head = "asked", *(_words(quantity) for quantity in shown)
+    head = "accuracy [%]", *(_words(quantity) for quantity in shown)
     lines = []
     for asked in ASKED:
         found = {row.quantity: row for row in mine if row.asked == asked}
@@ -220,7 +225,7 @@ def errors(rows: list[Judged], name: str) -> str:
 
 def _words(quantity: str) -> str:
     kind, _, body = quantity.partition("_body")
-    return " ".join([LONG.get(kind, kind), *([body] if body else [])])
+    return LONG.get(kind, kind) + (f", body {body}" if body else "")
 
 
 def page(records: list[Record]) -> str:
@@ -234,7 +239,7 @@ def page(records: list[Record]) -> str:
     )  # fmt: skip
 
 
-STUDY = Study("accuracy", "Stated errors against true ones.", points, run, page, lasting=True)
+STUDY = Study("accuracy", "Stated and true errors.", points, run, page, lasting=True)
 
 if __name__ == "__main__":
     STUDY.main()

@@ -89,11 +89,11 @@ SCENES = {
         16, lambda n: ball(RIGID, ALUMINIUM, 50.0, sc.Coulomb(0.3), n),
         lambda sim, n: pressed(50.0, n), ("pressure", "shear"),
     ),
-    "fretting loop of unlike bodies, μ = 0.5 (Coulomb)": Scene(
+    "fretting loop of dissimilar bodies, μ = 0.5 (Coulomb)": Scene(
         12, lambda n: ball(STEEL, ALUMINIUM, 50.0, sc.Coulomb(0.5), n),
         lambda sim, n: shaken(50.0, 15.0, n), ("pressure", "shear"),
     ),
-    "rigid ball on steel that yields, μ = 0.3 (Coulomb)": Scene(
+    "rigid ball on elastic-plastic steel, μ = 0.3 (Coulomb)": Scene(
         12, lambda n: ball(RIGID, SWIFT, 1000.0, sc.Coulomb(0.3), n),
         lambda sim, n: pressed(1000.0, n), ("shear", STRAIN),
     ),
@@ -178,8 +178,8 @@ def stated_errors(names: Sequence[str] = tuple(SCENES), runs: int | None = None)
                     _listed(float(f"{true / stated:.2g}") for true, stated in pairs),
                 ]
             )
-    heading = ["scene", "cells across", "increments in a segment", "field"]
-    return table([*heading, "true error [%]", "true over stated error"], rows)
+    heading = ["case", "cells across", "increments in a segment", "field"]
+    return table([*heading, "true error [%]", "true over estimated error"], rows)
 
 
 def _listed(numbers: Iterable[float]) -> str:

@@ -72,8 +72,8 @@ def shakedown_limits(frictions: Sequence[float] = FRICTIONS) -> str:
         "line, Tresca": lambda mu: shakedown.line(mu, criterion="tresca"),
         "line, von Mises": lambda mu: shakedown.line(mu, criterion="von_mises"),
         "line, kinematic": shakedown.line_kinematic,
-        "circle, at most": shakedown.point,
-        "circle, at least": shakedown.point_safe,
+        "circle, upper bound": shakedown.point,
+        "circle, lower bound": shakedown.point_safe,
     }
     rows = [
         [name, *(f"{limit(mu).ratio:.3f}" for mu in frictions)] for name, limit in limits.items()
@@ -137,8 +137,8 @@ def shakedown_cycles(scenes: Sequence[tuple[float, float, float]] = CYCLES) -> s
         strains = [f"{1e3 * one.rate / one.yield_strain:.3g}" for one in found]
         cycles = [f"{one.solved} of {one.cycles[-1].number}" for one in found]
         rows.append([name, *dict.fromkeys(one.verdict for one in found), *cycles, *strains])
-    heading = ["scene", "comes to", "with jumps", "without"]
-    return table([*heading, "strain of the last [10⁻³ σ_y/E]", "without"], rows)
+    heading = ["load, friction", "result", "with jumps", "without"]
+    return table([*heading, "strain of the last cycle [10⁻³ σ_y/E]", "without"], rows)
 
 
 ERRORS = {
@@ -148,7 +148,7 @@ ERRORS = {
     "max_von_mises_body2": "maximum von Mises stress",
     "max_equivalent_plastic_strain_body2": "maximum plastic strain",
     "max_residual_von_mises_body2": "residual von Mises stress",
-    "print_depth_body2": "depth of the print",
+    "print_depth_body2": "imprint depth",
 }
 CIRCLES = (4, 5, 6, 7, 8, 9, 10, 12, 14, 17, 20, 23, 26)  # cells in the radius
 ELLIPSES = (5.3, 40.0)  # ratios of the radii of curvature; semi-axes of 1:3 and 1:11
@@ -216,7 +216,8 @@ def grid_errors(
             rows.append([label, f"{np.median(ratios):.1f}", f"{min(ratios):.1f}",
                          f"{enough} of {len(ratios)}"])  # fmt: skip
     return table(
-        ["quantity", "stated over true error, median", "least", "at least the true one"], rows
+        ["quantity", "estimated over true error, median", "minimum", "at least the true error"],
+        rows,
     )
 
 
@@ -239,7 +240,7 @@ def increments(few: Sequence[int] = (1, 4, 16), many: int = 64, across: int = 16
         for count in few
     ]
     heading = ["increments", "plastic strain [%]", "maximum pressure [%]"]
-    return table([*heading, "residual von Mises stress on the axis [%]", "print [%]"], rows)
+    return table([*heading, "residual von Mises stress on the axis [%]", "imprint depth [%]"], rows)
 
 
 TABLES: dict[str, Callable[[], str]] = {

@@ -81,11 +81,11 @@ SURFACE = Table(
     (
         Column("cells", "cells", COUNT),
         Column("iterations", "elastic: iterations", COUNT, 40),
-        Column("approach", "approach to Hertz", VALUE, 1e-3),
-        Column("pressure", "pressure to Hertz", VALUE, 1e-2),
-        Column("shear", "stick and slip: iterations", COUNT),
-        Column("shift", "shift to Mindlin", VALUE, 2e-2),
-        Column("law", "beyond μ p", at_most=1e-12),
+        Column("approach", "approach error (Hertz)", VALUE, 1e-3),
+        Column("pressure", "pressure error (Hertz)", VALUE, 1e-2),
+        Column("shear", "partial slip: iterations", COUNT),
+        Column("shift", "displacement error (Mindlin)", VALUE, 2e-2),
+        Column("law", "excess over μ p", at_most=1e-12),
     ),
     "16:1",
 )  # fmt: skip
@@ -94,12 +94,12 @@ VOLUME = Table(
     (
         Column("cells", "number", COUNT),
         Column("evaluations", "evaluations", COUNT, 40),
-        Column("contact", "iterations of the contact", COUNT),
+        Column("contact", "contact iterations", COUNT),
         Column("pressure", "pressure", VALUE, 0.05),
-        Column("print", "print", VALUE, 0.15),
+        Column("print", "imprint depth", VALUE, 0.15),
         Column("flow", "plastic strain", VALUE, 0.15),
-        Column("beyond", "beyond yield", at_most=1e-6),
-        Column("trace", "change of volume", at_most=1e-14),
+        Column("beyond", "yield excess", at_most=1e-6),
+        Column("trace", "volume change", at_most=1e-14),
     ),
     "square, coarse",
 )  # fmt: skip

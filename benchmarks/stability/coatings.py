@@ -97,10 +97,10 @@ ELASTIC = Table(
     (
         Column("iterations", "iterations", COUNT, 40),
         Column("error", "error", at_most=1e-8),
-        Column("halves", "as two equal layers", at_most=1e-11),
-        Column("same", "of the substrate's E", at_most=1e-12),
-        Column("substrate", "to the substrate alone", VALUE),
-        Column("coating", "to a body of the coating", VALUE),
+        Column("halves", "difference from two equal layers", at_most=1e-11),
+        Column("same", "difference from no coating", at_most=1e-12),
+        Column("substrate", "difference from the substrate alone", VALUE),
+        Column("coating", "difference from a body of coating material", VALUE),
     ),
     "50, 10",
 )  # fmt: skip
@@ -108,12 +108,12 @@ YIELDING = Table(
     "yielding_coatings", "E of the coating over E, thickness over dz", rows(LAYERS), yielding,
     (
         Column("evaluations", "evaluations", COUNT, 100),
-        Column("contact", "iterations of the contact", COUNT),
-        Column("parts", "parts of an increment", COUNT, 1),
+        Column("contact", "contact iterations", COUNT),
+        Column("parts", "parts per increment", COUNT, 1),
         Column("strain", "plastic strain", VALUE),
         Column("residual", "residual", at_most=1e-6),
-        Column("beyond", "beyond yield", at_most=1e-6),
-        Column("trace", "change of volume", at_most=1e-14),
+        Column("beyond", "yield excess", at_most=1e-6),
+        Column("trace", "volume change", at_most=1e-14),
     ),
     "5, 2",
 )  # fmt: skip

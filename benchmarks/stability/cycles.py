@@ -80,15 +80,15 @@ def cycled(row: str, cycles: int = CYCLES, settled: int = SETTLED) -> dict[str, 
 
 
 TABLE = Table(
-    "cycles", f"scene, {CYCLES} cycles", ROWS, cycled,
+    "cycles", f"case, {CYCLES} cycles", ROWS, cycled,
     (
-        Column("zones", "zones", COUNT),
+        Column("zones", "subdomains", COUNT),
         Column("all", "strain, all cycles", VALUE),
         Column("strain", "strain, last cycle"),
-        Column("drift", f"strain, a cycle after {SETTLED}"),
-        Column("print", f"print, a cycle after {SETTLED}"),
-        Column("trace", "change of volume", at_most=1e-13),
-        Column("load", "balance of load", at_most=1e-12),
+        Column("drift", f"strain, per cycle after {SETTLED}"),
+        Column("print", f"imprint depth, per cycle after {SETTLED}"),
+        Column("trace", "volume change", at_most=1e-13),
+        Column("load", "load error", at_most=1e-12),
     ),
     "ball, linear hardening",
 )  # fmt: skip

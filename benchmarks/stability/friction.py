@@ -16,7 +16,7 @@ from .table import COUNT, Column, Table, largest
 
 LOAD = 300.0
 BODIES = {
-    "alike": (sc.Material.elastic(E, 0.3), sc.Material.elastic(E, 0.3)),
+    "identical": (sc.Material.elastic(E, 0.3), sc.Material.elastic(E, 0.3)),
     "ν = 0 and 0.499": (sc.Material.elastic(E, 0.0), sc.Material.elastic(E, 0.499)),
     "rigid and ν = 0": (sc.Material.rigid(), sc.Material.elastic(E, 0.0)),
 }
@@ -101,8 +101,8 @@ SLIDING = Table(
             Column(name, f"{name}: iterations", COUNT),
             Column(f"{name} work", "transforms", COUNT),
         )),
-        Column("left", "conditions of contact", at_most=1e-8),
-        Column("load", "balance of load", at_most=1e-12),
+        Column("left", "contact conditions", at_most=1e-8),
+        Column("load", "load error", at_most=1e-12),
     ),
     "2",
 )  # fmt: skip
@@ -110,14 +110,14 @@ SLIPPING = Table(
     "slipping", "bodies, μ",
     tuple(f"{name}, {mu}" for name in BODIES for mu in FRICTIONS[1:]), slipping,
     (
-        Column("pressed", "pressed: iterations", COUNT),
-        Column("pulled", "pulled", COUNT),
-        Column("all", "all slips", COUNT),
-        Column("sticks", "cells that stick", COUNT, 0),
+        Column("pressed", "normal load: iterations", COUNT),
+        Column("pulled", "tangential load", COUNT),
+        Column("all", "full slip", COUNT),
+        Column("sticks", "sticking cells", COUNT, 0),
         Column("rolling", "rolling", COUNT),
-        Column("error", "error of the shear"),
-        Column("law", "beyond μ p", at_most=1e-12),
-        Column("backward", "work of friction against the slip"),
+        Column("error", "shear error"),
+        Column("law", "excess over μ p", at_most=1e-12),
+        Column("backward", "work against the slip"),
     ),
     "rigid and ν = 0, 1",
 )  # fmt: skip

@@ -41,8 +41,8 @@ def flow(
 
 
 def poisson(row: str) -> dict[str, Any]:
-    """Bodies alike; what flows has such a ratio; a ball pulled by half of the friction, alike and
-    against a rigid one."""
+    """Contacts with one Poisson's ratio: identical elastic bodies, an elastic-plastic body, and
+    a ball under half of the friction limit, on an identical and on a rigid body."""
     nu = float(row)
     body = sc.Material.elastic(E, nu)
     exact, grid = contact(body, 33, 2.4e9)
@@ -69,7 +69,7 @@ def poisson(row: str) -> dict[str, Any]:
 
 
 def slip_error(found: Any, mu: float) -> float:
-    """By how much shear is beyond the friction, over its largest value."""
+    """Excess of the shear over the friction limit, relative to the maximum shear."""
     excess = np.hypot(*found.shear) - mu * found.pressure if math.isfinite(mu) else 0.0
     apart_ = np.hypot(*found.shear)[found.pressure == 0]
     worst = max(float(np.max(excess)), float(apart_.max(initial=0.0)), 0.0)
@@ -77,7 +77,7 @@ def slip_error(found: Any, mu: float) -> float:
 
 
 def hardened(row: str) -> dict[str, Any]:
-    """Isotropic and kinematic laws of that tangent modulus over E, without friction and sliding."""
+    """Isotropic and kinematic hardening with a tangent modulus over E, and one case of sliding."""
     share = float(row)
     perfect = sc.Material.perfect_plastic(E, 0.3, YIELD)
     isotropic = sc.Material.linear_hardening(E, 0.3, YIELD, share * E) if share else perfect
@@ -101,15 +101,15 @@ POISSON = Table(
     "poisson", "ν", RATIOS, poisson,
     (
         Column("iterations", "elastic: iterations", COUNT, 30),
-        Column("approach", "approach to Hertz", VALUE, 2e-3),
-        Column("p0", "pressure to Hertz", VALUE, 5e-3),
-        Column("evaluations", "yields: evaluations", COUNT, 40),
-        Column("beyond", "beyond yield", at_most=1e-6),
-        Column("trace", "change of volume", at_most=1e-14),
-        Column("shear", "stick and slip: iterations", COUNT),
-        Column("shift", "shift to Mindlin", VALUE),
+        Column("approach", "approach error (Hertz)", VALUE, 2e-3),
+        Column("p0", "pressure error (Hertz)", VALUE, 5e-3),
+        Column("evaluations", "elastic-plastic: evaluations", COUNT, 40),
+        Column("beyond", "yield excess", at_most=1e-6),
+        Column("trace", "volume change", at_most=1e-14),
+        Column("shear", "partial slip: iterations", COUNT),
+        Column("shift", "displacement error (Mindlin)", VALUE),
         Column("unlike", "on a rigid body: iterations", COUNT),
-        Column("law", "beyond μ p", at_most=1e-12),
+        Column("law", "excess over μ p", at_most=1e-12),
     ),
     "0.499",
 )  # fmt: skip
@@ -117,14 +117,14 @@ HARDENING = Table(
     "hardening", "tangent modulus / E", SHARES, hardened,
     (
         Column("isotropic", "isotropic: evaluations", COUNT, 60),
-        Column("isotropic beyond", "beyond yield", at_most=1e-6),
+        Column("isotropic beyond", "yield excess", at_most=1e-6),
         Column("kinematic", "kinematic: evaluations", COUNT, 60),
-        Column("kinematic beyond", "beyond yield", at_most=1e-6),
+        Column("kinematic beyond", "yield excess", at_most=1e-6),
         Column("sliding", "isotropic, μ = 0.5: evaluations", COUNT, 60),
-        Column("sliding beyond", "beyond yield", at_most=1e-6),
-        Column("trace", "change of volume", at_most=1e-14),
-        Column("load", "balance of load", at_most=1e-12),
-        Column("unloaded", "strain by unloading", VALUE),
+        Column("sliding beyond", "yield excess", at_most=1e-6),
+        Column("trace", "volume change", at_most=1e-14),
+        Column("load", "load error", at_most=1e-12),
+        Column("unloaded", "strain due to unloading", VALUE),
     ),
     "0.9",
 )  # fmt: skip

@@ -30,13 +30,13 @@ def run(of: str, row: str) -> Record:
 
 
 def lines_of(known: Table, rows: list[Record]) -> str:
-    """With what no row is beyond as the last line."""
+    """Lines of a table; the last one gives the limits of the columns."""
     lines = [
         [row["row"], *(column.text(row.get(column.key)) for column in known.columns)]
         for row in rows
     ]
     if any(column.at_most is not None for column in known.columns):
-        lines.append(["**at most**", *("" if column.at_most is None else column.text(column.at_most)
+        lines.append(["**limit**", *("" if column.at_most is None else column.text(column.at_most)
                                        for column in known.columns)])  # fmt: skip
     return table([known.head, *(column.head for column in known.columns)], lines)
 
@@ -51,4 +51,4 @@ def page(records: list[Record]) -> str:
     )
 
 
-STUDY = Study("stability", "What extreme scenes cost and lose.", points, run, page)
+STUDY = Study("stability", "Accuracy and iterations of extreme cases.", points, run, page)

@@ -7,11 +7,11 @@ import numpy as np
 
 import samcontact as sc
 
-# What a metre, a newton, a second and a kelvin are in the other system.
+# Values of a metre, a newton, a second and a kelvin in the other system.
 UNITS = {
     "millimetre, newton, megapascal": (1e3, 1.0, 1.0, 1.0),
     "micrometre, millinewton, millisecond": (1e6, 1e3, 1e3, 1.0),
-    "contact radius, load, time and temperature of the scene": (1 / 2.7e-4, 1 / 300, 1e4, 1 / 80),
+    "contact radius, load, time and temperature of the case": (1 / 2.7e-4, 1 / 300, 1e4, 1 / 80),
     "kilometre, meganewton, hour": (1e-3, 1e-6, 1 / 3600, 1.0),
     "angstrom, nanonewton, nanosecond, millikelvin": (1e10, 1e9, 1e9, 1e3),
     "a million metres, meganewtons, seconds and kelvins": (1e-6, 1e-6, 1e-6, 1e-6),
@@ -21,7 +21,7 @@ TIGHT = {"tol": 1e-11, "on_border": "warn"}
 
 
 class Units:
-    """What a metre, a newton, a second and a kelvin are in a system."""
+    """Values of a metre, a newton, a second and a kelvin in a system of units."""
 
     def __init__(self, metre=1.0, newton=1.0, second=1.0, kelvin=1.0):
         self.m, self.N, self.s, self.K = metre, newton, second, kelvin
@@ -51,7 +51,7 @@ class Units:
         return found
 
     def slipped(self, state):
-        """What only bodies that stick and slip have."""
+        """Fields of partial slip only."""
         return {
             "slip": state.slip / self.m,
             "shift": state.shift / self.m,
@@ -62,7 +62,7 @@ class Units:
 
 
 def fretting(unit, body1, body2, *, heat=None, mu=0.3):
-    """Pressed, pulled, turned, and let go."""
+    """Normal load, tangential load, rotation and partial unloading."""
     grid = unit.grid(dz=45e-6 * unit.m)
     gap = unit.ball(grid)
     friction = sc.Coulomb(mu)
@@ -242,9 +242,11 @@ def worn(unit):
 
 
 SCENES = {
-    "plastic fretting": plastic_fretting, "no slip": without_slip, "heat of slip": heat_of_slip,
-    "coated": coated, "coated steel": coated_steel, "graded": graded, "rolling": rolling,
-    "periodic": periodic, "zones": zones, "periodic zones": periodic_zones,
-    "yielding layers": yielding_layers, "cycles and fatigue": cycles, "wear by slip": worn,
+    "plastic fretting": plastic_fretting, "infinite friction": without_slip,
+    "heat due to slip": heat_of_slip,
+    "coated": coated, "coated steel": coated_steel, "yield-stress profile": graded,
+    "rolling": rolling,
+    "periodic": periodic, "subdomains": zones, "periodic subdomains": periodic_zones,
+    "elastic-plastic layers": yielding_layers, "cycles and fatigue": cycles, "wear by slip": worn,
     "to an accuracy": to_accuracy,
 }  # fmt: skip

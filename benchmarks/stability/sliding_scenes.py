@@ -84,11 +84,11 @@ SCENES = {
         velocity=((0.0, 0.0), (0.1 * scene.speed, 0.05 * scene.speed)),
         reference=1.0 * scene.metre,
     ),
-    "heat, since a moment": lambda scene: scene.heated(time=1e-3 * scene.second),
+    "heat of finite duration": lambda scene: scene.heated(time=1e-3 * scene.second),
     "load and unload, linear hardening": lambda scene: scene.plastic("linear"),
     "load and unload, Swift": lambda scene: scene.plastic("swift"),
     "load and unload, kinematic": lambda scene: scene.plastic("kinematic"),
     "load and unload, fast sweeps": lambda scene: scene.plastic("linear", residual_stress="fast"),
-    "load and unload, heat marched in time": Scene.marched,
+    "load and unload, transient heating": Scene.marched,
     "moving over a dent": Scene.moving,
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The same scenes in other systems of units."""
+"""Cases solved in other systems of units."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SCENES = SLIDING | scaled_scenes.SCENES
 
 
 def differences(name: str) -> dict[str, float]:
-    """Largest ones of all fields of a scene to those in SI units, for each system."""
+    """Largest differences of all fields of a case from those in SI units, for each system."""
     expected = SCENES[name](Units())
 
     def worst(system: tuple[float, ...]) -> float:
@@ -33,7 +33,7 @@ def differences(name: str) -> dict[str, float]:
 
 
 TABLE = Table(
-    "units", "scene", tuple(SCENES), differences,
+    "units", "case", tuple(SCENES), differences,
     (*(Column(f"system {n}", str(n), at_most=1e-12) for n in range(1, len(UNITS) + 1)),
      Column("powers", "powers of two", at_most=1e-13)),
     "elastic",

@@ -14,7 +14,7 @@ INPUTS = {
     "flipped or cut bytes of a journal": (30, 1200),
     "flipped or cut bytes of results": (30, 1200),
     "edited parts of checkpoints": (125, 5000),
-    "boxes of zones in checkpoints": (30, 1200),
+    "boxes of subdomains in checkpoints": (30, 1200),
     "edited parts of wear checkpoints": (50, 2000),
     "edited parts of results": (30, 1200),
     "files of heights": (100, 4000),
@@ -22,7 +22,7 @@ INPUTS = {
     "arguments of operators": (300, 12000),
     "arguments of contacts": (200, 8000),
     "arguments of steps": (150, 6000),
-    "scenes": (24, 10_000),
+    "drawn cases": (24, 10_000),
     "studies": (5, 500),
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What drawn scenes came to, counted for docs/testing.md.
+"""Outcomes of randomly drawn cases, counted for docs/testing.md.
 
 `python tests/fuzz/scene_counts.py LOG ...` writes the counts and the table of that page. A log is
 what `python tests/fuzz/test_fuzz_scenes.py FIRST LAST` prints; of a scene that is in several lines
@@ -18,7 +18,7 @@ from drawn_paths import drawn_case
 COUNTS = Path(__file__).with_suffix(".json")
 PAGE = Path(__file__).parents[2] / "docs" / "testing.md"
 PLACE = re.compile(r"(<!-- table: drawn_scenes -->\n).*?(<!-- end of table -->)", re.DOTALL)
-OUTCOMES = ("solved", "border", "convergence", "endless flow", "parts", "steps of heat", "FAILED")
+OUTCOMES = ("solved", "border", "convergence", "unbounded flow", "parts", "heat steps", "FAILED")
 """As in the logs; but for the first and the last, refused by name."""
 
 
@@ -44,8 +44,8 @@ KINDS = {
     "roughness or reliefs": lambda case: (
         "roughness" in case["surface"] or not case.keys().isdisjoint(("relief1", "relief2"))
     ),
-    "stick and slip": lambda case: coulomb(case) is not None,
-    "no slip at all": lambda case: coulomb(case) == math.inf,
+    "partial slip": lambda case: coulomb(case) is not None,
+    "infinite friction": lambda case: coulomb(case) == math.inf,
     "rolling or sliding": lambda case: any(
         {"roll", "slide"} & step.keys() for step in case["path"]
     ),
@@ -77,7 +77,7 @@ def counted(found):
 def table(counts):
     """In Markdown."""
     lines = [
-        "| scenes | tried | " + " | ".join((*OUTCOMES[:-1], "failed")) + " |",
+        "| cases | tried | " + " | ".join((*OUTCOMES[:-1], "failed")) + " |",
         "|---|---|" + "---|" * len(counts["all"]),
     ]
     for kind, count in counts.items():

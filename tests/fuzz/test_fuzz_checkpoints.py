@@ -97,7 +97,7 @@ def test_edited_parts(saved, tmp_path, count):
     try_all(check, count, change=edit())
 
 
-@tried("boxes of zones in checkpoints")
+@tried("boxes of subdomains in checkpoints")
 def test_changed_boxes(tmp_path, count):
     """What is not refused can be gone on from; an error of a step is a documented one."""
     first, file = tmp_path / "first.h5", tmp_path / "state.h5"

@@ -20,7 +20,7 @@ from fuzzing import INPUTS, tried
 import samcontact as sc
 from samcontact.cases import Case, CaseError
 
-FEW, MANY = INPUTS["scenes"]
+FEW, MANY = INPUTS["drawn cases"]
 PART = 250
 """Scenes of a slow test."""
 EXPECTED = (
@@ -30,14 +30,14 @@ EXPECTED = (
 REFUSALS = {
     "border": (sc.GridTooSmallError, "enlarge"),
     "convergence": (sc.ConvergenceError, "take"),
-    "endless flow": (ValueError, "flow of body"),  # of the whole half-space
+    "unbounded flow": (ValueError, "flow of body"),  # of the whole half-space
     "parts": (ValueError, "asks for"),  # more than an increment is divided into
-    "steps of heat": (CaseError, "heat.history must"),  # too short for the cells
+    "heat steps": (CaseError, "heat.history must"),  # too short for the cells
     "strain beyond": (ValueError, "grid must hold the plastic strain"),  # in cycles to shakedown
 }
 """What the errors are, and say that helps."""
 FOUND = {
-    2274: "steps of heat", 2369: "solved", 2832: "solved", 3291: "solved", 4508: "solved",
+    2274: "heat steps", 2369: "solved", 2832: "solved", 3291: "solved", 4508: "solved",
     7906: "convergence", 7921: "solved",
 }  # fmt: skip
 """Scenes that failed once, and what they come to."""

@@ -51,7 +51,6 @@ SET = {
     ("docs/theory/zones.md", "a quarter of the work"): None,  # of the cells there are
     ("docs/theory/half_space.md", "a quarter of the memory"): None,  # planes counted there
     ("docs/theory/periodic.md", "19 times as long"): None,  # a period
-    ("docs/theory/accuracy.md", "twice as long"): None,  # cells
 }  # fmt: skip
 TEMPLATES = {
     str(page.relative_to(ROOT)): page.read_text(encoding="utf-8")

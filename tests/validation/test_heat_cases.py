@@ -46,7 +46,7 @@ def test_largest_von_mises_stress(Q, largest, thesis, depth, measured):
     z = np.arange(0, 400e-6, 10e-6)
     mises = von_mises(grid_of(65), Q, LOAD, z)
     for source, expected, rel in (("fine grid", largest, 1e-3), ("thesis", thesis, 2e-2)):
-        measured.close(TABLE, f"Q_f = {Q:g}: elastic, largest von Mises stress",
+        measured.close(TABLE, f"Q_f = {Q:g}: elastic, maximum von Mises stress",
                        1e-6 * mises.max(), expected, unit="MPa", rel=rel, source=source,
                        mesh="a/25, layers of 10 µm")  # fmt: skip
     assert depth[0] <= z[np.unravel_index(mises.argmax(), mises.shape)[2]] <= depth[1]
@@ -74,7 +74,7 @@ def test_elastic_plastic(Q, loaded, residual, measured):
     heated = sc.Simulation(grid, COLD, STEEL, gap, heat=sc.Heat(Q))
     hot = heated.run(sc.paths.ramp(load=LOAD, increments=12), progress=False)[-1]
     name, mesh = f"Q_f = {Q:g}: elastic-plastic, ", "a/12, layers of 20 µm, 12 increments"
-    measured.close(TABLE, name + "largest von Mises stress", 1e-6 * hot.von_mises().max(), loaded,
+    measured.close(TABLE, name + "maximum von Mises stress", 1e-6 * hot.von_mises().max(), loaded,
                    unit="MPa", rel=3e-3, source="fine grid", mesh=mesh)  # fmt: skip
     left = 1e-6 * heated.step(load=0.0).von_mises().max()
     measured.close(TABLE, name + "residual von Mises stress", left, residual, unit="MPa", rel=0.03,

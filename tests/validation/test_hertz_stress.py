@@ -48,12 +48,12 @@ def test_largest_von_mises_stress(friction, expected, x_expected, z_expected, me
     value_z, z = parabolic(middle[i], depths / A, k)
     value_x, x = parabolic(middle[:, k], grid.x / A, i)
     value = value_z + value_x - middle[i, k]
-    name, mesh = f"largest von Mises stress, μ = {friction:g}", f"a/{CELLS}"
+    name, mesh = f"maximum von Mises stress, μ = {friction:g}", f"a/{CELLS}"
     measured.close(TABLE, name, value, expected, unit="p0", rel=2e-4, mesh=mesh)
     # The maximum is flat: 1e-3 of its value is 0.02 a of its place.
     for axis, found, at in (("x", x, x_expected), ("z", z, z_expected)):
-        measured.close(TABLE, f"its place {axis}, μ = {friction:g}", found, at, unit="a", abs=5e-3,
-                       mesh=mesh)  # fmt: skip
+        measured.close(TABLE, f"position {axis} of this maximum, μ = {friction:g}", found, at,
+                       unit="a", abs=5e-3, mesh=mesh)  # fmt: skip
 
 
 @pytest.mark.parametrize("friction", [(0.0, 0.0), (0.25, 0.0), (0.0, 0.25)], ids=["0", "x", "y"])

@@ -66,7 +66,7 @@ def test_wave_in_two_directions(share, measured):
     measured.close(TABLE, f"{case}: contact over area", area, known, rel=5e-3,
                    mesh="L/512")  # fmt: skip
     if largest is not None:
-        measured.close(TABLE, f"{case}: largest pressure over p*", pressure.max() / full, largest,
+        measured.close(TABLE, f"{case}: maximum pressure over p*", pressure.max() / full, largest,
                        rel=5e-3, mesh="L/512")  # fmt: skip
 
 

@@ -64,9 +64,9 @@ class TestTwoBallsAt1500N:
         depth = simulation.grid.z[np.unravel_index(von_mises.argmax(), von_mises.shape)[2]]
         # exact: 0.62004 p0 at 0.4809 a = 201 um
         for source, expected in (("closed form", 2539.4), ("thesis", 2537.9)):
-            measured.close(self.TABLE, "elastic: largest von Mises stress", 1e-6 * von_mises.max(),
+            measured.close(self.TABLE, "elastic: maximum von Mises stress", 1e-6 * von_mises.max(),
                            expected, unit="MPa", rel=2e-3, source=source, mesh="a/16")  # fmt: skip
-        measured.close(self.TABLE, "elastic: its depth", 1e6 * depth, 200, unit="µm",
+        measured.close(self.TABLE, "elastic: depth of this maximum", 1e6 * depth, 200, unit="µm",
                        abs=1e6 * simulation.grid.dz, source="thesis", mesh="a/16")  # fmt: skip
 
     def test_loaded(self, run, measured):
@@ -78,15 +78,15 @@ class TestTwoBallsAt1500N:
                        unit="GPa", rel=5e-3, source="FEM", mesh=mesh)  # fmt: skip
         largest = 1e-6 * self.FEM["loaded"]["max_vm_Pa"]
         for source, expected in (("FEM", largest), ("thesis", 2349.1)):
-            measured.close(self.TABLE, "largest von Mises stress", 1e-6 * von_mises.max(), expected,
+            measured.close(self.TABLE, "maximum von Mises stress", 1e-6 * von_mises.max(), expected,
                            unit="MPa", rel=1.5e-3, source=source, mesh=mesh)  # fmt: skip
-        measured.close(self.TABLE, "its depth", 1e6 * depth, 202, unit="µm", abs=20, source="FEM",
-                       mesh=mesh)  # fmt: skip
+        measured.close(self.TABLE, "depth of this maximum", 1e6 * depth, 202, unit="µm", abs=20,
+                       source="FEM", mesh=mesh)  # fmt: skip
         strain = 100 * loaded.equivalent_plastic_strain().max()
         largest = 100 * self.FEM["loaded"]["max_gamma_p"]
         # the thesis gives two digits
         for source, expected, rel in (("FEM", largest, 0.01), ("thesis", 0.18, 0.03)):
-            measured.close(self.TABLE, "largest γ", strain, expected, unit="%", rel=rel,
+            measured.close(self.TABLE, "maximum γ", strain, expected, unit="%", rel=rel,
                            source=source, mesh=mesh)  # fmt: skip
 
     def test_unloaded(self, run, measured):
@@ -206,7 +206,7 @@ class TestNanoIndentation:
     def test_largest_interference(self, load_driven, measured):
         simulation, states = load_driven
         largest = 1e9 * max(s.approach for s in states)
-        measured.close(self.TABLE, "largest interference", largest, 372, unit="nm", rel=5e-3,
+        measured.close(self.TABLE, "maximum interference", largest, 372, unit="nm", rel=5e-3,
                        mesh=self.mesh(simulation))  # fmt: skip
         assert max(s.load for s in states) == pytest.approx(0.650)
 
@@ -235,10 +235,10 @@ class TestNanoIndentation:
 @pytest.mark.parametrize(
     ("body1", "inelastic", "target", "stated"),
     [
-        (ELASTIC, "one body inelastic", 1572.0, 1649.0),
-        (STEEL_52100, "both bodies inelastic", 1695.0, 1743.0),
+        (ELASTIC, "one body elastic-plastic", 1572.0, 1649.0),
+        (STEEL_52100, "both bodies elastic-plastic", 1695.0, 1743.0),
     ],
-    ids=["one body inelastic", "both inelastic"],
+    ids=["one body elastic-plastic", "both elastic-plastic"],
 )
 def test_load_at_conventional_yield(body1, inelastic, target, stated, measured):
     """Load at which the plastic strain reaches 0.2 %. The thesis states 1649 and 1743 N, 5 and 3 %

@@ -176,7 +176,7 @@ def test_strains_of_the_exact_residual_stress_without_hardening():
     file = Path(__file__).parents[3] / "docs" / "theory" / "accuracy.md"
     page = file.read_text(encoding="utf-8")
     stated = re.search(
-        r"with (\d+) cells over 3 √\(R w\) the largest plastic strain is ([\d.]+) % instead of the "
+        r"with (\d+) cells over 3 √\(R w\) the maximum plastic strain is ([\d.]+) % instead of the "
         r"([\d.]+) %",
         page,
     )
