@@ -137,8 +137,8 @@ def elliptic(
         Raises
         ------
         ValueError
-            An argument is not finite and positive (for an infinite radius see `line`), not exactly one
-            of the three is given, or the contact dimensions overflow.
+            An argument is not finite and positive (for an infinite radius see `line`), not exactly
+            one of the three is given, or the contact dimensions overflow.
     """
     Rx, Ry, E_star = positive("Rx", Rx), positive("Ry", Ry), positive("E_star", E_star)
     given = exactly_one(load=load, approach=approach, p0=p0)

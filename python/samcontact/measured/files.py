@@ -39,48 +39,48 @@ def read(
         semicolons; decimal points) without a header of sizes: rows of heights, which require `dx`;
         two columns x and z of a profile; or three columns x, y, z of points that fill a grid, in
         any order.
-        and z of a profile, or three columns x, y, z of points that fill a grid, in any order.
-    Reader: its name in SurfaceTopography ("sur", "x3p", "nms", ...), "array" for rows of
-    heights, or "xyz" for columns of positions. Default: determined from content and suffix.
-        heights, or "xyz" for columns of positions; by default found from content and ending.
-    Number (from 0) or name of the map in the file. Default: the first map of heights.
-        Number (from 0) or name of the map in the file; by default the first one of heights.
-    As `MeasuredSurface.detrended`; None leaves the heights unchanged.
-        As `MeasuredSurface.detrended`; None leaves the heights as they are in the file.
-    Treatment of undefined points: `MeasuredSurface.filled`, an error, or NaN.
-        What becomes of undefined points: `MeasuredSurface.filled`, an error, or NaN.
-    Sample spacing [m], if the file does not contain it. Default of dy: dx.
-        Distance of the samples [m], for files that do not tell it. dy defaults to dx.
-    Length unit of the heights ("nm", "um", ...), if the file does not contain it. Default for
-    rows of heights: metres. For columns it is also the unit of the positions.
-        heights by default metres. Of columns it is that of the positions too.
+    format : str, optional
+        Reader: its name in SurfaceTopography ("sur", "x3p", "nms", ...), "array" for rows of
+        heights, or "xyz" for columns of positions. Default: determined from content and suffix.
+    channel : int or str, optional
+        Number (from 0) or name of the map in the file. Default: the first map of heights.
+    detrend : {"center", "height", "slope", "curvature"} or None
+        As `MeasuredSurface.detrended`; None leaves the heights unchanged.
+    undefined : {"fill", "error", "keep"}
+        Treatment of undefined points: `MeasuredSurface.filled`, an error, or NaN.
+    dx, dy : float, optional
+        Sample spacing [m], if the file does not contain it. Default of dy: dx.
+    unit : str, optional
+        Length unit of the heights ("nm", "um", ...), if the file does not contain it. Default for
+        rows of heights: metres. For columns it is also the unit of the positions.
 
     Returns
     -------
-    Surface with `attrs` source, format, channel, unit of the file, trend and number of filled
-    points, and if available instrument and acquisition_time. A profile has one row, heights of
-    shape (n, 1). If its points are not equally spaced, it is interpolated, and `attrs` contains
-    the original steps.
-        `attrs` tells from which steps.
+    MeasuredSurface
+        Surface with `attrs` source, format, channel, unit of the file, trend and number of filled
+        points, and if available instrument and acquisition_time. A profile has one row, heights of
+        shape (n, 1). If its points are not equally spaced, it is interpolated, and `attrs` contains
+        the original steps.
 
     Raises
     ------
-    The file cannot be read, is not a map or profile of heights, lacks a size or unit that is
-    not given, or contains one that is given; or an argument is outside its range.
-        is given, or tells one that is given; or an argument is outside its range.
-    SurfaceTopography is required and not installed.
-        SurfaceTopography is needed and not installed.
+    ValueError
+        The file cannot be read, is not a map or profile of heights, lacks a size or unit that is
+        not given, or contains one that is given; or an argument is outside its range.
+    ImportError
+        SurfaceTopography is required and not installed.
 
     Warns
     -----
-    Implausible sizes or slopes: longer than 1 m, an rms slope above 2, or a height range
-    larger than the length.
-        span more than the length.
+    UnitWarning
+        Implausible sizes or slopes: longer than 1 m, an rms slope above 2, or a height range
+        larger than the length.
 
     Notes
-    The first index of the heights runs along x, for every format. A line of a plain text holds the
-    ny heights at one x, as NumPy writes such an array. A text with a header, from an instrument or
-    from SurfaceTopography, is an image, whose lines hold the nx heights at one y.
+    -----
+    The first index of the heights runs along x, for every format. A line of a plain text contains
+    the ny heights at one x, as NumPy writes such an array. A text with a header, from an instrument
+    or from SurfaceTopography, is an image, whose lines contain the nx heights at one y.
     """
     choice("undefined", undefined, ("fill", "error", "keep"))
     choice("detrend", detrend, (*TRENDS, None))
@@ -94,7 +94,8 @@ def read(
     warn_of_size(surface.heights, surface.steps, str(source), stacklevel=2)
     if undefined == "error" and surface.undefined:
         raise ValueError(
-            f'{source} must have no undefined points, got {surface.undefined}; or undefined = "fill"'
+            f"{source} must have no undefined points, got {surface.undefined}: "
+            'set undefined = "fill" to interpolate them'
         )
     # fit the trend to measured points, before others are interpolated
     surface = surface if detrend is None else surface.detrended(detrend)

@@ -110,9 +110,9 @@ class TestBeyondTheRange:
             sc.heat.factors(1e200, 1e200)
 
     def test_constants_of_swift(self):
-        with pytest.raises(ValueError, match="must be finite: its constants are too large"):
+        with pytest.raises(ValueError, match="must be finite: use smaller constants"):
             sc.Material.swift(210e9, 0.3, 1e200, 1e200, 1.0)
-        with pytest.raises(ValueError, match="strain leads beyond the range of numbers"):
+        with pytest.raises(ValueError, match="strain causes floating-point overflow"):
             STEEL.uniaxial_stress([1e300])
 
     @pytest.mark.parametrize("C", [1e-300, 1e-9, 20.0, 1e200])
@@ -137,7 +137,7 @@ class TestScenes:
     @pytest.mark.parametrize("first", [15, -15, 1000])
     def test_strain_beside_the_grid(self, first):
         simulation = small()
-        with pytest.raises(ValueError, match=f"over the grid at least in part.*first = {first}"):
+        with pytest.raises(ValueError, match=f"strain must overlap the grid.*first = {first}"):
             simulation.set_plastic_strain(2, np.full((6, 15, 15, 10), 1e-4), first=first)
 
     def test_strong_friction_does_not_converge_in_a_single_cell(self):

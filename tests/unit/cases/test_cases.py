@@ -366,7 +366,7 @@ def test_heat(write, tmp_path):
         ("factor = 0.02", "factor = 0.02\npartition = 0.5", "give exactly one of factor, part"),
         ("factor = 0.02", "partition = 1.5", "heat.partition"),
         ("velocity = [0.1, 0.0]", "velocity = [0.1]", "heat.velocity"),
-        ("velocity", "time = 1.0\nvelocity", "heat: give history or time of heat, not both"),
+        ("velocity", "time = 1.0\nvelocity", "heat: history and time cannot be combined"),
         (
             "[heat]",
             "[contact]\nheat_factor = 0.02\n[heat]",

@@ -119,7 +119,7 @@ def simulation(**settings):
         (
             lambda: sc.Material("elastic", {"E": 1.0, "nu": 0.3}, softening=abs),
             ValueError,
-            "softening needs a body that yields",
+            "softening requires an elastic-plastic material",
         ),
     ],
 )

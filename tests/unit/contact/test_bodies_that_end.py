@@ -135,7 +135,7 @@ def test_a_window_grows_with_the_body_that_ends():
     def narrower(grid):
         return ended(grid, surfaces.paraboloid(grid, 1e-3), 30e-6 * 16 / grid.nx)
 
-    with pytest.raises(sc.GridTooSmallError, match="larger grid is infinite in other cells"):
+    with pytest.raises(sc.GridTooSmallError, match="must be infinite in the same cells"):
         sc.Simulation(grid, RIGID, STEEL, narrower).step(load=3.0)
 
 
@@ -203,13 +203,13 @@ class TestFixedGapAtTheBorder:
     @pytest.mark.parametrize("height", [1e-6, -1e-6, 1 / 3])
     def test_a_constant_gap_is_not_tilted(self, height):
         text = self.message(np.full(self.grid.surface_shape, height), 1.0, False)
-        assert "touches everywhere" in text
+        assert "in contact everywhere" in text
         assert "tilted" not in text
 
     def test_a_map_that_touches_here_and_there(self):
         text = self.message(self.rough, 1e-2, False)
         assert "enlarge n" in text
-        assert 'detrend="curvature", or let it repeat itself' in text
+        assert 'detrend="curvature", or make the surface periodic' in text
 
     @pytest.mark.parametrize(
         ("slope", "load", "text"), [(4e-3, 1e-3, "is tilted, by 18"), (0.0, 100.0, "everywhere")]

@@ -206,7 +206,7 @@ class TestStress:
         grid, gap, _ = scene(RIGID, STEEL)
         solver = sc.ContactSolver(grid, RIGID, STEEL)
         for call, text in (
-            (lambda: solver.stress(gap, [0.0], 1), "body 1 is rigid: it has no stress"),
+            (lambda: solver.stress(gap, [0.0], 1), "body 1 is rigid and has no stress"),
             (lambda: solver.stress(gap, [0.0], 3), "body must be one of 1, 2, got 3"),
             (lambda: solver.stress(gap[1:], [0.0]), "pressure must have shape (31, 31), got (30,"),
             (

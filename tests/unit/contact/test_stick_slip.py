@@ -271,12 +271,12 @@ def test_what_friction_cannot_be():
         sc.Simulation(SMALL, warm, warm, BALL, friction=sc.Coulomb(0.1), heat=sc.Heat(0.1))
     solver = sc.ContactSolver(SMALL, SOFT, SOFT, sc.Coulomb(0.1))
     found = solver.solve(BALL, load=0.01)
-    with pytest.raises(ValueError, match="shear must be given where friction is Coulomb"):
+    with pytest.raises(ValueError, match="shear is required with friction = Coulomb"):
         solver.stress(found.pressure, 0.1)
     assert solver.stress(found.pressure, 0.1, shear=found.shear).shape == (6, 16, 16, 1)
     other = sc.Grid(16, 16, 1 / 8, 1 / 16)
     moved = sc.ContactSolver(other, SOFT, SOFT, sc.Coulomb(0.1))
-    with pytest.raises(ValueError, match="previous must be a solution on the same cells"):
+    with pytest.raises(ValueError, match="previous must be a solution with equal cells"):
         moved.solve(sc.surfaces.paraboloid(other, 1.0), load=0.01, previous=found)
 
 

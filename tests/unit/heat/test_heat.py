@@ -260,7 +260,7 @@ class TestBadInput:
 
     def test_an_approach_needs_the_reference(self):
         grid = grid_of(33)
-        with pytest.raises(ValueError, match=r"heat\.reference must be given with an approach"):
+        with pytest.raises(ValueError, match=r"heat\.reference is required under approach control"):
             solver(grid, 0.1).solve(ball(grid), approach=1e-6)
         moving = solver(grid, 0.1, velocity=(1.0, 0.0))
         assert moving.solve(ball(grid), approach=1e-5).converged

@@ -242,7 +242,7 @@ class TestBadInput:
             ({"history": (1e-3, -1.0)}, "history must be a finite number > 0, got -1.0"),
             ({"history": (1.0, 1e-3)}, "with shortest <= longest"),
             ({"history": (1.0,)}, "history must be a pair"),
-            ({"history": (1e-3, 1.0), "time": 1.0}, "give history or time of heat, not both"),
+            ({"history": (1e-3, 1.0), "time": 1.0}, "history and time cannot be combined"),
         ],
     )
     def test_of_heat(self, settings, text):
@@ -287,7 +287,7 @@ class TestBadInput:
         assert simulation.state.time == STEP
 
     def test_a_duration_without_history(self):
-        with pytest.raises(ValueError, match="duration needs a simulation with heat of a history"):
+        with pytest.raises(ValueError, match="duration requires heat with history"):
             at_once(None).step(load=LOAD, duration=1.0)
 
     def test_a_failed_step_leaves_everything(self):

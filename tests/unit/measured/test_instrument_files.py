@@ -66,10 +66,10 @@ READ = {  # options, format, shape, size [m], span of the heights [m]
     "xyz-2.txt": ({"unit": "um", "undefined": "keep"}, "xyz", (4, 4), 4e-6, 1e-6),
 }
 ASKED = {
-    "csv-1.csv": 'unit must be given, e.g. unit="um": .* a profile, .* tells x in um only',
-    "matrix-5.txt": "dx must be given",
-    "xy-1.txt": "unit must be given, .* a profile, columns x and z .* tells none",
-    "xyz-1.txt": "unit must be given, .* points, columns x, y and z .* tells none",
+    "csv-1.csv": 'unit is required, e.g. unit="um": .* a profile, .* specifies only x in um',
+    "matrix-5.txt": "dx is required",
+    "xy-1.txt": "unit is required, .* a profile, columns x and z .* specifies none",
+    "xyz-1.txt": "unit is required, .* points, columns x, y and z .* specifies none",
 }
 
 
@@ -131,10 +131,10 @@ def test_the_reason_of_the_reader_is_told(tmp_path, given, reason):
 
 def test_reasons_are_sentences(tmp_path):
     (tmp_path / "s.sur").write_bytes(b"\x00\x01" * 500)
-    with pytest.raises(ValueError, match=r"knows; it does not begin as a file of .*SUR.* does"):
+    with pytest.raises(ValueError, match=r"; it does not begin like a .*SUR.* file"):
         measured.read(tmp_path / "s.sur")
     (tmp_path / "s.txt.gz").write_bytes(gzip.compress(b"1 2 3 4\n" * 4))
-    with pytest.raises(ValueError, match="packed with gzip: unpack it first"):
+    with pytest.raises(ValueError, match="compressed with gzip: unpack it first"):
         measured.read(tmp_path / "s.txt.gz")
     with pytest.raises(ValueError, match=r"cannot read heights from .*: no such file"):
         measured.read(tmp_path / "none.sur")
@@ -221,7 +221,7 @@ class TestColumns:
         table = np.column_stack([self.x, self.z])
         table[50, 0] = 0.0
         np.savetxt(tmp_path / "p.txt", table)
-        with pytest.raises(ValueError, match=r"must rise or fall .* turns at row 51; .*\"array\""):
+        with pytest.raises(ValueError, match=r"must increase or decr.* at row 51; .*\"array\""):
             measured.read(tmp_path / "p.txt", unit="m")
         x, y = np.meshgrid(np.arange(4.0), np.arange(5.0), indexing="ij")
         points = np.column_stack([x.ravel(), y.ravel(), x.ravel()])
@@ -311,9 +311,13 @@ def test_a_period_of_any_number_of_samples(n):
 @pytest.mark.parametrize(
     ("heights", "dx", "text"),
     [
-        (np.eye(4) * 1e-9, 0.3, r"span 1 nm over 1\.2 m × 1\.2 m: an area longer than 1 m"),
-        (np.eye(40) * 1e-6, 1e-7, "an rms slope of"),
-        (np.arange(8.0)[:, None] * 2e-6, 1e-6, "heights that span more than the length"),
+        (
+            np.eye(4) * 1e-9,
+            0.3,
+            r"1 nm over 1\.2 m × 1\.2 m, and its area is longer than 1 m",
+        ),
+        (np.eye(40) * 1e-6, 1e-7, "its rms slope is"),
+        (np.arange(8.0)[:, None] * 2e-6, 1e-6, "its height range exceeds its length"),
     ],
 )
 def test_sizes_that_cannot_be_are_told(tmp_path, heights, dx, text):

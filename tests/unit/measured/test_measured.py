@@ -113,7 +113,7 @@ def test_unreadable_files_are_named(tmp_path):
     with pytest.raises(ValueError, match=r"cannot read heights from .*missing\.sur"):
         measured.read(tmp_path / "missing.sur")
     (tmp_path / "bad.sur").write_bytes(b"\x00\x01" * 500)
-    with pytest.raises(ValueError, match="no format that SurfaceTopography knows"):
+    with pytest.raises(ValueError, match="no format supported by SurfaceTopography"):
         measured.read(tmp_path / "bad.sur")
 
 
@@ -187,7 +187,7 @@ def test_average_is_the_mean_over_cells(rough):
 
 def test_too_small_a_surface(surface):
     grid = make_grid(nx=21, ny=5, dx=5e-6, dy=5e-6)
-    with pytest.raises(ValueError, match=r"reach from -5e-05 to 5e-05 m along x, .* give fill"):
+    with pytest.raises(ValueError, match=r"along x .* extend from -5e-05 to 5e-05 m: .* set fill"):
         surface.on(grid)
     with pytest.raises(ValueError, match="along y"):
         surface.on(make_grid(nx=3, ny=3, dx=1e-6, dy=1e-6), y=50e-6)
@@ -228,7 +228,7 @@ def test_mirrored(surface):
     [
         (lambda: MeasuredSurface(np.zeros((1, 3)), 1.0), r"each >= 2, .* profile, got \(1, 3\)"),
         (lambda: MeasuredSurface(0.0, 1.0), r"shape \(nx, ny\), .* got \(\)"),
-        (lambda: MeasuredSurface(np.full((2, 2), np.nan), 1.0), "defined somewhere"),
+        (lambda: MeasuredSurface(np.full((2, 2), np.nan), 1.0), "defined in at least one point"),
         (lambda: MeasuredSurface([[0, np.inf], [0, 0]], 1.0), "finite, or NaN"),
         (lambda: MeasuredSurface(np.zeros((2, 2)), 0.0), "dx must be a finite number > 0"),
         (lambda: MeasuredSurface(np.zeros((2, 2)), 1.0).detrended("x"), "trend must be one of"),
@@ -323,7 +323,7 @@ def test_plain_files_with_samples_of_their_own(case_file, tmp_path):
             'detrend = "tilt"',
             r'surface\.detrend: must be one of "none", "center"',
         ),
-        ("nx = 16", "nx = 99", r"\[surface\] the cells reach .* along x"),
+        ("nx = 16", "nx = 99", r"\[surface\] grid must lie inside .* along x"),
         ('path = "s.nc"', 'path = "h.xlsx"', r"\[surface\] path: cannot read heights from .*xlsx"),
         ('detrend = "height"', "channel = 3", r"\[surface\] channel must be one of 0: 'Default'"),
     ],

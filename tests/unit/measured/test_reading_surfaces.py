@@ -102,7 +102,7 @@ def test_first_index_runs_along_x_in_plain_arrays(tmp_path, name):
         close(measured.read(path, **given), UM)
         close(measured.read(path, channel=0, **given), UM)
     with pytest.raises(
-        ValueError, match=r"dx must be given|no format that SurfaceTopography knows"
+        ValueError, match=r"dx is required|no format supported by SurfaceTopography"
     ):
         measured.read(path, unit="um")
 
@@ -180,7 +180,7 @@ def test_lost_points_of_a_measured_surface_are_undefined():
         assert np.nanmax(np.abs(surface.filled().heights)) < 1e-5
     counts = np.ma.array(np.arange(6).reshape(2, 3), mask=[[0, 1, 0], [0, 0, 0]])
     np.testing.assert_array_equal(MeasuredSurface(counts, DX).heights, [[0, np.nan, 2], [3, 4, 5]])
-    with pytest.raises(ValueError, match="heights must be defined somewhere"):
+    with pytest.raises(ValueError, match="heights must be defined in at least one point"):
         MeasuredSurface(np.ma.masked_all((3, 3)), DX)
 
 

@@ -300,7 +300,7 @@ def test_a_tangential_path_comes_to_its_force():
     ]
     moved = paths.tangential(approach=1e-6, shift=(4e-6, 0.0), increments=4)
     assert moved == [{"approach": 1e-6, "shift": (1e-6, 0.0)}] * 4
-    with pytest.raises(ValueError, match="give one of force and shift"):
+    with pytest.raises(ValueError, match="exactly one of force and shift"):
         paths.tangential(load=1.0)
-    with pytest.raises(ValueError, match="start goes with force"):
+    with pytest.raises(ValueError, match="start must be 0 with shift"):
         paths.tangential(load=1.0, shift=(1e-6, 0.0), start=(1.0, 0.0))

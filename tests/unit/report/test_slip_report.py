@@ -130,7 +130,7 @@ def test_balances_that_are_not_known_are_refused():
         spec=sc.State, travel=(0.0, 0.0), approach=1e-6, surface_temperature=lambda body: 1.0,
         has_eigenstrain=lambda body: False,
     )  # fmt: skip
-    with pytest.raises(ValueError, match="states must be cold, but body 1 is heated"):
+    with pytest.raises(ValueError, match="states must have no heating, but body 1 is heated"):
         energy.balance(heated, [warm])
 
 

@@ -152,4 +152,4 @@ def test_refuses():
     with pytest.raises(ValueError, match="k must be"):
         shakedown.elliptic(1e-60)
     assert dict(shakedown.line()._rows()) == {"p0/k": "4", "where": "0.5 half-widths deep"}
-    assert "p0/k, at most" in dict(shakedown.point()._rows())
+    assert "p0/k (upper bound)" in dict(shakedown.point()._rows())

@@ -83,7 +83,7 @@ def test_past_heat_moves_with_the_material():
     assert surface[30] > 10 * surface[10]  # downstream
     with pytest.raises(ValueError, match="whole number of cells"):
         simulation.step(load=LOAD, duration=step, advance=(0.0, 0.5 * CELL))
-    with pytest.raises(ValueError, match="velocity times duration"):
+    with pytest.raises(ValueError, match="velocity x duration"):
         simulation.step(load=LOAD, duration=step, advance=(0.0, -CELL))
 
 

@@ -34,7 +34,7 @@ class TestGridTooSmall:
 
     def test_fields_that_do_not_show_all_plastic_strain_are_told_once(self):
         sim = simulation(grid=self.shallow)
-        deep = r"body 2 lies .* deep, below nz dz = .*: it acts as all of it, .* leave nz out"
+        deep = r"body 2 extends to a depth of .*, below the output layers .*; omit nz"
         with pytest.warns(sc.GridTooSmallWarning, match=deep):
             state = sim.step(load=LOAD)
         assert state.equivalent_plastic_strain()[..., -1].any()
@@ -47,7 +47,7 @@ class TestGridTooSmall:
         pressure = np.full(self.narrow.surface_shape, 2.3e9)
         gap = np.zeros(self.narrow.surface_shape)
         sim = simulation(SOFT, STEEL, gap, self.narrow)
-        with pytest.warns(sc.GridTooSmallWarning, match="body 1 lies beside the grid along"):
+        with pytest.warns(sc.GridTooSmallWarning, match="body 1 extends outside the grid along"):
             narrow = sim.step(pressure=pressure)
         wide_grid = sc.Grid(13, 15, SIZE, SIZE, 12, SIZE)
         wide = simulation(SOFT, STEEL, np.zeros((13, 15)), wide_grid)
@@ -57,12 +57,12 @@ class TestGridTooSmall:
 
     def test_contact(self):
         gap = surfaces.paraboloid(self.narrow, RADIUS)
-        text = r"at load .* N the contact touches the border .* enlarge nx dx .*, or ask for"
+        text = r"at load .* N the contact reaches the edge .* enlarge nx dx .*, or "
         for body in (STEEL, SOFT):
             with pytest.raises(sc.GridTooSmallError, match=text):
                 simulation(STEEL, body, gap, self.narrow).step(load=LOAD)
         warned = simulation(STEEL, STEEL, gap, self.narrow, on_border="warn")
-        with pytest.warns(sc.GridTooSmallWarning, match="contact touches the border"):
+        with pytest.warns(sc.GridTooSmallWarning, match="contact reaches the edge"):
             assert warned.step(load=LOAD).load == LOAD
 
 
@@ -273,7 +273,7 @@ class TestBadInput:
                 "shear must have shape (2, 19, 21), got (3, 19, 21)",
             ),
             ({"pressure": BALL, "shear": BALL * np.nan}, ValueError, "shear must be finite every"),
-            ({"load": 1.0, "shear": BALL}, ValueError, "shear goes with pressure, not with load"),
+            ({"load": 1.0, "shear": BALL}, ValueError, "shear cannot be combined with load"),
             ({"shear": BALL}, ValueError, "give exactly one of load, approach, pressure; got none"),
         ],
     )

@@ -105,7 +105,7 @@ def test_rough_self_affine_is_reproducible_and_periodic(grid):
     [
         (lambda g: surfaces.paraboloid(g, 0.0), r"Rx must be a number > 0 \(inf allowed\), got 0"),
         (lambda g: surfaces.paraboloid(g, 1.0, -2.0), "Ry must be .*got -2.0"),
-        (lambda g: surfaces.sphere(g, 0.012), r"R must be at least 0\.0141421, the reach .*0\.012"),
+        (lambda g: surfaces.sphere(g, 0.012), r"R must be >= 0\.0141421 to cover the grid.*0\.012"),
         (lambda g: surfaces.sphere(g, math.inf), "R must be a finite number > 0, got inf"),
         (lambda g: surfaces.cylinder(g, 1.0, axis="z"), "axis must be one of 'y', 'x', got 'z'"),
         (lambda g: surfaces.cylinder(g, 0.009), "R must be at least 0.01"),
