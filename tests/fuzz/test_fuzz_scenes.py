@@ -33,7 +33,7 @@ REFUSALS = {
     "endless flow": (ValueError, "flow of body"),  # of the whole half-space
     "parts": (ValueError, "asks for"),  # more than an increment is divided into
     "steps of heat": (CaseError, "heat.history must"),  # too short for the cells
-    "strain beyond": (ValueError, "grid must hold the plastic strain"),  # in cycles to shakedown
+    "strain beyond": (ValueError, "grid must contain the plastic strain"),  # in cycles to shakedown
 }
 """What the errors are, and say that helps."""
 FOUND = {

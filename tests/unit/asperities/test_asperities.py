@@ -276,7 +276,7 @@ def test_bad_arguments():
         tug(which, STEEL, STEEL, grid, friction=0.1)
     with pytest.raises(ValueError, match="passes must be an integer >= 1"):
         tug(which, STEEL, STEEL, grid, passes=0)
-    with pytest.raises(ValueError, match="dx must be at most"):
+    with pytest.raises(ValueError, match="dx must be <="):
         tug(which, STEEL, STEEL, grid, cells_per_increment=4)
     with pytest.raises(TypeError, match=r"collision must be a samcontact\.Collision"):
         tug(3.0, STEEL, STEEL, grid)

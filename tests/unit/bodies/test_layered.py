@@ -26,7 +26,7 @@ RIGID = sc.Material.rigid()
         ([(STEEL, 1e-6), (STEEL, 0.0)], STEEL, ValueError, r"thickness of layers\[1\].*> 0.*got 0"),
         ([(STEEL, np.inf)], STEEL, ValueError, r"thickness of layers\[0\].*finite"),
         ([(STEEL, "1 um")], STEEL, TypeError, r"thickness of layers\[0\] must be a number"),
-        ([(RIGID, 1e-6)], STEEL, ValueError, r"layers\[0\] is rigid: only the substrate"),
+        ([(RIGID, 1e-6)], STEEL, ValueError, r"layers\[0\] must not be rigid: only the substrate"),
         (
             [(1e-6, STEEL)],
             STEEL,

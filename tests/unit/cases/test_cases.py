@@ -248,7 +248,7 @@ def test_build_errors_name_file_and_section(write, tmp_path):
     with pytest.raises(CaseError, match=r"\[surface\] heights_lower must have shape \(15, 13\)"):
         load_case(path).build()
     path = write(replaced('shape = "paraboloid"\nRx = 7.5e-3', 'shape = "sphere"\nR = 1e-4'))
-    with pytest.raises(CaseError, match=r"\[surface\] R must be at least"):
+    with pytest.raises(CaseError, match=r"\[surface\] R must be >="):
         load_case(path).build()
 
 

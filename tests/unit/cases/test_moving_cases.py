@@ -88,7 +88,7 @@ def test_it_runs_and_follows_the_bodies(write):
             "step = -1.0",
             r"path\[0\]\.roll\.step: must be a finite number > 0 \[m\]",
         ),
-        ("step = 60e-6", "step = 1.0", r"path\[0\]: step must be at most the distance, 0\.00018"),
+        ("step = 60e-6", "step = 1.0", r"path\[0\]: step must be <= the distance, 0\.00018"),
         ("step = 60e-6, ", "", r"path\[0\]\.roll\.step: required field is missing"),
         ("passes = 2", "passes = 0", r"path\[0\]\.roll\.passes: must be a whole number >= 1"),
         ("passes = 2", "slider = 2", r"path\[0\]\.roll\.slider: unknown field; allowed here: dist"),

@@ -282,9 +282,9 @@ def test_the_grid_keeps_its_directions(tmp_path):
     [
         ({"periodic": "yx"}, "periodic must be one of '', 'x', 'y', 'xy', got 'yx'"),
         ({"periodic": None}, "periodic must be one of"),
-        ({"nx": 15, "periodic": "x"}, "nx must be even, or 1, where .* along x, got 15"),
+        ({"nx": 15, "periodic": "x"}, "nx must be even, or 1, on .* along x, got 15"),
         ({"ny": 7, "periodic": "xy"}, "ny must be even, or 1"),
-        ({"nx": 1, "ny": 1, "periodic": "xy"}, "nx or ny must be larger than 1"),
+        ({"nx": 1, "ny": 1, "periodic": "xy"}, "nx or ny must be > 1"),
         ({"ny": 2, "dy": 1e-12, "periodic": "y"}, "dx must be at most 8 periods ny dy of the grid"),
     ],
 )

@@ -164,7 +164,7 @@ def test_elastic_contact():
         rel=0.01,
     )
     for gap, text in (
-        (punch(grid(7, 6)), "gap is a function"),
+        (punch(grid(7, 6)), "gap as a function"),
         (REFUSED["flat"][0]["gap"], "2688"),
     ):
         with pytest.raises(sc.GridTooSmallError, match=text):

@@ -232,9 +232,9 @@ class TestBadInput:
     @pytest.mark.parametrize(
         ("factor", "bodies", "text"),
         [
-            ((0.1, 0.0), {}, "heat.factor of body1 is 0.1, but the body has no thermal constants"),
-            (0.1, {"body2": COLD}, "heat.factor of body2 is 0.1, but the body has no thermal"),
-            ((0.1, 0.0), {"body1": sc.Material.rigid()}, "but the body is rigid"),
+            ((0.1, 0.0), {}, "heat.factor of body1 must be 0 without thermal constants, got 0.1"),
+            (0.1, {"body2": COLD}, "heat.factor of body2 must be 0 without thermal"),
+            ((0.1, 0.0), {"body1": sc.Material.rigid()}, "must be 0 because it is rigid"),
         ],
     )
     @pytest.mark.parametrize("kind", ["solver", "simulation"])
@@ -306,7 +306,7 @@ class TestFactors:
             )
             first, second = (hot.temperature(pressure, 0.0, body).max() for body in (1, 2))
             assert first == pytest.approx(second, rel=tolerance)
-        with pytest.raises(ValueError, match="body1 has no thermal constants"):
+        with pytest.raises(ValueError, match="body1 must have thermal constants"):
             sc.heat.partition(COLD, other, 1e-3)
         with pytest.raises(ValueError, match="velocity2 must be a finite number, got nan"):
             sc.heat.partition(WARM, other, 1e-3, 0.0, np.nan)

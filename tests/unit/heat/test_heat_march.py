@@ -271,12 +271,12 @@ class TestBadInput:
     @pytest.mark.parametrize(
         ("duration", "text"),
         [
-            (None, "duration must be given in a simulation with heat of a history"),
+            (None, "duration is required because heat.history is set"),
             (-1.0, "duration must be"),
             (0.0, "duration must be"),
             (np.nan, "duration must be"),
-            (1e300, "duration must be at most"),
-            (0.5 * STEP, "duration must be at least the shortest step of heat.history, 0.001 s"),
+            (1e300, "duration must be <="),
+            (0.5 * STEP, "duration must be >= the shortest step of heat.history, 0.001 s"),
         ],
     )
     def test_of_a_step(self, duration, text):

@@ -244,7 +244,7 @@ def test_ramp_and_hold_while_the_bodies_move():
         ({"distance": 0.0}, "distance must not be 0"),
         ({"distance": math.inf}, "distance must be a finite number, got inf"),
         ({"step": -0.5}, r"step must be a finite number > 0, got -0\.5"),
-        ({"step": 2.0}, r"step must be at most the distance, 1\.0, got 2\.0"),
+        ({"step": 2.0}, r"step must be <= the distance, 1\.0, got 2\.0"),
         ({"passes": 0}, "passes must be an integer >= 1, got 0"),
         ({"increments": 0}, "increments must be an integer >= 1, got 0"),
         ({"unload_increments": 0}, "unload_increments must be an integer >= 1, got 0"),

@@ -269,7 +269,7 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
         told = rf"of another run: remove it, .*\(.*{parts.get(name, name)}"
         with pytest.raises(ValueError, match=told):
             wearing(checkpoint=file, **{name: value})
-    with pytest.raises(ValueError, match="cycles must be > 1, those of the checkpoint, got 1"):
+    with pytest.raises(ValueError, match=r"cycles must be > 1 .*, got 1"):
         wearing(checkpoint=file, cycles=1)
     file.write_bytes(b"no HDF5")
     with pytest.raises(ValueError, match=r"wear\.h5 was not written by samcontact"):
@@ -290,8 +290,8 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
         ({"window": 0}, "window must be an integer >= 1, got 0"),
         ({"window": (5, 5, 5)}, "window must be a number of cells or a pair"),
         ({"window": 3, "order": 3}, "order must be < window = 3, got 3"),
-        ({"window": 13}, "window must not be larger than the contact \\(9 cells"),
-        ({"window": (5, 13)}, "cells along y at maximum load\\), got 13"),
+        ({"window": 13}, r"window must not be larger than the contact \(9 cells"),
+        ({"window": (5, 13)}, r"cells along y at maximum load\), got 13"),
         ({"strain_depth": "raw"}, "strain_depth must be one of 'exact', 'smoothed', got 'raw'"),
         ({"worn": (1,)}, "worn must name elastic-plastic bodies, got body 1 with law elastic"),
         ({"worn": ()}, r"worn must be \(1,\), \(2,\) or \(1, 2\), got \(\)"),
