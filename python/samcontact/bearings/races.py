@@ -111,8 +111,8 @@ def ball_on_race(
         f = positive("groove_radius", groove_radius) / D
     if f <= 0.5:
         raise ValueError(
-            f"groove_radius/ball_diameter must be > 0.5, got {f!r}: the groove must be wider than the "
-            "ball"
+            f"groove_radius/ball_diameter must be > 0.5, got {f!r}: the groove must be wider than "
+            "the ball"
         )
     return RaceContact(
         _rolling_radius(D, pitch, angle_of(contact_angle), race), D / (2.0 - 1.0 / f)

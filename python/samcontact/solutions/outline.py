@@ -189,7 +189,7 @@ def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
 
 
 def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:
-    """Where the pressure exceeds that further inside, and drops at least as much further out."""
+    """Whether the pressure exceeds that further inside, and drops at least as much further out."""
     own, inner = pressure[sides.i, sides.j], pressure[sides.neighbours(pressure.shape, -1)]
     beside = pressure[sides.neighbours(pressure.shape, 1)]
     found: NDArray[np.bool_] = in_contact(inner) & (own > RISE * inner) & (own > RISE * beside)
