@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files of asperities that tug at each other, and what the command makes of them."""
+"""Case files of asperity collisions, and the output of the command."""
 
 import numpy as np
 import pandas as pd

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Layered bodies: what they refuse, their waves and coefficients, and contacts between them."""
+"""Layered bodies: refused arguments, transfer functions and coefficients, contacts between them."""
 
 import copy
 import pickle

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Periodic surfaces: lattice sums, contact, plasticity, and what they refuse."""
+"""Periodic surfaces: lattice sums, contact, plasticity, and refused arguments."""
 
 import pickle
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stick and slip against exact superpositions, closed forms and the digits of another program."""
+"""Partial slip against exact superpositions, closed forms and the digits of another program."""
 
 import math
 

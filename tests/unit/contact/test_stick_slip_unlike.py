@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stick and slip of unlike bodies: a dense solver, another program, and symmetries of the laws."""
+"""Partial slip of dissimilar bodies: a dense solver, another program, and symmetries."""
 
 import math
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Windows that grow by themselves, where the surfaces are functions of the grid."""
+"""Automatic grid enlargement with surfaces given as functions of the grid."""
 
 import copy
 import pickle

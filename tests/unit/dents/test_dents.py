@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Dents and furrows: shape, place on the body, and what they refuse."""
+"""Dents and furrows: shape, position on the body, and refused arguments."""
 
 import numpy as np
 import pytest

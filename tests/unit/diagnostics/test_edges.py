@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sharp edges are told wherever the pressure rises to them, and nowhere else."""
+"""Sharp edges are found wherever the pressure rises towards them, and nowhere else."""
 
 import math
 import warnings

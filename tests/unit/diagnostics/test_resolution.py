@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grids that do not resolve a scene, and scenes beyond elasticity, are told by all ways to run."""
+"""Warnings of under-resolved contacts and of pressures beyond linear elasticity."""
 
 import math
 import re

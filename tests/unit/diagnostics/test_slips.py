@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities in other units than those of the SI are told before anything is solved."""
+"""Quantities in units other than SI cause a warning before the solve."""
 
 import re
 import warnings

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic work and residual energy against sums over the path and over the stress around."""
+"""Plastic work and residual energy against sums over the path and over the surrounding stress."""
 
 import itertools
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Criteria of fatigue: closed forms, independent searches, and what no criterion may depend on."""
+"""Fatigue criteria: closed forms, independent searches, and invariances."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fatigue of simulated contacts: which cells, which moments, which stress; and bad input."""
+"""Fatigue of simulated contacts: cells, moments and stress used; invalid input."""
 
 from functools import partial
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frictional heat in the contact and the stress; heat factors."""
+"""Frictional heat in contact and stress; heat factors."""
 
 import math
 import pickle

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of past heat against the superposition in time of tables of one heated cell."""
+"""Fields of past heat against superposition in time of tables for one heated cell."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frictional heat marched in time: steps with a duration, against what is known at once."""
+"""Transient frictional heating with load history against closed solutions."""
 
 import re
 

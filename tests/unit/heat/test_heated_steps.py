@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frictional heat in elastic-plastic increments, and softening by it."""
+"""Frictional heat in elastic-plastic increments, and thermal softening."""
 
 import re
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frictional heat of bodies that stick and slip: the power of friction in an increment."""
+"""Frictional heat with partial slip: frictional power of an increment."""
 
 import copy
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of instruments: the reader, its reasons, units, profiles, points."""
+"""Instrument files: readers, reasons of refusal, units, profiles, points."""
 
 import gzip
 import hashlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The fast residual stress against the exact one, against itself in a wide box, and its algebra."""
+"""Fast residual stress against the exact one, a wider box, and algebraic identities."""
 
 import functools
 import itertools

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loading paths: end points exact, monotone, strict about their arguments."""
+"""Loading paths: exact end points, monotonicity, strict arguments."""
 
 import doctest
 import math

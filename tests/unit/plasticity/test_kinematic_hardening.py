@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Kinematic and combined hardening: of a point, of a bar, of one cell, and in a contact."""
+"""Kinematic and combined hardening at a point, in a bar, in one cell, and in a contact."""
 
 import re
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The grid: where its points are, and what it refuses."""
+"""Grid: positions of its points, and refused arguments."""
 
 import math
 import pickle

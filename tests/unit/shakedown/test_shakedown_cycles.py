@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What repeated cycles come to: against the limits of shakedown, and with and without jumps."""
+"""Long-term response to cycles against shakedown limits, with and without extrapolation."""
 
 import dataclasses
 import pickle

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Limits of shakedown, against published values and against optimisation without short cuts."""
+"""Shakedown limits against published values and unabridged optimisation."""
 
 import math
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A ball that rolls or slides, and the tracks it leaves."""
+"""A ball that rolls or slides, and its tracks."""
 
 import numpy as np
 

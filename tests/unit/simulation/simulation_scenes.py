@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A ball on a half-space in elastic-plastic increments, and what is compared of them."""
+"""A ball on a half-space in elastic-plastic increments, and compared quantities."""
 
 import numpy as np
 

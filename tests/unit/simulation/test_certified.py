@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities between the cells are those of smooth fields, far closer than their cells are."""
+"""Quantities interpolated between cells are far closer to those of smooth fields."""
 
 import math
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Given eigenstrain: Eshelby's values, equilibrium, contact and yield, checkpoints, refusals."""
+"""Prescribed eigenstrain: Eshelby's values, equilibrium, contact, yield, checkpoints, refusals."""
 
 import copy
 import itertools

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Yield stress and residual stress over depth: closed forms, finite elements, other routes."""
+"""Depth profiles of yield and residual stress: closed forms, finite elements, other routes."""
 
 import copy
 import pickle

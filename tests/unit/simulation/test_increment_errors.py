@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What more increments would change is estimated, stated in tables and warned of."""
+"""Errors due to increments are estimated, listed in tables and cause warnings."""
 
 import warnings
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic flow in layers and substrate at once: closed forms, limits, equilibrium."""
+"""Plastic flow in layers and substrate together: closed forms, limits, equilibrium."""
 
 import numpy as np
 import pytest

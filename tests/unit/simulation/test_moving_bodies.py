@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What moves with the bodies of a moving contact: relief, heat, and checkpoints of them."""
+"""Relief, heat and checkpoints of bodies that move through the contact."""
 
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Increments that fail, are halved or refused, and their drivers: load, approach, paths."""
+"""Increments that fail, are halved or refused; drivers: load, approach, paths."""
 
 import math
 import re

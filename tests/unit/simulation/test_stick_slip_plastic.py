@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies that stick and slip and yield: against elastic solutions, gross sliding and energy."""
+"""Elastic-plastic partial slip against elastic solutions, full sliding and energy."""
 
 import copy
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contacts with plastic strain in many small zones are those with one box around all of it."""
+"""Plastic strain in several subdomains against a single box."""
 
 import pickle
 import warnings

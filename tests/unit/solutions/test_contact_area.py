@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact areas are those of smooth outlines, and exact where the edge lies between two cells."""
+"""Contact areas against smooth outlines; exact if the edge lies between two cells."""
 
 import math
 

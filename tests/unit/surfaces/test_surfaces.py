@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gaps at known points, statistics of generated roughness, and the errors."""
+"""Gaps at known points, statistics of generated roughness, and errors."""
 
 import math
 

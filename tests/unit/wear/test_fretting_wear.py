@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear by slip: its volume, its laws, where it ends, checkpoints, refusals."""
+"""Wear by slip: volume, laws, termination, checkpoints, refusals."""
 
 from itertools import pairwise
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What has been worn off bares what lay below: profiles over depth move with the material."""
+"""Wear exposes deeper material: depth profiles move with the material."""
 
 import numpy as np
 import pytest

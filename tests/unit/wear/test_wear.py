@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear, cycle after cycle: volumes, what the next cycle starts from, checkpoints, errors."""
+"""Wear over several cycles: volumes, initial state of the next cycle, checkpoints, errors."""
 
 import warnings
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear: depth of what is removed, smoothing of its border, and the strain that is left."""
+"""Wear: depth of removal, smoothing of its edge, and remaining plastic strain."""
 
 import math
 
