@@ -183,7 +183,7 @@ def test_both_bodies_may_have_layers_and_friction_couples_them():
 
 
 def test_a_surface_and_its_repetitions_are_the_same():
-    """Lattice sums of coefficients and stresses, made in different ways for other periods."""
+    """Lattice sums of coefficients and stresses, by different methods for other periods."""
     body = sc.Layered([(NITRIDE, 1.5e-6), (POLYMER, 0.7e-6)], STEEL)
     rng = np.random.default_rng(4)
     pressure, shear = 1e8 * rng.random((8, 6)), 1e7 * rng.random((2, 8, 6))
@@ -329,7 +329,7 @@ def test_flow_below_a_layer_of_the_same_stiffness_stays_below_it():
 
 
 def test_flow_below_a_nearly_absent_layer_is_that_of_the_substrate():
-    """The print of a substrate below what bears nothing, pressed by prescribed tractions."""
+    """Residual imprint of a substrate below a very soft layer, under prescribed tractions."""
     nothing = sc.Material.elastic(1e-3, 0.0)
     steel = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
     grid = sc.Grid(20, 20, 4e-6, 4e-6, nz=12, dz=4e-6)

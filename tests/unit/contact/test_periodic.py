@@ -44,7 +44,7 @@ def rng():
 
 @pytest.mark.parametrize(("cells", "sides", "periodic", "tiles"), TILINGS)
 def test_a_surface_and_its_repetitions_are_the_same(cells, sides, periodic, tiles, rng):
-    """Every table is made another way for another shape of the period."""
+    """Tables are computed by different methods for different shapes of the period."""
     loads = rng.normal(size=(3, *cells)) * 1e9
     one, many = grids(cells, sides, periodic, tiles)
     wide = np.tile(loads, (1, *tiles))

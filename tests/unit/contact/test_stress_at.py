@@ -103,7 +103,7 @@ def beyond_yield(solve):
 
 @pytest.mark.parametrize("share", [0.93, 1.07])
 def test_elastic_solutions_of_bodies_that_would_yield_are_told(share):
-    """At the closed forms of first yield: at rest, sliding, of a line, with a hard surface."""
+    """Closed forms of first yield: at rest, sliding, in line contact, with a hard surface."""
     expected = int(share > 1)
     for onset, friction, soft in (
         (ONSET, 0.0, SOFT),

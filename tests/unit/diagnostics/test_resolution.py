@@ -22,7 +22,7 @@ HERTZ = sc.hertz.point(R, sc.hertz.effective_modulus(STEEL, STEEL), load=LOAD)
 
 
 def scene(cells, layers=12.0, depth=1.6, body2=YIELDING, **settings):
-    """So many cells and layers in a contact radius; everything else fits."""
+    """Simulation with a number of cells and layers per contact radius."""
     dx, dz = HERTZ.a / cells, HERTZ.a / layers
     n = 2 * math.ceil(1.4 * cells) + 1
     grid = sc.Grid(n, n, dx, dx, nz=max(1, round(depth * layers)), dz=dz)

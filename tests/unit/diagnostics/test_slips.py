@@ -82,7 +82,7 @@ def changed(slip):
 
 @pytest.fixture(scope="module")
 def solved():
-    """The scene as it is meant, without a warning."""
+    """The correct case causes no warning."""
     case = parse_case(CASE)
     simulation, path = case.build()
     with warnings.catch_warnings():

@@ -197,7 +197,7 @@ class TestInstability:
             assert radius * w == pytest.approx(expected, rel=2e-2)
 
     def test_converges_through_negative_curvature(self):
-        """From a start so wide that the operator is indefinite on it."""
+        """An initial contact so wide that the operator is indefinite on it."""
         grid = sc.Grid(65, 65, 3e-3 / 65, 3e-3 / 65)
         heated = solver(grid, 0.2)
         wide = heated.solve(ball(grid), load=LOAD, initial_pressure=np.full((65, 65), 1e8))

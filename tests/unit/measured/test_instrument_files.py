@@ -194,7 +194,7 @@ class TestColumns:
             measured.read(path)
 
     def test_rounded_positions_are_equal_steps(self, tmp_path):
-        """As a stylus writes them: 0.15625 um rounded to 0.1 um."""
+        """Positions as written by a stylus instrument: 0.15625 um rounded to 0.1 um."""
         x, z = 0.15625 * np.arange(200), np.random.default_rng(4).standard_normal(200)
         text = "\n".join(f"{a:.1f},{b:.5f},," for a, b in zip(x, z, strict=True))
         head = "Scan Parameters\nStylus,Radius: 2.5 um\n\nScan Data\n\nLateral um,Raw Micrometer,\n"
@@ -249,7 +249,7 @@ class TestProfiles:
         return MeasuredSurface(-(x**2) / (2 * 1e-3), UM)
 
     def test_a_profile_is_pressed_in_plane_strain(self, profile):
-        """As the parabola that it samples, in one row of cells and in several."""
+        """Agreement with the sampled parabola, in one row of cells and in several."""
         bodies = sc.Material.rigid(), sc.Material.elastic(E=210e9, nu=0.3)
         for ny in (1, 4):
             grid = sc.Grid(60, ny, UM, UM, periodic="y")
@@ -293,7 +293,7 @@ class TestProfiles:
 
 @pytest.mark.parametrize("n", [15, 16])
 def test_a_period_of_any_number_of_samples(n):
-    """A wave: no step at its ends, wherever the origin lies; beyond, it goes on."""
+    """A wave has no step at its ends for any origin, and is periodic beyond them."""
     length, cells = 30e-6, 64
     at = (np.arange(n) - 0.5 * (n - 1)) * length / n
     wave = MeasuredSurface(np.cos(2 * np.pi * at / length)[:, None] * np.ones(5), length / n)

@@ -19,7 +19,7 @@ with warnings.catch_warnings():
 
 
 def polynomial(x, y):
-    """Of second order along each axis, different along both [m, m]."""
+    """Second-order heights along each axis, with different coefficients [m, m]."""
     x, y = np.meshgrid(x, y, indexing="ij")
     return 1e-6 + 2e-3 * x - 1e-3 * y + 5.0 * x**2 - 3.0 * y**2 + 4.0 * x * y
 

@@ -153,7 +153,7 @@ def test_creepages_follow_from_forces(forces):
 
 
 def rollers(mu, pair, n=64, **options):
-    """In plane strain, of a radius of 25 mm together, under 16 kN/m."""
+    """Plane strain, with a combined radius of 25 mm, under 16 kN/m."""
     grid = sc.Grid(n, 1, 240e-6 / n, 1.0, periodic="y")
     return {
         "grid": grid, "body1": pair[0], "body2": pair[1], "friction": sc.Coulomb(mu),
@@ -213,7 +213,7 @@ def test_rollers_of_unlike_bodies_as_another_program_prints_them(across):
 @pytest.mark.parametrize("pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "unlike", "rigid"])
 @pytest.mark.parametrize("mu", [1e-4, 0.05, 0.6])
 def test_forces_are_found_wherever_the_search_begins(pair, mu):
-    """From nothing, and from where everything slides, up to the largest force and down to none."""
+    """Starts from zero and from full sliding, for forces from the maximum to zero."""
     scene, most = rollers(mu, pair), mu * 16e3
     sliding = sc.rolling.steady(**scene, creepage=(0.01, 0.0))
     assert not sliding.sticking.any()

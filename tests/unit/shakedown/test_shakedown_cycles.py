@@ -69,7 +69,7 @@ def test_rollers_above_the_limit_go_on_straining(cells):
 
 @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
 def test_hardening_that_moves_the_yield_surface_closes_what_ratchets():
-    """At 4.1 k with friction both are beyond their limits of elastic shakedown."""
+    """At 4.1 k with friction both contacts exceed their limits of elastic shakedown."""
     friction, ratio = 0.2, 4.1
     assert shakedown.line_kinematic(friction).ratio < ratio
     hard = SOFT.with_kinematic_hardening(0.2 * E)
@@ -83,7 +83,7 @@ def test_hardening_that_moves_the_yield_surface_closes_what_ratchets():
 
 
 def test_jumps_change_nothing_but_the_number_of_cycles():
-    """At the same number of cycles: within the stated error, with less than half the work."""
+    """Extrapolation agrees within the stated error, with less than half the work."""
     simulation, cycle = rollers(3.4, friction=0.2, cells=6)
     result = shakedown.run(simulation, cycle, progress=False)
     step_by_step, cycle = rollers(3.4, friction=0.2, cells=6)

@@ -29,7 +29,7 @@ def simulation(body1=STEEL, body2=SOFT, gap=BALL, grid=GRID, **settings):
 
 
 def snapshot(state):
-    """Everything a state tells, as arrays."""
+    """All quantities of a state, as arrays."""
     fields = {name: np.array(getattr(state, name)) for name in SURFACE + SCALARS}
     for body in (1, 2):
         fields |= {f"{name} {body}": np.array(getattr(state, name)(body)) for name in VOLUME}

@@ -160,7 +160,7 @@ def test_a_checkpoint_keeps_the_relief(tmp_path):
 
 @pytest.mark.parametrize("body2", [STEEL, KINEMATIC], ids=["swift", "kinematic"])
 def test_a_track_can_be_gone_on_from_in_another_simulation(body2):
-    """Longer than the grid: it is set by rows that lie beside it."""
+    """A travel longer than the grid, set by rows outside it."""
     settings = {"tol": 1e-10, "residual_stress": "exact"}
     first = ball(body2=body2, **settings)
     there = 34

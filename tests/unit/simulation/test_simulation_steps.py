@@ -77,7 +77,7 @@ FAILURES = {
 
 
 class TestFailedStep:
-    """After any failure the state is that before it, bit by bit, and so is all that follows."""
+    """After any failure the previous state and later increments are unchanged bit by bit."""
 
     @pytest.fixture(scope="class")
     @staticmethod
@@ -145,7 +145,7 @@ class TestHalving:
         np.testing.assert_allclose(getattr(state, driver), goal, rtol=1e-12)
 
     def test_too_many_parts_tell_what_tolerance_can_be_had(self):
-        """With a tolerance of 1e-5 there are 41 parts; they go with its fourth root."""
+        """A tolerance of 1e-5 requires 41 parts; their number varies with its fourth root."""
         grid = sc.Grid(7, 7, 1e-5, 1e-5, 3, 1e-5)
         gap = surfaces.paraboloid(grid, 10e-3)
         soft = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)

@@ -176,7 +176,7 @@ def test_parts_of_an_increment_lead_to_its_end():
 
 
 def slid_surfaces(state):
-    """Of body 2 against body 1, elastic and by plastic strain."""
+    """Elastic and plastic displacement of body 2 relative to body 1."""
     solver = sc.ContactSolver(state.grid, BALL, STEEL, LAW)
     u1, u2 = (solver.displacement(state.pressure, state.shear, body)[:2] for body in (1, 2))
     return u2 - u1 + np.stack([state.residual_displacement(2, axis=axis) for axis in "xy"])
@@ -316,7 +316,7 @@ def test_swapped_bodies_mirror_what_goes_far_apart():
 
 
 def per_cycle(cells, share, cycles=4):
-    """Of fretting under a force that is a share of the largest: strain and friction work."""
+    """Strain and friction work of fretting under a fraction of the maximum force."""
     size = 1e-3 / cells
     grid = sc.Grid(cells, cells, size, size, dz=size)
     body2 = sc.Material.perfect_plastic(210e9, 0.3, 1.2e9).with_kinematic_hardening(7e9)

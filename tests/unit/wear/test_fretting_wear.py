@@ -59,7 +59,7 @@ def test_what_sticks_does_not_wear(worn):
 
 @pytest.mark.parametrize("amplitude", [2e-7, 2e-5])
 def test_both_laws_agree_where_the_friction_is_the_same(amplitude):
-    """With little slip and with slip all over."""
+    """Little slip, and slip everywhere."""
     cycle = [{"load": BALL_LOAD, "shift": (d * amplitude, 0.0)} for d in (0, 1, -2, 2)]
     one = frets(cycle=cycle, energy=None, archard=1e-16, cycles=1)
     other = frets(cycle=cycle, energy=1e-16 / MU.coefficient, cycles=1)

@@ -47,14 +47,14 @@ def test_plastic_flow_below_the_threshold_wears_nothing():
 
 
 def test_its_elastic_estimate_warns_of_no_yield():
-    """Where bodies flow, a warning that one acts elastically would be false."""
+    """A warning that a yielding body is treated as elastic would be false."""
     with warnings.catch_warnings():
         warnings.simplefilter("error", sc.ElasticStrainWarning)
         assert wearing(cycles=1).cycles[-1].max_equivalent_plastic_strain[-1] > 0
 
 
 def test_surfaces_may_be_functions_of_the_grid():
-    """As in a simulation; not of another grid than the one that is given."""
+    """Functions are evaluated as in a simulation, but only on the given grid."""
     relief = sc.Relief(1e-8 * np.cos(np.arange(29.0 * 27)).reshape(29, 27))
     fixed = wearing(cycles=1, relief1=relief)
     made = wearing(
@@ -155,7 +155,7 @@ def test_dataset_is_saved(worn, tmp_path):
 
 
 def test_both_bodies_wear_alike():
-    """Friction on body 1 acts the other way: its wear is body 2's, mirrored in x."""
+    """Friction on body 1 has the opposite sign: its wear is that of body 2, mirrored in x."""
     result = wear.run(
         GRID, STEEL, STEEL, GAP, cycle=[{"load": 6.5}, {"load": 0.0}], threshold=2e-3, cycles=1,
         window=5, worn=(1, 2), friction=0.4, progress=False,
