@@ -75,7 +75,7 @@ def steady(
         Solution for similar creepages or forces, as initial guess of the iteration.
     tol, on_border, max_iterations
         As in `ContactSolver`; tol also bounds the error of the shear, and that of prescribed forces
-        relative to the largest ones.
+        relative to the maximum forces.
 
     Returns
     -------

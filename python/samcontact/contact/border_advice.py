@@ -13,13 +13,13 @@ if TYPE_CHECKING:
     from .._util.checks import FloatArray
     from ..diagnostics.hertz_estimate import ContactSetup
 
-GROWS = "pass the gap as a function to enlarge the grid automatically"
-"""Remedy if the grid is not enlarged because the gap is an array."""
+GROWS = "pass gap and reliefs as functions to enlarge the grid automatically"
+"""Remedy if the grid is not enlarged because the gap or a relief is an array."""
 _TILTED = 0.5  # rise of the mean plane over the other heights, above which tilt is the reason
 _ROUNDING = 1e-12  # rise over the maximum height, up to which it is rounding
 _REPEAT = 'make the surface periodic with Grid(..., periodic="xy")'
 _REMEDY = ": enlarge "
-_ASK = ', or ask for a warning with on_border="warn"'
+_ASK = ', or set on_border="warn"'
 
 
 def told_of_fixed(error: ValueError, scene: ContactSetup) -> None:

@@ -12,7 +12,8 @@ from ..diagnostics import hertz_estimate
 from ..scene.grid import Grid
 
 MOST, LARGE = 64, 1 << 22
-"""Maximum number of cells, as a multiple of the initial grid, and if Hertz asks for even more."""
+"""Maximum number of cells as a multiple of the initial grid; number of cells always allowed while
+the grid is smaller than the Hertz estimate."""
 ROOM = 1.25
 """Sides of an enlarged grid over those of the Hertz contact: plastic flow widens the contact."""
 _WIDER, _LEAST = 1.5, 1.25  # growth of a side reached by the contact; minimum growth

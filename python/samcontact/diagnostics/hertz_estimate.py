@@ -30,7 +30,7 @@ SMOOTH = 0.03
 _MARGIN = 1e-6
 """Relative reduction of the range of loads known to pass a check, for rounding."""
 _POINTS = 17  # per side, to which a paraboloid is fitted
-_ASK = ', or ask for a warning with on_border="warn"'
+_ASK = ', or set on_border="warn"'
 
 
 FailedChecks = tuple[plausibility.Doubt, ...]

@@ -26,10 +26,10 @@ class ContactLaw(Shown):
     """Contact law, with its parameters as fields.
 
     The pressure is p = r - a(g), with a repulsion r >= 0 carried by closed cells and an attraction
-    a(g) >= 0 across the gap g. With an attractive law, friction is proportional to the repulsion,
-    the grid is not enlarged, a simulation starts with separated bodies under the maximum tension,
-    and `advance`, prescribed pressure and heat are refused. The unit of a parameter is metadata of
-    its field.
+    a(g) >= 0 across the gap g. With an attractive law, friction depends on the repulsion only, the
+    grid is not enlarged, a simulation starts with separated bodies under the maximum tension, and
+    `advance`, prescribed pressure and heat are refused. The unit of a parameter is metadata of its
+    field.
     """
 
     kind: ClassVar[str]

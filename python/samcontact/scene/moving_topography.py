@@ -27,8 +27,8 @@ class Relief(Brief):
     Parameters
     ----------
     heights : array_like, shape (rows, ny)
-        Heights [m], positive out of the body, on cells of the size of the grid's; any number of
-        rows along x.
+        Heights [m], positive out of the body, on cells equal in size to those of the grid; any
+        number of rows along x.
     first : int, optional
         Grid row of the first of these rows; may be negative. As a body moves towards +x, rows
         before it enter the grid.

@@ -164,7 +164,7 @@ def test_elastic_contact():
         rel=0.01,
     )
     for gap, text in (
-        (punch(grid(7, 6)), "gap as a function"),
+        (punch(grid(7, 6)), "gap and reliefs as functions"),
         (REFUSED["flat"][0]["gap"], "2688"),
     ):
         with pytest.raises(sc.GridTooSmallError, match=text):
@@ -210,13 +210,13 @@ REFUSED = {
         "cannot be enlarged: R must be >=",
     ),
     "relief of its own": (
-        {"relief2": sc.Relief(np.zeros((7, 6)))}, "pass the gap as a function",
+        {"relief2": sc.Relief(np.zeros((7, 6)))}, "pass gap and reliefs as functions",
     ),
     "modulus in gigapascals": (
         {"gap": partial(surfaces.paraboloid, Rx=RADIUS), "upper": sc.Material.elastic(210.0, 0.3)},
         r"E is in pascals.* cannot be enlarged: .* cells exceed the limit of 4194304",
     ),
-    "array": ({"gap": punch(grid(7, 6))}, "pass the gap as a function"),
+    "array": ({"gap": punch(grid(7, 6))}, "pass gap and reliefs as functions"),
 }  # fmt: skip
 
 
