@@ -100,9 +100,9 @@ class TestBeyondTheRange:
     def test_heat_names_what_the_user_gave(self):
         hot = STEEL.with_thermal(50.0, 1e-5, 1.4e-5)
         for settings, named in (
-            ({"velocity": (1e12, 0.0)}, "heat.velocity of body 2 must be at most"),
-            ({"velocity": (0.0, 1e-300)}, "heat.velocity of body 2 must be 0 or at least"),
-            ({"time": 1e300}, "heat.time must be at most"),
+            ({"velocity": (1e12, 0.0)}, "heat.velocity of body 2 must be <="),
+            ({"velocity": (0.0, 1e-300)}, "heat.velocity of body 2 must be 0 or >="),
+            ({"time": 1e300}, "heat.time must be <="),
         ):
             with pytest.raises(ValueError, match=named):
                 small(hot, heat=sc.Heat(0.1, **settings)).step(load=10.0)
