@@ -374,7 +374,7 @@ def test_heat(write, tmp_path):
         ),
         ("conductivity = 50.2", "conductivity = 0.0", "body2.thermal.conductivity"),
         ("melting = 1800.0", "melting = 20.0", "melting must be > reference"),
-        ("factor = 0.02", "factor = [0.1, 0.1]", r"\[heat\] heat.factor of body1 must be 0 without"),
+        ("factor = 0.02", "factor = [0.1, 0.1]", r"heat.factor of body1 must be 0 without"),
     ],
 )
 def test_errors_of_heat(write, old, new, message):

@@ -226,7 +226,7 @@ def test_periodic_surfaces():
 @pytest.mark.parametrize(
     ("friction", "arguments", "error", "words"),
     [
-        (0.3, {"shift": (1e-3, 0.0)}, ValueError, "shift is not supported in full sliding.*Coulomb"),
+        (0.3, {"shift": (1e-3, 0.0)}, ValueError, "shift is not supported.*Coulomb"),
         (sc.Coulomb(0.3), {"shift": 1e-3}, TypeError, "shift must be two numbers"),
         (sc.Coulomb(0.3), {"shift": (1e-3,)}, ValueError, "shift must be two numbers.*got 1"),
         (
