@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pages in a real browser: Chromium without a window, fed by a server of this process."""
+"""Pages in a real browser: headless Chromium, served by this process."""
 
 from __future__ import annotations
 

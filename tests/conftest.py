@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What all tests need."""
+"""Fixtures and settings for all tests."""
 
 import signal
 from pathlib import Path

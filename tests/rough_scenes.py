@@ -19,7 +19,7 @@ PERCENT = 0.01 * 4.2e9 * (CELLS * SIZE) ** 2
 
 
 def rough_gap(bowl=3.0, grid=GRID):
-    """Of slope 0.06; a steep bowl keeps the contact away from the border."""
+    """Roughness of slope 0.06; a steep bowl keeps the contact away from the grid edge."""
     side = grid.nx * SIZE
     gap = sc.surfaces.rough_self_affine(
         grid, 1e-6, 0.8, wavelength_min=8 * SIZE, roll_off=side / 4, seed=7
@@ -73,7 +73,7 @@ def fields(state, bodies=(2,)):
 
 
 def errors(state, expected, bodies=(2,)):
-    """Of the fields, over their root mean squares."""
+    """Differences of the fields over their root mean squares."""
     wanted = fields(expected, bodies)
     return {name: rms(field, wanted[name]) for name, field in fields(state, bodies).items()}
 

@@ -133,7 +133,7 @@ if TYPE_CHECKING:
     from . import results as results
 else:
     _ON_DEMAND = ("cases", "plotting", "report", "results")
-    # they load libraries for files and figures, which a solution does not need
+    # these import libraries for files and figures, not needed for a solution
 
     def __getattr__(name):
         if name in _ON_DEMAND:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Dents, furrows and bumps in the surface of a body, which move with it.
+"""Dents, furrows and bumps on the surface of a body, which move with it.
 
-Positions are those on the body, 0 where the contact stands at the start.
+Positions are relative to the body; 0 is the initial position of the contact.
 """
 
 from __future__ import annotations
@@ -16,12 +16,14 @@ __all__ = ["furrow", "spherical"]
 
 
 def _cap(r: FloatArray, depth: float, width: str, radius: float) -> FloatArray:
-    """Heights of a circular arc of this depth between -radius and radius; 0 beyond."""
+    """Heights of a circular arc of a given depth between -radius and radius; 0 beyond."""
     d, a = finite("depth", depth), positive(width, radius)
     if d == 0.0 or abs(d) > a:
-        raise ValueError(f"depth must not be 0, nor deeper than {width} = {a!r}, got {d!r}")
+        raise ValueError(
+            f"depth must not be 0, and must be at most {width} = {a!r} deep, got {d!r}"
+        )
     if a / abs(d) > 1e12:
-        raise ValueError(f"depth must be at least 1e-12 {width}, {1e-12 * a!r}, got {d!r}")
+        raise ValueError(f"depth must be >= 1e-12 {width}, {1e-12 * a!r}, got {d!r}")
     R2 = (0.5 * (a**2 + d**2) / abs(d)) ** 2
     inside = np.maximum(a**2 - r**2, 0.0)
     # sqrt(R^2 - r^2) - sqrt(R^2 - a^2) without cancellation
@@ -32,28 +34,28 @@ def _cap(r: FloatArray, depth: float, width: str, radius: float) -> FloatArray:
 def spherical(
     grid: SurfaceGrid, depth: float, radius: float, x: float = 0.0, y: float = 0.0
 ) -> Relief:
-    """Dent with the shape of a spherical cap.
+    """Dent in the shape of a spherical cap.
 
     Parameters
     ----------
     grid : Grid
-        Of the simulation.
+        Grid of the simulation.
     depth : float
-        At its centre [m], not 0; negative: a bump. At most the radius.
+        Depth at the centre [m], not 0, at most the radius; negative: a bump.
     radius : float
-        Of its rim, where it meets the flat surface [m], > 0.
+        Radius of the rim, where the dent meets the flat surface [m], > 0.
     x, y : float, optional
-        Its centre on the body [m].
+        Centre on the body [m].
 
     Returns
     -------
     Relief
-        For `relief1` or `relief2` of a `Simulation`.
+        Argument `relief1` or `relief2` of a `Simulation`.
 
     Raises
     ------
     ValueError
-        An argument outside its range.
+        An argument is outside its range.
     """
     require_surface(grid)
     centre, across = finite("x", x), np.asarray(grid.y)[None, :] - finite("y", y)
@@ -65,30 +67,30 @@ def spherical(
 def furrow(
     grid: SurfaceGrid, depth: float, half_width: float, along: str = "y", position: float = 0.0
 ) -> Relief:
-    """Straight furrow of any length whose section is a circular arc.
+    """Straight furrow of infinite length with a circular-arc section.
 
     Parameters
     ----------
     grid : Grid
-        Of the simulation.
+        Grid of the simulation.
     depth : float
-        In its middle [m], not 0; negative: a ridge. At most the half width.
+        Depth in the middle [m], not 0, at most the half-width; negative: a ridge.
     half_width : float
-        Half of its width where it meets the flat surface [m], > 0.
+        Half-width at the level of the flat surface [m], > 0.
     along : {"y", "x"}
-        Its direction: across the way of the contact, or along it.
+        Direction of the furrow: transverse or parallel to the motion of the contact.
     position : float, optional
-        Of its middle on the body [m]: along x of a furrow along y, and the other way round.
+        Position of the middle on the body [m]: along x for a furrow along y, and vice versa.
 
     Returns
     -------
     Relief
-        For `relief1` or `relief2` of a `Simulation`.
+        Argument `relief1` or `relief2` of a `Simulation`.
 
     Raises
     ------
     ValueError
-        An argument outside its range.
+        An argument is outside its range.
     """
     require_surface(grid)
     middle = finite("position", position)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Energy of elastic-plastic contact: what flow dissipates, and what stays as residual stress."""
+"""Energy of elastic-plastic contact: plastic dissipation and energy of residual stress."""
 
 from __future__ import annotations
 
@@ -31,36 +31,36 @@ def _cell_volume(track: Track) -> float:
 
 
 def _product(a: FloatArray, b: FloatArray) -> float:
-    """Sum of a:b over all cells; tensor components first."""
+    """Sum of a:b over all cells; tensor components are the first axis."""
     return float(np.sum(a[:3] * b[:3]) + 2.0 * np.sum(a[3:] * b[3:]))
 
 
 def plastic_work(material: Body, after: Track, before: Track | None = None) -> float:
-    """Work of the stress on the plastic strain of a body, the integral of sigma : d eps^p [J].
+    """Plastic work of a body, the integral of sigma : d eps^p [J].
 
-    Isotropic hardening is integrated in closed form, so that it depends on the state alone. The
-    backstresses of kinematic hardening are averaged between the two states (second order in the
-    increment): add up increments then.
+    Isotropic hardening is integrated in closed form and depends on the state alone. The
+    backstresses of kinematic hardening are averaged between the two states, which is of second
+    order in the increment; with kinematic hardening, sum the work of all increments.
 
     Parameters
     ----------
     material : Material or Layered
-        Of the body.
+        Material of the body.
     after : Track
-        The body now, from `State.track`.
+        Track of the body in the current state, from `State.track`.
     before : Track, optional
-        The same body earlier; default before any flow.
+        Track of the body in an earlier state. Default: before any plastic flow.
 
     Returns
     -------
     float
-        [J], >= 0 but for the error of the backstress; part of that of the backstress can be given
-        back later.
+        Plastic work [J], >= 0 up to the error of the backstress. The work of the backstress can
+        partly be recovered later.
 
     Raises
     ------
     ValueError
-        A material with thermal softening, whose yield stress the state does not tell.
+        The material has thermal softening, whose yield stress is not known from the state.
     """
     if not isinstance(material, Body):
         raise TypeError(
@@ -70,7 +70,7 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
     for name, track in (("after", after), ("before", after if before is None else before)):
         require_type(name, track, Track)
     if material.softening is not None:
-        raise ValueError("plastic_work needs a material without softening")
+        raise ValueError("plastic_work does not support thermal softening")
     if not material.is_plastic:
         return 0.0
     total = _isotropic_work(material, after)
@@ -82,7 +82,7 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
 
 
 def _isotropic_work(body: Body, track: Track) -> float:
-    """Sum over cells of the work of the yield stress."""
+    """Work of the yield stress, summed over cells."""
     factor, strain = track.yield_factor(), track.equivalent_plastic_strain()
     return sum(
         float(np.sum(factor[..., there] * material.plastic_work(strain[..., there])))
@@ -91,7 +91,7 @@ def _isotropic_work(body: Body, track: Track) -> float:
 
 
 def _work_of_backstress(after: Track, before: Track | None) -> float:
-    """Sum over cells of the mean backstress times the strain increment."""
+    """Work of the mean backstress on the strain increment, summed over cells."""
     if before is None:
         return 0.5 * _product(after.backstress().sum(axis=0), after.plastic_strain())
     old, new = on_common_cells(before, after, "backstress")
@@ -102,12 +102,13 @@ def _work_of_backstress(after: Track, before: Track | None) -> float:
 def residual_energy(track: Track) -> float:
     """Elastic energy of the residual stress of a body [J], -1/2 of the integral of sigma : eps^p.
 
-    The residual stress is in equilibrium, without tractions, so that its work on the total strain
-    vanishes and its elastic strain is as good as minus the plastic one. It can be released again,
-    but not by contact alone. Mura, *Micromechanics of Defects in Solids* (1987), eq. (13.4).
+    The residual stress is in equilibrium without tractions. Its work on the total strain therefore
+    vanishes, and in the integral its elastic strain can be replaced by minus the plastic strain. It
+    can be released again, but not by contact alone. Mura, *Micromechanics of Defects in Solids*
+    (1987), eq. (13.4).
 
-    Of a body with stress from the start, or with an eigenstrain, the change of its energy, which
-    plastic strain may release: that stress is in equilibrium as well, and counts twice.
+    For a body with initial stress or eigenstrain, this is the change of its energy, which plastic
+    strain may reduce: that stress is in equilibrium as well, and counts twice.
     """
     require_type("track", track, Track)
     stress = track.residual_stress() + track.initial_stress() + track.eigenstress()
@@ -115,10 +116,10 @@ def residual_energy(track: Track) -> float:
 
 
 def eigenstrain_energy(track: Track) -> float:
-    """Elastic energy that the eigenstrain of a body has by itself [J], >= 0.
+    """Elastic energy of the eigenstrain of a body alone [J], >= 0.
 
     -1/2 of the integral of its stress times the eigenstrain, as in `residual_energy`. Tractions do
-    not change it, since their stress is as good as orthogonal to that of the eigenstrain.
+    not change it, because their stress is practically orthogonal to that of the eigenstrain.
     """
     require_type("track", track, Track)
     return -0.5 * _product(track.eigenstress(), track.eigenstrain()) * _cell_volume(track)
@@ -126,22 +127,22 @@ def eigenstrain_energy(track: Track) -> float:
 
 @dataclass(frozen=True)
 class EnergyBalance(Shown):
-    """What loads and motions did on two bodies, and where it went.
+    """Energy balance of two bodies: external work and its distribution.
 
     Attributes
     ----------
     put_in : float
-        Work of the increments that did some [J].
+        Work input: sum over the increments with positive work [J].
     net : float
-        The same less what the others gave back [J].
+        Net external work: work input minus the work recovered in other increments [J].
     elastic : float
-        Elastic energy of the tractions that are there [J].
+        Elastic energy due to the current tractions [J].
     residual : float
         Elastic energy of the residual stress [J].
     friction, plastic : float
-        Turned into heat by slip, and by plastic flow [J].
+        Energy dissipated by friction, and by plastic flow [J].
     eigenstrain : float
-        Elastic energy of given eigenstrain by itself [J], which loads did not put in.
+        Elastic energy of prescribed eigenstrain alone [J]; not part of the external work.
     """
 
     put_in: float
@@ -154,7 +155,7 @@ class EnergyBalance(Shown):
 
     @property
     def missing(self) -> float:
-        """What is not found of the net work, relative to what was put in [-]."""
+        """Unaccounted part of the net external work, relative to the work input [-]."""
         found = self.elastic + self.residual + self.friction + self.plastic
         return (self.net - found) / self.put_in if self.put_in > 0 else 0.0
 
@@ -166,16 +167,17 @@ class EnergyBalance(Shown):
 
 
 def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
-    """Energy balance of bodies that stick and slip, whose contact does not roll.
+    """Energy balance of bodies with partial slip in a contact that does not roll.
 
-    The work between two increments is that of the mean force on the motion. The mean load is that
-    of one which grows as the power 3/2 of the approach, so that pressing elastic balls has no
-    error. What is missing falls with the increments. What the first state has counts as put in.
+    The work between two increments is that of the mean force on the motion. The mean load assumes
+    a load proportional to the power 3/2 of the approach, which is exact for elastic balls under
+    normal load. The unaccounted part decreases with the size of the increments. The energy of the
+    first state counts as work input.
 
     Parameters
     ----------
     simulation : Simulation
-        With friction=`Coulomb`.
+        Simulation with friction=`Coulomb`.
     states : sequence of State
         Successive increments.
 
@@ -186,8 +188,8 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     Raises
     ------
     ValueError
-        Friction as a number; bodies that moved on, soften or are heated; prescribed tractions; no
-        states.
+        Friction is a number; bodies have moved, soften or are heated; tractions are prescribed;
+        there are no states.
     """
     from .simulation.simulation import Simulation
     from .solutions.state import State
@@ -205,7 +207,7 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
 
 
 def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
-    """What the last state has, by the names of `EnergyBalance`."""
+    """Energies of the last state, by the names of `EnergyBalance`."""
     residual = plastic = given = 0.0
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if states[-1].has_eigenstrain(number):
@@ -221,7 +223,7 @@ def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
 
 
 def _plastic_work_of(material: Body, body: int, states: Sequence[State]) -> float:
-    """Of the last state, or with backstresses of all increments that flow."""
+    """Plastic work in the last state; with backstresses, summed over all increments with flow."""
     if backstresses_of(material) == 0:
         return plastic_work(material, states[-1].track(body, margin=0))
     before = states[0].track(body, margin=0)
@@ -235,35 +237,38 @@ def _plastic_work_of(material: Body, body: int, states: Sequence[State]) -> floa
 
 
 def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
-    """Why there is none; "" where there is one."""
+    """Reason why there is no energy balance; empty if there is one."""
     if not states:
-        return "states must hold at least one state, got none"
+        return "states must contain at least one state, got none"
     if not friction_law(simulation.friction).sticks:
         return (
-            f"friction must be samcontact.Coulomb(mu), got {simulation.friction!r}: gross sliding "
-            "has no motion along the surface"
+            f"friction must be samcontact.Coulomb(mu), got {simulation.friction!r}: full sliding "
+            "has no tangential motion"
         )
     if simulation.contact_law.attracts:
         return (
-            f"contact_law must be without attraction, which stores energy too, got "
+            "contact_law must not attract, because attraction stores energy too, got "
             f"{simulation.contact_law!r}"
         )
     if any(any(state.travel) for state in states):
-        return "states must be of bodies that stay in their place, but they have moved on"
+        return "states must have no travel: the energy balance does not support rolling"
     if not all(_have_equal_eigenstrain(states[0], state) for state in states):
-        return "states must have the same eigenstrain: one that is added does work too"
+        return "states must have equal eigenstrain: adding eigenstrain does work too"
     if not all(np.isfinite(state.approach) for state in states):
-        return "states must be of loads or approaches, got one of prescribed tractions"
+        return "states must be of load or approach control, got prescribed tractions"
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if body.thermal is not None and any(np.any(s.surface_temperature(number)) for s in states):
-            return f"states must be cold, but body {number} is heated: what expands does work too"
+            return (
+                f"states must have no heating, but body {number} is heated: thermal expansion does "
+                "work too"
+            )
         if body.softening is not None:
-            return f"bodies must be without softening, got {body!r}"
+            return f"bodies must have no thermal softening, got {body!r}"
     return ""
 
 
 def _have_equal_eigenstrain(one: State, other: State) -> bool:
-    """Whether both bodies have the same eigenstrain in two states."""
+    """Whether the eigenstrain of both bodies is equal in two states."""
     bodies = [n for n in (1, 2) if one.has_eigenstrain(n) or other.has_eigenstrain(n)]
     if not bodies:
         return True
@@ -273,7 +278,7 @@ def _have_equal_eigenstrain(one: State, other: State) -> bool:
 
 
 def _work(states: Sequence[State]) -> FloatArray:
-    """Of loads and motions in each increment after the first [J]."""
+    """Work of loads and motions in each increment after the first [J]."""
     rows = [(s.load, s.approach, *s.tangential_load, s.torque, *s.shift, s.twist) for s in states]
     values = np.array(rows)
     load, approach = values[:, 0], values[:, 1]
@@ -284,7 +289,7 @@ def _work(states: Sequence[State]) -> FloatArray:
 
 
 def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
-    """Over the approach, of which the power 2/3 of the load is a linear function in between."""
+    """Mean load over the approach, with load^(2/3) linear in the approach between two states."""
     a, b = (np.maximum(load, 0.0) ** (2 / 3) for load in (first, second))
     alike = np.abs(b - a) <= 1e-3 * np.maximum(a, b)
     change = np.where(alike, 1.0, b - a)
@@ -292,7 +297,7 @@ def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
 
 
 def _elastic_energy(simulation: Simulation, state: State) -> float:
-    """Half the work of the tractions on what they displace [J]."""
+    """Elastic energy due to tractions: half their work on the displacement they cause [J]."""
     bodies = simulation.body1, simulation.body2
     solver = ContactSolver(state.grid, *bodies, simulation.friction, on_border="warn")
     pressure, shear = state.pressure, state.shear

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Empirical models of one elastic, perfectly plastic sphere pressed against a flat.
+"""Empirical models of an elastic, perfectly plastic sphere pressed against a rigid flat.
 
-Fits to finite element solutions of frictionless contact between an elastic, perfectly plastic
-sphere and a rigid flat, for comparison with computed contacts. Both are elastic (Hertz) at small
-interference. They differ from each other by up to 5 % in load and 7 % in area.
+Fits to finite element solutions of frictionless contact, for comparison with computed contacts.
+Both models are elastic (Hertz) at small interference. They differ from each other by up to 5 % in
+load and 7 % in area.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from .critical import CriticalSphere
 __all__ = ["Flattening", "jackson_green", "kogut_etsion"]
 
 KOGUT_ETSION_LIMIT = 110.0
-"""Largest interference of the fit, in critical interferences."""
+"""Maximum interference of the fit, in critical interferences."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -38,7 +38,7 @@ class Flattening(Brief):
     mean_pressure : float or ndarray
         Load over area [Pa]; 0 without contact.
     critical : CriticalSphere
-        The critical values that the model counts in.
+        Critical values at the onset of yield used by the model.
     interference_ratio, load_ratio, area_ratio : float or ndarray
         Interference, load and area over those at the onset of yield [-].
     """
@@ -66,22 +66,22 @@ def kogut_etsion(
     E_star : float
         Contact modulus of the pair [Pa].
     nu : float
-        Poisson's ratio of the body that yields, in [0, 0.5] [-].
+        Poisson's ratio of the yielding body, in [0, 0.5] [-].
     yield_stress : float
-        Its uniaxial yield stress [Pa].
+        Uniaxial yield stress of the yielding body [Pa].
 
     Returns
     -------
     Flattening
-        Hertz up to the critical interference of `critical.kogut_etsion`, above it two power laws,
-        which meet at 6 critical interferences. As published, the load jumps by 3 % at 1 and 1.7 %
-        at 6, the area by -7 % and 2.9 %. Kogut and Etsion, J. Appl. Mech. 69 (2002) 657-662,
-        doi:10.1115/1.1490373.
+        Hertz up to the critical interference of `critical.kogut_etsion`, above it two power laws
+        that meet at 6 critical interferences. As published, the load jumps by 3 % at 1 and 1.7 % at
+        6 critical interferences, the area by -7 % and 2.9 %. Kogut and Etsion, J. Appl. Mech. 69
+        (2002) 657-662, doi:10.1115/1.1490373.
 
     Raises
     ------
     ValueError
-        An argument is outside its range, or the interference above 110 critical ones.
+        An argument is outside its range, or the interference exceeds 110 critical ones.
     """
     onset = critical.kogut_etsion(R, E_star, nu, yield_stress)
     w = _interference(interference)
@@ -101,19 +101,19 @@ def kogut_etsion(
 def jackson_green(
     interference: ArrayLike, R: float, E_star: float, nu: float, yield_stress: float
 ) -> Flattening:
-    """Model of Jackson and Green (2005), whose hardness falls with the contact radius.
+    """Model of Jackson and Green (2005), with a hardness that decreases with the contact radius.
 
     Parameters
     ----------
     interference, R, E_star, nu, yield_stress
-        As for `kogut_etsion`; the interference has no upper limit, but the finite elements behind
-        the fit go to a contact radius of about 0.4 R.
+        As for `kogut_etsion`, but without upper limit of the interference; the finite element
+        results of the fit extend to a contact radius of about 0.4 R.
 
     Returns
     -------
     Flattening
-        Hertz up to 1.9 interferences of `critical.jackson_green`, where the load jumps by less
-        than 1 %. Jackson and Green, J. Tribol. 127 (2005) 343-354, doi:10.1115/1.1866166.
+        Hertz up to 1.9 critical interferences of `critical.jackson_green`, where the load jumps by
+        less than 1 %. Jackson and Green, J. Tribol. 127 (2005) 343-354, doi:10.1115/1.1866166.
 
     Raises
     ------
@@ -123,8 +123,7 @@ def jackson_green(
     onset = critical.jackson_green(R, E_star, nu, yield_stress)
     if yield_stress > E_star:
         raise ValueError(
-            f"yield_stress must be at most E_star = {E_star!r}, got {yield_stress!r}: "
-            "both are in pascals"
+            f"yield_stress must be <= E_star = {E_star!r}, got {yield_stress!r}: use Pa for both"
         )
     ratio = _interference(interference) / onset.interference
     plastic = np.maximum(ratio, 1.9)

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Strength of steel from its hardness, as where a case is known by indents over the depth.
+"""Yield stress of steel from its hardness, e.g. for a hardness profile over depth.
 
     material.with_yield_profile(depth, hardness.yield_from_vickers(HV) / yield_stress)
 
-Both relations are of bulk hardness in equilibrium with strength, and are estimates, not
-measurements; of nitrided and carburised steel no profile is given here, as its shape depends on
-the treatment: measure it.
+Both relations are estimates for bulk hardness, not measurements. For nitrided and carburised steel
+no profile is provided, because its shape depends on the treatment: measure it.
 """
 
 from __future__ import annotations
@@ -20,15 +19,15 @@ from ._util.checks import FloatArray, real_array
 __all__ = ["HardnessRangeWarning", "flow_stress_from_vickers", "yield_from_vickers"]
 
 STANDARD_GRAVITY = 9.80665
-"""Of Vickers numbers, which are kgf/mm^2 [m/s^2]."""
+"""Standard gravity [m/s^2], to convert Vickers numbers in kgf/mm^2."""
 OF_DATA = (129.0, 632.0)
-"""Vickers numbers of the steels that the regression of the yield stress was made with."""
+"""Range of Vickers numbers of the steels in the regression of the yield stress."""
 PLAUSIBLE = (20.0, 3000.0)
-"""Of metals, up to hard carbides; a hardness in MPa or GPa is beyond."""
+"""Range for metals, up to hard carbides; a hardness in MPa or GPa is outside it."""
 
 
 class HardnessRangeWarning(UserWarning):
-    """A hardness is outside the data of the relation."""
+    """Warning that a hardness is outside the data of the relation."""
 
 
 def _vickers(HV: ArrayLike) -> FloatArray:
@@ -37,7 +36,7 @@ def _vickers(HV: ArrayLike) -> FloatArray:
     if wrong.size:
         raise ValueError(
             f"HV must be Vickers numbers (kgf/mm^2) from {PLAUSIBLE[0]:g} to {PLAUSIBLE[1]:g}, "
-            f"got {wrong.flat[0]:g}; 7 GPa are 714"
+            f"got {wrong.flat[0]:g}; 7 GPa is 714"
         )
     return hardness
 
@@ -62,19 +61,19 @@ def yield_from_vickers(HV: ArrayLike) -> FloatArray:
     Raises
     ------
     ValueError
-        A value that is no Vickers number of a metal.
+        A value is not a Vickers number of a metal.
 
     Warns
     -----
     HardnessRangeWarning
-        A hardness outside the data: the line is continued.
+        A hardness is outside the data; the linear relation is extrapolated.
     """
     hardness = _vickers(HV)
     beyond = hardness[(hardness < OF_DATA[0]) | (hardness > OF_DATA[1])]
     if beyond.size:
         warnings.warn(
             f"HV = {beyond.flat[0]:g} is outside the data of the relation, {OF_DATA[0]:g} to "
-            f"{OF_DATA[1]:g}: its line is continued",
+            f"{OF_DATA[1]:g}: extrapolated linearly",
             HardnessRangeWarning,
             stacklevel=2,
         )
@@ -84,8 +83,8 @@ def yield_from_vickers(HV: ArrayLike) -> FloatArray:
 def flow_stress_from_vickers(HV: ArrayLike) -> FloatArray:
     """Flow stress at about 8 % plastic strain, a third of the hardness.
 
-    Of metals that harden little more: D. Tabor, *The Hardness of Metals* (1951), chapter 7. It is
-    a point of the curve of hardening, not the yield stress.
+    For metals with little further hardening: D. Tabor, *The Hardness of Metals* (1951), chapter 7.
+    It is a point on the hardening curve, not the yield stress.
 
     Parameters
     ----------
@@ -100,6 +99,6 @@ def flow_stress_from_vickers(HV: ArrayLike) -> FloatArray:
     Raises
     ------
     ValueError
-        A value that is no Vickers number of a metal.
+        A value is not a Vickers number of a metal.
     """
     return np.asarray(_vickers(HV) * STANDARD_GRAVITY * 1e6 / 3.0)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frictional heat: what goes into each body, and in which share.
+"""Frictional heat: flux into each body, and its partition between the bodies.
 
-The flux into a body is its heat factor times the pressure, q = Q_f p, Q_f = beta mu V with beta the
-share of this body, mu the coefficient of friction and V the speed of sliding (Boucly 2008, section
-2.1.3); or, of bodies that stick and slip, its share of the power of friction, q = beta s . w/t with
-the slip w of an increment that lasts t.
+The heat flux into a body is its heat factor times the pressure, q = Q_f p with Q_f = beta mu V,
+where beta is the fraction of heat that enters this body, mu the coefficient of friction and V the
+sliding speed (Boucly 2008, section 2.1.3). With partial slip it is a fraction of the frictional
+power, q = beta s . w/t, with the slip w of an increment of duration t.
 """
 
 from __future__ import annotations
@@ -37,39 +37,39 @@ Pair = tuple[float, float]
 
 @dataclass(frozen=True, init=False, repr=False)
 class Heat:
-    """Frictional heat of a contact, for `ContactSolver` and `Simulation`.
+    """Frictional heating of a contact, for `ContactSolver` and `Simulation`.
 
-    Attributes are the parameters; factor and velocity are those of both bodies: (Q_1, Q_2) and
-    ((V_x, V_y), (V_x, V_y)).
+    The attributes equal the parameters; factor and velocity are stored for both bodies: (Q_1, Q_2)
+    and ((V_x, V_y), (V_x, V_y)).
 
     Parameters
     ----------
     factor : float or pair of floats, optional
-        Q_f >= 0 [m/s]: heat flux into body 2 (or into body 1 and 2) over pressure, see `factors`.
-        The heated bodies need thermal constants. 0, the default: the source is off.
+        Q_f >= 0 [m/s]: heat flux per unit pressure into body 2, or into bodies 1 and 2; see
+        `factors`. Heated bodies must have thermal constants. Default: 0, no heating.
     velocity : array_like, shape (2,) or (2, 2), optional
-        V_x, V_y of body 2 (or of body 1 and 2) through the contact [m/s], to which the heat is
-        fixed; default at rest.
+        Velocity (V_x, V_y) of body 2, or of bodies 1 and 2, relative to the contact and hence to
+        the heat source [m/s]. Default: at rest.
     time : float, optional
-        Since when the contact is heated as it is at each moment [s], > 0; default for ever (steady
+        Duration for which the current heat flux has acted [s], > 0. Default: infinite (steady
         state).
     history : pair of floats, optional
         (shortest, longest) [s], 0 < shortest <= longest, instead of `time`, for a `Simulation`:
-        march the heat in time, in steps that last at least `shortest` and follow heat for
-        `longest`; each step then takes its `duration`.
+        transient heating with load history, in time steps of at least `shortest`, with heat
+        followed for `longest`. Each step then requires its `duration`.
     reference : float, optional
-        Distance [m] at which a point source at rest in the steady state displaces nothing, which
-        has no limit far away. Matters for the approach only; a given approach needs it; 1 m
-        otherwise.
+        Distance [m] at which a steady point source at rest causes no displacement; the displacement
+        has no limit far away. It affects only the approach, and is required under approach control;
+        otherwise 1 m.
     partition : float, optional
-        With `Coulomb` friction of a `Simulation`, instead of `factor`: share beta of the power of
-        friction that enters body 2, in [0, 1], the rest enters body 1; see the function
-        `partition`. Each step then takes its `duration`, and heats as its slip does on the mean.
+        With `Coulomb` friction in a `Simulation`, instead of `factor`: fraction beta of the
+        frictional power that enters body 2, in [0, 1]; the rest enters body 1. See the function
+        `partition`. Each step then requires its `duration`; the heat flux is the mean over it.
 
     Raises
     ------
     ValueError, TypeError
-        An argument out of range or of the wrong kind.
+        An argument has an invalid value or type.
     """
 
     factor: Pair
@@ -89,11 +89,11 @@ class Heat:
         partition: float | None = None,
     ) -> None:
         if history is not None and time is not None:
-            raise ValueError("give history or time of heat, not both")
+            raise ValueError("history and time cannot be combined")
         if partition is not None and history is not None:
             raise ValueError(
-                f"history must be None with partition, got {in_short(history)}: heat of slip is "
-                "that of a source in the steady state, or for a time; give time"
+                f"history must be None with partition, got {in_short(history)}: heating by slip is "
+                "steady or of a given duration; use time"
             )
         factors = of_bodies("factor", factor)
         checked = {
@@ -106,19 +106,19 @@ class Heat:
         }
         if partition is not None and any(factors):
             raise ValueError(
-                f"factor must be 0 with partition, got {in_short(factor)}: the heat is that of the "
-                "slip, not of the pressure"
+                f"factor must be 0 with partition, got {in_short(factor)}: the heat flux follows "
+                "from the slip, not from the pressure"
             )
         for name, value in checked.items():
             object.__setattr__(self, name, value)
 
     @property
     def shares(self) -> Pair:
-        """Factors of both bodies, or their shares of the power of friction."""
+        """Heat factors of both bodies, or their fractions of the frictional power."""
         return self.factor if self.partition is None else (1.0 - self.partition, self.partition)
 
     def __repr__(self) -> str:
-        """Without what is as it is by default."""
+        """Constructor call with all arguments that differ from their defaults."""
         given = {field.name: getattr(self, field.name) for field in fields(self)}
         shown = {n: v for n, v in given.items() if v is not None and v != _AT_REST}
         return f"Heat({', '.join(f'{name}={value!r}' for name, value in shown.items())})"
@@ -135,7 +135,7 @@ def _share(name: str, value: float) -> float:
 
 
 def _velocities(velocity: ArrayLike | None) -> tuple[Pair, Pair]:
-    """(Vx, Vy) of both bodies; a single one is that of body 2."""
+    """Velocities (Vx, Vy) of both bodies; a single one is that of body 2."""
     if velocity is None:
         return _AT_REST
     if real_array("velocity", velocity).ndim == 1:
@@ -158,16 +158,16 @@ def _history(history: Sequence[float]) -> Pair:
 
 
 def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[float, float]:
-    """Heat factors Q_f of both bodies, the argument `factor` of `Heat`.
+    """Heat flux per unit pressure, Q_f, of both bodies: the argument `factor` of `Heat`.
 
     Parameters
     ----------
     friction : float
         Coefficient of friction mu >= 0 [-].
     speed : float
-        Speed of sliding of the surfaces over each other [m/s], >= 0.
+        Sliding speed [m/s], >= 0.
     partition : float, optional
-        Share beta of the heat that enters body 2, in [0, 1]; see `partition`.
+        Fraction beta of the heat that enters body 2, in [0, 1]; see `partition`.
 
     Returns
     -------
@@ -189,23 +189,23 @@ def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[floa
 def partition(
     body1: Material, body2: Material, radius: float, velocity1: float = 0.0, velocity2: float = 0.0
 ) -> float:
-    """Share of the heat that enters body 2, so that both are equally hot at most.
+    """Heat partition coefficient for equal maximum temperatures: fraction that enters body 2.
 
     Parameters
     ----------
     body1, body2 : Material
-        With thermal constants.
+        Materials with thermal constants.
     radius : float
-        Of the contact [m].
+        Contact radius [m].
     velocity1, velocity2 : float, optional
         Speed of each body through the contact [m/s].
 
     Returns
     -------
     float
-        beta in (0, 1): the maximum of a parabolic source is taken as proportional to
-        1/(k sqrt(1.273 + Pe)), Pe = V a/(2 kappa). X. Tian, F. E. Kennedy, J. Tribol. 116 (1994)
-        167-174, doi:10.1115/1.2927035; without motion Charron's k2/(k1 + k2).
+        beta in (0, 1). The maximum temperature of a parabolic source is taken as proportional to
+        1/(k sqrt(1.273 + Pe)), Pe = V a/(2 kappa): X. Tian, F. E. Kennedy, J. Tribol. 116 (1994)
+        167-174, doi:10.1115/1.2927035. Without motion it is Charron's k2/(k1 + k2).
 
     Raises
     ------
@@ -218,7 +218,7 @@ def partition(
         if not hasattr(body, "thermal"):
             raise TypeError(f"{name} must be a samcontact.Material, got {in_short(body)}")
         if body.thermal is None:
-            raise ValueError(f"{name} has no thermal constants: give them with with_thermal()")
+            raise ValueError(f"{name} must have thermal constants: set them with with_thermal()")
         conductivity, _, diffusivity = body.thermal
         speed = abs(finite(name.replace("body", "velocity"), velocity))
         taken.append(conductivity * math.sqrt(1.273 + speed * radius / (2.0 * diffusivity)))

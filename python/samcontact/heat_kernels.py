@@ -2,20 +2,20 @@
 """Influence coefficients of one rectangle of uniform heat flux on a half-space.
 
 The flux flows into the body; the rest of the surface is insulated. All results are per unit flux
-q [W/m^2]. Heat leads to temperature and, by thermal expansion of the free half-space, to stress
+q [W/m^2]. Heat causes a temperature rise and, by thermal expansion of the free half-space, stress
 and displacement (quasi-static, uncoupled).
 
 x, y (X, Y) are field point minus centre of the rectangle, whose HALF sizes are a and b [m]; they
 are fixed to the source. z >= 0 [m] is into the body. The `velocity` (Vx, Vy) [m/s] is that of the
-body relative to the source: the hot wake lies on its side. Stress is positive in tension,
+body relative to the source: the hot wake lies downstream. Stress is positive in tension,
 components xx, yy, zz, yz, xz, xy; u_z is positive into the body, so heated surfaces bulge to
 negative u_z.
 
 conductivity k [W/(m K)], diffusivity kappa [m^2/s], expansion alpha [1/K], Young's modulus E [Pa].
 
-The functions called `steady_...` are closed forms for a steady source at rest, at any points;
-arrays broadcast. The others make tables over all pairs of x and y. They add Gaussians of all
-widths, f_a(x) f_b(y), so that a table costs little more than its points (docs/theory/heat.md).
+The functions `steady_...` are closed forms for a steady source at rest, at arbitrary points; arrays
+broadcast. The others tabulate all pairs of x and y. They sum Gaussians of all widths,
+f_a(x) f_b(y), so that a table costs little more than its points (docs/theory/heat.md).
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ Velocity = tuple[float, float]
 def steady_temperature(
     X: ArrayLike, Y: ArrayLike, z: ArrayLike, a: float, b: float, *, conductivity: float
 ) -> FloatArray:
-    """Rise of temperature [K m^2/W] in the steady state, source at rest; shape of X.
+    """Temperature rise [K m^2/W] in the steady state, source at rest; shape of X.
 
     Raises ValueError for non-finite points, z < 0, sizes or conductivity <= 0. Carslaw & Jaeger
     (1959), section 10.5.
@@ -71,8 +71,8 @@ def steady_stress(
 ) -> FloatArray:
     """Stress [Pa m^2/W] in the steady state, source at rest, shape (6, ...).
 
-    It is plane: zz, yz and xz vanish everywhere, and xx + yy = -E alpha T. Poisson's ratio has no
-    influence. Raises ValueError as `steady_temperature`. Sternberg & McDowell (1957).
+    Plane stress: zz, yz and xz vanish everywhere, and xx + yy = -E alpha T. Poisson's ratio has no
+    influence. Raises ValueError like `steady_temperature`. Sternberg & McDowell (1957).
     """
     (x, y, depth), shape = _points(X, Y, z)
     a, b = _sizes(a=a, b=b)
@@ -94,11 +94,11 @@ def steady_displacement(
     conductivity: float,
     r0: float,
 ) -> FloatArray:
-    """u_z [m^3/W] of the surface in the steady state, source at rest; shape of X.
+    """Surface displacement u_z [m^3/W] in the steady state, source at rest; shape of X.
 
-    It grows as the logarithm of the distance: only differences have a meaning, and `r0` [m] is the
-    distance at which the displacement of a point source is called zero. A source that has been on
-    since t looks like r0 = 4 exp(-(1 + gamma)/2) sqrt(kappa t) = 1.818 sqrt(kappa t) near it (gamma
+    It grows with the logarithm of the distance, so only differences are meaningful; `r0` [m] is the
+    distance at which the displacement of a point source is defined as zero. Near a source that has
+    been on for a time t, r0 = 4 exp(-(1 + gamma)/2) sqrt(kappa t) = 1.818 sqrt(kappa t) (gamma:
     Euler's constant). Johnson (1985), section 12.2; Boucly (2008), eqs (2.53)-(2.60).
     """
     (x, y), shape = _points(X, Y)
@@ -120,30 +120,30 @@ def temperature(
     velocity: Velocity = (0.0, 0.0),
     tol: float = 1e-6,
 ) -> FloatArray:
-    """Rise of temperature [K m^2/W] at one depth, table (len(x), len(y)).
+    """Temperature rise [K m^2/W] at one depth, table (len(x), len(y)).
 
     Parameters
     ----------
     x, y : array_like, shapes (nx,), (ny,)
-        Offsets [m] in any order. Even in x if velocity[0] is 0, in y if velocity[1] is 0: then
-        offsets >= 0 tell everything.
+        Offsets [m] in any order. The result is even in x if velocity[0] is 0, in y if velocity[1]
+        is 0: offsets >= 0 then suffice.
     z : float
         Depth [m], >= 0.
     a, b : float
-        Sides of the uniformly heated rectangle along x and y [m].
+        Half-sides of the uniformly heated rectangle along x and y [m].
     time : float
-        [s] since the source was switched on; inf, the default, is the steady state.
+        Time since the source was switched on [s]; inf, the default, is the steady state.
     tol : float
-        In [1e-12, 1e-2]: the error stays below it times the largest value of the table, and
-        usually far below. Points far away keep several digits of their own.
+        Tolerance relative to the maximum of the table, in [1e-12, 1e-2]; the error is usually far
+        below it. Values far away are accurate to several digits of their own.
 
     Raises
     ------
     ValueError
-        With name, value and allowed range, for negative times or depths, sizes, conductivity or
-        diffusivity <= 0, numbers that are not finite, and speeds at which the body crosses the
-        table's extent L in less than 1e-7 of its diffusion time L^2/kappa. The work grows with V
-        L/kappa; near the limit a table of displacements takes seconds.
+        Times or depths are negative, sizes, conductivity or diffusivity are <= 0, numbers are not
+        finite, or the speed is so high that the body crosses the extent L of the table in less than
+        1e-7 of its diffusion time L^2/kappa. The work is proportional to V L/kappa; near the limit
+        a table of displacements takes seconds.
 
     Notes
     -----
@@ -172,10 +172,10 @@ def displacement(
     velocity: Velocity = (0.0, 0.0),
     tol: float = 1e-6,
 ) -> FloatArray:
-    """u_z [m^3/W] of the surface, table (len(x), len(y)), zero far away.
+    """Surface displacement u_z [m^3/W], table (len(x), len(y)), zero far away.
 
-    Parameters and symmetry as in `temperature`. Raises ValueError also for a source at rest with
-    time = inf: that displacement has no limit far away, see `steady_displacement`.
+    Parameters and symmetry as in `temperature`. Also raises ValueError for a source at rest with
+    time = inf, whose displacement has no limit far away; see `steady_displacement`.
 
     Notes
     -----
@@ -185,8 +185,8 @@ def displacement(
     scale = _distortion(nu, expansion, conductivity)
     if math.isinf(table.time) and table.speed == (0.0, 0.0):
         raise ValueError(
-            f"time must be finite for a source at rest, got {table.time!r}; "
-            "steady_displacement gives the steady state"
+            f"time must be finite for a source at rest, got {table.time!r}: use "
+            "steady_displacement for the steady state"
         )
     values = _core.kernels.heat_displacement(table.x, table.y, table.a, table.b, *table.history)
     bulge: FloatArray = table.expand(values)[0] * scale
@@ -211,9 +211,9 @@ def stress(
 ) -> FloatArray:
     """Stress [Pa m^2/W] at one depth, table (6, len(x), len(y)).
 
-    Parameters and errors as in `temperature`, the tolerance being relative to the largest component
-    in the table. zz, yz and xz vanish at the surface and for a steady source at rest. xz is odd
-    in x, yz odd in y, xy odd in both, as far as the temperature is even.
+    Parameters and errors as in `temperature`, with the tolerance relative to the largest component
+    in the table. zz, yz and xz vanish at the surface and for a steady source at rest. Where the
+    temperature is even, xz is odd in x, yz odd in y, and xy odd in both.
 
     Notes
     -----
@@ -229,7 +229,7 @@ def stress(
 
 
 def _distortion(nu: float, expansion: float, conductivity: float) -> float:
-    """alpha (1 + nu)/k [m/W]."""
+    """Distortion alpha (1 + nu)/k [m/W]."""
     nu = _constants(1.0, nu)[1]
     return finite("expansion", expansion) * (1 + nu) / positive("conductivity", conductivity)
 
@@ -244,7 +244,7 @@ def _offsets(name: str, value: ArrayLike) -> tuple[FloatArray, Any]:
 
 
 class _Table:
-    """Checked arguments that all tables share, as the core takes them."""
+    """Checked arguments shared by all tables, in the form required by the core."""
 
     def __init__(
         self,
@@ -291,6 +291,6 @@ class _Table:
             )
 
     def expand(self, values: FloatArray) -> FloatArray:
-        """The table in the order of the user's offsets."""
+        """Return the table in the order of the user's offsets."""
         expanded: FloatArray = values[:, self._rows[:, None], self._columns]
         return expanded

@@ -83,7 +83,7 @@ def shear_displacement(
 ) -> FloatArray:
     """Displacement of the surface [m] per unit shear [Pa] on a rectangle; shape of X.
 
-    The shear acts on the body in +x or +y, which `along` says; the displacement is that along
+    The shear acts on the body along +x or +y, given by `along`; the displacement is along
     `axis`: "x", "y" or "z". Cerruti (1882); Johnson (1985), section 3.6, integrated.
     """
     return _displacement(_shear(along), axis, X, Y, a, b, E, nu)
@@ -137,7 +137,7 @@ def eigenstrain_displacement(
     """Displacement of the surface [m] per unit eigenstrain component of a cuboid, shape (6, ...).
 
     Along `axis`: "z", into the body, "x" or "y". zc is the depth of the cuboid's centre; a shear
-    component counts once (with its transpose). Raises ValueError when the cuboid sticks out of the
+    component counts once (with its transpose). Raises ValueError if the cuboid extends beyond the
     half-space. u_z: Boucly (2008), eqs (2.64)-(2.71), corrected, with the term of the trace; u_x
     and u_y by reciprocity, docs/theory/half_space.md.
     """
@@ -162,8 +162,8 @@ def eigenstrain_stress(
 ) -> FloatArray:
     """Stress [Pa] per unit eigenstrain of a cuboid, shape (6, 6, ...): [stress, strain] component.
 
-    Inside the cuboid the eigenstrain's own part is subtracted. Mindlin's half-space solution
-    integrated in closed form; docs/theory/half_space.md.
+    Inside the cuboid the stress of the eigenstrain itself is subtracted. Mindlin's half-space
+    solution integrated in closed form; docs/theory/half_space.md.
     """
     (x, y, depth), shape = _points(X, Y, z)
     a, b, c = _sizes(a=a, b=b, c=c)

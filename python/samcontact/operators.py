@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Linear operators of one half-space on a grid: what maps a field to a field.
+"""Linear operators of a half-space that map fields on a grid to stress or displacement.
 
-Each call builds its kernels for one use; `ContactSolver` and `Simulation` keep theirs.
+Each call builds its kernels for a single use; `ContactSolver` and `Simulation` cache theirs.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ __all__ = ["residual_displacement", "residual_stress", "surface_displacement", "
 def _require_volume(grid: Grid) -> None:
     require_type("grid", grid, Grid)
     if grid.nz == 0:
-        raise ValueError("grid.nz must be > 0 for fields below the surface, got 0")
+        raise ValueError("grid.nz must be > 0 for volume fields, got 0")
 
 
 def surface_displacement(
@@ -48,13 +48,13 @@ def surface_displacement(
     ----------
     grid : Grid
     pressure : array_like, shape (nx, ny)
-        [Pa], positive in compression.
+        Contact pressure [Pa], positive in compression.
     E, nu : float
         Young's modulus [Pa], Poisson's ratio.
     shear : array_like, shape (nx, ny) or (2, nx, ny), optional
-        Shear s_x, or (s_x, s_y), acting on the body [Pa].
+        Shear traction s_x, or (s_x, s_y), acting on the body [Pa].
     axis : {"x", "y", "z"}, optional
-        `ContactSolver.displacement` gives all three.
+        Axis of the displacement; `ContactSolver.displacement` gives all three components.
 
     Notes
     -----
@@ -81,13 +81,13 @@ def surface_stress(
     ----------
     grid : Grid
     pressure : array_like, shape (nx, ny)
-        [Pa].
+        Contact pressure [Pa].
     z : array_like, shape (m,) or scalar
         Depths [m], >= 0.
     nu : float
         Poisson's ratio in [0, 0.5).
     shear : array_like, shape (nx, ny) or (2, nx, ny), optional
-        Shear s_x, or (s_x, s_y), acting on the body [Pa].
+        Shear traction s_x, or (s_x, s_y), acting on the body [Pa].
 
     Notes
     -----
@@ -115,22 +115,22 @@ def residual_stress(
     method: str = "exact",
     image_tol: float = Settings.image_tol,
 ) -> FloatArray:
-    """Stress [Pa] of an eigenstrain (plastic strain) field, shape (6, nx, ny, nz).
+    """Stress [Pa] due to an eigenstrain (plastic strain) field, shape (6, nx, ny, nz).
 
     Parameters
     ----------
     grid : Grid
-        With layers (dz).
+        Grid with layers (dz).
     strain : array_like, shape (6, nx, ny, nz)
         Any symmetric strain, tensor components xx, yy, zz, yz, xz, xy, uniform in each cell.
     E, nu : float
     method : {"exact", "fast"}, optional
         "exact": influence coefficients of cuboids in a half-space (Mindlin's solution integrated
         in closed form), at the cell centres. "fast": the strain is band-limited in the plane and
-        uniform in each layer, the stress its mean over each layer; for smooth fields, in time and
-        memory proportional to the cells. docs/theory/residual_stress.md has both.
+        uniform in each layer, the stress is averaged over each layer; for smooth fields, with time
+        and memory proportional to the cells. docs/theory/residual_stress.md describes both.
     image_tol : float, optional
-        With "fast": error due to the periodicity of the transforms, relative to the largest
+        With "fast": error due to the periodicity of the transforms, relative to the maximum
         stress; in [1e-6, 0.1].
     """
     _require_volume(grid)
@@ -149,17 +149,17 @@ def residual_stress(
 def residual_displacement(
     grid: Grid, strain: ArrayLike, nu: float, *, axis: str = "z"
 ) -> FloatArray:
-    """Surface displacement along an axis [m] of an eigenstrain field, shape (nx, ny).
+    """Surface displacement [m] due to an eigenstrain field, shape (nx, ny).
 
     Parameters
     ----------
     grid : Grid
-        With layers (dz).
+        Grid with layers (dz).
     strain : array_like, shape (6, nx, ny, nz)
         As in `residual_stress`.
     nu : float
     axis : {"x", "y", "z"}, optional
-        u_z is positive into the body. Periodic surfaces: the body is at rest far below.
+        Axis; u_z is positive into the body. Periodic surfaces: relative to the body far below.
 
     Notes
     -----

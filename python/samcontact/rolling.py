@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rolling with creepage: the steady state of elastic bodies that roll over each other."""
+"""Steady rolling of elastic bodies with creepage."""
 
 from __future__ import annotations
 
@@ -41,41 +41,41 @@ def steady(
     on_border: str = ContactSettings.on_border,
     max_iterations: int = ContactSettings.max_iterations,
 ) -> RollingSolution:
-    """Solve the steady state of a contact that rolls towards +x.
+    """Solve the contact in steady rolling towards +x.
 
-    It is the end of a history of `ContactSolver.solve` with advance = -d (1, 1) and the slip
-    d (xi - phi y, eta + phi x) in each step of d, to the tolerance where d is a cell.
+    To the tolerance, it is the limit of a sequence of `ContactSolver.solve` with
+    advance = -d (1, 1) and the slip d (xi - phi y, eta + phi x) per step d of one cell.
 
     Parameters
     ----------
     grid : Grid
-        Not periodic along x. `periodic="y"`: rollers in plane strain; without it a grid of one
-        row of cells is a strip of the width dy.
+        Grid not periodic along x. `periodic="y"`: rollers in plane strain; without it, one row of
+        cells is a strip of width dy.
     body1, body2 : Material
-        Upper and lower body; at most one is rigid. Plastic materials act elastically here.
+        Upper and lower body; at most one is rigid. Plastic materials are treated as elastic.
     gap : array_like, shape (nx, ny), or callable
         Initial separation [m], or a function of a grid that returns it, as in `ContactSolver`.
     load : float
-        Total load [N], >= 0; or
+        Normal load [N], >= 0.
     approach : float
-        Rigid-body approach [m]; exactly one of the two.
+        Rigid-body approach [m]. Exactly one of load and approach must be given.
     friction : Coulomb
-        `Coulomb(math.inf)`: no slip, Kalker's linear theory.
+        Friction law; `Coulomb(math.inf)`: no slip, Kalker's linear theory.
     creepage : pair of float, optional
-        xi, eta: rigid slip of body 1 over body 2 along x and y per way rolled [-]. None in place of
-        a number, or of both, leaves that direction to `tangential_load`.
+        xi, eta: rigid slip of body 1 relative to body 2 along x and y, per distance rolled [-].
+        `None` for a component, or for both, leaves that direction to `tangential_load`.
     spin : float, optional
-        phi: turn of body 1 over body 2 about z at the origin per way rolled [1/m], not on a
-        periodic grid; or
+        phi: rotation of body 1 relative to body 2 about z at the origin, per distance rolled
+        [1/m]. Not on a periodic grid. Mutually exclusive with `torque`.
     tangential_load : pair of float, optional
-        Force on body 2 along x and y [N], its length less than mu times the load;
+        Force on body 2 along x and y [N], smaller than mu times the load.
     torque : float, optional
-        The moment on body 2 [N m]. A direction of which nothing is told has no creepage.
+        Moment about z on body 2 [N m]. A direction without prescribed value has no creepage.
     start : RollingSolution, optional
-        One of similar creepages or forces, from which the iteration starts.
+        Solution for similar creepages or forces, as initial guess of the iteration.
     tol, on_border, max_iterations
-        As in `ContactSolver`; tol also bounds the error of the shear, and that of given forces
-        over the largest ones.
+        As in `ContactSolver`; tol also bounds the error of the shear, and that of prescribed forces
+        relative to the maximum forces.
 
     Returns
     -------
@@ -84,14 +84,14 @@ def steady(
     Raises
     ------
     ValueError, TypeError
-        Bad arguments, forces beyond what friction holds, as for `ContactSolver.solve`.
+        Invalid arguments or forces above the friction limit, as for `ContactSolver.solve`.
     ConvergenceError
         With .iterations and .residual.
 
     Notes
     -----
-    J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, in steps of one cell:
-    the error is in proportion to the cell. See the theory page for the iteration.
+    J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, with steps of one
+    cell: the error is proportional to the cell size. See the theory page for the iteration.
     """
     require_type("grid", grid, Grid)
     sticking_law(friction)
@@ -117,23 +117,23 @@ def steady(
 
 
 def _require_rolling(grid: Grid, spin: float | None, torque: float | None) -> None:
-    """Raise ValueError where the grid has no steady rolling along x, or no turn about z."""
+    """Raise ValueError if the grid does not allow steady rolling along x, or rotation about z."""
     if grid.along_x:
         raise ValueError(
-            f"grid.periodic must be '' or 'y' (plane strain), got {grid.periodic!r}: a contact "
-            "rolls along x onto material that has not been in it"
+            f"grid.periodic must be '' or 'y' (plane strain), got {grid.periodic!r}: steady "
+            "rolling along x requires undeformed material ahead of the contact"
         )
     for name, value in (("spin", spin), ("torque", torque)):
         if value is not None and grid.along_y and (value != 0 or name == "torque"):
             raise ValueError(
-                f"{name} must be left out with grid.periodic = {grid.periodic!r}, got {value!r}: a "
-                "surface that repeats along y cannot turn about z"
+                f"{name} must be None with grid.periodic = {grid.periodic!r}, got {value!r}: a "
+                "surface periodic along y cannot rotate about z"
             )
 
 
 @dataclass(frozen=True)
 class _Rolling:
-    """Drives a contact that rolls steadily."""
+    """Drive of a contact in steady rolling."""
 
     given: GivenAlong
     friction: FrictionLaw
@@ -147,7 +147,7 @@ class _Rolling:
         start: FloatArray | None,
         settings: Settings,
     ) -> tuple[ContactSolution, str]:
-        """The solution, and what is to be said of the border."""
+        """Return the solution and a message about the edge of the grid."""
         shear, creepage = None, (0.0, 0.0, 0.0)
         if self.previous is not None:
             start, shear, *_ = before_on(self.previous, grid, "start")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Thermal softening: the factor of the yield stress at a rise of temperature."""
+"""Thermal softening: factor on the yield stress as a function of the temperature rise."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ __all__ = ["JohnsonCook"]
 
 @dataclass(frozen=True)
 class JohnsonCook:
-    """Factor 1 - ((T - reference)/(melting - reference))^m of the yield stress.
+    """Johnson-Cook factor 1 - ((T - reference)/(melting - reference))^m on the yield stress.
 
-    T is the ambient temperature plus the rise; below the reference the factor is 1.
+    T is the ambient temperature plus the temperature rise; below the reference the factor is 1.
     G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics (1983) 541-547.
 
     Parameters
     ----------
     melting : float
-        Temperature at which no strength is left [K].
+        Temperature at which the yield stress vanishes [K].
     m : float
         Exponent, > 0 [-].
     reference : float, optional
-        Temperature up to which nothing softens [K].
+        Temperature up to which there is no softening [K].
     ambient : float, optional
-        Temperature of the bodies without heat [K].
+        Temperature of the unheated bodies [K].
     floor : float, optional
-        Smallest factor, in (0, 1]: what would be molten keeps this much.
+        Minimum factor, in (0, 1], kept at and above the melting temperature.
 
     Raises
     ------
@@ -57,7 +57,7 @@ class JohnsonCook:
             raise ValueError(f"floor must be in (0, 1], got {self.floor!r}")
 
     def __call__(self, rise: ArrayLike) -> FloatArray:
-        """Factor of the yield stress [-] at a rise of temperature [K], any shape."""
+        """Return the factor on the yield stress [-] at a temperature rise [K] of any shape."""
         T = self.ambient + finite_array("rise", rise)
         homologous = np.clip((T - self.reference) / (self.melting - self.reference), 0.0, 1.0)
         return np.maximum(1.0 - homologous**self.m, self.floor)

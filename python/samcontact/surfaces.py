@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Initial gaps between the two undeformed surfaces, shape (nx, ny), in metres.
+"""Initial gaps between two undeformed surfaces, shape (nx, ny), in metres.
 
-Every function takes a grid (anything with nx, ny, dx, dy, x, y). Contributions add up: a rough
+Every function takes a grid (any object with nx, ny, dx, dy, x, y). Contributions add up: a rough
 ball is ``paraboloid(grid, R) + sinusoidal(grid, ...)``.
 """
 
@@ -29,7 +29,7 @@ __all__ = [
 
 
 class SurfaceGrid(Protocol):
-    """The surface part of `samcontact.Grid`."""
+    """Surface attributes of `samcontact.Grid`."""
 
     @property
     def nx(self) -> int: ...
@@ -46,7 +46,7 @@ class SurfaceGrid(Protocol):
 
 
 def require_surface(grid: SurfaceGrid) -> None:
-    """Raise TypeError for what has no cells of a surface."""
+    """Raise TypeError for an object without surface cells."""
     if not all(hasattr(grid, name) for name in ("nx", "ny", "dx", "dy", "x", "y")):
         raise TypeError(f"grid must be a samcontact.Grid, got {in_short(grid)}")
 
@@ -68,9 +68,9 @@ def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatAr
     Parameters
     ----------
     grid : Grid
-        Where the gap is wanted.
+        Grid on which the gap is evaluated.
     Rx, Ry : float
-        Radii of curvature in the planes y = 0 and x = 0 [m]; inf is straight. Ry defaults to Rx.
+        Radii of curvature in the planes y = 0 and x = 0 [m]; inf: straight. Default of Ry: Rx.
 
     Returns
     -------
@@ -95,13 +95,11 @@ def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatAr
 
 
 def _circular(r2: FloatArray, R: float) -> FloatArray:
-    """R - sqrt(R^2 - r^2) without cancellation."""
+    """Evaluate R - sqrt(R^2 - r^2) without cancellation."""
     if R > 1e150:
-        raise ValueError(f"R must be at most 1e150 m, or inf for a paraboloid, got {R!r}")
+        raise ValueError(f"R must be <= 1e150 m, or inf for a paraboloid, got {R!r}")
     if np.max(r2) > R**2:
-        raise ValueError(
-            f"R must be at least {np.sqrt(np.max(r2)):.6g}, the reach of the grid, got {R!r}"
-        )
+        raise ValueError(f"R must be >= {np.sqrt(np.max(r2)):.6g} to cover the grid, got {R!r}")
     return np.asarray(r2 / (R + np.sqrt(R**2 - r2)), dtype=np.float64)
 
 
@@ -111,7 +109,7 @@ def sphere(grid: SurfaceGrid, R: float) -> FloatArray:
     Parameters
     ----------
     grid : Grid
-        Where the gap is wanted.
+        Grid on which the gap is evaluated.
     R : float
         Radius [m].
 
@@ -123,7 +121,7 @@ def sphere(grid: SurfaceGrid, R: float) -> FloatArray:
     Raises
     ------
     ValueError
-        R is not finite and positive, or the grid reaches beyond the sphere.
+        R is not finite and positive, or the grid extends beyond the sphere.
     """
     x, y = _coordinates(grid)
     return _circular(x**2 + y**2, positive("R", R))
@@ -135,11 +133,11 @@ def cylinder(grid: SurfaceGrid, R: float, axis: str = "y") -> FloatArray:
     Parameters
     ----------
     grid : Grid
-        Where the gap is wanted.
+        Grid on which the gap is evaluated.
     R : float
         Radius [m].
     axis : {"y", "x"}
-        Direction of its axis. (The parabolic form is ``paraboloid(grid, R, math.inf)``.)
+        Direction of the axis. The parabolic form is ``paraboloid(grid, R, math.inf)``.
 
     Returns
     -------
@@ -149,7 +147,7 @@ def cylinder(grid: SurfaceGrid, R: float, axis: str = "y") -> FloatArray:
     Raises
     ------
     ValueError
-        R is not finite and positive, the grid reaches beyond it, or the axis is unknown.
+        R is not finite and positive, the grid extends beyond the cylinder, or the axis is unknown.
     """
     choice("axis", axis, ("y", "x"))
     x, y = _coordinates(grid)
@@ -165,7 +163,7 @@ def sinusoidal(
     Parameters
     ----------
     grid : Grid
-        Where the gap is wanted.
+        Grid on which the gap is evaluated.
     amplitude : float
         A [m], >= 0.
     wavelength_x, wavelength_y : float
@@ -205,12 +203,12 @@ def from_heights(
     Parameters
     ----------
     grid : Grid
-        Where the gap is wanted.
+        Grid on which the gap is evaluated.
     heights_lower : array_like, shape (nx, ny)
-        Heights of the lower surface (body 2) [m], upwards, out of body 2; -inf where there is none.
+        Heights of the lower surface (body 2) [m], upwards, out of body 2; -inf: no surface.
     heights_upper : array_like, shape (nx, ny), optional
-        Heights of the upper surface (body 1) [m], upwards, into body 1; +inf where there is none.
-        Flat by default.
+        Heights of the upper surface (body 1) [m], upwards, into body 1; +inf: no surface.
+        Default: flat.
 
     Returns
     -------
@@ -220,7 +218,7 @@ def from_heights(
     Raises
     ------
     ValueError
-        Wrong shape, NaN or an infinity of the other sign, or no cell in which both bodies are.
+        Wrong shape, NaN or an infinity of the wrong sign, or no cell that belongs to both bodies.
     """
     require_surface(grid)
     shape = (grid.nx, grid.ny)
@@ -228,7 +226,7 @@ def from_heights(
     if heights_upper is not None:
         gap = gap + gap_array("heights_upper", heights_upper, shape)
     if not np.isfinite(gap).any():
-        raise ValueError("heights_lower and heights_upper must both be finite in some cell")
+        raise ValueError("heights_lower and heights_upper must both be finite in at least one cell")
     return np.asarray(gap - gap.min(), dtype=np.float64)
 
 
@@ -244,7 +242,7 @@ def rough_self_affine(
 ) -> FloatArray:
     """Isotropic self-affine random roughness, periodic over the grid, to be added to a gap.
 
-    White Gaussian noise is filtered so that the power spectral density falls as
+    White Gaussian noise is filtered so that the power spectral density decreases as
     q^(-2 (1 + hurst)) between the roll-off and the short cut-off, is constant from the long
     cut-off to the roll-off, and zero elsewhere (Persson et al. 2005,
     doi:10.1088/0953-8984/17/1/R01).
@@ -252,15 +250,15 @@ def rough_self_affine(
     Parameters
     ----------
     grid : Grid
-        Where the gap is wanted.
+        Grid on which the gap is evaluated.
     rms_height : float
-        Root mean square height of this realisation [m].
+        Root-mean-square height of the generated surface [m].
     hurst : float
         Hurst exponent, in [0, 1] [-].
     wavelength_min, wavelength_max : float, optional
-        Cut-offs [m]; by default two cells and the longer side of the grid.
+        Cut-off wavelengths [m]. Default: two cells, and the longer side of the grid.
     roll_off : float, optional
-        Wavelength of the roll-off [m], between the cut-offs; `wavelength_max` by default.
+        Wavelength of the roll-off [m], between the cut-offs. Default: `wavelength_max`.
     seed : int
         Seed of `numpy.random.default_rng`: equal seeds give equal surfaces.
 
@@ -274,7 +272,7 @@ def rough_self_affine(
     ValueError
         An argument is outside its range, or no wave of the grid lies between the cut-offs.
     MemoryError
-        The grid needs more memory than is available; so for all surfaces.
+        The grid requires more memory than is available. This applies to all surfaces.
     """
     rms_height = non_negative("rms_height", rms_height)
     if not 0.0 <= number("hurst", hurst) <= 1.0:
@@ -301,8 +299,8 @@ def rough_self_affine(
     inside = (q >= (1.0 - 1e-9) / high) & (q <= (1.0 + 1e-9) / low) & (q > 0.0)
     if not inside.any():
         raise ValueError(
-            f"no wave of the grid lies between wavelength_min = {low!r} and "
-            f"wavelength_max = {high!r}"
+            f"wavelength_min = {low!r} and wavelength_max = {high!r} must enclose at least one "
+            "Fourier mode of the grid"
         )
     filter_ = np.zeros_like(q)
     filter_[inside] = np.maximum(q[inside] * middle, 1.0) ** -(1.0 + float(hurst))

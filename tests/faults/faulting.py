@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of faults share: how many trials each makes, and processes to disturb."""
+"""Shared tools of the fault tests: number of trials, and processes to disturb."""
 
 import contextlib
 import os
@@ -46,7 +46,7 @@ def start(script, *arguments, **options):
 
 
 def finished(script, *arguments):
-    """What a process prints that must end well."""
+    """Output of a process that must end well."""
     process = start(script, *arguments)
     output, errors = process.communicate()
     assert process.returncode == 0, errors

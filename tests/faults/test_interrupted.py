@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ctrl-C at any time: obeyed, and nothing is lost but the increment under way."""
+"""Ctrl-C at any time is obeyed, and only the current increment is lost."""
 
 import random
 import signal

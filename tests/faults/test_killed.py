@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Processes that are killed at any time go on from their files to the same bits."""
+"""Processes killed at any time resume from their files with bit-identical results."""
 
 import contextlib
 import random

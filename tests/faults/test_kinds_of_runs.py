@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every kind of run goes on to the same bits, whatever ended it, and one at a time in a folder."""
+"""Every kind of run resumes with bit-identical results, with one run at a time per folder."""
 
 import contextlib
 import random
@@ -54,7 +54,7 @@ def test_full_disk(whole, nursery, tmp_path):
 
 
 def test_not_enough_memory(whole, nursery, tmp_path):
-    """It is told before it is taken; what there is then goes on to the same bits."""
+    """The folder is reported before it is used; its contents resume with bit-identical results."""
     kind, digest, *_, most = whole
     # A search goes around loads whose runs do not fit, and tells it when none does.
     there = 0.0 if kind == "found load" else 0.99 * most

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What does not fit into memory is refused before it is tried, and the estimates are right."""
+"""Runs that exceed memory are refused in advance, and the memory estimates are correct."""
 
 import contextlib
 import os
@@ -200,7 +200,7 @@ def test_fields_are_refused(name, monkeypatch):
 
 
 def test_a_plastic_zone_is_refused_and_the_state_stays(monkeypatch):
-    """Its size is known only on the way; the core asks before it takes the memory."""
+    """Its size is known only during the solve; the core checks before allocation."""
 
     def scene():
         grid = sc.Grid(81, 81, 18e-6, 18e-6, 60, 18e-6)
@@ -275,7 +275,7 @@ path = [{load = 600.0, increments = 3}, {load = 0.0, increments = 1}]
 @pytest.mark.skipif(sys.platform != "linux", reason="limits the address space")
 @pytest.mark.parametrize("megabytes", [300, 480])
 def test_a_run_in_little_address_space_is_refused_at_once(megabytes, tmp_path):
-    """OpenBLAS, when it was loaded after the solve, asked for memory for ever; HDF5 crashed."""
+    """OpenBLAS loaded after the solve requested memory without end; HDF5 crashed."""
     (tmp_path / "case.toml").write_text(SMALL_CASE)
     limited = (
         f"import resource; resource.setrlimit(resource.RLIMIT_AS, ({megabytes} << 20,) * 2)\n"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command, stopped during an increment and after the last one, goes on to the same bits."""
+"""A command stopped during or after an increment resumes with bit-identical results."""
 
 import contextlib
 import hashlib

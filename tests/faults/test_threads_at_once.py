@@ -15,7 +15,7 @@ GAP = sc.surfaces.paraboloid(GRID, 7.5e-3)
 
 
 def solve(folder, number):
-    """One scene of three kinds, whose files are read and written meanwhile."""
+    """One problem in three kinds of runs, whose files are read and written meanwhile."""
     load = 700.0 + 50.0 * number
     sim = sc.Simulation(GRID, ELASTIC, STEEL, GAP, residual_stress=("fast", "exact")[number % 2])
     sim.step(load=load)

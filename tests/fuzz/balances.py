@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What holds for any increment of any scene: finite, in balance, within the laws."""
+"""Conditions on any increment of any problem: finite, in balance, within the laws."""
 
 import math
 
@@ -101,7 +101,7 @@ def assert_body(simulation, before, state, body, material):
 
 
 def assert_planes_in_balance(state, body, stress):
-    """Over a whole period each plane carries what the surface does."""
+    """Over a whole period each plane carries the surface tractions."""
     p = state.pressure
     mean, scale = stress.mean(axis=(1, 2)), p.mean() + np.abs(stress).max()
     pull = (-1 if body == 1 else 1) * state.shear.mean(axis=(1, 2))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ways to damage a file: bytes that flip or are lost, and parts of HDF5 that are other ones."""
+"""Damage to files: flipped or lost bytes, and exchanged parts of HDF5 files."""
 
 import h5py
 import numpy as np

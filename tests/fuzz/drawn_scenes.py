@@ -22,7 +22,7 @@ def chance(draw, share):
 
 
 class Scene:
-    """What the parts of a case are drawn from: its radius, the spot it makes, and its cells."""
+    """Sizes from which the parts of a case are drawn: radius, contact spot, cells."""
 
     def __init__(self, seed):
         self.draw = draw = np.random.default_rng(seed)
@@ -97,7 +97,7 @@ class Scene:
         return body
 
     def layer(self, inelastic):
-        """From 1/50 to 50 times as stiff; where something yields, of whole cells."""
+        """Layers from 1/50 to 50 times as stiff; whole cells thick if they yield."""
         draw = self.draw
         layer = self.elastic()
         if inelastic and chance(draw, 0.5):

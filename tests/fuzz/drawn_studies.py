@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Studies of drawn scenes: rolling, wear by slip, cycles to shakedown, fatigue, accuracy."""
+"""Random studies: rolling, wear by slip, shakedown cycles, fatigue, accuracy."""
 
 import math
 import warnings
@@ -14,7 +14,7 @@ from samcontact.cases import Case
 
 
 def drawn_ball(seed, inelastic=False):
-    """A ball of a drawn size on a grid that holds its contact; who may be alike."""
+    """A ball of random size on a grid that contains its contact; bodies may be identical."""
     scene = Scene(seed)
     cells = int(scene.draw.integers(9, 14))
     layers = {"dz": scene.size} if inelastic else {}

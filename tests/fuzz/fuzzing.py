@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the fuzz tests share: how many inputs each tries, and how it tries them."""
+"""Shared tools of the fuzz tests: number of inputs, and how they are tried."""
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -51,7 +51,7 @@ def try_all(check, count, **strategies):
 
 
 def unless_refused(call, kind, text=""):
-    """What the call returns; None where it raises an error of this kind with this text."""
+    """Result of a call; None if it raises an error of this kind with this text."""
     try:
         return call()
     except kind as error:

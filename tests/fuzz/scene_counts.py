@@ -23,7 +23,7 @@ OUTCOMES = ("solved", "border", "convergence", "unbounded flow", "parts", "heat 
 
 
 def laws(case):
-    """Of both bodies and their layers."""
+    """Materials of both bodies and their layers."""
     bodies = [case["body1"], case["body2"]]
     return {part["law"] for body in bodies for part in (body, *body.get("layers", []))}
 
@@ -54,7 +54,7 @@ KINDS = {
 
 
 def outcomes(lines):
-    """Of each scene by its number, from the lines of logs."""
+    """Outcome of each problem by its number, from the lines of logs."""
     found = {}
     for line in lines:
         number, _, outcome = line.strip().partition(" ")
@@ -64,7 +64,7 @@ def outcomes(lines):
 
 
 def counted(found):
-    """How many scenes of each kind came to what."""
+    """Number of problems by kind and outcome."""
     counts = {kind: Counter() for kind in KINDS}
     for number, outcome in found.items():
         case = drawn_case(number)
@@ -75,7 +75,7 @@ def counted(found):
 
 
 def table(counts):
-    """In Markdown."""
+    """Table in Markdown."""
     lines = [
         "| cases | tried | " + " | ".join((*OUTCOMES[:-1], "failed")) + " |",
         "|---|---|" + "---|" * len(counts["all"]),

@@ -44,7 +44,7 @@ scraps = st.one_of(
 
 
 def read(text):
-    """The case, or None where it is refused in the right way."""
+    """The case, or None if it is refused correctly."""
     case = unless_refused(lambda: parse_case(text, "scene.toml"), CaseError, "scene.toml: ")
     assert case is None or isinstance(case, (Case, TuggingCase))
     return case
@@ -66,7 +66,7 @@ def times_power(kind, number, power):
 
 
 def scaled(value):
-    """The same number times a power of ten, a whole one where it was."""
+    """The number times a power of ten; an integer stays an integer."""
     for kind in (int, float):
         try:
             number = kind(value)
@@ -106,7 +106,7 @@ def test_wild_values(count):
 
 @tried("cases built")
 def test_wild_cases_are_built_or_refused(count):
-    """Where the grid is small; how large it may be is tested with the memory it needs."""
+    """Cases with small grids; large grids are covered by the memory tests."""
 
     def check(text):
         case = read(text)

@@ -35,7 +35,7 @@ def scene():
 
 
 def digest(simulation):
-    """Of everything that the next step starts from."""
+    """Digest of everything that the next step starts from."""
     state, total = simulation.state, hashlib.sha256()
     fields = [state.pressure, state.gap, state.shear, simulation.initial_gap]
     for body in (1, 2):
@@ -82,7 +82,7 @@ def test_damaged_bytes(saved, tmp_path, count):
 
 @tried("edited parts of checkpoints")
 def test_edited_parts(saved, tmp_path, count):
-    """With a digest that fits: what is not refused can be computed with."""
+    """Files with a matching digest: accepted content can be computed with."""
     file = tmp_path / "state.h5"
 
     def check(change):
@@ -99,7 +99,7 @@ def test_edited_parts(saved, tmp_path, count):
 
 @tried("boxes of subdomains in checkpoints")
 def test_changed_boxes(tmp_path, count):
-    """What is not refused can be gone on from; an error of a step is a documented one."""
+    """Accepted content can be continued from; an error of a step is a documented one."""
     first, file = tmp_path / "first.h5", tmp_path / "state.h5"
     simulation = rough_simulation(RIGID, STEEL, tol=1e-2)
     simulation.step(load=PERCENT)
@@ -155,7 +155,7 @@ def test_damaged_journal(tmp_path, count):
 
 @pytest.fixture(scope="module")
 def worn(tmp_path_factory):
-    """Bytes of a checkpoint of wear, its scene and where it stands."""
+    """Bytes of a wear checkpoint, its setup and its state."""
     file = tmp_path_factory.mktemp("worn") / "cycle.h5"
     kept = []
     latest = wear_checkpoint.latest

@@ -187,7 +187,7 @@ def test_contacts(count):
 
 @tried("arguments of steps")
 def test_steps(count):
-    """After whatever was refused, the simulation still makes the step that a new one makes."""
+    """After a refusal, the simulation makes the step that a new one makes."""
     grid = sc.Grid(7, 7, 1e-4, 1e-4, 5, 1e-4)
     gap = surfaces.paraboloid(grid, 7.5e-3)
 

@@ -59,7 +59,7 @@ def test_damaged_bytes(saved, tmp_path, count):
 
 @tried("edited parts of results")
 def test_edited_parts(saved, tmp_path, count, monkeypatch):
-    """As another program might leave them: a report is made of them, or refused."""
+    """Files as another program might leave them: a report is made, or refused."""
     file = tmp_path / "results.nc"
     # figures take a second, and read the same fields as the tables
     monkeypatch.setattr("samcontact.report.contact.contact_figures", lambda *_: [])

@@ -33,7 +33,7 @@ REFUSALS = {
     "unbounded flow": (ValueError, "flow of body"),  # of the whole half-space
     "parts": (ValueError, "asks for"),  # more than an increment is divided into
     "heat steps": (CaseError, "heat.history must"),  # too short for the cells
-    "strain beyond": (ValueError, "grid must hold the plastic strain"),  # in cycles to shakedown
+    "strain beyond": (ValueError, "grid must contain the plastic strain"),  # in cycles to shakedown
 }
 """What the errors are, and say that helps."""
 FOUND = {
@@ -47,7 +47,7 @@ REFUSING = tuple({kind for kind, _ in REFUSALS.values()})
 
 
 def refusal(error):
-    """Its name, where it says what helps."""
+    """Kind of an error, if its message states a remedy."""
     for name, (kind, text) in REFUSALS.items():
         if type(error) is kind and text in str(error):
             return name
@@ -55,7 +55,7 @@ def refusal(error):
 
 
 def study(name, seed):
-    """What a study came to, or AssertionError."""
+    """Outcome of a study, or AssertionError."""
     try:
         STUDIES[name](seed)
     except REFUSING as error:
@@ -64,7 +64,7 @@ def study(name, seed):
 
 
 def solve(seed):
-    """All increments of a scene; what it came to, or AssertionError."""
+    """Outcome of all increments of a problem, or AssertionError."""
     came_to, missing = followed(drawn_case(seed))
     if missing is not None and missing >= MUCH_MISSING:
         # The work of a whole segment in one increment is that of its mean force.
@@ -77,7 +77,7 @@ def solve(seed):
 
 
 def followed(drawn):
-    """What a case came to, and the share of its energy that is missing."""
+    """Outcome of a case, and the fraction of its energy that is missing."""
     case = Case.model_validate(drawn)
     try:
         simulation, path = case.build()
@@ -95,7 +95,7 @@ def followed(drawn):
 
 
 def outcomes(seeds, solve=solve):
-    """How many scenes came to what; the first that fails says its number."""
+    """Number of problems by outcome; the first failure states its number."""
     count = Counter()
     with warnings.catch_warnings():
         for category in EXPECTED:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random contacts that stick and slip, and increments of them."""
+"""Random contacts with partial slip, and increments of them."""
 
 import math
 
@@ -9,7 +9,7 @@ import samcontact as sc
 
 
 class Path:
-    """A rough or smooth ball, alike or unlike its flat, and where it is driven."""
+    """A rough or smooth ball, identical or dissimilar to its flat, and its drive."""
 
     def __init__(self, seed):
         self.draw = np.random.default_rng(seed)

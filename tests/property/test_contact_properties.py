@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What must hold for every elastic contact: complementarity, equilibrium, scaling, symmetry."""
+"""Properties of every elastic contact: complementarity, equilibrium, scaling, symmetry."""
 
 import numpy as np
 import pytest

@@ -26,7 +26,7 @@ def drawn(kind, path, pressure):
 
 
 def follow(kind, seed):
-    """Increments that were solved, and those that were not, of bodies alike and unlike."""
+    """Solved and unsolved increments of identical and dissimilar bodies."""
     path, solved, failed = Path(seed), 0, 0
     alike = path.bodies[0] == path.bodies[1]
     rests = sc.ContactSolver(path.grid, *path.bodies, tol=TOL, on_border="warn")

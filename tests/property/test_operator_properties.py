@@ -185,7 +185,7 @@ def test_superposition(shape, factor, seed):
     seed=seeds,
 )
 def test_superposition_of_shear_and_of_sweeps(shape, factor, nu, seed):
-    """Of tractions in both directions, and of the residual stress by sweeps over the layers."""
+    """Linearity for tractions in both directions and for residual stress by layer sweeps."""
     grid = sc.Grid(*shape[:2], 1e-5, 2e-5, shape[2], 1.5e-5)
     s, t = random(seed, 2, 2, *shape[:2])
     e, f = random(seed + 1, 2, 6, *shape)

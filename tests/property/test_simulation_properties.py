@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What must hold for every elastic-plastic scene, whatever its numbers."""
+"""Properties of every elastic-plastic problem."""
 
 import warnings
 
@@ -108,7 +108,7 @@ def test_a_scene_symmetric_in_y_stays_symmetric(law, friction):
 @few
 @given(law=laws, friction=st.floats(0.0, 0.6), path=paths)
 def test_equilibrium_and_complementarity_with_friction(law, friction, path):
-    """On any path: the pressure carries the load, and has no gap where it acts."""
+    """On any path the pressure carries the load, and the gap is zero under pressure."""
     simulation = scene(hardening(law), friction=friction, on_border="warn")
     grid = simulation.grid
     for load in path:

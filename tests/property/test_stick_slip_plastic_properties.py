@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What must hold along any path of bodies that stick, slip, yield and roll."""
+"""Properties along any path of elastic-plastic bodies with partial slip and rolling."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What must hold along any path of bodies that stick and slip: forces, motions and turns."""
+"""Properties along any path with partial slip: forces, motions and rotations."""
 
 import math
 

@@ -18,7 +18,7 @@ PARTS = {
 
 
 def names_in(name, value):
-    """What an error about an argument may call it: its name, or that of a part with a name."""
+    """Names by which an error may refer to an argument: its own, or that of a part."""
     found = {name} | PARTS.get(name, set())
     for item in value if isinstance(value, (list, tuple)) else [value]:
         found |= set(item) if isinstance(item, dict) else set()

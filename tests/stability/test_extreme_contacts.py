@@ -73,7 +73,7 @@ def rough(grid):
 @pytest.mark.parametrize("shape", [(31, 31), (64, 64), (61, 17)])
 @pytest.mark.parametrize("surface", [flat, wavy, conforming, step, rough])
 def test_every_cell_loaded(surface, shape, friction, tol):
-    """Down to the least tol: the mean gap has to be known better than that."""
+    """Tolerances down to the minimum, which requires an accurate mean gap."""
     grid = sc.Grid(*shape, 1e-5, 1e-5)
     solver = sc.ContactSolver(grid, RIGID, CORK, friction, tol=tol, on_border="warn")
     gap = surface(grid)
@@ -171,7 +171,7 @@ def test_step_in_a_ball(height, friction):
 @pytest.mark.parametrize("friction", [0.0, 0.1, 0.3, 0.6, 1.0])
 @pytest.mark.parametrize("pair", [(RIGID, CORK), (CORK, RIGID), (STEEL, CORK), (STEEL, STEEL)])
 def test_friction_up_to_one(pair, friction):
-    """Without friction symmetric in x; coupled, the pressure leans as the shear turns."""
+    """Without friction symmetric in x; with coupling, the pressure tilts with the shear."""
     grid = sc.Grid(37, 31, 1.5e-5, 1.8e-5)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     solver = sc.ContactSolver(grid, *pair, friction)

@@ -87,7 +87,7 @@ WIDTH, DEPTH = 3.2 * EXACT.a, 2.0 * EXACT.a
 
 
 def dent(nx, ny, nz, nu=0.3, **settings):
-    """Of a ball: peak pressure, depth of its print, volume integral of the plastic strain."""
+    """Peak pressure, imprint depth and volume integral of the plastic strain for a ball."""
     soft = sc.Material.linear_hardening(E, nu, 1e9, 0.1 * E)
     grid = sc.Grid(nx, ny, WIDTH / nx, WIDTH / ny, nz, DEPTH / nz)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -125,7 +125,7 @@ def test_plastic_flow_in_long_and_flat_cells(name, method, regular):
 
 @pytest.mark.parametrize("nu", [0.0, 0.499])
 def test_plastic_flow_at_the_ends_of_poisson_ratio(nu):
-    """The same as on cells half as large, as closely as at nu = 0.3."""
+    """Agreement with cells half as large, as close as at nu = 0.3."""
     coarse, fine = dent(17, 17, 10, nu), dent(33, 33, 20, nu)
     assert coarse == pytest.approx(fine, rel=0.03)
 

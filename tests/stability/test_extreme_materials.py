@@ -17,7 +17,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning"
 
 
 def law(share, yield_stress=1e9):
-    """Tangent modulus as a part of E; kinematic beside the isotropic law that has none."""
+    """Tangent modulus over E; kinematic hardening added to perfect plasticity."""
     if share == 0:
         return sc.Material.perfect_plastic(E, NU, yield_stress)
     return sc.Material.linear_hardening(E, NU, yield_stress, share * E)
@@ -50,7 +50,7 @@ def assert_at_yield(simulation, state):
 @pytest.mark.parametrize("friction", [0.0, 0.5])
 @pytest.mark.parametrize("make", [law, kinematic])
 def test_flow_falls_with_the_hardening(make, friction):
-    """From none to 0.9 E without a step: less flow, more pressure, each time."""
+    """From zero to 0.9 E without a jump: less flow and more pressure at each step."""
     flows, peaks = [], []
     for share in HARDENING if make is law else HARDENING[1:]:
         simulation = simulate(make(share), friction)
@@ -74,7 +74,7 @@ def test_almost_no_hardening_is_none():
 
 
 def test_the_stiffest_hardening_is_nearly_elastic():
-    """At 0.99 E the pressure is Hertz's on these cells, to what yields."""
+    """At 0.99 E the pressure is that of Hertz on these cells, to the effect of yield."""
     elastic = simulate(STEEL).step(load=EXACT.load)
     state = simulate(law(0.99)).step(load=EXACT.load)
     assert state.max_equivalent_plastic_strain() > 0
@@ -121,7 +121,7 @@ def test_friction_up_to_one_between_unlike_bodies(nu, share, friction):
 
 @pytest.mark.parametrize("melting", [1000.0, 2000.0])
 def test_heat_that_melts_the_surface(melting):
-    """What would be molten keeps the floor of its strength; the load is carried around it."""
+    """Molten material keeps the minimum yield stress; the load is carried around it."""
     soft = law(0.1).with_softening(sc.softening.JohnsonCook(melting, 1.0, floor=0.05))
     soft = soft.with_thermal(50.0, 0.0, 1.4e-5)  # without expansion, to melt before it seizes
     simulation = simulate(soft, 0.3, heat=sc.Heat(3.0, (1.0, 0.0)), tol=1e-6)

@@ -54,7 +54,7 @@ def test_plastic_contact_is_self_similar(decade):
 
 @pytest.fixture(scope="module")
 def fixed_grid():
-    """From one cell to sixty across the contact; each load from scratch."""
+    """One to sixty cells across the contact; each load from the start."""
     grid = sc.Grid(127, 127, 4e-6, 4e-6)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     solver = sc.ContactSolver(grid, STEEL, STEEL)
@@ -100,7 +100,7 @@ def loaded(count, law=SOFT, friction=0.0, **settings):
 
 
 def differences(counts, reference, **scene):
-    """Of the plastic strain, relative to its maximum."""
+    """Error of the plastic strain, relative to its maximum."""
     found = []
     for count in counts:
         strain = loaded(count, **scene).plastic_strain() - reference
@@ -135,7 +135,7 @@ def test_one_divided_increment_is_as_good_as_many():
 
 
 def test_a_ten_thousandth_of_the_load():
-    """What tiny increments add is the slope between two larger ones, up and down, without drift."""
+    """Tiny increments follow the slope between larger ones, up and down, without drift."""
     size = 3.2 * EXACT.a / 11
     grid = sc.Grid(11, 11, size, size, 7, 0.28 * EXACT.a)
     simulation = sc.Simulation(grid, STEEL, SOFT, sc.surfaces.paraboloid(grid, RADIUS), tol=1e-9)

@@ -56,7 +56,7 @@ def assert_balanced(state, load):
     [("perfect", 0.2, 30), ("kinematic", 0.0, 30), *long(*itertools.product(LAWS, FRICTIONS))],
 )
 def test_asperities_shake_down(law, friction, cycles):
-    """After few cycles all of them are alike: zones neither creep nor wake each other."""
+    """After few cycles all are equal: subdomains neither creep nor activate each other."""
     bodies = sc.Simulation(GRID, ELASTIC, LAWS[law], asperities(), friction, on_border="warn")
     first = bodies.step(load=LOAD)
     for cycle in range(cycles):

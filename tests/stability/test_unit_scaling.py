@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The same scene in other units has the same digits: no number hides a length or a stress."""
+"""Equal digits in other units: no constant contains a hidden length or stress."""
 
 import itertools
 from functools import cache

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tugging: two spherical asperities that slide past each other and interfere.
+"""Asperity collision ("tugging"): two spherical asperities slide past each other with interference.
 
 The upper one moves along +X at a constant height over the lower one; neither rotates. The contact
-is solved in the local frame, whose z is the line of the centres, by the approach that geometry
-imposes. Boucly (2008), part 4, with its kinematics derived anew: docs/theory/moving_contacts.md.
+is solved in the local frame, whose z axis is the line of centres, for the approach given by the
+geometry. Boucly (2008), part 4, with rederived kinematics: docs/theory/moving_contacts.md.
 """
 
 from .collision import Collision

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two spheres that slide past each other: their geometry."""
+"""Geometry of two spheres that slide past each other."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ class Collision:
     R1, R2 : float
         Radii of the upper and the lower sphere [m], > 0.
     interference : float
-        Of the undeformed spheres when aligned [m]; > 0 and below both radii.
+        Overlap of the undeformed spheres when aligned [m]; > 0 and below both radii.
 
     Raises
     ------
     ValueError
-        A value outside its range.
+        A value is outside its range.
     """
 
     R1: float
@@ -37,7 +37,7 @@ class Collision:
         smallest = min(self.R1, self.R2)
         if self.interference >= smallest:
             raise ValueError(
-                f"interference must be below both radii, < {smallest!r} m, "
+                f"interference must be < {smallest!r} m, the smaller radius, "
                 f"got {self.interference!r}"
             )
 
@@ -48,21 +48,21 @@ class Collision:
 
     @property
     def height(self) -> float:
-        """Of the centre of sphere 1 above that of sphere 2 [m]."""
+        """Height of the centre of sphere 1 above that of sphere 2 [m]."""
         return self.R1 + self.R2 - self.interference
 
     @property
     def half_angle(self) -> float:
-        """Angle of the line of centres from the vertical when the spheres touch [rad]."""
+        """Angle between the line of centres and the vertical at first contact [rad]."""
         return 2.0 * math.asin(math.sqrt(0.5 * self.interference / (self.R1 + self.R2)))
 
     @property
     def half_way(self) -> float:
-        """Horizontal distance of the centres when the spheres touch [m]."""
+        """Horizontal distance of the centres at first contact [m]."""
         return self.offset(self.half_angle)
 
     def offset(self, angle: float) -> float:
-        """Horizontal distance X of the centres [m] at an angle of their line from the vertical."""
+        """Horizontal distance X of the centres [m] at an angle of their line to the vertical."""
         return self.height * math.tan(finite("angle", angle))
 
     def separation(self, angle: float) -> float:
@@ -70,13 +70,13 @@ class Collision:
         return self.height / math.cos(finite("angle", angle))
 
     def approach(self, angle: float) -> float:
-        """Approach of the spheres along the line of centres [m]; negative: apart."""
+        """Approach of the spheres along the line of centres [m]; negative: separated."""
         finite("angle", angle)
         # R1 + R2 - separation without cancellation
         return self.interference - 2.0 * self.height * math.sin(0.5 * angle) ** 2 / math.cos(angle)
 
     def advance(self, angle: float) -> tuple[float, float]:
-        """How far the surfaces move through the contact while the line turns by an angle [m].
+        """Travel of the surfaces through the contact for a rotation of the line of centres [m].
 
         Along the local +x: the contact moves backwards over sphere 1 and forwards over sphere 2.
         """
@@ -92,21 +92,21 @@ class Collision:
         dy: float = 1.0,
         dz: float = 1.0,
     ) -> Grid:
-        """Grid for `tug` whose cells fit its increments.
+        """Grid for `tug` with cells that fit its increments.
 
         Parameters
         ----------
         increments : int
-            From touching to parting, >= 4.
+            Number of increments from first contact to separation, >= 4.
         cells_per_increment : int
-            Cells that the contact moves over body 2 in each, >= 1.
+            Cells that the contact moves over body 2 per increment, >= 1.
         width : float
-            Half the width of the grid over sqrt(2 R interference), the radius of the disc that the
-            undeformed spheres share.
+            Half-width of the grid over sqrt(2 R interference), the radius of the disc in which the
+            undeformed spheres overlap.
         depth : float
-            Of the grid over the same.
+            Depth of the grid over this radius.
         dy, dz : float
-            Sizes of a cell over its size along x.
+            Cell sizes along y and z over the cell size along x.
         """
         count = integer("increments", increments, 4)
         parts = integer("cells_per_increment", cells_per_increment, 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Passes of a sphere over another: where they stand, increment by increment."""
+"""Passes of one sphere over another, increment by increment."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ if TYPE_CHECKING:
     from ..bodies.material import Material
 
 _ROUNDING = 1e-9
-"""Relative: what is less does not count as a step, or as an approach."""
+"""Relative value below which a step or an approach is rounding."""
 
 
 def whole_steps(ways: float) -> int:
-    """Whole steps that go at least as far as so many of them; the same in every unit."""
+    """Number of whole steps that cover a distance in steps; independent of units."""
     return math.ceil(ways * (1.0 - _ROUNDING))
 
 
 class Passes:
-    """The bodies, where they stand, and the energy spent so far."""
+    """Bodies, their positions, and the energy spent so far."""
 
     def __init__(
         self,
@@ -43,11 +43,11 @@ class Passes:
         self.collision, self.simulation, self.step = collision, simulation, step
         self.journal, self.bar = journal, bar
         self.state = self.peak = simulation.state
-        self.position = 0  # in steps from where the spheres are aligned
+        self.position = 0  # in steps from the aligned position
         self.plastic_work = 0.0
 
     def one_pass(self, direction: int) -> Iterator[Row]:
-        """From before the spheres touch, until they have parted for good."""
+        """Solve one pass, from before first contact until the spheres have finally separated."""
         outside = self._outside()
         self._move(-direction * outside, unloaded=True)
         work, before = 0.0, None
@@ -68,13 +68,13 @@ class Passes:
         before.residual_displacement = self._deepest(1), self._deepest(2)
 
     def _deepest(self, body: int) -> float:
-        """Largest depth of the print of a body [m]."""
+        """Imprint depth of a body [m]."""
         if body not in self._inelastic:
             return 0.0
         return float(self.state.track(body, margin=0).residual_displacement().max())
 
     def _outside(self) -> int:
-        """Position from which the spheres cannot touch, with what rises above their surface."""
+        """Position beyond which the spheres cannot touch, including protruding roughness."""
         highest = 0.0
         for body, relief in ((1, self.simulation.relief1), (2, self.simulation.relief2)):
             surface = np.zeros(1) if relief is None else relief.heights
@@ -87,7 +87,7 @@ class Passes:
         return whole_steps(2.0 * math.asin(math.sqrt(0.5 * part)) / self.step)
 
     def _approach(self) -> float:
-        """At the present position; 0 where the spheres only just touch, but for rounding."""
+        """Approach at the current position; 0 if contact is within rounding."""
         approach = self.collision.approach(self.position * self.step)
         return 0.0 if abs(approach) < _ROUNDING * self.collision.interference else approach
 
@@ -97,7 +97,7 @@ class Passes:
         return [number for number, body in enumerate(bodies, 1) if body.is_plastic]
 
     def _move(self, position: int, unloaded: bool = False) -> None:
-        """One increment, or what a journal kept of it."""
+        """Solve one increment, or restore it from the journal."""
         turn = (position - self.position) * self.step
         self.position = position
         before = self.state
@@ -143,11 +143,11 @@ class Passes:
         )
 
     def _tangential(self, separation: float) -> tuple[float, float]:
-        """Force by sphere 1 on sphere 2 along the local x and y [N].
+        """Force of sphere 1 on sphere 2 along the local x and y [N].
 
-        The pressure acts along the normals of both surfaces. Their slopes by elastic displacement
-        exert no resultant, and those by curvature cancel in the sum that the principle of virtual
-        work gives, (R1 Q1 - R2 Q2)/(distance of the centres).
+        The pressure acts along the normals of both surfaces. Slopes due to elastic displacement
+        have no resultant, and those due to curvature cancel in the sum given by the principle of
+        virtual work, (R1 Q1 - R2 Q2)/(distance of the centres).
         """
         collision, grid, state = self.collision, self.simulation.grid, self.state
         if state.load == 0:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The labelled series of a tugging: one row for each increment of each pass."""
+"""Labelled results of an asperity collision: one row per increment of each pass."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ BY_PASS = (
 
 @dataclass
 class Row:
-    """One increment; the last three values are known later, those of the pass in its last row.
+    """Results of one increment; the last three values belong to the pass and are in its last row.
 
-    Of a pass that has not come to its end they stay NaN.
+    They are NaN in an incomplete pass.
     """
 
     offset: float
@@ -55,7 +55,7 @@ class Row:
 
 
 def _table(passes: Sequence[Sequence[Row]], name: str) -> FloatArray:
-    """Values by pass and increment (and body); NaN behind a shorter pass."""
+    """Values by pass and increment (and body); NaN after the end of a shorter pass."""
     values = [np.array([getattr(row, name) for row in rows]) for rows in passes]
     longest = max(len(column) for column in values)
     table = np.full((len(values), longest, *values[0].shape[1:]), np.nan)
@@ -65,7 +65,7 @@ def _table(passes: Sequence[Sequence[Row]], name: str) -> FloatArray:
 
 
 def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Dataset:
-    """Everything that is known of each pass, with units."""
+    """Convert all results of the passes to a labelled dataset with units."""
     import xarray as xr
 
     data = {name: _table(passes, name) for name in BY_INCREMENT if name != "load_ratio"}
@@ -92,7 +92,7 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Data
         {name: TUGGING[name].variable(dims(name), data[name]) for name in names},
         coords={"pass": np.arange(1, len(passes) + 1), "body": [1, 2]},
         attrs={
-            "title": "tugging of two spheres",
+            "title": "asperity collision of two spheres",
             "samcontact_version": version,
             **asdict(collision),
         },
@@ -100,14 +100,14 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Data
 
 
 def cells_under_load(series: xr.Dataset) -> xr.DataArray:
-    """Cells across the contact of each pass under its largest load; NaN without contact."""
+    """Cells across the contact of each pass at maximum load; NaN without contact."""
     where = series["normal_force"].fillna(0.0).argmax("increment")
     cells: xr.DataArray = series["contact_cells"].isel(increment=where)
     return cells
 
 
 def of_passes(series: xr.Dataset) -> xr.Dataset:
-    """One value for each pass: those of its end, the largest and least forces, the resolution."""
+    """Results per pass: values at its end, maximum and minimum forces, and the resolution."""
     passes: xr.Dataset = series[list(BY_PASS)].assign(
         max_force_x=series["force_x"].max("increment"),
         min_force_x=series["force_x"].min("increment"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One or more passes of a sphere over another."""
+"""One or more passes of one sphere over another."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ class Tugging(Brief):
 
     collision: Collision
     simulation: Simulation
-    """As it stands after the last pass, unloaded."""
+    """Simulation in its state after the last pass, unloaded."""
     series: xr.Dataset
-    """Of each pass and increment; see `tug`."""
+    """Results of each pass and increment; see `tug`."""
     unloaded: list[State]
-    """The bodies after each pass."""
+    """States of the unloaded bodies after each pass."""
 
 
 def tug(
@@ -55,75 +55,79 @@ def tug(
     progress: bool = True,
     **settings: Any,
 ) -> Tugging:
-    """Slide sphere 1 over sphere 2 once or more often, at the same height.
+    """Slide sphere 1 over sphere 2 at constant height, in one or more passes.
 
     Parameters
     ----------
     collision : Collision
-        Radii and interference.
+        Radii and interference of the spheres.
     body1, body2 : Material
-        Of the upper and the lower sphere; any of them inelastic.
+        Materials of the upper and the lower sphere; either may be elastic-plastic.
     grid : Grid
-        Of the local frame, e.g. from `Collision.grid`; with layers when a body is inelastic.
+        Grid of the local frame, e.g. from `Collision.grid`; with layers if a body is
+        elastic-plastic.
     passes : int
-        How often sphere 1 comes by, >= 1.
+        Number of passes of sphere 1, >= 1.
     cells_per_increment : int
-        How far the contact moves over body 2 in each increment, in cells of dx, >= 1. The cells of
-        body 1 are met exactly where R1/R2 times that is a whole number too.
+        Displacement of the contact over body 2 per increment, in cells of dx, >= 1. It is also
+        exact for body 1 if R1/R2 times this number is an integer.
     back_and_forth : bool
-        Every second pass in the opposite direction; by default all towards +X.
+        Whether every second pass is in the opposite direction. By default all are towards +X.
     relief1, relief2 : Relief, optional
-        Roughness of the spheres; its row positions are those of the grid when they are aligned.
+        Roughness of the spheres; its rows are those of the grid in the aligned position.
     checkpoint : path, optional
-        Folder in which to keep each increment. The same call goes on from it, with the same bits as
-        without interruption. Remove it when it is no longer needed.
+        Folder for a checkpoint of each increment. An equal call resumes from it, with bit-identical
+        results. Delete it when it is no longer needed.
     progress : bool
-        Show a progress bar; where there is no terminal, ten lines at most.
+        Show a progress bar, or at most ten lines if there is no terminal.
     **settings
-        Of `Simulation`, e.g. increment_tol, tol (1e-8 by default for elastic spheres),
+        Arguments of `Simulation`, e.g. increment_tol, tol (default for elastic spheres: 1e-8),
         residual_stress, reach.
 
     Returns
     -------
     Tugging
-        Its `series` has, by pass and increment: offset, angle, approach, normal_force (along the
-        line of centres), force_x, force_y, force_z (by sphere 1 on sphere 2: force_x > 0 resists a
-        motion towards +X, force_z > 0 presses), load_ratio force_x/force_z (NaN without contact),
-        work of force_x since the start of the pass, plastic_work of both bodies since the start of
-        all, max_pressure, contact_area, contact_cells (across it; NaN without contact), and of each
-        body max_equivalent_plastic_strain and plastic_layers (NaN without plastic strain). By pass:
-        net_energy (the work of the pass), dissipation, residual_energy (after it),
-        energy_imbalance (net energy less dissipation and increase of residual energy, the error of
-        mesh and increments), and of each body residual_displacement (its maximum).
+        The results; `series` has, by pass and increment: offset, angle, approach, normal_force
+        (along the line of centres), force_x, force_y, force_z (of sphere 1 on sphere 2: force_x > 0
+        resists motion towards +X, force_z > 0 is compressive), load_ratio force_x/force_z (NaN
+        without contact), work of force_x since the start of the pass, plastic_work of both bodies
+        since the first pass, max_pressure, contact_area, contact_cells (across the contact; NaN
+        without contact), and for each body max_equivalent_plastic_strain and plastic_layers (NaN
+        without plastic strain). By pass: net_energy (work of the pass), dissipation,
+        residual_energy (after the pass), energy_imbalance (net energy minus dissipation and
+        increase of residual energy: the error due to grid and increments), and for each body
+        residual_displacement (its maximum).
 
     Raises
     ------
     ValueError
-        A friction or heat setting (the spheres are smooth and cold), a grid whose increment is
-        longer than a quarter of the way, or a `checkpoint` of another call; and as `Simulation`.
-        An error of a later increment has the result of those before in its attribute `result`; what
-        belongs to a pass is NaN in one that has not come to its end.
+        A friction or heat setting (frictionless spheres without heating), a grid whose increment is
+        longer than a quarter of the contact path, or a `checkpoint` of another call; and as
+        `Simulation`. An error in a later increment holds the results of the completed increments in
+        its attribute `result`; quantities of an incomplete pass are NaN.
     """
     boolean("progress", progress)
     boolean("back_and_forth", back_and_forth)
     require_type("collision", collision, Collision)
-    require_homogeneous("asperities that tug are homogeneous", body1, body2)
+    require_homogeneous("asperity collision does not support layered bodies", body1, body2)
     require_type("grid", grid, Grid)
     for name in ("friction", "heat"):
         if settings.get(name):
-            raise ValueError(f"{name} must be left out in tugging, got {settings[name]!r}")
+            raise ValueError(
+                f"{name} is not supported in asperity collisions, got {settings[name]!r}"
+            )
     step = integer("cells_per_increment", cells_per_increment, 1) * grid.dx / collision.R2
     if step > 0.5 * collision.half_angle:
         raise ValueError(
-            f"dx must be at most {0.5 * collision.half_angle * collision.R2:.6g} m over "
-            f"cells_per_increment, a quarter of the way, got {grid.dx!r}"
+            f"dx must be <= {0.5 * collision.half_angle * collision.R2:.6g} m over "
+            f"cells_per_increment, a quarter of the contact path, got {grid.dx!r}"
         )
     count = integer("passes", passes, 1)
     gap = surfaces.paraboloid(grid, collision.R)
     if not (body1.is_plastic or body2.is_plastic):
-        settings = {"tol": 1e-8, **settings}  # a net energy of nothing, at a fifth more work
+        settings = {"tol": 1e-8, **settings}  # for a net energy of zero, at 20 % more work
     simulation = Simulation(grid, body1, body2, gap, relief1=relief1, relief2=relief2, **settings)
-    simulation.monitor.checks_steps = False  # the first ones only touch
+    simulation.monitor.checks_steps = False  # contact is small in the first increments
     simulation.monitor.checks_increments = False
     way = {"passes": count, "step": step, "back_and_forth": back_and_forth}
     rows: list[list[Row]] = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a rolling element carries of the load of its bearing."""
+"""Load distribution among the rolling elements of a bearing."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .._util.checks import finite, integer, non_negative, positive
 from .._util.lazy_scipy import scipy
 from .races import angle_of
 
-POINT = 1.5  # load ~ approach^n of point contacts
+POINT = 1.5  # n of load ~ approach^n in point contacts
 
 
 def sjovall(epsilon: float, exponent: float = POINT) -> tuple[float, float]:
@@ -22,14 +22,14 @@ def sjovall(epsilon: float, exponent: float = POINT) -> tuple[float, float]:
     Parameters
     ----------
     epsilon : float
-        Share of the diameter under load, > 0: 0.5 is half the circumference, from 1 on all.
+        Loaded fraction of the diameter, > 0: 0.5 is half the circumference, >= 1 all of it.
     exponent : float
-        n of load ~ approach^n: 1.5 of point contacts (the default), 10/9 of line contacts.
+        n of load ~ approach^n: 1.5 for point contacts (default), 10/9 for line contacts.
 
     Returns
     -------
     J_r, J_a : float
-        Radial and axial integral [-]; J_r(0.5) = 0.2288 and J_a(0.5) = 0.2782 of point contacts.
+        Radial and axial integral [-]; J_r(0.5) = 0.2288 and J_a(0.5) = 0.2782 for point contacts.
 
     Raises
     ------
@@ -49,24 +49,25 @@ def sjovall(epsilon: float, exponent: float = POINT) -> tuple[float, float]:
 
 
 def stribeck_load(radial_load: float, balls: int, contact_angle: float = 0.0) -> float:
-    """Load of the most loaded ball by Stribeck's rule, 5 F_r/(Z cos(alpha)).
+    """Maximum ball load by Stribeck's rule, 5 F_r/(Z cos(alpha)).
 
-    The rule covers the usual small clearance; `ball_load` has 4.37 instead, for none. Source:
+    The rule is for the usual small clearance; `ball_load` has 4.37 instead, for zero clearance.
+    Source:
     Harris, *Rolling Bearing Analysis*, chapter 7.
 
     Parameters
     ----------
     radial_load : float
-        F_r [N], >= 0.
+        Radial load F_r [N], >= 0.
     balls : int
-        Z, >= 1.
+        Number of balls Z, >= 1.
     contact_angle : float, optional
-        [rad], below pi/2.
+        Contact angle [rad], < pi/2.
 
     Returns
     -------
     float
-        [N], along the contact normal.
+        Load along the contact normal [N].
 
     Raises
     ------
@@ -84,26 +85,26 @@ def ball_load(
     epsilon: float = 0.5,
     exponent: float = POINT,
 ) -> float:
-    """Load of the most loaded rolling element, F_r/(Z cos(alpha) J_r(epsilon)).
+    """Load of the most heavily loaded rolling element, F_r/(Z cos(alpha) J_r(epsilon)).
 
     Parameters
     ----------
     radial_load : float
-        F_r [N], >= 0.
+        Radial load F_r [N], >= 0.
     balls : int
-        Z, >= 1.
+        Number of rolling elements Z, >= 1.
     contact_angle : float, optional
-        [rad], below pi/2.
+        Contact angle [rad], < pi/2.
     epsilon : float, optional
-        Load zone as of `sjovall`; 0.5 (the default) is a bearing without clearance, with 4.37
-        F_r/(Z cos(alpha)) for balls and 4.08 for rollers; clearance makes it smaller.
+        Load zone as in `sjovall`. The default 0.5 is a bearing without clearance, with 4.37
+        F_r/(Z cos(alpha)) for balls and 4.08 for rollers; clearance reduces it.
     exponent : float, optional
-        1.5 for balls (the default), 10/9 for rollers.
+        1.5 for balls (default), 10/9 for rollers.
 
     Returns
     -------
     float
-        [N], along the contact normal.
+        Load along the contact normal [N].
 
     Raises
     ------
@@ -112,14 +113,15 @@ def ball_load(
 
     Notes
     -----
-    Rigid rings, contact angles all equal, one element straight under the load, and many of them:
-    with few the sum over elements differs from the integral (by 1.4 % for 6 balls, 0.2 % for 10).
+    Assumes rigid rings, equal contact angles, one element directly under the load, and many
+    elements: with few, the sum over elements differs from the integral (by 1.4 % for 6 balls,
+    0.2 % for 10).
     """
     return _mean_normal(radial_load, balls, contact_angle) / sjovall(epsilon, exponent)[0]
 
 
 def _mean_normal(radial_load: float, balls: int, contact_angle: float) -> float:
-    """F_r/(Z cos(alpha))."""
+    """Mean normal load F_r/(Z cos(alpha)) [N]."""
     load, count = non_negative("radial_load", radial_load), integer("balls", balls, 1)
     angle = angle_of(contact_angle)
     if angle > 0.5 * math.pi - 1e-9:
@@ -129,14 +131,14 @@ def _mean_normal(radial_load: float, balls: int, contact_angle: float) -> float:
 
 @dataclass(frozen=True)
 class LoadZone:
-    """Loads of the rolling elements of a single row.
+    """Load distribution among the rolling elements of a single row.
 
     Attributes
     ----------
     max_load : float
-        Of the most loaded element, along the contact normal [N].
+        Load of the most heavily loaded element, along the contact normal [N].
     epsilon : float
-        Share of the diameter under load, as of `sjovall`; inf under pure thrust.
+        Loaded fraction of the diameter, as in `sjovall`; inf under pure thrust.
     exponent : float
         n of load ~ approach^n.
     """
@@ -147,7 +149,7 @@ class LoadZone:
 
     @property
     def half_angle(self) -> float:
-        """Half the angle of the loaded zone [rad]."""
+        """Half the angle of the load zone [rad]."""
         return math.acos(max(-1.0, 1.0 - 2.0 * self.epsilon))
 
     def load(self, psi: float) -> float:
@@ -164,18 +166,18 @@ def load_zone(
     *,
     exponent: float = POINT,
 ) -> LoadZone:
-    """Loads in an angular-contact row under radial and axial load together.
+    """Loads in an angular-contact row under combined radial and axial load.
 
     Parameters
     ----------
     radial_load, axial_load : float
-        F_r >= 0 and F_a > 0 [N].
+        Radial and axial loads, F_r >= 0 and F_a > 0 [N].
     balls : int
-        Z, >= 1.
+        Number of rolling elements Z, >= 1.
     contact_angle : float
-        Under load [rad], between 0 and pi/2; the same all around.
+        Contact angle under load [rad], between 0 and pi/2, equal for all elements.
     exponent : float, optional
-        1.5 for balls (the default), 10/9 for rollers.
+        1.5 for balls (default), 10/9 for rollers.
 
     Returns
     -------
@@ -184,13 +186,13 @@ def load_zone(
     Raises
     ------
     ValueError
-        An argument is outside its range, or F_r tan(alpha) >= F_a: the thrust of the radial load
-        alone is larger than the axial load, the row would open.
+        An argument is outside its range, or F_r tan(alpha) >= F_a: the thrust due to the radial
+        load alone exceeds the axial load, and the row would separate.
 
     Notes
     -----
-    Solves J_r(epsilon)/J_a(epsilon) = F_r tan(alpha)/F_a (Sjövall 1933) for rings that stay
-    parallel, and takes the load of the most loaded element from the axial force.
+    Solves J_r(epsilon)/J_a(epsilon) = F_r tan(alpha)/F_a (Sjövall 1933) for rings that remain
+    parallel; the maximum element load follows from the axial force.
     """
     F_r, F_a = non_negative("radial_load", radial_load), positive("axial_load", axial_load)
     count, angle = integer("balls", balls, 1), angle_of(contact_angle)
@@ -211,7 +213,7 @@ def load_zone(
         J_r, J_a = sjovall(math.exp(log_epsilon), n)
         return J_r / J_a - ratio
 
-    # J_r/J_a falls from 1 - O(epsilon) in a small zone to n/(4 epsilon) in a large one
+    # J_r/J_a decreases from 1 - O(epsilon) in a small zone to n/(4 epsilon) in a large one
     low, high = math.log(1e-3 * (1.0 - ratio)), math.log(1e2 * n / ratio)
     epsilon = math.exp(scipy.optimize.brentq(excess, low, high, xtol=1e-13))
     return LoadZone(normal / sjovall(epsilon, n)[1], epsilon, n)

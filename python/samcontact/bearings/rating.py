@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Static capacity: the load rating by a largest pressure, and Palmgren's permanent deformation."""
+"""Static capacity: load rating for a maximum pressure, and Palmgren's permanent deformation."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from .loads import stribeck_load
 from .races import RaceContact
 
 STEEL = 2.07e11 / (1.0 - 0.3**2) / 2.0
-"""Contact modulus of the factors of ISO 76 [Pa]: both bodies of 207 GPa and 0.3."""
+"""Contact modulus in the factors of ISO 76 [Pa]: both bodies with 207 GPa and 0.3."""
 PALMGREN = 1.3e-19
-"""1.3e-7 with mm and N: [m^4/N^2]."""
+"""Palmgren's factor, 1.3e-7 with mm and N, in [m^4/N^2]."""
 
 
 def static_load_rating(
@@ -28,45 +28,46 @@ def static_load_rating(
     rows: int = 1,
     E_star: float = STEEL,
 ) -> float:
-    """Basic static radial load rating as of ISO 76.
+    """Basic static radial load rating according to ISO 76.
 
-    The radial load under which the most loaded element, by Stribeck's rule `stribeck_load`, has
-    the given Hertz pressure on one of its races, and less on the other.
+    It is the radial load at which the most heavily loaded element (Stribeck's rule,
+    `stribeck_load`) has the given Hertz pressure on one raceway, and a lower pressure on the other.
 
     Parameters
     ----------
     races : sequence of RaceContact
-        Of the inner and of the outer ring, usually with conformities of 0.52 and 0.53.
+        Contacts on the inner and the outer ring, usually with conformities of 0.52 and 0.53.
     balls : int
-        Or rollers, in a row, Z >= 1.
+        Number of balls or rollers in a row, Z >= 1.
     contact_angle : float, optional
-        [rad], below pi/2.
+        Contact angle [rad], < pi/2.
     pressure : float, optional
-        Largest one by Hertz [Pa]: 4.2e9 of ball bearings (the default), 4.6e9 of self-aligning
-        ball bearings, 4.0e9 of roller bearings.
+        Maximum Hertz pressure [Pa]: 4.2e9 for ball bearings (default), 4.6e9 for self-aligning ball
+        bearings, 4.0e9 for roller bearings.
     length : float, optional
-        Of the contact of a roller without a crown [m]; for no others.
+        Contact length of an uncrowned roller [m]. Only for uncrowned rollers.
     rows : int, optional
-        >= 1.
+        Number of rows, >= 1.
     E_star : float, optional
-        Contact modulus [Pa]; as ISO 76 has it unless given.
+        Contact modulus [Pa]. Default: as in ISO 76.
 
     Returns
     -------
     float
-        C_0r [N].
+        Static load rating C_0r [N].
 
     Raises
     ------
     ValueError
-        An argument is outside its range, or `length` is missing or without use.
+        An argument is outside its range, or `length` is missing or not applicable.
 
     Notes
     -----
-    The pressures stand for a permanent deformation of element and race together of about 1e-4 of
-    the element's diameter; nothing here knows how they yield. The factors f_0 of the standard
-    (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) follow to their digits, as does its 44 of rollers:
-    they are made by the same formulas, so that this is no evidence of what a bearing bears.
+    The pressures correspond to a permanent deformation of element and raceway together of about
+    1e-4 of the element diameter; plastic deformation is not computed here. The factors f_0 of the
+    standard (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) are reproduced to their digits, and so is
+    its 44 for rollers. They are based on the same formulas, so this does not validate the actual
+    capacity of a bearing.
     Sources: ISO 76:2006, *Static load ratings*; ISO/TR 10657, *Explanatory notes on ISO 76*.
     """
     if not isinstance(races, Sequence) or not all(isinstance(r, RaceContact) for r in races):
@@ -74,7 +75,7 @@ def static_load_rating(
             f"races must be a list of samcontact.bearings.RaceContact, got {in_short(races)}"
         )
     if len(races) == 0:
-        raise ValueError("races must have one contact at least, got none")
+        raise ValueError("races must contain at least one contact, got none")
     load = min(_load_at(race, positive("pressure", pressure), E_star, length) for race in races)
     return integer("rows", rows, 1) * load / stribeck_load(1.0, balls, contact_angle)
 
@@ -82,35 +83,35 @@ def static_load_rating(
 def _load_at(race: RaceContact, pressure: float, E_star: float, length: float | None) -> float:
     if math.isinf(race.Ry):
         if length is None:
-            raise ValueError("length must be given with a roller without a crown, got None")
+            raise ValueError("length is required for an uncrowned roller, got None")
         line = hertz.line(race.Rx, E_star, p0=pressure)
         return line.load_per_length * positive("length", length)
     if length is not None:
-        raise ValueError(f"length is of rollers without a crown only, got {in_short(length)}")
+        raise ValueError(f"length applies to uncrowned rollers only, got {in_short(length)}")
     return hertz.elliptic(race.Rx, race.Ry, E_star, p0=pressure).load
 
 
 def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -> float:
-    """Permanent deformation of ball and race together by Palmgren's formula.
+    """Permanent deformation of ball and raceway together, by Palmgren's formula.
 
-    1.3e-7 Q^2/D (rho_I1 + rho_II1)(rho_I2 + rho_II2) with N and mm, where the sums of curvatures
-    along and across are 1/Rx and 1/Ry: fitted to tests with bearing steel of 63.5 to 65.5 HRC (A.
-    Palmgren, *Ball and Roller Bearing Engineering*, 3rd ed., 1959, as given by Harris, *Rolling
-    Bearing Analysis*, on permanent deformations).
+    1.3e-7 Q^2/D (rho_I1 + rho_II1)(rho_I2 + rho_II2) with N and mm, where the curvature sums along
+    and transverse to the rolling direction are 1/Rx and 1/Ry. It was fitted to tests with bearing
+    steel of 63.5 to 65.5 HRC (A. Palmgren, *Ball and Roller Bearing Engineering*, 3rd ed., 1959, as
+    given by Harris, *Rolling Bearing Analysis*, on permanent deformations).
 
     Parameters
     ----------
     race : RaceContact
-        As of `ball_on_race`; a ball on a flat has Rx = Ry = ball_diameter/2.
+        Contact from `ball_on_race`; a ball on a flat has Rx = Ry = ball_diameter/2.
     load : float
-        Q of the ball [N], >= 0.
+        Ball load Q [N], >= 0.
     ball_diameter : float
-        D [m].
+        Ball diameter D [m].
 
     Returns
     -------
     float
-        [m].
+        Permanent deformation [m].
 
     Raises
     ------
@@ -119,8 +120,8 @@ def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -
 
     Notes
     -----
-    Formula and pressures of `static_load_rating` stand for the same experience: that both have
-    about 1e-4 of the diameter together is no evidence of either.
+    This formula and the pressures of `static_load_rating` summarise the same experience: that both
+    give about 1e-4 of the diameter does not validate either of them.
     """
     require_type("race", race, RaceContact)
     Q, D = non_negative("load", load), positive("ball_diameter", ball_diameter)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What changes with depth in a material: yield stress, and stress that is there from the start."""
+"""Depth profiles of a material: yield stress and initial (residual) stress."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 Profile = tuple[tuple[float, ...], ...]
-"""Depths, and one or more values at each."""
+"""Depths, and one or more values at each depth."""
 
 PARTS: Mapping[str, Sequence[str]] = {
     "yield_profile": ("z", "factor"),
     "residual_stress": ("z", "sxx", "syy", "sxy"),
 }
-"""The profiles of a material, and what each holds."""
+"""Profiles of a material, and the contents of each."""
 
 MOST = 4096
-"""Depths of a profile, which attributes of HDF5 files can hold."""
+"""Maximum number of depths in a profile, limited by attributes of HDF5 files."""
 
 
 def profile(kind: str, given: Any) -> Profile:
-    """Depths and values, as many of each; what they may be is checked by the core."""
-    holds = f"{kind} must hold {', '.join(PARTS[kind])}, a list of numbers each"
+    """Convert a profile to equally many depths and values; the core checks their ranges."""
+    holds = f"{kind} must contain {', '.join(PARTS[kind])}, a list of numbers each"
     if not isinstance(given, (list, tuple)):
         raise TypeError(f"{holds}, got {in_short(given)}")
     parts = tuple(given)
@@ -46,46 +46,44 @@ def profile(kind: str, given: Any) -> Profile:
                 f"{name} must be a list of 1 to {MOST} numbers, got shape {part.shape}"
             )
         if part.shape != values[0].shape:
-            raise ValueError(
-                f"{name} must have as many values as z, {values[0].size}, got {part.size}"
-            )
+            raise ValueError(f"{name} must have {values[0].size} values like z, got {part.size}")
         if not np.isfinite(part).all():
             raise ValueError(f"{name} must be finite everywhere")
     return tuple(tuple((part + 0.0).tolist()) for part in values)
 
 
 class Graded:
-    """The part of a material that knows of depth."""
+    """Depth-dependent part of a material."""
 
     yield_profile: Profile | None
     residual_stress: Profile | None
 
     def with_yield_profile(self, z: ArrayLike, factor: ArrayLike) -> Self:
-        """The same material with a yield stress that changes with depth, as of a hardened case.
+        """Return a copy with a yield stress that varies with depth, as in case hardening.
 
-        Elastic constants stay as they are, and so does the hardening but for the factor: at depth z
-        the yield stress is factor(z) times that of the law.
+        Elastic constants are unchanged. At depth z the yield stress, including hardening, is
+        factor(z) times that of the law.
 
         Parameters
         ----------
         z : array_like, shape (n,)
-            Depths below the surface [m], >= 0 and rising, at most 4096. The profile is straight
-            between them and constant beyond; layers of a grid take its value at mid-depth.
+            Increasing depths below the surface [m], >= 0, at most 4096. The profile is piecewise
+            linear and constant beyond its ends; layers of a grid take its value at mid-depth.
         factor : array_like, shape (n,)
-            From 1e-6 to 1e6 [-]; e.g. the hardness there over that of the core.
+            Ratio to the nominal yield stress [-], 1e-6 to 1e6; e.g. local over core hardness.
 
         Returns
         -------
         Material
-            In place of any profile it had.
+            Material in which this profile replaces any earlier one.
 
         Raises
         ------
         ValueError
-            The body does not yield, z does not rise, z and factor differ in number, a value is
+            The body does not yield, z does not increase, z and factor differ in number, a value is
             outside its range, or the residual stress of the material is above its yield stress.
         TypeError
-            One is not a number.
+            An argument is not a number.
         """
         checked = profile("yield_profile", (z, factor))
         return cast("Self", replace(cast("Any", self), yield_profile=checked))
@@ -97,38 +95,39 @@ class Graded:
         syy: ArrayLike | None = None,
         sxy: ArrayLike | None = None,
     ) -> Self:
-        """The same material with stress that is there before any contact, as of peening or a case.
+        """Return a copy with initial (residual) stress, as from peening or case hardening.
 
-        It acts along the surface and changes with depth only: so it is in equilibrium, whatever
-        its profile, and moves nothing. A half-space needs no tension to balance it; what balances
-        it in a part of finite thickness is yours to add. It counts in yield and in all stresses of
-        states, residual ones too.
+        The stress acts in the plane of the surface and varies with depth only. It is therefore in
+        equilibrium for any profile and causes no displacement. A half-space needs no tension to
+        balance it; in a part of finite thickness the balancing stress must be added by the user. It
+        is included in the yield condition and in all stresses of states, also residual ones.
 
         Parameters
         ----------
         z : array_like, shape (n,)
-            Depths below the surface [m], >= 0 and rising, at most 4096. The profile is straight
-            between them and constant beyond: end it with 0 where it is to end.
+            Increasing depths below the surface [m], >= 0, at most 4096. The profile is piecewise
+            linear and constant beyond its ends: end it with 0 if the stress is to vanish below.
         sxx : array_like, shape (n,)
             Normal stress along x [Pa], tension positive.
         syy : array_like, shape (n,), optional
-            The same along y; default as along x.
+            Normal stress along y [Pa]. Default: as along x.
         sxy : array_like, shape (n,), optional
-            Shear stress in the plane of the surface [Pa]; default 0.
+            In-plane shear stress [Pa]. Default: 0.
 
         Returns
         -------
         Material
-            In place of any residual stress it had.
+            Material in which this stress replaces any earlier one.
 
         Raises
         ------
         ValueError
-            The body is rigid, z does not rise, the numbers of values differ, a value is not finite,
-            or the von Mises stress is above the yield stress of the material at some depth: what
-            flowed while the stress arose has hardened, which the law or a yield profile must say.
+            The body is rigid, z does not increase, the numbers of values differ, a value is not
+            finite, or the von Mises stress exceeds the yield stress of the material at some depth:
+            material that yielded as the stress arose has hardened, which the law or a yield profile
+            must include.
         TypeError
-            One is not a number.
+            An argument is not a number.
         """
         along_y = sxx if syy is None else syy
         shear = np.zeros_like(real_array("sxx", sxx)) if sxy is None else sxy
@@ -136,9 +135,9 @@ class Graded:
         return cast("Self", replace(cast("Any", self), residual_stress=checked))
 
     def yield_factor(self, z: ArrayLike) -> FloatArray:
-        """Factor of the yield stress at depths z [m], same shape; 1 without a yield profile.
+        """Factor on the yield stress at depths z [m], same shape; 1 without a yield profile.
 
-        Raises ValueError where z is negative or not finite.
+        Raises ValueError if z is negative or not finite.
         """
         depths = checked_depths(z)
         if self.yield_profile is None:
@@ -147,23 +146,23 @@ class Graded:
         return factor
 
     def yield_stress_at(self, z: ArrayLike) -> FloatArray:
-        """Yield stress before hardening at depths z [Pa], same shape; infinite without yield.
+        """Initial yield stress at depths z [Pa], same shape; infinite for a body that cannot yield.
 
-        Raises ValueError where z is negative or not finite.
+        Raises ValueError if z is negative or not finite.
         """
         factor = self.yield_factor(z)
         return float(cast("Any", self).yield_stress(0.0)) * factor
 
     @cached_property
     def least_yield_stress(self) -> float:
-        """Smallest yield stress of all depths before hardening [Pa]; infinite without yield."""
+        """Minimum initial yield stress over depth [Pa]; infinite for a body that cannot yield."""
         initial = float(cast("Any", self).yield_stress(0.0))
         return initial if self.yield_profile is None else initial * min(self.yield_profile[1])
 
     def residual_stress_at(self, z: ArrayLike) -> FloatArray:
-        """Stress of the start at depths z [m]: sxx, syy and sxy [Pa], one array of z's shape each.
+        """Initial stresses sxx, syy and sxy at depths z [m], each with the shape of z [Pa].
 
-        0 without. Raises ValueError where z is negative or not finite.
+        0 without residual stress. Raises ValueError if z is negative or not finite.
         """
         depths = checked_depths(z)
         if self.residual_stress is None:
@@ -172,7 +171,7 @@ class Graded:
 
 
 def checked_depths(z: ArrayLike) -> FloatArray:
-    """Depths below a surface; ValueError where one is negative or not finite."""
+    """Check depths below a surface; ValueError if one is negative or not finite."""
     depths = real_array("z", z)
     bad = ~(np.isfinite(depths) & (depths >= 0))
     if bad.any():
@@ -181,5 +180,5 @@ def checked_depths(z: ArrayLike) -> FloatArray:
 
 
 def _at(of: Profile, z: FloatArray) -> FloatArray:
-    """Values at depths, one array after the other, shape (values, *z.shape)."""
+    """Interpolate a profile at depths, shape (values, *z.shape)."""
     return np.array([np.interp(z, of[0], values) for values in of[1:]])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Materials as tables of their law and constants."""
+"""Tables of materials with their law and constants."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .hardening_laws import LAWS
 
 
 def material_rows(material: Any) -> Rows:
-    """Law and constants of a material."""
+    """Rows of the law and the constants of a material."""
     if material.law not in LAWS:  # layers of materials
         return list(rows_of(material))
     constants = LAWS[material.law].constants
@@ -30,7 +30,7 @@ def material_rows(material: Any) -> Rows:
     if material.thermal is not None:
         conductivity, expansion, diffusivity = material.thermal
         rows.append(("conductivity", f"{conductivity:.4g} W/(m K)"))
-        rows.append(("expansion", f"{expansion * 1e6:.4g} µm/(m K)"))
+        rows.append(("thermal expansion", f"{expansion * 1e6:.4g} µm/(m K)"))
         rows.append(("diffusivity", f"{diffusivity * 1e6:.4g} mm²/s"))
     if material.softening is not None:
         rows.append(("softening", repr(material.softening)))
@@ -52,7 +52,7 @@ def _over_depth(z: tuple[float, ...], values: tuple[float, ...], unit: str) -> s
 
 
 def material_in_short(material: Any) -> str:
-    """A material in one line, for the tables of what contains it."""
+    """One-line description of a material, for tables of objects that contain it."""
     rows = material_rows(material)
     constants = ", ".join(f"{name} = {value}" for name, value in rows[1:])
     return f"{rows[0][1]} ({constants})" if constants else rows[0][1]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Laws of materials, and the constants of each with what they may be.
+"""Material laws with their constants and ranges.
 
-The core tells its hardening laws. A factory of `Material` by the same name makes the material of a
-law; all else (checks, case files, tables, checkpoints) follows from `LAWS`.
+The core defines its hardening laws. A factory of `Material` by the same name creates a material of
+a law; checks, case files, tables and checkpoints follow from `LAWS`.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from .._util.short_text import in_short
 
 @dataclass(frozen=True)
 class Constant:
-    """A parameter of a law: its unit, its limits, and whether it is a list of such numbers."""
+    """Parameter of a law: its unit, its limits, and whether it is a list of numbers."""
 
     unit: str = ""
     gt: float | None = None
@@ -36,17 +36,17 @@ class Constant:
 
 @dataclass(frozen=True)
 class Law:
-    """What all materials of a law share."""
+    """Description and constants of a law."""
 
     says: str
-    """In a line."""
+    """One-line description."""
     constants: Mapping[str, Constant]
-    """In the order of the factory."""
+    """Constants in the order of the factory's arguments."""
     yields: bool = False
 
 
 def constant_of(told: _core.LawParameter) -> Constant:
-    """Description of a parameter by the core."""
+    """Convert the core's description of a parameter."""
     low = {"gt" if told.above_low else "ge": told.low}
     high = told.high if told.high < math.inf else None
     return Constant(told.unit, **low, le=high, many=told.many, infinite=told.infinite is not None)
@@ -59,7 +59,7 @@ _TOLD = {
 }
 LAWS: Mapping[str, Law] = {
     "elastic": _TOLD["elastic"],
-    "rigid": Law("A body that does not deform.", {}),
+    "rigid": Law("Body that does not deform.", {}),
     **_TOLD,
 }
 
@@ -72,7 +72,7 @@ def _values(name: str, given: Any) -> tuple[float, ...]:
 
 
 def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
-    """All constants of a law, in its order; their ranges are checked by the core."""
+    """Check and order all constants of a law; the core checks their ranges."""
     if not isinstance(law, str) or law not in LAWS:
         raise ValueError(f"law must be one of {', '.join(LAWS)}, got {in_short(law)}")
     if not isinstance(given, Mapping):
@@ -92,7 +92,7 @@ def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
 
 
 def core_material(law: str, constants: Mapping[str, Any]) -> _core.Material:
-    """The core's material; raises ValueError naming a constant that is out of range."""
+    """Material of the core; raises ValueError naming a constant that is out of range."""
     if law == "rigid":
         return _core.Material.rigid()
     values = {name: np.atleast_1d(value).tolist() for name, value in constants.items()}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies of layers: coatings on a substrate."""
+"""Layered bodies: coatings on a substrate."""
 
 from __future__ import annotations
 
@@ -32,43 +32,45 @@ def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
         material, thickness = layer
         require_type(f"material of layers[{n}]", material, Material)
         if material.is_rigid:
-            raise ValueError(f"layers[{n}] is rigid: only the substrate may be")
+            raise ValueError(f"layers[{n}] must not be rigid: only the substrate can be rigid")
         layers.append((material, positive(f"thickness of layers[{n}]", thickness)))
     if not layers:
-        raise ValueError("layers must hold at least one layer: the substrate alone is a body too")
+        raise ValueError(
+            "layers must contain at least one layer: for none, use the substrate material as body"
+        )
     return tuple(layers)
 
 
 @dataclass(frozen=True, repr=False, init=False)
 class Layered(Shown):
-    """Layers on a substrate, perfectly bonded: a coated body, to be used like a `Material`.
+    """Layers perfectly bonded to a substrate: a coated body, used like a `Material`.
 
     Parameters
     ----------
     layers : sequence of pairs
         Material and thickness [m] of each layer, from the surface down; any number.
     substrate : Material
-        What lies below them, without end; `Material.rigid()` is allowed: its stress is not known,
-        and 0 in all fields.
+        Half-space below the layers. `Material.rigid()` is allowed; its stress is unknown and
+        stored as 0 in all fields.
 
     Raises
     ------
     ValueError
         There is no layer, a layer is rigid, a thickness is not a finite number > 0, or a material
-        has thermal constants or softens, for which layers have no kernels.
+        has thermal constants or softening, which layered bodies do not support.
     TypeError
-        Something is not a material or not a number.
+        An argument is not a material or not a number.
 
     Notes
     -----
-    Waves of each wavenumber are reflected and transmitted at the interfaces by a recursion of
-    impedances that holds for thick and thin layers (docs/theory/layers.md). Stresses in the
-    surface's plane jump at interfaces. A depth that lies exactly on one belongs to the layer below;
-    ``np.nextafter(z, 0.0)`` is the layer above.
+    Fourier modes are reflected and transmitted at the interfaces, computed by a recursion of
+    impedances that is stable for thick and thin layers (docs/theory/layers.md). In-plane stresses
+    jump at interfaces. A depth exactly at an interface belongs to the layer below it;
+    ``np.nextafter(z, 0.0)`` belongs to the layer above.
 
-    Each layer and the substrate yield by the law of their own material, and have its yield profile
-    and residual stress, whose depths are those below the surface of the body: a growth stress of a
-    coating is ``material.with_residual_stress([0.0], [s])`` of it.
+    Each layer and the substrate yield by the law of their own material, with its yield profile and
+    residual stress, whose depths are measured from the surface of the body. A growth stress of a
+    coating is set by ``material.with_residual_stress([0.0], [s])``.
     """
 
     layers: tuple[tuple[Material, float], ...]
@@ -85,8 +87,8 @@ class Layered(Shown):
             for what in ("thermal", "softening"):
                 if getattr(material, what) is not None:
                     raise ValueError(
-                        f"{name} must have no {what}, got {getattr(material, what)!r}: layered "
-                        "bodies have no kernels of heat"
+                        f"{name} must have no {what}, got {getattr(material, what)!r}: heat is not "
+                        "supported in layered bodies"
                     )
         self._core  # noqa: B018  (the core checks thicknesses)
 
@@ -101,7 +103,7 @@ class Layered(Shown):
 
     @property
     def parameters(self) -> Mapping[str, tuple[float, ...]]:
-        """E [Pa] and nu from the surface down, the substrate last, and each thickness [m]."""
+        """E [Pa] and nu from the surface down, the substrate last; and all thicknesses [m]."""
         materials = materials_of(self)
         return FrozenDict(
             {
@@ -113,7 +115,7 @@ class Layered(Shown):
 
     @property
     def least_yield_stress(self) -> float:
-        """Smallest yield stress of all materials before hardening [Pa]; infinite without yield."""
+        """Minimum initial yield stress of all materials [Pa]; infinite if none can yield."""
         return min(material.least_yield_stress for material in materials_of(self))
 
     @property
@@ -132,7 +134,7 @@ class Layered(Shown):
         return any(material.is_plastic for _, material in self._named_materials())
 
     def material_at(self, z: float) -> Material:
-        """The material at a depth z >= 0 [m]; on an interface that below it."""
+        """Return the material at a depth z >= 0 [m]; at an interface, the lower one."""
         depth = finite("z", z)
         if not depth >= 0:
             raise ValueError(f"z must be >= 0, got {z!r}")
@@ -140,17 +142,17 @@ class Layered(Shown):
         return self._named_materials()[below][1]
 
     def yield_stress_at(self, z: ArrayLike) -> FloatArray:
-        """Yield stress before hardening at depths z [Pa], same shape; infinite without yield.
+        """Initial yield stress at depths z [Pa], same shape; infinite where there is no yield.
 
-        Raises ValueError where z is negative or not finite.
+        Raises ValueError if z is negative or not finite.
         """
         depths = checked_depths(z)
         return self._over_depth(depths, np.zeros_like(depths), Material.yield_stress_at)
 
     def residual_stress_at(self, z: ArrayLike) -> FloatArray:
-        """Stress of the start at depths z [m]: sxx, syy and sxy [Pa], one array of z's shape each.
+        """Initial stresses sxx, syy and sxy at depths z [m], each with the shape of z [Pa].
 
-        0 without. Raises ValueError where z is negative or not finite.
+        0 without residual stress. Raises ValueError if z is negative or not finite.
         """
         depths = checked_depths(z)
         return self._over_depth(depths, np.zeros((3, *depths.shape)), Material.residual_stress_at)
@@ -158,13 +160,13 @@ class Layered(Shown):
     def _over_depth(
         self, depths: FloatArray, out: FloatArray, of: Callable[[Material, FloatArray], FloatArray]
     ) -> FloatArray:
-        """What the material at each depth says of it, into an array whose last axes are depths'."""
+        """Evaluate a function of each material at its depths, along the last axes of the array."""
         for material, there in materials_at(self, depths):
             out[..., there] = of(material, depths[there])
         return out
 
     def wave_compliance(self, wavenumber: ArrayLike) -> FloatArray:
-        """Displacement u_z of the surface over the pressure of a wave cos(q x) [m/Pa].
+        """Surface displacement u_z over pressure for a pressure wave cos(q x) [m/Pa].
 
         Parameters
         ----------
@@ -174,8 +176,8 @@ class Layered(Shown):
         Returns
         -------
         ndarray
-            Of the same shape: (1 - nu^2) 2/(E q) of the substrate for long waves, of the top layer
-            for short ones.
+            Compliance of the same shape: (1 - nu^2) 2/(E q) of the substrate for long waves, and of
+            the top layer for short waves.
         """
         q = real_array("wavenumber", wavenumber)
         bad = ~(np.isfinite(q) & (q > 0))
@@ -206,7 +208,7 @@ Body = Material | Layered
 
 
 def require_bodies(*bodies: Any) -> None:
-    """Raise TypeError for what is neither a material nor layers of them."""
+    """Raise TypeError for an object that is neither Material nor Layered."""
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Body):
             raise TypeError(
@@ -215,7 +217,7 @@ def require_bodies(*bodies: Any) -> None:
 
 
 def require_homogeneous(why: str, *bodies: Any) -> None:
-    """Raise TypeError for what is no material, ValueError with the reason for layers of them."""
+    """Raise TypeError for an object that is no body, ValueError with a reason for a layered one."""
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Layered):
             raise ValueError(f"body{n} must be a Material, got {len(body.layers)} layer(s): {why}")
@@ -230,12 +232,12 @@ def materials_of(body: Body) -> list[Material]:
 
 
 def names_of_materials(layers: int) -> list[str]:
-    """What files call the materials of so many layers and their substrate."""
+    """Names of the materials of a number of layers and their substrate in results files."""
     return [*(f"layer{n}" for n in range(1, layers + 1)), "substrate"]
 
 
 def materials_at(body: Body, depths: FloatArray) -> Iterator[tuple[Material, FloatArray]]:
-    """Each material of a body, and at which of some depths [m] it is, as a mask."""
+    """Yield each material of a body, with a mask of the depths [m] at which it lies."""
     materials = materials_of(body)
     bottoms = body.interfaces if isinstance(body, Layered) else np.empty(0)
     numbers = np.searchsorted(bottoms, depths, side="right")
@@ -244,12 +246,12 @@ def materials_at(body: Body, depths: FloatArray) -> Iterator[tuple[Material, Flo
 
 
 def backstresses_of(body: Body) -> int:
-    """How many backstresses a history of the body has: the most of its materials."""
+    """Maximum number of backstresses among the materials of a body."""
     return max(len(material.kinematic) for material in materials_of(body))
 
 
 def softest(body: Body) -> Material:
-    """Of the materials of a body that is most compliant: a homogeneous one for orders of size."""
+    """Most compliant material of a body, for estimates of magnitude."""
     if isinstance(body, Material):
         return body
     return max(materials_of(body), key=lambda material: (1 - material.nu**2) / material.E)

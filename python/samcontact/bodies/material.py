@@ -25,23 +25,23 @@ def _many(value: Any) -> list[Any]:
 
 
 def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
-    """Constants that belong together, e.g. those of heat."""
+    """Convert and check a group of constants, e.g. the thermal constants."""
     values = _many(given)
     if len(values) != len(parts):
-        raise ValueError(f"{name} must hold {', '.join(parts)}, got {in_short(given)}")
+        raise ValueError(f"{name} must contain {', '.join(parts)}, got {in_short(given)}")
     return tuple(number(part, value) for part, value in zip(parts, values, strict=True))
 
 
 @dataclass(frozen=True, repr=False)
 class Material(Graded, Shown):
-    """A material; make it with one of the factories, e.g. `Material.swift(...)`.
+    """Material of a body. Create it with a class method such as `Material.swift`.
 
     Attributes
     ----------
     law : str
-        The factory's name, e.g. "swift".
+        Name of the class method, e.g. "swift".
     parameters : mapping of str to float or tuple of floats
-        The factory's arguments, SI units; cannot be changed.
+        Arguments of the class method, SI units; read-only.
     kinematic : tuple of (float, float)
         Modulus [Pa] and recovery [-] of each backstress, see `with_kinematic_hardening`.
     thermal : tuple of float, or None
@@ -76,7 +76,7 @@ class Material(Graded, Shown):
             self._check_softening("softening", self.softening)
         if self.is_plastic and not np.isfinite(self.yield_stress(0.0)):
             raise ValueError(
-                f"yield stress of law {self.law} must be finite: its constants are too large"
+                f"yield stress of law {self.law} must be finite: use smaller constants"
             )
 
     @classmethod
@@ -86,21 +86,21 @@ class Material(Graded, Shown):
 
     @classmethod
     def rigid(cls) -> Material:
-        """Rigid body (E is infinite)."""
+        """Rigid body (infinite E)."""
         return cls("rigid", {})
 
     @classmethod
     def perfect_plastic(cls, E: float, nu: float, yield_stress: float) -> Material:
-        """Elastic, perfectly plastic: constant yield stress [Pa]."""
+        """Elastic, perfectly plastic body: constant yield stress [Pa]."""
         return cls("perfect_plastic", {"E": E, "nu": nu, "yield_stress": yield_stress})
 
     @classmethod
     def linear_hardening(
         cls, E: float, nu: float, yield_stress: float, tangent_modulus: float
     ) -> Material:
-        """Bilinear uniaxial curve with slope tangent_modulus Et [Pa] beyond yield, 0 <= Et < E.
+        """Bilinear uniaxial curve with slope tangent_modulus Et [Pa] above yield, 0 <= Et < E.
 
-        The yield stress grows with the equivalent plastic strain at E Et/(E - Et).
+        The yield stress increases with the equivalent plastic strain at the rate E Et/(E - Et).
         """
         parameters = {
             "E": E,
@@ -112,9 +112,9 @@ class Material(Graded, Shown):
 
     @classmethod
     def swift(cls, E: float, nu: float, B: float, C: float, n: float) -> Material:
-        """Swift's law sigma_y(g) = B (C + 1e6 g)^n, B [Pa]; C > 0 counts microstrain, 0 <= n <= 1.
+        """Swift's law sigma_y(g) = B (C + 1e6 g)^n, B [Pa], C > 0 in microstrain, 0 <= n <= 1.
 
-        Boucly (2008), eq. (2.162), with the strain in microstrain as its numbers require.
+        Boucly (2008), eq. (2.162), with the strain in microstrain as required by its values.
         """
         return cls("swift", {"E": E, "nu": nu, "B": B, "C": C, "n": n})
 
@@ -140,17 +140,17 @@ class Material(Graded, Shown):
     def tabulated(
         cls, E: float, nu: float, plastic_strain: ArrayLike, stress: ArrayLike
     ) -> Material:
-        """Points of a curve, as a test gives them: straight between them, constant beyond the last.
+        """Hardening from a measured curve: piecewise linear, constant beyond the last point.
 
         Parameters
         ----------
         E, nu : float
-            As of `elastic`.
+            As in `elastic`.
         plastic_strain : array_like, shape (n,)
-            Plastic strains [-] of a bar, total strain - true stress/E; the first 0, rising, at
-            most 4096.
+            Uniaxial plastic strains [-], total strain - true stress/E; the first is 0, increasing,
+            at most 4096 values.
         stress : array_like, shape (n,)
-            True stress [Pa] at each, > 0; it must not fall.
+            True stress [Pa] at each strain, > 0, not decreasing.
 
         Returns
         -------
@@ -159,10 +159,10 @@ class Material(Graded, Shown):
         Raises
         ------
         ValueError
-            The curve has another first strain, two stresses at a strain, or falls; a value is
+            The first strain is not 0, strains do not increase, stresses decrease, a value is
             outside its range, or the numbers of values differ.
         TypeError
-            One is not a number.
+            An argument is not a number.
         """
         parameters = {"E": E, "nu": nu, "plastic_strain": plastic_strain, "stress": stress}
         return cls("tabulated", parameters)
@@ -170,58 +170,58 @@ class Material(Graded, Shown):
     def with_kinematic_hardening(
         self, modulus: float | Sequence[float], recovery: float | Sequence[float] = 0.0
     ) -> Material:
-        """The same material with a yield surface that also moves with the plastic strain.
+        """Return a copy with a yield surface that translates with the plastic strain.
 
-        Each backstress X follows the plastic strain e and its equivalent g by
-        dX = 2/3 modulus de - recovery X dg; several add up. The isotropic law of this material goes
-        on beside: with `perfect_plastic` the hardening is purely kinematic.
+        Each backstress X follows the plastic strain e and its equivalent g by dX = 2/3 modulus de -
+        recovery X dg; several are added. The isotropic law of this material stays in effect: with
+        `perfect_plastic` the hardening is purely kinematic.
 
         Parameters
         ----------
         modulus : float or sequence of up to 4 floats
-            Slope of the uniaxial stress against plastic strain that each adds [Pa], > 0. A tangent
-            modulus Et of the uniaxial curve needs the sum E Et/(E - Et).
+            Contribution of each to the slope of uniaxial stress against plastic strain [Pa], > 0.
+            For a tangent modulus Et of the uniaxial curve, the sum must be E Et/(E - Et).
         recovery : float or sequence of floats, optional
-            >= 0 [-]. 0: linear (Prager 1949). Otherwise X saturates at modulus/recovery
-            (Armstrong and Frederick 1966); several: Chaboche (1986),
-            doi:10.1016/0749-6419(86)90010-0.
+            Dynamic recovery >= 0 [-]. 0: linear (Prager 1949). Otherwise X saturates at
+            modulus/recovery (Armstrong and Frederick 1966); several: Chaboche (1986),
+            doi:10.1016/0749-6419(86)90010-0. Default: 0.
 
         Returns
         -------
         Material
-            In place of any kinematic hardening it had.
+            Material in which this replaces any earlier kinematic hardening.
 
         Raises
         ------
         ValueError
             The body does not yield, there are more than 4 backstresses, modulus and recovery differ
-            in number, or one is outside its range.
+            in number, or a value is outside its range.
         TypeError
-            One is not a number.
+            An argument is not a number.
         """
         moduli, recoveries = _many(modulus), _many(recovery)
         if not isinstance(recovery, (list, tuple)) and len(recoveries) == 1:  # one for all
             recoveries *= len(moduli)
         if len(moduli) != len(recoveries) or not moduli:
             raise ValueError(
-                f"modulus and recovery must be as many, at least one each, got {len(moduli)} and "
+                f"modulus and recovery must have equal lengths >= 1, got {len(moduli)} and "
                 f"{len(recoveries)}"
             )
         terms = tuple(zip(moduli, recoveries, strict=True))
         return replace(self, kinematic=terms)
 
     def with_thermal(self, conductivity: float, expansion: float, diffusivity: float) -> Material:
-        """The same material with thermal constants, as frictional heat needs them.
+        """Return a copy with thermal constants, required for frictional heating.
 
         Parameters
         ----------
         conductivity : float
-            k [W/(m K)], > 0.
+            Thermal conductivity k [W/(m K)], > 0.
         expansion : float
-            Linear expansion alpha [1/K], >= 0.
+            Linear thermal expansion alpha [1/K], >= 0.
         diffusivity : float
-            kappa = k/(rho c) [m^2/s], > 0; it has no effect in the steady state of a source at
-            rest.
+            Thermal diffusivity kappa = k/(rho c) [m^2/s], > 0; no effect in the steady state of a
+            source at rest.
 
         Returns
         -------
@@ -232,24 +232,24 @@ class Material(Graded, Shown):
         ValueError
             The body is rigid, or a constant is outside its range.
         TypeError
-            One is not a number.
+            An argument is not a number.
         """
         return replace(self, thermal=(conductivity, expansion, diffusivity))
 
     def with_softening(self, law: Callable[[FloatArray], ArrayLike]) -> Material:
-        """The same material with a yield stress that depends on the temperature.
+        """Return a copy with a temperature-dependent yield stress.
 
         Parameters
         ----------
         law : callable
-            Factor of the yield stress, in (0, 1], from the rise of temperature [K]; takes and
-            returns an array of shape (nx, ny, nz), once in each increment, with the temperature
-            of its first contact solution. `samcontact.softening.JohnsonCook` is one. A checkpoint
-            stores that one only; for others give the law again to `Simulation.load`. A run with
-            `checkpoint` continues only with the same law: its code and all data it uses are
-            compared (defaults, closures, globals, attributes). A law with hidden state, such as a
-            compiled object, must hold in an attribute `identity` all that it depends on, e.g.
-            ``law.identity = ("my law", 2e-4)``.
+            Function of the temperature rise [K] that returns the factor on the yield stress, in (0,
+            1]; arrays of shape (nx, ny, nz). It is called once per increment, with the temperature
+            rise of the first contact solution. `samcontact.softening.JohnsonCook` is such a
+            function; only this one is stored in checkpoints. Pass any other law again to
+            `Simulation.load`. A run with `checkpoint` resumes only with an identical law: its code
+            and all data it uses are compared (defaults, closures, globals, attributes). A law with
+            hidden state, such as a compiled object, must have an attribute `identity` with all that
+            it depends on, e.g. ``law.identity = ("my law", 2e-4)``.
 
         Returns
         -------
@@ -267,9 +267,11 @@ class Material(Graded, Shown):
 
     def _check_softening(self, name: str, law: Any) -> None:
         if not callable(law):
-            raise TypeError(f"{name} must be a function of the temperature, got {in_short(law)}")
+            raise TypeError(
+                f"{name} must be a function of the temperature rise, got {in_short(law)}"
+            )
         if not self.is_plastic:
-            raise ValueError("softening needs a body that yields, not an elastic one")
+            raise ValueError("softening requires an elastic-plastic material")
 
     @cached_property
     def _core(self) -> Any:
@@ -307,9 +309,9 @@ class Material(Graded, Shown):
     def yield_stress(self, g: ArrayLike) -> float | FloatArray:
         """Yield stress [Pa] at equivalent plastic strain g [-], scalar or array (same shape).
 
-        With kinematic hardening the radius of the yield surface, without its backstress; without
-        the factor of a yield profile, see `yield_factor`. Infinite for an elastic or rigid body.
-        Raises ValueError where g is negative or not finite.
+        With kinematic hardening, it is the radius of the yield surface, without backstress. A yield
+        profile is not included, see `yield_factor`. Infinite for an elastic or rigid body. Raises
+        ValueError if g is negative or not finite.
         """
         return self._at(g, self._core.yield_stress)
 
@@ -324,21 +326,21 @@ class Material(Graded, Shown):
     def plastic_work(self, g: ArrayLike) -> float | FloatArray:
         """Work of the yield stress up to equivalent plastic strain g, its integral [J/m^3].
 
-        What is dissipated per volume, without what kinematic hardening does (its backstress), and
+        Energy dissipated per volume, without the work of the backstress of kinematic hardening and
         without the factors of thermal softening and of a yield profile. Scalar or array (same
-        shape); 0 for a body that cannot yield. Raises ValueError where g is negative or not finite.
+        shape); 0 for a body that cannot yield. Raises ValueError if g is negative or not finite.
         """
         return self._at(g, self._core.work)
 
     def uniaxial_stress(self, strain: ArrayLike) -> FloatArray:
-        """Axial stress in a bar of this material that is stretched and compressed.
+        """Axial stress in a bar of this material under a history of axial strain.
 
         Parameters
         ----------
         strain : array_like, shape (n,)
             History of the total axial strain [-], tension positive, from the virgin state. Each
-            value is one increment (backward Euler: exact for straight hardening, of first order in
-            the steps otherwise).
+            value is one increment (backward Euler: exact for linear hardening, otherwise first
+            order in the steps).
 
         Returns
         -------
@@ -348,24 +350,24 @@ class Material(Graded, Shown):
         Raises
         ------
         ValueError
-            Not one-dimensional, not finite, or a rigid body.
+            The strain is not one-dimensional or not finite, or the body is rigid.
         """
         if self.is_rigid:
-            raise ValueError("a rigid body has no uniaxial stress")
+            raise ValueError("uniaxial_stress requires a body that is not rigid")
         history = real_array("strain", strain)
         if history.ndim != 1 or not np.isfinite(history).all():
             raise ValueError("strain must be one-dimensional and finite everywhere")
         stress = np.asarray(self._core.uniaxial_stress(history.tolist()), dtype=np.float64)
         if not np.isfinite(stress).all():
             largest = float(np.abs(history).max())
-            raise ValueError(f"strain leads beyond the range of numbers, got up to {largest!r}")
+            raise ValueError(f"strain causes floating-point overflow, got up to {largest!r}")
         return stress
 
     def _rows(self) -> Rows:
         return material_rows(self)
 
     def __repr__(self) -> str:
-        """All that it is."""
+        """Constructor call with all attributes."""
         beside = [field.name for field in fields(self)[2:]]
         extra = {name: getattr(self, name) for name in beside}
         given = {

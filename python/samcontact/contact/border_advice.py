@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What helps where the contact of a gap that is known on one grid only touches the border."""
+"""Remedies for a contact that reaches the edge of a grid that cannot be enlarged."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ if TYPE_CHECKING:
     from .._util.checks import FloatArray
     from ..diagnostics.hertz_estimate import ContactSetup
 
-GROWS = "the grid grows by itself where the gap is a function of it"
-"""What helps where it does not."""
-_TILTED = 0.5  # of the other heights, from which on a plane is the reason
-_ROUNDING = 1e-12  # of the largest height, up to which a rise is none
-_REPEAT = 'let it repeat itself with Grid(..., periodic="xy")'
+GROWS = "pass gap and reliefs as functions to enlarge the grid automatically"
+"""Remedy if the grid is not enlarged because the gap or a relief is an array."""
+_TILTED = 0.5  # rise of the mean plane over the other heights, above which tilt is the reason
+_ROUNDING = 1e-12  # rise over the maximum height, up to which it is rounding
+_REPEAT = 'make the surface periodic with Grid(..., periodic="xy")'
 _REMEDY = ": enlarge "
-_ASK = ', or ask for a warning with on_border="warn"'
+_ASK = ', or set on_border="warn"'
 
 
 def told_of_fixed(error: ValueError, scene: ContactSetup) -> None:
-    """Add to a GridTooSmallError what helps an array as gap: a measured one cannot be enlarged."""
+    """Add to a GridTooSmallError the remedies for a gap that is an array."""
     error.args = (f"{advised(str(error), scene, _ASK)}; {GROWS}",)
 
 
 def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
-    """A complaint of the border with what helps an array as gap.
+    """Return a message about the edge of the grid, with the remedies for a gap that is an array.
 
-    ask: what helps any, which stands in the complaint already.
+    ask: general remedy, which the message already contains.
     """
     before, _, remedy = text.partition(_REMEDY)
     if scene.radii is not None or not remedy:
@@ -42,17 +42,15 @@ def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
         )
     if "covers" in before:
         return (
-            f"{before}: a surface that touches everywhere does so on a larger grid too; "
+            f"{before}: a surface in contact everywhere reaches the edge of any grid; "
             f"{_REPEAT}{ask}"
         )
-    return (
-        f'{text}; of a measured surface take the shape off with detrend="curvature", or {_REPEAT}'
-    )
+    return f'{text}; remove the shape of a measured surface with detrend="curvature", or {_REPEAT}'
 
 
 def _tilt(gap: FloatArray) -> str:
-    """By how much the plane through a gap rises over the grid, where its heights are mostly that;
-    else nothing."""
+    """Rise of the mean plane of a gap over the grid, in words, if it dominates the heights;
+    otherwise empty."""
     body = np.isfinite(gap)
     axes = np.meshgrid(*(np.linspace(-0.5, 0.5, n) for n in gap.shape), indexing="ij")
     places = [np.ones(int(body.sum())), *(axis[body] for axis in axes)]
@@ -69,4 +67,4 @@ def _tilt(gap: FloatArray) -> str:
         for rise, axis in zip(rises, "xy", strict=True)
         if rise > 0.1 * max(rises)
     )
-    return f"by {along} beside other heights of {quantity(others, 'm')}"
+    return f"by {along} with other heights of {quantity(others, 'm')}"

@@ -12,10 +12,11 @@ from ..diagnostics import hertz_estimate
 from ..scene.grid import Grid
 
 MOST, LARGE = 64, 1 << 22
-"""Times the cells of its first window that a window may have; and cells, where Hertz says so."""
+"""Maximum number of cells as a multiple of the initial grid; number of cells always allowed while
+the grid is smaller than the Hertz estimate."""
 ROOM = 1.25
-"""Sides of a window over those of the Hertz contact: yielding bodies touch over more."""
-_WIDER, _LEAST = 1.5, 1.25  # a side that the contact touches, and one that needs to be longer
+"""Sides of an enlarged grid over those of the Hertz contact: plastic flow widens the contact."""
+_WIDER, _LEAST = 1.5, 1.25  # growth of a side reached by the contact; minimum growth
 
 
 def counts_for(
@@ -25,7 +26,7 @@ def counts_for(
     load: float | None = None,
     approach: float | None = None,
 ) -> list[int]:
-    """Cells along x and y of a window larger than that of an error; ValueError for too many."""
+    """Cells along x and y of the enlarged grid after an error; ValueError if they are too many."""
     shape, sizes = scene.grid.surface_shape, (scene.grid.dx, scene.grid.dy)
     halves = zip(hertz_estimate.extent(scene, load, approach), sizes, strict=True)
     needed = [math.ceil(2 * ROOM * half / d) for half, d in halves]
@@ -37,23 +38,23 @@ def counts_for(
     most = MOST * first.nx * first.ny
     most = max(most, MOST * needed[0] * needed[1] if fits else LARGE)
     if counts[0] * counts[1] > most:
-        raise ValueError(f"{counts[0]} x {counts[1]} cells are more than {most}")
+        raise ValueError(f"{counts[0]} x {counts[1]} cells exceed the limit of {most}")
     return counts
 
 
 @contextmanager
 def told_in(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
-    """Why a grid cannot become larger, as a part of the error that asked for it."""
+    """Context that adds to an error the reason why the grid cannot be enlarged."""
     try:
         yield
     except (ValueError, MemoryError) as reason:
         cells = f"{grid.nx} x {grid.ny} cells"
-        error.args = (f"{error}; the grid of {cells} grows no further: {reason}",)
+        error.args = (f"{error}; the grid of {cells} cannot be enlarged: {reason}",)
         raise error from reason
 
 
 def even_more(n: int, wanted: float) -> int:
-    """At least as many cells as wanted, an even number more and a quarter at least, if any."""
+    """Increase n, if too small, to at least `wanted`, by an even number and at least a quarter."""
     if wanted <= n:
         return n
     return n + 2 * math.ceil((max(wanted, _LEAST * n) - n) / 2)

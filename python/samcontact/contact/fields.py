@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of a body under the tractions of an elastic contact."""
+"""Fields of a body due to the tractions of an elastic contact."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from ..solutions.stress_at_points import require_closed_forms, stress_at_points
 
 
 class ContactFields(Configured):
-    """Stress, displacement and temperature of what a contact solver was made of."""
+    """Stress, displacement and temperature for the setup of a contact solver."""
 
     grid: Grid
     body1: Body
@@ -41,27 +41,27 @@ class ContactFields(Configured):
         *,
         shear: ArrayLike | None = None,
     ) -> FloatArray:
-        """Elastic and thermal stress in a body at any depths, without that of the start.
+        """Elastic and thermal stress in a body at given depths, without initial stress.
 
         Parameters
         ----------
         pressure : array_like, shape (nx, ny)
-            [Pa].
+            Contact pressure [Pa].
         z : array_like, shape (m,)
             Depths [m], >= 0.
         body : {1, 2}, optional
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
-            Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction times
-            pressure. With `Coulomb` there is no default.
+            Shear traction s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1). Default:
+            friction times pressure; required with `Coulomb`.
 
         Returns
         -------
         ndarray, shape (6, nx, ny, m)
-            xx, yy, zz, yz, xz, xy [Pa], tension positive, in the body's own frame.
+            Components xx, yy, zz, yz, xz, xy [Pa], tension positive, in the body's own frame.
         """
         material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
         if material.is_rigid:
-            raise ValueError(f"body {body} is rigid: it has no stress")
+            raise ValueError(f"body {body} is rigid and has no stress")
         layers = real_array("z", z).size
         needed = memory.volume(self.grid, memory.STRESS_OF_TRACTIONS, layers)
         memory.require_for_grid(f"the stress at {layers} depths", self.grid, needed)
@@ -77,35 +77,36 @@ class ContactFields(Configured):
     def displacement(
         self, pressure: ArrayLike, shear: ArrayLike | None = None, body: int = 2
     ) -> FloatArray:
-        """Elastic displacement of a body's surface under tractions, along x, y and z.
+        """Elastic displacement of a body's surface due to tractions, along x, y and z.
 
         Parameters
         ----------
         pressure : array_like, shape (nx, ny)
-            [Pa], positive in compression.
+            Contact pressure [Pa], positive in compression.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
-            Shear s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1); default friction times
-            pressure. With `Coulomb` there is no default.
+            Shear traction s_x, or (s_x, s_y), on body 2 [Pa] (reversed on body 1). Default:
+            friction times pressure; required with `Coulomb`.
         body : {1, 2}, optional
 
         Returns
         -------
         ndarray, shape (3, nx, ny)
-            u_x, u_y, u_z [m] at the cell centres, zero far away (see Grid for periodic ones): u_x
-            and u_y along the x and y that both bodies share, u_z positive into the body. Shear
-            s_x > 0 on body 2 moves its surface to +x; pressure draws the surface around it towards
-            itself. Without thermal expansion; zero for a rigid body.
+            u_x, u_y, u_z [m] at the cell centres, zero far away (see Grid for periodic grids): u_x
+            and u_y along x and y, which both bodies share, u_z positive into the body. Shear s_x >
+            0 on body 2 displaces its surface towards +x; pressure draws the surrounding surface
+            towards itself. Without thermal expansion; zero for a rigid body.
 
         Raises
         ------
         ValueError, TypeError
-            An argument out of range or of the wrong kind.
+            An argument has an invalid value or type.
 
         Notes
         -----
         Boussinesq's and Cerruti's point forces (Johnson 1985, sections 3.2 and 3.6), integrated
-        over each cell in closed form. The relative displacement along the surface is that of body 2
-        less that of body 1; the approach of the surfaces is the sum of u_z.
+        over each cell in closed form. The relative tangential displacement is that of body 2 minus
+        that of body 1; the normal displacements of both bodies add up to the approach of the
+        surfaces.
         """
         material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
         needed = 3 * memory.surface(self.grid, memory.DISPLACEMENT)
@@ -119,7 +120,7 @@ class ContactFields(Configured):
     def _tractions_on(
         self, body: int, pressure: ArrayLike, shear: ArrayLike | None
     ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-        """Pressure, s_x and s_y on a body, of those on body 2; without shear that of friction."""
+        """Pressure, s_x and s_y on a body, from those on body 2; default shear from friction."""
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
         attracted = self.contact_law.attracts and self.friction != 0
         if shear is None and not (attracted or self._law.sticks):
@@ -127,28 +128,28 @@ class ContactFields(Configured):
         elif shear is None:
             law = f" and contact_law {self.contact_law!r}" if attracted else ""
             raise ValueError(
-                f"shear must be given where friction is {self.friction!r}{law}, got None: it does "
-                "not follow from the pressure; a solution has it"
+                f"shear is required with friction = {self.friction!r}{law}, got None: it is not "
+                "determined by the pressure; use the shear of a solution"
             )
         parts = shear_components(self.grid, shear)
         s_x, s_y = parts if body == 2 else (None if s is None else -s for s in parts)
         return p, s_x, s_y
 
     def temperature(self, pressure: ArrayLike, z: ArrayLike = 0.0, body: int = 2) -> FloatArray:
-        """Rise of temperature in a body at any depths.
+        """Temperature rise in a body at given depths.
 
         Parameters
         ----------
         pressure : array_like, shape (nx, ny)
-            [Pa].
+            Contact pressure [Pa].
         z : array_like, shape (m,), optional
-            Depths [m], >= 0; default the surface (flash temperature).
+            Depths [m], >= 0. Default: the surface (flash temperature).
         body : {1, 2}, optional
 
         Returns
         -------
         ndarray, shape (nx, ny, m)
-            [K]; zero in a body that is not heated.
+            Temperature rise [K]; zero in a body that is not heated.
         """
         index = choice("body", body, (1, 2)) - 1
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
@@ -163,12 +164,12 @@ class ContactFields(Configured):
     def stress_at(
         self, solution: ContactSolution, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: int = 2
     ) -> FloatArray:
-        """Elastic stress of a solution at any points, also off the grid and beside it.
+        """Elastic stress of a solution at arbitrary points, on and off the grid.
 
         Parameters
         ----------
         solution : ContactSolution
-            Its pressure and shear act; with friction as a number, friction times the pressure.
+            Solution whose pressure and shear act; in full sliding, friction times the pressure.
         x, y, z : array_like
             Points [m], of shapes that broadcast; z >= 0 is the depth in the body.
         body : {1, 2}, optional
@@ -176,23 +177,23 @@ class ContactFields(Configured):
         Returns
         -------
         ndarray, shape (6, ...)
-            xx, yy, zz, yz, xz, xy [Pa], tension positive, in the body's own frame. At the surface,
-            z = 0, stress jumps between cells, and below it that of single cells is seen to a depth
-            of about one cell: the tractions are uniform in each. On the line between loaded cells
-            at the surface, where this stress is infinite, it is the mean half a cell to both
-            sides.
+            Components xx, yy, zz, yz, xz, xy [Pa], tension positive, in the body's own frame. The
+            tractions are uniform in each cell, so stress at the surface z = 0 jumps between cells,
+            and single cells remain visible to a depth of about one cell. On an edge between loaded
+            cells at the surface, where this stress is infinite, the mean of the values half a cell
+            to both sides is returned.
 
         Raises
         ------
         ValueError, TypeError
-            A layered, rigid or heated body, a periodic grid; points that are not finite, or above
-            the surface.
+            The body is layered, rigid or heated; the grid is periodic; points are not finite or lie
+            above the surface.
 
         Notes
         -----
-        Sums the closed form of each loaded cell (Love 1929; Johnson 1985, section 3.4): the values
-        of `stress` at the centres of cells, to rounding. It takes a few microseconds per point and
-        loaded cell.
+        Sums the closed form of each loaded cell (Love 1929; Johnson 1985, section 3.4). At cell
+        centres the result equals that of `stress` to rounding. It takes a few microseconds per
+        point and loaded cell.
         """
         require_type("solution", solution, ContactSolution)
         number = choice("body", body, (1, 2))
@@ -205,8 +206,8 @@ class ContactFields(Configured):
             s_x, s_y = solution.shear
         elif self._law.sticks:
             raise ValueError(
-                f"solution must be one with shear where friction is {self.friction!r}, got a "
-                "ContactSolution of a solver with friction as a number"
+                f"solution must have shear because friction = {self.friction!r}, got a "
+                "ContactSolution of full sliding"
             )
         else:
             s_x, s_y = self._law.sliding_ratio * solution.repulsion, 0.0 * p

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether bodies that friction couples stay out of each other.
+"""Detection of interpenetration in contacts with friction coupling.
 
-The iteration of the coupling stops when the pressed cells change no more; where friction is so
-strong that it ends in a single cell, that says nothing, and the bodies overlap beside it.
+The coupling iteration stops when the set of contact cells no longer changes. With very strong
+friction this set may shrink to a single cell, and the bodies then overlap around it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 SHARE = 1e-3
-"""Overlap that is a fault, of largest pressure times size of the contact over E*."""
+"""Overlap regarded as an error, relative to max pressure times contact size over E*."""
 
 
 def may_overlap(bodies: tuple[Body, Body], friction: FrictionLaw) -> bool:
@@ -46,8 +46,8 @@ def require_apart(
     if overlap > max(SHARE, 10 * tol) * scale > 0:
         error = ConvergenceError(
             f"contact did not converge at load {found.load:.6g} N: the bodies overlap by "
-            f"{overlap:.3g} m, since the shear of friction = {friction!r} moves their surfaces "
-            "more than the pressure does: take a smaller friction, or bodies of similar elasticity"
+            f"{overlap:.3g} m because the shear of friction = {friction!r} moves their surfaces "
+            "more than the pressure: use less friction, or more similar materials"
         )
         error.iterations, error.residual = found.iterations, overlap / scale
         raise error

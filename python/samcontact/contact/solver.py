@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic contact of two half-spaces."""
+"""Solver for the elastic contact of two half-spaces."""
 
 from __future__ import annotations
 
@@ -33,40 +33,41 @@ from .tangential_drive import Drive, Pressing, tangential_drive
 
 
 class ContactSolver(ContactFields):
-    """Contact of two elastic half-spaces with friction.
+    """Solver for the elastic contact of two half-spaces, with or without friction.
 
-    Exact Love and Cerruti coefficients, discrete convolution by FFT, active sets with a spectral
-    preconditioner, started from coarser grids. Friction as a number is gross sliding along x: the
-    shear mu p acts on body 2 in +x and on body 1 in -x. With `Coulomb` the bodies stick and slip;
-    shear is solved for as pressure is. Where the elastic constants couple shear to the normal
+    Exact Love and Cerruti coefficients are convolved by FFT; an active-set method with a spectral
+    preconditioner starts from coarser grids. Friction given as a number means full sliding along x:
+    the shear mu p acts on body 2 in +x and on body 1 in -x. `Coulomb` allows partial slip; the
+    shear is then solved for like the pressure. If the elastic constants couple shear to the normal
     displacement, the coupling is iterated to convergence.
 
     Parameters
     ----------
     grid : Grid
     body1, body2 : Material or Layered
-        Upper and lower body; at most one is rigid. Plastic materials act elastically here.
+        Upper and lower body; at most one is rigid. Plastic materials are treated as elastic.
     friction : float or Coulomb, optional
-        Coefficient of friction mu >= 0 [-]: gross sliding along x. `Coulomb(mu)`: stick and slip.
+        Friction law. A float is a coefficient mu >= 0 [-] for full sliding along x; `Coulomb(mu)`
+            allows partial slip.
     tol : float, optional
-        Stop when the complementarity error (see ContactSolution.error) is below, in [1e-13, 1).
+        Convergence tolerance of the complementarity error `ContactSolution.error`, in [1e-13, 1).
     on_border : {"error", "warn"}, optional
-        What a contact does that touches the border of a grid that cannot grow.
+        Action if the contact reaches the edge of a grid that cannot be enlarged: raise
+            `GridTooSmallError` or issue `GridTooSmallWarning`.
     max_iterations : int, optional
     heat : Heat, optional
-        Frictional heat, without a `history`; default none, `Heat(0.0)`.
+        Frictional heating; `history` is not supported. Default: none, `Heat(0.0)`.
     contact_law : ContactLaw, optional
-        How far the pressure may fall at a gap; default `HardContact()`, p >= 0. Friction goes with
-        the repulsion alone. Bodies that attract each other do so all over the grid, which is not
-        enlarged.
+        Lower bound of the pressure across a gap. Default: `HardContact()`, p >= 0. Friction depends
+        on the repulsion only. Attraction acts over the whole grid, which is not enlarged.
 
     Raises
     ------
     ValueError, TypeError
-        An argument out of range or of the wrong kind; the text names it, its value and what is
-        allowed.
+        An argument has an invalid value or type. The message gives its name, its value and the
+        allowed range.
     MemoryError
-        The grid needs more memory than is available, told before any is taken.
+        The grid requires more memory than is available. Checked before allocation.
     """
 
     def __init__(
@@ -92,7 +93,7 @@ class ContactSolver(ContactFields):
         self._law = settings.law
         self.heat = COLD if heat is None else heat
         require_type("heat", self.heat, Heat)
-        for name, instead in (("history", "give time, or"), ("partition", "slip takes time,")):
+        for name, instead in (("history", "set time, or"), ("partition", "slip takes time:")):
             if (given := getattr(self.heat, name)) is not None:
                 raise ValueError(
                     f"heat.{name} must be None for a single contact, got {given!r}: {instead} use "
@@ -133,71 +134,78 @@ class ContactSolver(ContactFields):
         advance: Sequence[float] = (0.0, 0.0),
         initial_pressure: ArrayLike | None = None,
     ) -> ContactSolution:
-        """Solve for a load or an approach; with `Coulomb`, one increment of a history.
+        """Solve the contact for a given load or approach.
+
+        With `Coulomb` friction, one call is one increment of the loading history.
 
         Parameters
         ----------
         gap : array_like, shape (nx, ny), or callable
-            Initial separation of the undeformed bodies [m], inf where one of them is not; or a
-            function of a grid that returns it. Then the solution is that on a larger grid where
-            that of the solver does not hold the contact, as in a `Simulation`; the solver keeps its
-            own.
+            Initial separation of the undeformed bodies [m], inf where one of them is absent; or a
+            function of a grid that returns it. With a function, the solution is on an enlarged grid
+            if that of the solver does not contain the contact, as in a `Simulation`; the solver
+            keeps its own grid.
         load : float
-            Total load [N], >= 0, or at least the largest tension that the contact law bears; or
+            Normal load [N], >= 0, or down to the maximum tension of the contact law.
         approach : float
-            Rigid-body approach [m]; exactly one of the two.
+            Rigid-body approach [m]. Exactly one of load and approach must be given.
         shift : pair of float, optional
-            With `Coulomb`: rigid motion of body 1 over body 2 in this increment [m]. None in place
-            of a number, or of both, leaves that direction to `tangential_load`.
+            With `Coulomb`: tangential rigid-body displacement of body 1 relative to body 2 in this
+            increment [m]. `None` for a component, or for both, means that `tangential_load`
+            prescribes the force in that direction.
         tangential_load : pair of float, optional
-            With `Coulomb`: total force on body 2 at the end of the increment [N]; its length is
-            less than mu times the load. A direction of which nothing is told is held: shift 0.
+            With `Coulomb`: force on body 2 at the end of the increment [N], smaller than mu times
+            the load. A direction without prescribed force or displacement is held fixed (zero
+            shift).
         twist : float, optional
-            With `Coulomb`: turn of body 1 over body 2 about z at the origin in this increment
-            [rad]; or
+            With `Coulomb`: rotation of body 1 relative to body 2 about z at the origin, in this
+            increment [rad]. Mutually exclusive with `torque`.
         torque : float, optional
-            the moment on body 2 at its end [N m]; without both the turn is held.
+            Moment about z on body 2 at the end of the increment [N m]. If neither `twist` nor
+            `torque`
+                 is given, rotation is prevented.
         previous : StickSlipSolution or RollingSolution, optional
-            With `Coulomb`: the end of the increment before, from which load and shear go on
-            together. Without it the bodies are pressed first, then sheared; the solution for
-            load=0 is the start of a path on which both begin together.
+            With `Coulomb`: solution of the preceding increment, from which load and shear change
+            together. If omitted, the normal load is applied first and the tangential load second.
+            To apply both together from zero, pass the solution for load=0.
         advance : pair of float, optional
-            With `Coulomb` and `previous`: ways s_1, s_2 of both surfaces towards +x through the
-            contact [m]: it rolls towards +x by -(s_1 + s_2)/2, a whole number of cells. s_1 - s_2,
-            at most a cell, adds to the shift along x (none where a force is given there).
+            With `Coulomb` and `previous`: displacements s_1, s_2 of both surfaces through the
+            contact, positive along +x [m]. The contact rolls towards +x by -(s_1 + s_2)/2, a whole
+            number of cells. s_1 - s_2, at most a cell, is added to the shift along x (not under a
+            given force).
         initial_pressure : array_like, shape (nx, ny), optional
-            Start of the iteration [Pa]; a good one, such as the solution for a similar gap or load,
-            saves the coarser grids and most steps; where one leads nowhere, there is another try
-            without.
+            Initial pressure of the iteration [Pa]. A good one, such as the solution for a similar
+            gap or load, saves the coarser grids and most iterations. If the iteration does not
+            converge from it, the solve is repeated without it.
 
         Returns
         -------
         ContactSolution
-            With `Coulomb` a `StickSlipSolution`.
+            A `StickSlipSolution` with `Coulomb`.
 
         Raises
         ------
         ValueError
-            Bad arguments, a tangential load or torque beyond what friction holds;
-            GridTooSmallError when the contact touches the border of the grid.
+            Invalid arguments, or a tangential load or torque above the friction limit;
+            GridTooSmallError if the contact reaches the edge of the grid.
         ConvergenceError
             With .iterations and .residual.
 
         Warns
         -----
         ResolutionWarning
-            The contact is fewer than 8 cells across, or the area of several spots uncertain by more
-            than 10 %.
+            The contact is fewer than 8 cells across, or the area of several contact spots is
+            uncertain by more than 10 %.
         ElasticStrainWarning
-            The largest pressure is more than half the contact modulus, or a body that yields would
-            do so under it: it acts elastically here.
+            The maximum pressure exceeds half the contact modulus, or a body treated as elastic
+            would yield under it.
         SingularPressureWarning
-            The pressure rises to a sharp edge, where that of elastic bodies has no limit.
+            The pressure rises to a sharp edge, where that of elastic bodies is unbounded.
         UnitWarning
-            Before the solve: what Hertz expects is far off the grid, or the
-            material cannot be; with the quantity that is likely in another unit.
+            Before the solve: the Hertz estimate is far outside the range of the grid, or material
+            constants are implausible; names the quantity that is probably in another unit.
         GridTooSmallWarning
-            With on_border="warn", where there would be a GridTooSmallError.
+            With on_border="warn", instead of a GridTooSmallError.
         """
         self.contact_law.require_possible(self.heat, {"advance": advance})
         drive = tangential_drive(
@@ -206,7 +214,7 @@ class ContactSolver(ContactFields):
         return solve_driven(self, gap, load, approach, drive, initial_pressure)
 
     def _over(self, counts: Sequence[int]) -> ContactSolver:
-        """The same on a grid of other counts."""
+        """Return this solver on a grid with other numbers of cells."""
         grid = replace(self.grid, nx=counts[0], ny=counts[1])
         return _made(grid, self.body1, self.body2, self._settings.arguments(), self.heat)
 
@@ -218,7 +226,7 @@ class ContactSolver(ContactFields):
         value: float,
         drive: Drive,
     ) -> tuple[ContactSolution, str]:
-        """The solution and what is to be said of the border, without a start that leads nowhere."""
+        """Return the solution and a message about the edge; drop a start that does not converge."""
         contact = window.initial_gap, driver == "load", value
         try:
             return self._solved(contact, drive, start)
@@ -254,7 +262,7 @@ def solve_driven(  # warnings name the caller's caller
     drive: Drive,
     initial_pressure: ArrayLike | None = None,
 ) -> ContactSolution:
-    """Solve the contact for a load or an approach, with what drives it along the surface."""
+    """Solve the contact for a load or an approach, with a tangential drive."""
     driver = exactly_one(load=load, approach=approach)
     value = number(driver, load if approach is None else approach)
     if driver == "approach":
@@ -262,7 +270,7 @@ def solve_driven(  # warnings name the caller's caller
     start = None
     if initial_pressure is not None:
         start = finite_array("initial_pressure", initial_pressure, asked.grid.surface_shape)
-        # numbers that mean nothing beside any load would divide by zero
+        # values negligible against any load would lead to division by zero
         start = np.where(np.abs(start) > 1e-75, start, 0.0)
     surfaces, solver = SurfaceGeometry(gap), asked
     if callable(gap) and drive.previous is not None and not fits(drive.previous, asked.grid):

@@ -26,21 +26,21 @@ from ..solutions.contact_solution import (
 _DIRECTIONS = ("x", "y")
 
 Pressing = tuple[FloatArray, bool, float]
-"""Initial gap, whether the load is given, and the load or approach."""
+"""Initial gap, whether the load is prescribed, and the load or approach."""
 Settings = tuple[float, int, bool]
-"""Tolerance, iterations at most, whether the border is an error."""
+"""Tolerance, maximum number of iterations, whether reaching the edge is an error."""
 
 
 @dataclass(frozen=True)
 class GivenAlong:
-    """What is given along the surface: of each direction and the turn, its kind and its value."""
+    """Prescribed tangential quantities: kind and value for x, y and rotation."""
 
     is_force: tuple[bool, bool, bool]
     values: tuple[float, float, float]
 
     @classmethod
     def of(cls, motions: Mapping[str, Any], forces: Mapping[str, Any]) -> GivenAlong:
-        """Of a pair and a turn each, by their names; what is given nowhere is a motion of 0."""
+        """Combine named pairs and rotations; a component that is not given is a zero motion."""
         (moved, motion), (turned, turn) = motions.items()
         (pulled, force), (wrung, torque) = forces.items()
         given = zip(
@@ -54,7 +54,7 @@ class GivenAlong:
             if a is not None and b is not None:
                 raise ValueError(
                     f"{names} cannot both be given, got {a!r} and {b!r}: the motion follows from "
-                    "the force; put None in place of one"
+                    "the force; set one of them to None"
                 )
         x, y, z = (b is not None for _, _, b in all_given)
         u, v, w = ((0.0 if a is None else a) if b is None else b for _, a, b in all_given)
@@ -62,11 +62,11 @@ class GivenAlong:
 
 
 class Drive(Protocol):
-    """Tangential drive of a contact with stick and slip."""
+    """Tangential drive of a contact with partial slip."""
 
     @property
     def previous(self) -> ShearedSolution | None:
-        """The solution whose grid the present one must fit."""
+        """Solution on whose grid the present one must be."""
 
     def solved(
         self,
@@ -76,25 +76,25 @@ class Drive(Protocol):
         start: FloatArray | None,
         settings: Settings,
     ) -> tuple[ContactSolution, str]:
-        """The solution, and what is to be said of the border."""
+        """Return the solution and a message about the edge of the grid."""
 
 
 @dataclass(frozen=True)
 class Tangential:
-    """What drives one increment along the surface."""
+    """Tangential drive of one increment."""
 
     given: GivenAlong
     previous: ShearedSolution | None
     ways: tuple[float, float] = (0.0, 0.0)
-    """Of both surfaces through the contact [m]."""
+    """Travel of both surfaces through the contact [m]."""
 
     @property
     def way(self) -> float:
-        """Of the material through the grid [m]."""
+        """Material displacement through the grid [m]."""
         return 0.5 * (self.ways[0] + self.ways[1])
 
     def _before(self, grid: Grid) -> Before | tuple[None, None, None, float]:
-        """The end of the increment before, on a grid that may be larger, where its cells are."""
+        """End of the preceding increment, mapped to the current grid."""
         if self.previous is None:
             return None, None, None, 0.0
         before = before_on(self.previous, grid)
@@ -112,13 +112,13 @@ class Tangential:
         start: FloatArray | None,
         settings: Settings,
     ) -> tuple[StickSlipSolution, str]:
-        """The solution with the totals of the increments before; and the complaint."""
+        """Return the solution with accumulated totals, and a message about the edge of the grid."""
         p, s, g, d = self._before(grid)
         moves = self.way != 0
         if start is None and moves and self.previous is not None:
             start = before_on(self.previous, grid)[0]  # the contact stays where it is
         x, y, turn = self.given.values
-        # the turn slips where cells are on their way
+        # rotation slips at the positions that cells have during the motion
         lead = _core.spin_lead * self.way
         if not self.given.is_force[0]:
             x += self.ways[0] - self.ways[1]
@@ -151,7 +151,7 @@ class Tangential:
 
 
 def carried(field: FloatArray, cells: int) -> FloatArray:
-    """A field of the surface moved along x by whole cells; what comes from outside is zero."""
+    """Shift a surface field along x by whole cells; values entering from outside are zero."""
     moved = np.zeros_like(field)
     to, of = slice(max(cells, 0), None), slice(max(-cells, 0), None)
     count = max(field.shape[-2] - abs(cells), 0)
@@ -160,14 +160,14 @@ def carried(field: FloatArray, cells: int) -> FloatArray:
 
 
 def _require_kept(pressure: FloatArray, cells: int, grid: Grid) -> None:
-    """Raise ValueError where tractions would leave the grid, with what they displace in it."""
+    """Raise ValueError if tractions would leave the grid, with their effect inside it."""
     rows = np.flatnonzero(in_contact(pressure).any(axis=1))
     least, most = (-int(rows[0]), grid.nx - 1 - int(rows[-1])) if rows.size else (cells, cells)
     if not least <= cells <= most:
         raise ValueError(
-            f"advance must move the contact of the increment before by {least} to {most} cells of "
-            f"{grid.dx!r} m, which keeps it on the grid, got {cells} cells on the mean of both "
-            "bodies: take shorter steps, or a longer grid"
+            f"advance must move the contact of the preceding increment by {least} to {most} cells "
+            f"of {grid.dx!r} m, so that it stays on the grid, got {cells} cells as the mean of "
+            "both bodies: use smaller steps, or a longer grid"
         )
 
 
@@ -179,8 +179,8 @@ def given_along(
     torque: float | None,
     **more: Any,
 ) -> GivenAlong:
-    """What is given along the surface, checked; nothing, of more either, where friction is a
-    number."""
+    """Check the prescribed tangential quantities; None, and no further arguments, for full
+    sliding."""
     motions, forces = (
         {"shift": shift, "twist": twist},
         {"tangential_load": tangential_load, "torque": torque},
@@ -190,8 +190,8 @@ def given_along(
     for name, value in (motions | forces | more).items():
         if value is not None:
             raise ValueError(
-                f"{name} must be left out where friction is a number, which is gross sliding, "
-                f"got {value!r:.80}: make the solver with friction=samcontact.Coulomb(mu)"
+                f"{name} is not supported in full sliding (friction given as a number), got "
+                f"{value!r:.80}: use friction=samcontact.Coulomb(mu) in the solver"
             )
     return GivenAlong((False,) * 3, (0.0,) * 3)
 
@@ -206,7 +206,7 @@ def tangential_drive(
     advance: Sequence[float],
     grid: Grid,
 ) -> Tangential:
-    """What drives along the surface, checked; nothing where friction is a number."""
+    """Checked tangential drive; None for full sliding."""
     first, second = (float(way) for way in finite_array("advance", advance, (2,)))
     moves = None if first == second == 0 else advance
     along = given_along(
@@ -223,12 +223,13 @@ def tangential_drive(
 
 
 def _require_rolling(drive: Tangential, grid: Grid) -> None:
-    """Raise ValueError unless the way is one that a contact can roll."""
+    """Raise ValueError unless the contact can roll the given distance."""
     first, second = drive.ways
     cells = in_cells("advance", drive.way, grid.dx)
     if drive.previous is None:
         raise ValueError(
-            f"advance must be (0, 0) without previous, got {drive.ways!r}: press first, then roll"
+            f"advance must be (0, 0) without previous, got {drive.ways!r}: solve the normal "
+            "contact first and pass it as previous"
         )
     if grid.along_x:
         raise ValueError(
@@ -236,23 +237,24 @@ def _require_rolling(drive: Tangential, grid: Grid) -> None:
         )
     if abs(cells - round(cells)) > 1e-6:
         raise ValueError(
-            f"advance must be a whole number of cells of {grid.dx!r} m on the mean of both bodies, "
-            f"got {drive.way!r} m: take steps of whole cells, or cells that fit"
+            f"advance must be a whole number of cells of {grid.dx!r} m as the mean of both bodies, "
+            f"got {drive.way!r} m: use steps of whole cells, or a matching cell size"
         )
     if abs(first - second) > grid.dx:
         raise ValueError(
-            f"advance of the bodies must differ by at most a cell, {grid.dx!r} m, got {first!r} "
-            f"and {second!r} m: bodies that slide that far are those of friction as a number"
+            f"advance of the bodies must differ by at most one cell, {grid.dx!r} m, got {first!r} "
+            f"and {second!r} m: use smaller steps, or full sliding with friction as a number"
         )
     if drive.given.is_force[0] and first != second:
         raise ValueError(
-            f"advance must be the same of both bodies where tangential_load along x is given, got "
+            f"advance must be equal for both bodies with tangential_load along x, got "
             f"{first!r} and {second!r} m: the slip follows from the force"
         )
     if drive.given.is_force[2] and not drive.given.is_force[1]:
         raise ValueError(
-            "torque goes with tangential_load along y where the contact advances, which the spin "
-            f"moves too; got a shift of {drive.given.values[1]!r} m: give both forces, or the twist"
+            "torque with advance requires tangential_load along y, because spin also moves the "
+            f"bodies along y, got a shift of {drive.given.values[1]!r} m: prescribe both forces, "
+            "or twist"
         )
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Critical values of a contact: where the first point of an elastic-plastic body yields.
+"""Critical values of a contact: onset of yield in an elastic-plastic body.
 
 I. Green, *Poisson ratio effects and critical values in spherical and cylindrical Hertzian
 contacts*, Int. J. Appl. Mech. Eng. 10 (2005) 451-462. C is the Hertz pressure at the onset of
@@ -47,7 +47,7 @@ class CriticalSphere(Shown):
     load : float
         Normal load [N].
     energy : float
-        Elastic energy stored up to there, the integral of load over interference [J].
+        Elastic energy stored at the onset, the integral of load over interference [J].
     C : float
         Maximum pressure over yield stress [-].
     p0 : float
@@ -66,12 +66,12 @@ class CriticalSphere(Shown):
 
 @dataclass(frozen=True)
 class CriticalSlidingSphere(CriticalSphere):
-    """Onset of yield in a sliding point contact; energy is that of the normal load.
+    """Onset of yield in a sliding point contact; the energy is that of the normal load.
 
     Attributes
     ----------
     x, z : float
-        Where the body yields first, in the plane y = 0 [m]; z = 0 is the surface.
+        Position of first yield in the plane y = 0 [m]; z = 0 is the surface.
     """
 
     x: float
@@ -80,12 +80,12 @@ class CriticalSlidingSphere(CriticalSphere):
 
 @dataclass(frozen=True)
 class CriticalPlace(CriticalSphere):
-    """Onset of yield in a point contact of a body whose strength changes with depth.
+    """Onset of yield in a point contact of a body with depth-dependent yield or initial stress.
 
     Attributes
     ----------
     x, y, z : float
-        Where the body yields first [m]; z = 0 is the surface. Of places alike one.
+        Position of first yield [m]; z = 0 is the surface. One of several equivalent positions.
     """
 
     x: float
@@ -117,12 +117,12 @@ class CriticalCylinder(Shown):
 
 @dataclass(frozen=True)
 class CriticalLinePlace(CriticalCylinder):
-    """Onset of yield in a line contact of a body whose strength changes with depth.
+    """Onset of yield in a line contact of a body with depth-dependent yield or initial stress.
 
     Attributes
     ----------
     x, z : float
-        Where the body yields first [m], x from the middle of the contact; z = 0 is the surface.
+        Position of first yield [m], x from the centre of the contact; z = 0 is the surface.
     """
 
     x: float
@@ -130,11 +130,11 @@ class CriticalLinePlace(CriticalCylinder):
 
 
 def _require_numbers(R: float, E_star: float, p0: float) -> None:
-    """Refuse what has no energy within the range of numbers, and so no load either."""
+    """Raise ValueError if the energy, and hence the load, overflows."""
     powers = [5 * math.log10(p0), 3 * math.log10(R), -4 * math.log10(E_star)]
     if not all(abs(sum(powers[: n + 1])) < 300 for n in range(3)):
         raise ValueError(
-            "the critical values are beyond the range of numbers: got "
+            "R, E_star and yield_stress must give finite critical values, got "
             f"R = {R!r}, E_star = {E_star!r}, yield_stress of {p0:.4g} over C"
         )
 
@@ -173,9 +173,9 @@ def green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSp
     E_star : float
         Contact modulus of the pair [Pa].
     nu : float
-        Poisson's ratio of the body that yields, in [0, 0.5] [-].
+        Poisson's ratio of the yielding body, in [0, 0.5] [-].
     yield_stress : float
-        Its uniaxial yield stress [Pa].
+        Uniaxial yield stress of the yielding body [Pa].
 
     Returns
     -------
@@ -192,14 +192,14 @@ def green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSp
 
 
 def onset(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSphere:
-    """Critical values of a sphere with the exact C, from the largest von Mises stress on the axis.
+    """Critical values of a sphere with the exact C, from the maximum von Mises stress on the axis.
 
     Parameters and errors as for `green`.
 
     Returns
     -------
     CriticalSphere
-        With 1/C = (sigma_rr - sigma_zz)/p0 where it is largest, Johnson (1985), (3.45).
+        Critical values with 1/C = max((sigma_rr - sigma_zz)/p0), Johnson (1985), (3.45).
     """
     return _sphere(R, E_star, 1.0 / point_max_von_mises(nu)[0], yield_stress)
 
@@ -207,21 +207,21 @@ def onset(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSp
 def onset_sliding(
     R: float, E_star: float, nu: float, yield_stress: float, friction: float
 ) -> CriticalSlidingSphere:
-    """Critical values of a sphere that slides with Coulomb friction, exact.
+    """Exact critical values of a sphere that slides with Coulomb friction.
 
     Parameters
     ----------
     R, E_star, nu, yield_stress : float
         As for `green`.
     friction : float
-        Coefficient mu >= 0; the shear mu p acts on the body that yields along +x [-].
+        Coefficient mu >= 0; the shear mu p acts on the yielding body along +x [-].
 
     Returns
     -------
     CriticalSlidingSphere
-        From the largest von Mises stress in the half-space, its surface included, under a Hertz
+        From the maximum von Mises stress in the half-space, including its surface, under a Hertz
         pressure p with the shear mu p (`hertz.PointContact.stress`). With nu = 0.3 the body yields
-        below the surface, ahead of the centre, up to mu = 0.304, then at the trailing edge.
+        below the surface, ahead of the centre, up to mu = 0.304, and at the trailing edge above.
 
     Raises
     ------
@@ -230,8 +230,8 @@ def onset_sliding(
 
     Notes
     -----
-    Equals `onset` for mu = 0. The shear's share in the normal displacement is left out (zero for
-    bodies of equal elastic constants).
+    Equals `onset` for mu = 0. The effect of shear on the normal displacement is neglected (it is
+    zero for identical materials).
     """
     nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
     if friction == 0.0:
@@ -255,23 +255,23 @@ def onset_over_depth(
     E_star : float
         Contact modulus of the pair [Pa].
     body : Material
-        The body that yields; the elastic constants of the pair are in E_star.
+        Body that yields; E_star contains the elastic constants of the pair.
     friction : float, optional
-        Coefficient mu >= 0 of a contact that slides on it along +x [-], as of `onset_sliding`.
+        Coefficient mu >= 0 of a contact that slides on it along +x [-], as in `onset_sliding`.
 
     Returns
     -------
     CriticalPlace
-        The smallest load at which the von Mises stress, residual stress included, reaches the yield
-        stress of its depth: anywhere within 1.3 radii of the axis and down to 12 radii, from the
-        closed form of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02, to about 1e-5. C is
-        over the yield stress of the law, without its profile.
+        Values at the smallest load for which the von Mises stress, including residual stress,
+        reaches the local yield stress: anywhere within 1.3 radii of the axis and down to 12 radii,
+        from the closed form of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02, to about
+        1e-5. C is relative to the yield stress of the law, without its profile.
 
     Raises
     ------
     ValueError
-        An argument is outside its range; the body cannot yield, or its residual stress leaves
-        nothing to a contact.
+        An argument is outside its range; the body cannot yield, or its residual stress already
+        reaches yield.
     TypeError
         `body` is not a Material.
     """
@@ -299,7 +299,7 @@ def kogut_etsion(
     R, E_star, nu, yield_stress : float
         As for `green`.
     hardness : float, optional
-        H of the softer body [Pa]; 2.8 times the yield stress by default.
+        H of the softer body [Pa]. Default: 2.8 times the yield stress.
 
     Returns
     -------
@@ -366,10 +366,10 @@ def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> Critic
     Returns
     -------
     CriticalLinePlace
-        The smallest load at which the von Mises stress, residual stress included, reaches the yield
-        stress of its depth: within 1.3 half-widths of the middle and down to 12, from the closed
-        form of McEwen (Johnson 1985, (4.49)), to about 1e-5. C is over the yield stress of the law,
-        without its profile.
+        Values at the smallest load for which the von Mises stress, including residual stress,
+        reaches the local yield stress: within 1.3 half-widths of the centre and down to 12, from
+        the closed form of McEwen (Johnson 1985, (4.49)), to about 1e-5. C is relative to the yield
+        stress of the law, without its profile.
 
     Raises
     ------
@@ -387,5 +387,5 @@ def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> Critic
 def _yield_stress_of(body: Material) -> float:
     require_type("body", body, Material)
     if not body.is_plastic:
-        raise ValueError(f"body must be one that yields, got {body.law!r}")
+        raise ValueError(f"body must be elastic-plastic, got law {body.law!r}")
     return float(body.yield_stress(0.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where a body under a Hertz pressure yields first whose strength changes with depth."""
+"""Position of first yield under a Hertz pressure in a body with depth-dependent yield stress."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from ..hertz.field import field
 from ..hertz.line_field import line_field
 
 _STEP = 1.1
-"""By which pressures grow until something yields."""
+"""Factor by which the pressure is increased until the body yields."""
 _WIDEST, _DEEPEST = 1.3, 12.0
-"""In contact radii: where yield is looked for."""
+"""Limits of the search for yield, in contact radii."""
 _ANGLES = 8
-"""Of lines through the axis, where residual stress is not the same in all directions."""
+"""Number of lines through the axis, if residual stress is not equal in all directions."""
 _MOST_KINKS = 150
 _ZOOMS = 4
-"""Looks at what is near, each ten times finer."""
+"""Number of local refinements, each by a factor of ten."""
 
 
 class Place(NamedTuple):
-    """How far stress is above the yield stress, over it; where, r and z in contact radii."""
+    """Relative excess of stress over yield stress; its position, r and z in contact radii."""
 
     excess: float
     r: float
@@ -37,14 +37,14 @@ class Place(NamedTuple):
 
 
 Look = Callable[[float], Place]
-"""The largest excess under a largest pressure [Pa]."""
+"""Function that gives the maximum excess at a maximum pressure [Pa]."""
 
 
 def first_yield(body: Material, spread: float, friction: float | None) -> tuple[float, FloatArray]:
-    """The largest pressure [Pa] when a body yields, and where [m].
+    """Maximum pressure [Pa] at first yield of a body, and the position of yield [m].
 
-    spread: contact radius over the largest pressure [m/Pa]; friction: None of a line along y that
-    does not slide, whose half-width counts as the radius.
+    spread: contact radius over the maximum pressure [m/Pa]; friction: None for a line contact along
+    y without sliding, whose half-width is used as the radius.
     """
     around = _Around(body, spread, friction)
     low, p0 = 0.0, 1e-3 * body.least_yield_stress
@@ -52,9 +52,11 @@ def first_yield(body: Material, spread: float, friction: float | None) -> tuple[
     while around(p0).excess < 0:
         low, p0 = p0, _STEP * p0
         if p0 > highest:
-            raise ValueError(f"body does not yield below p0 = {highest:.4g} Pa")
+            raise ValueError(f"body must yield, but no yield was found up to p0 = {highest:.4g} Pa")
     if low == 0:
-        raise ValueError("body is at yield without a contact: its residual stress leaves nothing")
+        raise ValueError(
+            "body must not yield without contact, but its residual stress already reaches yield"
+        )
     p0 = _root(around, low, p0)
     place = around(p0)
     for zoom in range(_ZOOMS):
@@ -80,7 +82,7 @@ def _kinks(body: Material) -> FloatArray:
 
 
 def _is_even(body: Material) -> bool:
-    """Whether its residual stress is the same in all directions along the surface."""
+    """Whether the residual stress is equal in all directions along the surface."""
     if body.residual_stress is None:
         return True
     _, sxx, syy, sxy = body.residual_stress
@@ -88,14 +90,14 @@ def _is_even(body: Material) -> bool:
 
 
 def _angles(body: Material, friction: float | None) -> int:
-    """Of lines through the axis in which yield is looked for."""
+    """Number of lines through the axis on which yield is searched."""
     return 1 if friction is None or _is_even(body) else _ANGLES
 
 
 def _unit_stress(
     body: Material, friction: float | None, angle: FloatArray, r: FloatArray, z: FloatArray
 ) -> FloatArray:
-    """Over the largest pressure, shape (6, angles, r, z)."""
+    """Stress of the contact over the maximum pressure, shape (6, angles, r, z)."""
     turned, out, down = np.meshgrid(angle, r, z, indexing="ij")
     if friction is None:
         return line_field(out, down, body.nu)
@@ -105,7 +107,7 @@ def _unit_stress(
 def _largest(
     body: Material, stress: FloatArray, a: float, angle: FloatArray, r: FloatArray, z: FloatArray
 ) -> Place:
-    """stress: of the contact [Pa], shape (6, angles, r, z); r and z in contact radii."""
+    """Maximum excess. stress: contact stress [Pa], (6, angles, r, z); r, z in contact radii."""
     sxx, syy, sxy = body.residual_stress_at(a * z)
     total = stress.copy()
     for component, start in ((0, sxx), (1, syy), (5, sxy)):
@@ -117,7 +119,7 @@ def _largest(
 
 
 class _Around:
-    """Everywhere, from the stress at given depths; between them, at kinks, it is interpolated."""
+    """Global search, from the stress at given depths; interpolated between them, at kinks."""
 
     def __init__(self, body: Material, spread: float, friction: float | None) -> None:
         self._body, self._spread = body, spread
@@ -143,7 +145,7 @@ class _Around:
 
 
 class _Near:
-    """Around a place, of a size; with all kinks there."""
+    """Local search around a position, over a given size, with all kinks there."""
 
     def __init__(
         self, body: Material, spread: float, friction: float | None, place: Place, size: float

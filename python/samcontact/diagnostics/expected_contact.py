@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hertz contact expected for smooth surfaces."""
+"""Hertz estimate of the contact of smooth surfaces."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 SOFTEST = 1e4
-"""Contact modulus below which the unit of E is doubted [Pa]: the softest gels have some 1e3."""
+"""Contact modulus below which the unit of E is questioned [Pa]: the softest gels have some 1e3."""
 
 
 @dataclass(frozen=True)
 class Expected:
-    """Elastic Hertz contact of a smooth scene; as a text its size, pressure and a likely slip."""
+    """Elastic Hertz contact of smooth bodies; as text: size, pressure and a probable unit error."""
 
     contact: hertz.PointContact | hertz.EllipticContact
 
@@ -30,7 +30,7 @@ class Expected:
 
     @property
     def along_axes(self) -> tuple[float, float]:
-        """Semi-axes along x and y [m], of one that lies along them."""
+        """Semi-axes along x and y [m], for a contact aligned with the axes."""
         if isinstance(self.contact, hertz.PointContact):
             return self.contact.a, self.contact.a
         return self.contact.a_x, self.contact.a_y
@@ -40,7 +40,7 @@ class Expected:
         size = f"radius {quantity(long, 'm')}"
         if long != short:
             size = f"semi-axes {lengths(long, short)}"
-        text = f"Hertz: {size}, largest pressure {quantity(self.contact.p0, 'Pa')}"
+        text = f"Hertz: {size}, p0 = {quantity(self.contact.p0, 'Pa')}"
         if self.contact.E_star < SOFTEST:
             text += f", with E* = {self.contact.E_star:.4g} Pa (E is in pascals: 210 GPa is 210e9)"
         return text

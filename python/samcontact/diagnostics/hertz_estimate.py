@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What Hertz expects of a scene, before it is solved and beside what comes out."""
+"""Hertz estimate of a contact, for checks before and after it is solved."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
     from ..scene.grid import Grid
 
 SMOOTH = 0.03
-"""How far a gap may be from a paraboloid, relative to its height: a sphere differs by (r/R)^2/4."""
+"""Maximum deviation of a gap from a paraboloid, over its height: (r/R)^2/4 for a sphere."""
 _MARGIN = 1e-6
-"""By which loads lie within those that are known to pass a check, for rounding."""
-_POINTS = 17  # a side, to which a paraboloid is fitted
-_ASK = ', or ask for a warning with on_border="warn"'
+"""Relative reduction of the range of loads known to pass a check, for rounding."""
+_POINTS = 17  # per side, to which a paraboloid is fitted
+_ASK = ', or set on_border="warn"'
 
 
 FailedChecks = tuple[plausibility.Doubt, ...]
@@ -41,16 +41,16 @@ class PlasticBody(NamedTuple):
 
     number: int
     weakest: float
-    """Smallest yield stress before hardening [Pa]."""
+    """Minimum initial yield stress [Pa]."""
     yielding: list[tuple[float, float]]
-    """Young's modulus and smallest yield stress of each material that can yield [Pa]."""
+    """Young's modulus and minimum yield stress of each material that can yield [Pa]."""
 
 
 class ContactSetup:
-    """A gap between two bodies, with what Hertz says where the gap is a paraboloid.
+    """Gap between two bodies, with its Hertz estimate if the gap is a paraboloid.
 
-    relieved: there is something else between the bodies, or they attract each other, and Hertz says
-    nothing.
+    relieved: there is a relief between the bodies, or they attract each other, so that there is no
+    Hertz estimate.
     """
 
     def __init__(
@@ -61,7 +61,7 @@ class ContactSetup:
         relieved: bool = False,
     ) -> None:
         self.grid, self.gap, self.bodies = grid, gap, bodies
-        # the neighbours of a contact that repeats itself press as well
+        # the periodic images of a contact act as well
         self.relieved = relieved or bool(grid.periodic)
         self._has_reliefs = relieved
         self._lowest = float(gap.min())
@@ -69,7 +69,7 @@ class ContactSetup:
         self._of_heat: tuple[Heat, Any] | None = None
 
     def prepare(self, heat: Heat) -> None:
-        """Compute all that does not depend on the load, ahead of the first increment."""
+        """Compute everything that does not depend on the load, before the first increment."""
         self._checked(heat)
         for name in ("E_star", "weakest", "may_have_steps", "largest_load_with_room"):
             getattr(self, name)
@@ -77,7 +77,7 @@ class ContactSetup:
 
     @cached_property
     def plastic(self) -> tuple[PlasticBody, ...]:
-        """The bodies that can yield."""
+        """Bodies that can yield."""
         return tuple(
             PlasticBody(
                 number,
@@ -90,17 +90,17 @@ class ContactSetup:
 
     @cached_property
     def weakest(self) -> float:
-        """Smallest yield stress of both bodies before hardening [Pa]; infinite without yield."""
+        """Minimum initial yield stress of both bodies [Pa]; infinite if neither can yield."""
         return min((body.weakest for body in self.plastic), default=math.inf)
 
     @cached_property
     def may_have_steps(self) -> bool:
-        """Whether the gap of the undeformed bodies may have steps where there are no reliefs."""
+        """Whether the gap of the undeformed bodies may have steps, if there are no reliefs."""
         return not self._has_reliefs and may_have_steps(self.gap, self.grid.periodic)
 
     @cached_property
     def _solids(self) -> tuple[Material, Material]:
-        """Bodies, or what is most compliant of their layers."""
+        """Bodies, each replaced by its most compliant layer."""
         return softest(self.bodies[0]), softest(self.bodies[1])
 
     @property
@@ -110,7 +110,7 @@ class ContactSetup:
 
     @cached_property
     def _paraboloid(self) -> tuple[float, float, float] | None:
-        """Its radii [m], and the cosine of the angle between the larger one's plane and x."""
+        """Radii of the paraboloid [m], and cosine of the angle from the larger one's plane to x."""
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None
@@ -119,7 +119,7 @@ class ContactSetup:
         grids = np.meshgrid(self.grid.x[rows] / a, self.grid.y[columns] / b, indexing="ij")
         x, y = (v.ravel() for v in grids)
         heights = self.gap[np.ix_(rows, columns)].ravel()
-        if np.isinf(self.gap).any():  # a body that ends is no paraboloid
+        if np.isinf(self.gap).any():  # a finite body is no paraboloid
             return None
         lowest, highest = float(heights.min()), float(heights.max())
         if not 0 < highest - lowest < math.inf:
@@ -135,12 +135,12 @@ class ContactSetup:
         if not least > 1e-9 * most:  # a cylinder, a saddle, a hollow
             return None
         scale = highest - lowest
-        turn = math.sin(0.5 * math.atan2(2.0 * xy, xx - yy))  # of the most curved plane
+        turn = math.sin(0.5 * math.atan2(2.0 * xy, xx - yy))  # of the plane of maximum curvature
         return 1.0 / (scale * least), 1.0 / (scale * most), turn
 
     @cached_property
     def E_star(self) -> float:
-        """Contact modulus [Pa], of layers that of the most compliant."""
+        """Contact modulus [Pa]; with layers, that of the most compliant ones."""
         return hertz.effective_modulus(*self._solids)
 
     @cached_property
@@ -149,10 +149,10 @@ class ContactSetup:
         return self.radii is not None and not any(isinstance(b, Layered) for b in self.bodies)
 
     def hertz(self, load: float | None = None, approach: float | None = None) -> Expected | None:
-        """Hertz contact under a load [N] or an approach [m]; None where there is none."""
+        """Hertz contact under a load [N] or an approach [m]; None if there is none."""
         drive = load, approach
         if drive not in self._known:
-            self._known = {drive: self._hertz(load, approach)}  # the same is asked several times
+            self._known = {drive: self._hertz(load, approach)}  # requested several times
         return self._known[drive]
 
     def _hertz(self, load: float | None, approach: float | None) -> Expected | None:
@@ -166,7 +166,7 @@ class ContactSetup:
             if math.isclose(*radii, rel_tol=1e-6):
                 return Expected(hertz.point(radii[0], E_star, load=load, approach=approach))
             return Expected(hertz.elliptic(*radii, E_star, load=load, approach=approach))
-        except (ValueError, ArithmeticError):  # beyond the range of numbers
+        except (ValueError, ArithmeticError):  # floating-point overflow
             return None
 
     def doubted(
@@ -195,25 +195,25 @@ class ContactSetup:
         return [doubt for doubt in found if not doubt.verdict.passed]
 
     def _checked(self, heat: Heat) -> tuple[FailedChecks, FailedChecks, tuple[float, float]]:
-        """Failed checks of bodies and heat, and loads between which those of the contact pass."""
+        """Failed checks of bodies and heat; loads between which those of the contact pass."""
         if self._of_heat is None or self._of_heat[0] is not heat:
             before, after = plausibility.failed_of_bodies(self.bodies, heat)
             self._of_heat = heat, (before, after, self.passing_loads(heat))
         return self._of_heat[1]
 
     def passing_loads(self, heat: Heat) -> tuple[float, float]:
-        """Loads [N] between which the checks of the Hertz contact pass, none where not known."""
+        """Range of loads [N] for which the checks of the Hertz contact pass; empty if unknown."""
         if self._reference is None:
             return math.inf, -math.inf
         try:
             found = plausibility.passing_loads(self._reference, self.grid, self.bodies, heat)
-        except ArithmeticError:  # beyond the range of numbers
+        except ArithmeticError:  # floating-point overflow
             return math.inf, -math.inf
         return found[0] * (1 + _MARGIN), found[1] * (1 - _MARGIN)
 
     @cached_property
     def _reference(self) -> plausibility.Contact | None:
-        """Hertz contact over about a quarter of the grid; those of other loads follow by powers."""
+        """Hertz contact across about a quarter of the grid; other loads follow by powers."""
         if not self._is_hertzian or self.radii is None:
             return None
         side = min(self.grid.nx * self.grid.dx, self.grid.ny * self.grid.dy)
@@ -224,17 +224,17 @@ class ContactSetup:
 
     @cached_property
     def _stiffness(self) -> float:
-        """Load of the Hertz contact over its approach^1.5 [N/m^1.5]; NaN where that fails."""
+        """Load of the Hertz contact over its approach^1.5 [N/m^1.5]; NaN on failure."""
         if self._reference is None:
             return math.nan
         contact = self._reference.expected.contact
         try:
             return float(contact.load / contact.approach**1.5)
-        except ArithmeticError:  # beyond the range of numbers
+        except ArithmeticError:  # floating-point overflow
             return math.nan
 
     def load_of(self, load: float | None = None, approach: float | None = None) -> float:
-        """Load of the Hertz contact [N]; NaN where it is not known."""
+        """Load of the Hertz contact [N]; NaN if unknown."""
         if approach is None:
             return math.nan if load is None else load
         depth = min(max(approach - self._lowest, 0.0), 1e100)
@@ -242,17 +242,17 @@ class ContactSetup:
 
     @cached_property
     def largest_load_with_room(self) -> float:
-        """Load up to which the Hertz contact fits on the grid [N], or less."""
+        """Lower bound of the load up to which the Hertz contact fits on the grid [N]."""
         if self._reference is None:
             return math.nan
         share = max(_shares_of_grid(self._reference.expected, self.grid))
         return self._reference.expected.contact.load * (1 - _MARGIN) / max(share, 1e-30) ** 3
 
     def require_room(self, load: float | None = None, approach: float | None = None) -> None:
-        """Raise GridTooSmallError when the Hertz contact does not fit.
+        """Raise GridTooSmallError if the Hertz contact does not fit on the grid.
 
-        Before a solve that would end so after a while: the contact of bodies that yield is not
-        smaller than that of elastic ones.
+        This saves a solve that would fail: an elastic-plastic contact is not smaller than an
+        elastic one.
         """
         if not self._is_hertzian or self.load_of(load, approach) <= self.largest_load_with_room:
             return
@@ -263,8 +263,8 @@ class ContactSetup:
         long, short = expected.semi_axes
         sides = grid.nx * grid.dx, grid.ny * grid.dy
         raise GridTooSmallError(
-            f"{where} the contact touches the border of the grid ({lengths(*sides)}). "
-            f"{expected}: enlarge nx dx and ny dy to {lengths(2.5 * long, 2.5 * short)} or more"
+            f"{where} the contact reaches the edge of the grid ({lengths(*sides)}). "
+            f"{expected}: enlarge nx dx and ny dy to at least {lengths(2.5 * long, 2.5 * short)}"
             f"{_ASK}"
         )
 
@@ -272,7 +272,7 @@ class ContactSetup:
 def extent(
     setup: ContactSetup, load: float | None = None, approach: float | None = None
 ) -> tuple[float, float]:
-    """Semi-axes of the Hertz contact along x and y [m]; 0 without one."""
+    """Semi-axes of the Hertz contact along x and y [m]; 0 if there is none."""
     expected = setup.hertz(load, approach)
     return (0.0, 0.0) if expected is None else _extent_of(expected, setup._paraboloid)
 
@@ -280,7 +280,7 @@ def extent(
 def _extent_of(
     expected: Expected, paraboloid: tuple[float, float, float] | None
 ) -> tuple[float, float]:
-    """Largest distance of a contact from its middle along x and y [m]."""
+    """Maximum distance of a contact from its centre along x and y [m]."""
     if paraboloid is None:
         return 0.0, 0.0
     (a, b), c = expected.semi_axes, paraboloid[2]
@@ -289,24 +289,24 @@ def _extent_of(
 
 
 def _shares_of_grid(expected: Expected, grid: Grid) -> tuple[float, float]:
-    """Widths of a contact over sides of the grid: an elliptic one may lie any way round."""
+    """Widths of a contact over sides of the grid, for any orientation of an ellipse."""
     long, short = expected.semi_axes
     sides = grid.nx * grid.dx, grid.ny * grid.dy
     return 2 * short / min(sides), 2 * long / max(sides)
 
 
 def explain_digits(error: ConvergenceError, gap: FloatArray) -> None:
-    """Add to an error of the solver that the gap lies far away, if it does."""
+    """Add to a solver error that the gap has a large offset, if so."""
     far = float(np.abs(gap).max())
     height = float(gap.max()) - float(gap.min())
     if 1e-16 * far > 1e-11 * height > 0:
         error.args = (
-            f"{error}. The gap lies {far:.6g} m away with heights of {height:.3g} m, which "
-            "costs their digits: subtract its minimum",
+            f"{error}. The gap has an offset of {far:.6g} m and heights of {height:.3g} m, which "
+            "causes cancellation: subtract its minimum",
         )
 
 
 def explain_size(error: GridTooSmallError, expected: Expected | None) -> None:
-    """Add the expected Hertz contact, if there is one, to an error of the solver."""
+    """Add the Hertz estimate, if there is one, to a solver error."""
     if expected is not None and str(expected) not in str(error):
         error.args = (f"{error}. {expected}",)

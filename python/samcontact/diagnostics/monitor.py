@@ -18,21 +18,21 @@ from .hertz_estimate import ContactSetup
 from .plastic_patterns import warn_of_alternation, warn_of_limit
 
 SMALL_STRAIN = 0.05
-"""Plastic strain up to which small-strain theory is trusted [-]."""
+"""Small-strain limit: plastic strain above which results are unreliable [-]."""
 
 
 @dataclass
 class Monitor:
-    """Which warnings a simulation has issued, and which checks are on."""
+    """Issued warnings of a simulation, and the checks that are on."""
 
     of_strain: bool = False
     of_pressure: bool = False
     of_limit: bool = False
     of_alternation: bool = False
     checks_increments: bool = True
-    """Whether it is still estimated what more increments would change."""
+    """Whether the error due to increments is still estimated."""
     checks_steps: bool = True
-    """Whether steps are warned of by themselves; a run looks at its grid as a whole."""
+    """Whether single steps are checked; a run is checked as a whole."""
     of_cut: bool = False
     of_scene: bool = False
     of_contact: bool = False
@@ -41,7 +41,7 @@ class Monitor:
 
     @contextmanager
     def as_a_whole(self) -> Iterator[None]:
-        """Of several steps, whose grid is looked at afterwards."""
+        """Context that defers the grid checks of several steps to the end of the run."""
         looks = self.checks_steps, self.checks_increments
         self.checks_steps = self.checks_increments = False
         try:
@@ -52,7 +52,7 @@ class Monitor:
     def doubt(
         self, scene: ContactSetup, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
     ) -> None:
-        """Before an increment; what would be found of the same afterwards is told with it."""
+        """Issue warnings before an increment; they suppress equivalent ones after it."""
         if self.of_scene or not (doubt := scene.doubted(heat, target, stacklevel=stacklevel + 1)):
             return
         self.of_scene = True
@@ -61,14 +61,14 @@ class Monitor:
             self.checks_steps = False
 
     def warn_of_run(self, states: Sequence[State], scene: ContactSetup, *, stacklevel: int) -> None:
-        """After a run, of its grid."""
+        """Issue warnings about the grid after a run."""
         if not self.of_contact:
             resolution.warn_of_run(states, scene, stacklevel=stacklevel + 1)
 
     def warn(
         self, state: State, scene: ContactSetup, complaints: list[str], *, stacklevel: int
     ) -> None:
-        """After an increment; complaints: of the border of the grid, by the core."""
+        """Issue warnings after an increment; complaints: messages of the core on the grid edge."""
         for complaint in complaints:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
         if scene.plastic and not self.of_cut and (text := _cut_text(state)):
@@ -87,7 +87,7 @@ class Monitor:
             self._warn_of_flow(state, scene, stacklevel=stacklevel + 1)
 
     def _warn_of_flow(self, state: State, scene: ContactSetup, *, stacklevel: int) -> None:
-        """After an increment of bodies that can yield."""
+        """Issue warnings about plastic flow after an increment."""
         if not self.of_limit:
             self.of_limit = warn_of_limit(state, scene, stacklevel=stacklevel + 1)
         if not self.of_alternation:
@@ -98,12 +98,12 @@ class Monitor:
 
 
 def _strain_text(state: State, scene: ContactSetup) -> str:
-    """The warning of plastic strain above the small-strain limit; empty below."""
+    """Text of the warning of plastic strain above the small-strain limit; empty below."""
     for body, *_ in scene.plastic:
         accumulated, magnitude = state.largest_strains[body - 1]
         if accumulated <= SMALL_STRAIN and magnitude <= SMALL_STRAIN:
             continue
-        # Reversed flow adds up without end, and leaves the strain small.
+        # Reversed flow accumulates without bound while the strain stays small.
         mostly_reversed = magnitude < 0.5 * accumulated
         limit = f"above the small-strain limit of {SMALL_STRAIN}: results are unreliable"
         if accumulated > SMALL_STRAIN and not mostly_reversed:
@@ -111,14 +111,14 @@ def _strain_text(state: State, scene: ContactSetup) -> str:
                 f"the accumulated equivalent plastic strain of body {body} is {accumulated:.3g}, "
                 f"{limit} (plastic strain magnitude sqrt(2/3 e:e) at most {magnitude:.3g})"
             )
-        if magnitude > SMALL_STRAIN:  # after more reversed flow, or as it was set
+        if magnitude > SMALL_STRAIN:  # after reversed flow, or as prescribed
             name = "plastic strain magnitude sqrt(2/3 e:e)"
             return f"the {name} of body {body} is {magnitude:.3g}, {limit}"
     return ""
 
 
 def _cut_text(state: State) -> str:
-    """Where plastic strain lies that fields do not show."""
+    """Text about plastic strain outside the volume fields; empty if there is none."""
     grid, core = state.grid, state._core
     for body in (1, 2):
         box = core.strain_beyond(body - 1)
@@ -128,16 +128,18 @@ def _cut_text(state: State) -> str:
         where, remedy = [], []
         if grid.nz and nz > grid.nz:
             depths = [quantity(n * (grid.dz or 0.0), "m") for n in (nz, grid.nz)]
-            where.append(f"{depths[0]} deep, below nz dz = {depths[1]}")
-            remedy.append("leave nz out")
+            where.append(
+                f"to a depth of {depths[0]}, below the output layers (nz dz = {depths[1]})"
+            )
+            remedy.append("omit nz")
         for axis, first, cells, n, d in (
             ("x", first_x, nx, grid.nx, grid.dx), ("y", first_y, ny, grid.ny, grid.dy),
         ):  # fmt: skip
             if first < 0 or first + cells > n:
-                where.append(f"beside the grid along {axis}, over {quantity(cells * d, 'm')}")
+                where.append(f"outside the grid along {axis}, over {quantity(cells * d, 'm')}")
                 remedy.append(f"enlarge n{axis}")
         return (
-            f"plastic strain of body {body} lies {' and '.join(where)}: it acts as all of it, but "
-            f"fields do not show it; to see it, {' and '.join(remedy)}"
+            f"plastic strain of body {body} extends {' and '.join(where)}: the solution includes "
+            f"it, but volume fields do not; {' and '.join(remedy)} to include it"
         )
     return ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic solutions that the cells spoil: above the limit load, or alternating in depth."""
+"""Grid artefacts in plastic solutions: excess over the limit load, alternation in depth."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ LIMIT_PRESSURE = 3.0
 """Mean pressure of a fully plastic contact over the yield stress."""
 _MOST_OVER = 1.05
 _ALTERNATES = 0.15
-"""Of the largest strain: zones of four layers stay below, patterns grow to 0.2 and more."""
+"""Fraction of the maximum strain: zones of four layers stay below, patterns reach 0.2."""
 
 
 def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn of a mean pressure that a fully plastic body cannot bear; whether it did.
+    """Warn of a mean pressure above the limit load of a fully plastic body; return whether it did.
 
-    No contact of one spot bears more than about three times the yield stress on a half-space that
-    is the same everywhere: 2.97 in a long contact (Prandtl), about 3 in a round one. Too few cells
-    let it bear more, since flow around the edge is no better known than by a cell.
+    The mean pressure of a single contact spot on a homogeneous half-space is at most about three
+    yield stresses: 2.97 in a long contact (Prandtl), about 3 in a round one. With too few cells it
+    is higher, because plastic flow around the edge is resolved to one cell only.
     """
     largest, most = state.outline.largest, _MOST_OVER * LIMIT_PRESSURE
-    if largest <= most * scene.weakest:  # the yield stress does not fall, and so is the mean
+    if largest <= most * scene.weakest:  # yield stress never falls, mean pressure is below maximum
         return False
     if not state.load > 0 or state.grid.periodic or not math.isfinite(state.approach):
         return False
@@ -53,19 +53,19 @@ def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool
     across = cells_across(state.repulsion)
     over = 100 * (mean / LIMIT_PRESSURE - 1)
     text = (
-        f"the mean pressure is {mean:.3g} times the yield stress of body {number} at its largest "
-        f"plastic strain, and a fully plastic contact bears about {LIMIT_PRESSURE:g}: with "
-        f"{across:.0f} cells across the contact the pressure is about {over:.0f} % too high, and "
-        "the contact area as much too small. Take smaller cells, or thinner layers (dz)"
+        f"mean pressure exceeds the fully plastic limit: it is {mean:.3g} times the yield stress "
+        f"of body {number} at maximum plastic strain (about {LIMIT_PRESSURE:g} expected). With "
+        f"{across:.0f} cells across the contact, the pressure is about {over:.0f} % too high and "
+        "the contact area too small by as much: use smaller cells, or thinner layers (dz)"
     )
     warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
 
 
 def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
-    """Warn of plastic strain that alternates from layer to layer; whether it did.
+    """Warn of plastic strain that alternates between layers; return whether it did.
 
-    Only the residual stress "exact" allows it: see docs/theory/accuracy.md.
+    It occurs only with residual_stress="exact": see docs/theory/accuracy.md.
     """
     if state.setup.settings.residual_stress != "exact":
         return False
@@ -75,10 +75,11 @@ def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
         share = alternation(state.plastic_strain(body))
         if share > _ALTERNATES:
             text = (
-                f"the plastic strain of body {body} alternates from layer to layer, by "
-                f"{100 * share:.0f} % of its maximum: a pattern of the cells that "
-                'residual_stress="exact" does not resist, as it takes the stress at the centres of '
-                'the cells. Take residual_stress="fast", or layers of half the cell size (dz)'
+                f"plastic strain of body {body} alternates between layers by {100 * share:.0f} % "
+                "of its "
+                'maximum: a grid artefact that residual_stress="exact" does not suppress, because '
+                'it evaluates stress at the centres of the cells. Use residual_stress="fast", or '
+                "layers of half the cell size (dz)"
             )
             warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
             return True
@@ -86,10 +87,10 @@ def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
 
 
 def alternation(strain: FloatArray) -> float:
-    """Amplitude of a strain that alternates from layer to layer over the largest strain.
+    """Amplitude of strain that alternates between layers, relative to the maximum strain.
 
-    strain: shape (6, nx, ny, nz). It is that of fourth differences, which smooth fields over four
-    or more layers hardly have; 0 of fewer.
+    strain: shape (6, nx, ny, nz). The amplitude is that of fourth differences, which smooth fields
+    hardly have over four or more layers; 0 for fewer layers.
     """
     largest = float(np.sqrt((strain**2).sum(0)).max())
     if strain.shape[-1] < 5 or np.count_nonzero(strain.any(axis=(0, 1, 2))) < 4:

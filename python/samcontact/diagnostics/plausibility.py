@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes that cannot be meant: quantities that are likely written in another unit."""
+"""Plausibility checks for unit errors in bodies, grids and loads."""
 
 from __future__ import annotations
 
@@ -24,52 +24,53 @@ if TYPE_CHECKING:
     from .expected_contact import Expected
 
 LARGEST_PART = 0.55
-"""Of a contact's half width in its radius: a sphere is 15 % stiffer there than its paraboloid."""
+"""Maximum half-width of a contact over its radius: there, a sphere is 15 % stiffer than a
+paraboloid."""
 MOST_WINDOWS, FEWEST_CELLS, MOST_LAYERS = 4.0, 2.0, 1e3
-"""Hertz contacts beyond these are off the grid: across over a side of the window, across over a
-cell, half across over a layer."""
+"""Limits of the Hertz contact: maximum width over a side of the grid, minimum width in cells,
+maximum half-width in layers."""
 SOFTEST_YIELD = 1e-6
-"""Yield stress over E: that of pure single crystals is 4e-6."""
+"""Minimum yield stress over E: pure single crystals have 4e-6."""
 STRONGEST_YIELD = 0.2
-"""Yield stress over E: no bond of atoms bears more."""
+"""Maximum yield stress over E: no atomic bond is stronger."""
 LARGEST_FACTOR = 20.0
-"""Yield stress at a depth over that of the law: a case has 2 to 3."""
+"""Maximum ratio of local to nominal yield stress: case hardening gives 2 to 3."""
 DEEPEST = 0.1
-"""Of a case, residual stress or layer [m]: rolls of mills are hard to 0.1 m."""
+"""Maximum depth of a case, of residual stress or of a layer [m]: mill rolls are hard to 0.1 m."""
 LEAST_STRESS = 1e-7
-"""Residual stress, or modulus of a backstress, over E: in steel 0.02 MPa."""
+"""Minimum residual stress, or backstress modulus, over E: 0.02 MPa in steel."""
 LARGEST_MODULUS = 1e4
-"""Of a backstress, over E: E Et/(E - Et) of nearly elastic hardening is large as well."""
+"""Maximum backstress modulus over E: that of nearly elastic hardening, E Et/(E - Et), is large."""
 FASTEST = 1e3
-"""Speed of a surface through a contact [m/s]: no bearing reaches 300."""
+"""Maximum speed of a surface through a contact [m/s]: no bearing reaches 300."""
 MOST_WEAR = 1e-9
-"""Volume over work or over load and way [1/Pa]: soft rubber on abrasive paper."""
+"""Maximum wear volume over work, or over load and distance [1/Pa]: rubber on abrasive paper."""
 LEAST_LIMIT = 1e4
-"""Fatigue limit or yield stress of a solid [Pa]: gels have some 1e4."""
+"""Minimum fatigue limit or yield stress of a solid [Pa]: gels have some 1e4."""
 CAPACITIES = 1e5, 1e7
-"""Of heat in a volume of solids [J/(m^3 K)]: 1e6 to 4e6 without pores."""
+"""Range of volumetric heat capacity of solids [J/(m^3 K)]: 1e6 to 4e6 without pores."""
 LARGEST_EXPANSION = 2e-3
-"""[1/K]: rubber has up to 7e-4."""
+"""Maximum thermal expansion [1/K]: rubber has up to 7e-4."""
 HOTTEST = 3e5
-"""Rise of the temperature, without what melting would change [K]."""
-_THERMAL = "conductivity is in W/(m K), diffusivity in m^2/s"
-_ROOM = 6.0  # cells across a Hertz contact that a corrected quantity must leave
+"""Maximum temperature rise, melting disregarded [K]."""
+_THERMAL = "W/(m K) for conductivity and m^2/s for diffusivity"
+_ROOM = 6.0  # minimum width of the Hertz contact in cells after a correction
 _STIFFEST = 2e12  # E* of two diamonds is 0.6e12
 _SLIPS = {"m": (1e-3, 1e-6, 1e-9), "N": (1e-3, 1e-6, 1e-9), "Pa": (1e3, 1e6, 1e9)}
 
 
 class Doubt(NamedTuple):
-    """A number of a scene against what it can be, and what is said where it cannot."""
+    """Check of a quantity, and the remedy if it is implausible."""
 
     verdict: Check
     remedy: Callable[[], str]
-    """Made where it is said: most scenes are not doubted."""
+    """Function that makes the remedy, called only for a warning."""
     of_contact: bool = False
-    """Not of a body: it goes with what is found of the same contact once it is solved."""
+    """Whether the check is of a contact; checks after the solve then replace it."""
 
 
 class Contact(NamedTuple):
-    """What Hertz expects: how far it reaches along x and y [m], of which radii [m]."""
+    """Hertz estimate: contact, and its extent along x and y [m]."""
 
     expected: Expected
     extent: tuple[float, float]
@@ -77,7 +78,7 @@ class Contact(NamedTuple):
 
     @property
     def radii(self) -> tuple[float, float]:
-        """In the planes of the larger and the smaller semi-axis."""
+        """Radii in the planes of the larger and the smaller semi-axis [m]."""
         hertz = self.expected.contact
         if isinstance(hertz, EllipticContact):
             return max(hertz.Rx, hertz.Ry), min(hertz.Rx, hertz.Ry)
@@ -87,7 +88,7 @@ class Contact(NamedTuple):
 def doubts_of(
     contact: Contact | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> Iterator[Doubt]:
-    """All that a scene is looked at for, before it is solved; grid: the one that was given."""
+    """All plausibility checks before a solve; grid: the grid as prescribed."""
     yield from _of_bodies(bodies, heat)
     if contact is not None:
         yield from doubts_of_contact(contact, grid, bodies, heat)
@@ -106,17 +107,17 @@ def _of_bodies(bodies: tuple[Body, Body], heat: Heat) -> Iterator[Doubt]:
         if body.is_plastic:
             name, ratio = f"yield stress over E of body {number}", body.least_yield_stress / body.E
             verdict = Check(name, ratio, SOFTEST_YIELD, at_least=True)
-            yield Doubt(verdict, lambda: "Both are in pascals")
+            yield Doubt(verdict, lambda: "Use Pa for both")
         yield from _failed(_of_body(f"body {number}", whole))
     for number, body in _heated(bodies, heat):
         yield from _of_constants(number, body)
         speed = math.hypot(*heat.velocity[number - 1])
         verdict = Check(f"heat.velocity of body {number}", speed, FASTEST, unit="m/s")
-        yield from _failed([Doubt(verdict, lambda: "Speeds are in m/s")])
+        yield from _failed([Doubt(verdict, lambda: "Use m/s")])
 
 
 def _of_strengths(bodies: tuple[Body, Body]) -> Iterator[Doubt]:
-    """Failed checks of what a contact may have told better."""
+    """Failed checks of bodies that a check of the contact may have explained better."""
     for number, whole in enumerate(bodies, 1):
         plastic = [material for material in materials_of(whole) if material.is_plastic]
         yield from _failed(_of_strength(number, material) for material in plastic)
@@ -125,7 +126,7 @@ def _of_strengths(bodies: tuple[Body, Body]) -> Iterator[Doubt]:
 def doubts_of_contact(
     contact: Contact, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> Iterator[Doubt]:
-    """Checks of a Hertz contact, and of the temperature rise in it."""
+    """Checks of a Hertz contact, and of its temperature rise."""
     yield from _of_contact(contact, grid, (softest(bodies[0]), softest(bodies[1])))
     for number, body in _heated(bodies, heat):
         yield _of_rise(contact, number, heat.factor[number - 1], body, heat)
@@ -134,10 +135,10 @@ def doubts_of_contact(
 def passing_loads(
     contact: Contact, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> tuple[float, float]:
-    """Loads [N] between which all checks of a contact pass, estimated from one load on.
+    """Range of loads [N] for which all checks of a contact pass, estimated from one load.
 
-    The sizes of a contact and its pressure grow as the cube root of the load, the temperature rise
-    and flattened contacts faster: as its power 2/3 and 1/2 at most.
+    Contact size and pressure grow as the cube root of the load. The temperature rise and flattened
+    contacts grow faster, at most with its powers 2/3 and 1/2.
     """
     load = contact.expected.contact.load
     checks = [doubt.verdict for doubt in doubts_of_contact(contact, grid, bodies, heat)]
@@ -161,28 +162,30 @@ def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, Material]]
 
 
 def _failed(doubts: Iterable[Doubt]) -> Iterator[Doubt]:
-    """Those that a report need not list where they pass: most materials have none of them."""
+    """Failed checks; a report does not list the others, which most materials do not have."""
     return (doubt for doubt in doubts if not doubt.verdict.passed)
 
 
 def warn_of(doubt: Doubt, *, stacklevel: int) -> None:
-    """Warn of a number unless it can be meant."""
+    """Warn of an implausible quantity."""
     verdict = doubt.verdict
     if not verdict.passed:
-        told = f"{verdict.name} is {verdict.shown}, and should be {verdict.condition}"
+        told = (
+            f"likely unit error: {verdict.name} is {verdict.shown} ({verdict.condition} expected)"
+        )
         warnings.warn(f"{told}. {doubt.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
 
 
 def wear_coefficient(name: str, value: float) -> Doubt:
-    """Of the work of friction, or of load and way."""
+    """Check of a wear coefficient: volume over work of friction, or over load and distance."""
     verdict = Check(name, value, MOST_WEAR, unit="1/Pa")
-    return Doubt(verdict, lambda: "It is in 1/Pa, m³ per joule: 1e-6 mm³/(N m) are 1e-15 1/Pa")
+    return Doubt(verdict, lambda: "Use 1/Pa, m³ per joule: 1e-6 mm³/(N m) is 1e-15 1/Pa")
 
 
 def strength(name: str, value: float) -> Doubt:
-    """A fatigue limit, or a yield stress that is given by itself."""
+    """Check of a fatigue limit, or of a yield stress given separately."""
     verdict = Check(name, value, LEAST_LIMIT, at_least=True, unit="Pa")
-    return Doubt(verdict, lambda: "Stresses are in pascals: 300 MPa are 300e6")
+    return Doubt(verdict, lambda: "Use Pa: 300 MPa is 300e6")
 
 
 def _of_body(name: str, body: Body) -> Iterator[Doubt]:
@@ -192,7 +195,7 @@ def _of_body(name: str, body: Body) -> Iterator[Doubt]:
     for place, (material, thickness) in enumerate(body.layers):
         layer = f"layers[{place}] of {name}"
         verdict = Check(f"thickness of {layer}", thickness, DEEPEST, unit="m")
-        yield Doubt(verdict, lambda: "Thicknesses are in metres")
+        yield Doubt(verdict, lambda: "Use m")
         yield from _of_material(layer, material)
     yield from _of_material(f"the substrate of {name}", body.substrate)
 
@@ -202,53 +205,53 @@ def _of_material(name: str, body: Material) -> Iterator[Doubt]:
         told = f"modulus of kinematic hardening over E of {name}"
         for limit, least in ((LEAST_STRESS, True), (LARGEST_MODULUS, False)):
             verdict = Check(told, modulus / body.E, limit, least)
-            yield Doubt(verdict, lambda: "Both are in pascals")
+            yield Doubt(verdict, lambda: "Use Pa for both")
     if body.yield_profile is not None:
         most_of_law = max(body.yield_profile[1])
-        verdict = Check(f"largest yield factor of {name}", most_of_law, LARGEST_FACTOR)
-        yield Doubt(verdict, lambda: "It is a ratio: the hardness there over that of the core")
+        verdict = Check(f"maximum yield factor of {name}", most_of_law, LARGEST_FACTOR)
+        yield Doubt(verdict, lambda: "It is the ratio of local hardness to core hardness")
         yield _of_depth(f"depth of the yield profile of {name}", body.yield_profile)
     if body.residual_stress is not None:
         largest = max(abs(v) for values in body.residual_stress[1:] for v in values)
         if largest > 0:
-            told = f"largest residual stress over E of {name}"
+            told = f"maximum residual stress over E of {name}"
             verdict = Check(told, largest / body.E, LEAST_STRESS, at_least=True)
-            yield Doubt(verdict, lambda: "Both are in pascals: -800 MPa are -800e6")
+            yield Doubt(verdict, lambda: "Use Pa for both: -800 MPa is -800e6")
         yield _of_depth(f"depth of the residual stress of {name}", body.residual_stress)
 
 
 def _of_strength(number: int, body: Material) -> Doubt:
-    """The largest yield stress that the law has by itself."""
+    """Check of the maximum yield stress of the hardening law, without profile."""
     given = body.parameters
     of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
     largest = max(*of_law, *given.get("stress", ()))
-    name = f"largest yield stress over E of body {number}"
+    name = f"maximum yield stress over E of body {number}"
     verdict = Check(name, largest / body.E, STRONGEST_YIELD)
-    return Doubt(verdict, lambda: "Both are in pascals: 210 GPa are 210e9")
+    return Doubt(verdict, lambda: "Use Pa for both: 210 GPa is 210e9")
 
 
 def _of_depth(name: str, profile: Profile) -> Doubt:
-    """Where a profile ends to change [m]."""
+    """Check of the depth below which a profile is constant [m]."""
     z = profile[0]
     deepest = 0.0
     for above, below in pairwise(range(len(z))):
         if any(values[above] != values[below] for values in profile[1:]):
             deepest = z[below]
-    return Doubt(Check(name, deepest, DEEPEST, unit="m"), lambda: "Depths are in metres")
+    return Doubt(Check(name, deepest, DEEPEST, unit="m"), lambda: "Use m")
 
 
 def _of_constants(number: int, body: Material) -> Iterator[Doubt]:
     conductivity, expansion, diffusivity = body.thermal or (1.0, 0.0, 1.0)
-    name = f"conductivity over diffusivity of body {number}, the heat that its volume holds,"
+    name = f"volumetric heat capacity (conductivity over diffusivity) of body {number}"
     for limit, least in zip(CAPACITIES, (True, False), strict=True):
         verdict = Check(name, conductivity / diffusivity, limit, least, "J/(m³ K)")
-        yield Doubt(verdict, lambda: f"Solids have 1e6 to 4e6; {_THERMAL}")
-    verdict = Check(f"expansion of body {number}", expansion, LARGEST_EXPANSION, unit="1/K")
+        yield Doubt(verdict, lambda: f"Solids have 1e6 to 4e6: use {_THERMAL}")
+    verdict = Check(f"thermal expansion of body {number}", expansion, LARGEST_EXPANSION, unit="1/K")
     yield Doubt(verdict, lambda: "Steel has 1.2e-5 1/K")
 
 
 def _of_rise(contact: Contact, number: int, factor: float, body: Material, heat: Heat) -> Doubt:
-    """Flux over conductivity, times the size of the contact or of what heat reaches in time."""
+    """Check of flux over conductivity, times contact size or diffusion length."""
     conductivity, _, diffusivity = body.thermal or (1.0, 0.0, 1.0)
     size = math.sqrt(math.prod(contact.expected.semi_axes))
     age = heat.time if heat.history is None else heat.history[1]
@@ -257,17 +260,17 @@ def _of_rise(contact: Contact, number: int, factor: float, body: Material, heat:
     if (speed := math.hypot(*heat.velocity[number - 1])) > 0:
         size = min(size, math.sqrt(diffusivity * size / speed))
     rise = factor * contact.expected.contact.p0 * size / conductivity
-    name = f"rise of the temperature of body {number} by frictional heat, about,"
+    name = f"estimated frictional temperature rise of body {number}"
     verdict = Check(name, rise, HOTTEST, unit="K")
-    return Doubt(verdict, lambda: f"The factor of heat is in m/s; {_THERMAL}")
+    return Doubt(verdict, lambda: f"Use m/s for heat.factor, {_THERMAL}")
 
 
 def part_of_radius(contact: Contact, said: Callable[[], str] | None = None) -> Doubt:
-    """How large a contact is; said: what is told of it first, default what Hertz expects."""
+    """Check of contact size; said: first sentence of the remedy, default the Hertz estimate."""
     first = said or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
-    verdict = Check("half width of the Hertz contact over its radius", share, LARGEST_PART)
-    taken = "Bodies are taken as half-spaces, and spheres as paraboloids"
+    verdict = Check("half-width of the Hertz contact over its radius", share, LARGEST_PART)
+    taken = "The theory assumes half-spaces, and paraboloids for spheres"
     return Doubt(verdict, lambda: f"{first()}. {taken}", True)
 
 
@@ -293,28 +296,28 @@ def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material])
 
 
 def _in_layers(contact: Contact, grid: Grid, bodies: Iterable[Material]) -> Iterator[Doubt]:
-    """Size of the contact of bodies that may yield."""
+    """Check of the contact size of bodies that may yield, in layers."""
     dz = grid.dz
     if dz is not None:
         wider = max(_flattened(contact, body) for body in bodies)
-        name = "half width of the Hertz contact in layers"
+        name = "half-width of the Hertz contact in layers"
         verdict = Check(name, wider * contact.expected.semi_axes[1] / dz, MOST_LAYERS)
-        yield Doubt(verdict, lambda: f"dz = {quantity(dz, 'm')}, in metres")
+        yield Doubt(verdict, lambda: f"Use m: dz = {quantity(dz, 'm')}")
 
 
 def _flattened(contact: Contact, body: Material) -> float:
-    """How much wider than elastic a contact is whose mean pressure is three yield stresses."""
+    """Width of a contact with a mean pressure of three yield stresses, over its elastic width."""
     stress = 3.0 * body.least_yield_stress if body.is_plastic else math.inf
     mean = contact.expected.contact.p0 / 1.5
     return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
 
 
 def likely_slips(contact: Contact, grid: Grid) -> str:
-    """Which quantity in another unit would make a contact fit its grid, in words."""
+    """Describe which quantity in another unit would make a contact fit its grid."""
     hertz, by_approach = contact.expected.contact, contact.driver == "approach"
-    # value, unit, and powers of a factor by which the contact, its radius and the cells grow
+    # value, unit, and exponents with which contact, radius and cells scale
     given = {
-        "moduli of E* =": (hertz.E_star, "Pa", 0.0 if by_approach else -1 / 3, 0.0, 0.0),
+        "E* =": (hertz.E_star, "Pa", 0.0 if by_approach else -1 / 3, 0.0, 0.0),
         "radii of": (contact.radii[0], "m", 0.5 if by_approach else 1 / 3, 1.0, 0.0),
         "cells of": (max(grid.dx, grid.dy), "m", 0.0, 0.0, 1.0),
         "a load of": (hertz.load, "N", 0.0 if by_approach else 1 / 3, 0.0, 0.0),
@@ -328,19 +331,19 @@ def likely_slips(contact: Contact, grid: Grid) -> str:
                 fits.append(f"{name} {quantity(factor * value, unit)}")
                 unusual += fits[-1:] if _is_unusual(name, value) else []
                 break
-    units = "lengths are in metres, loads in newtons, moduli in pascals"
+    units = "use m, N and Pa"
     text = ", or ".join(unusual or fits)
-    return f"It would fit with {text}: {units}" if text else units.capitalize()
+    return f"It would be plausible with {text}: {units}" if text else units.capitalize()
 
 
 def _is_unusual(name: str, value: float) -> bool:
-    if name.startswith("moduli"):
+    if name.startswith("E*"):
         return value < 1e6
     return value > {"radii of": 1.0, "cells of": 1e-3, "a load of": 1e6}.get(name, math.inf)
 
 
 def _fits(contact: Contact, grid: Grid, wider: float, steeper: float, cells: float) -> bool:
-    """Whether a contact would, that is so much wider, over its radius, and in larger cells."""
+    """Whether a contact fits the grid if it is wider, over its radius, or on larger cells."""
     sides = zip(contact.extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     across = [(2 * wider * e / (cells * d), n) for e, n, d in sides]
     part = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether a grid resolves a contact and the plastic zone below it, and elasticity carries it."""
+"""Checks of the resolution of contact and plastic zone, and of the range of linear elasticity."""
 
 from __future__ import annotations
 
@@ -28,45 +28,45 @@ if TYPE_CHECKING:
     from .hertz_estimate import ContactSetup
 
 FEW = 8
-"""Cells across a contact, and layers of a plastic zone, below which there is a warning."""
+"""Recommended cells across a contact, and layers of a plastic zone; fewer cause a warning."""
 TOO_FEW = 4
-"""Below this results are numbers of the grid: the check of a report fails."""
+"""Minimum number of cells or layers; below it the check of a report fails."""
 ROUND_SPOT = 16 / math.pi * AREA_OF_A_SIDE
-"""That of a round spot, times its diameter in cells."""
+"""Area uncertainty of a round spot, times its diameter in cells."""
 UNCERTAIN, TOO_UNCERTAIN = 0.1, 0.2
-"""Of the area of a contact of several spots: a warning, and the failed check of a report."""
+"""Area uncertainty of a contact of several spots, for a warning and for a failed check."""
 LARGEST_STRAIN = 0.5
-"""Of the largest pressure over E*: that of a Hertz contact with a/R = 0.8."""
+"""Maximum pressure over E*: that of a Hertz contact with a/R = 0.8."""
 _CLASSIC_DEPTH = 0.8
-"""Depth of the largest von Mises stress over the half width: 0.48 (point) to 0.79 (line)."""
+"""Depth of maximum von Mises stress over half-width: 0.48 (point contact) to 0.79 (line)."""
 
 
 def warn_of_strain(
     solution: ContactSolution | State, scene: ContactSetup, *, stacklevel: int
 ) -> bool:
-    """Warn of pressures that linear elasticity cannot carry; whether it did."""
+    """Warn of pressures beyond linear elasticity; return whether a warning was issued."""
     largest = solution.outline.largest
     share = largest / scene.E_star
     if not share > LARGEST_STRAIN:
         return False
     text = (
-        f"the largest pressure, {quantity(largest, 'Pa')}, is {share:.3g} of the contact modulus "
-        f"E*, more than {LARGEST_STRAIN}: slopes and strains of this size are beyond linear "
-        "elasticity. Lengths are in metres, loads in newtons, moduli in pascals"
+        f"pressure beyond linear elasticity: its maximum {quantity(largest, 'Pa')} is {share:.3g} "
+        f"of the contact modulus E* (at most {LARGEST_STRAIN} expected), which implies large "
+        "slopes and strains. Use m, N and Pa"
     )
     warnings.warn(text, ElasticStrainWarning, stacklevel=stacklevel + 1)
     return True
 
 
 def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | None:
-    """Rows and columns of the spot (of touching cells) under the largest pressure.
+    """Rows and columns of the spot (connected cells) with the maximum pressure.
 
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
-        [Pa], >= 0.
+        Contact pressure [Pa], >= 0.
     periodic : {"", "x", "y", "xy"}, optional
-        As of a Grid: along these the spot is counted from the largest pressure in the middle.
+        As for Grid: along these directions the maximum pressure is moved to the centre first.
 
     Returns
     -------
@@ -80,12 +80,12 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
 
 
 def spots(pressure: ArrayLike, periodic: str = "") -> int:
-    """How many spots of touching cells, also by a corner, there are; the arguments as before."""
+    """Number of spots of connected cells, corners included; arguments as for `main_spot`."""
     return int(_labelled(pressure, periodic)[0].max())
 
 
 def _labelled(pressure: ArrayLike, periodic: str) -> tuple[NDArray[np.int32], tuple[int, int]]:
-    """Numbers of the spots, and the cell of the largest pressure: in the middle where periodic."""
+    """Labels of the spots, and the cell of maximum pressure, at the centre if periodic."""
     field: FloatArray = np.asarray(pressure, dtype=np.float64)
     peak = divmod(int(field.argmax()), field.shape[1])
     shifts = [
@@ -99,20 +99,20 @@ def _labelled(pressure: ArrayLike, periodic: str) -> tuple[NDArray[np.int32], tu
 
 
 def cells_across(pressure: ArrayLike, periodic: str = "") -> float:
-    """Cells across the contact: along the shorter side of the spot under the largest pressure.
+    """Cells across the contact, along the shorter side of the spot with the maximum pressure.
 
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
-        [Pa], >= 0.
+        Contact pressure [Pa], >= 0.
     periodic : {"", "x", "y", "xy"}, optional
-        As of a Grid: along these the spot is counted from the largest pressure in the middle.
+        As for Grid: along these directions the maximum pressure is moved to the centre first.
 
     Returns
     -------
     float
-        A whole number; NaN without contact. A side of the spot that spans the grid does not count:
-        it is cut by the border, not by the cells.
+        An integer; NaN without contact. A side of the spot that spans the grid is ignored, because
+        it is cut by the edge of the grid, not resolved by cells.
     """
     spot = main_spot(pressure, periodic)
     if spot is None:
@@ -123,24 +123,24 @@ def cells_across(pressure: ArrayLike, periodic: str = "") -> float:
 
 
 def area_uncertainty(pressure: ArrayLike, periodic: str = "") -> float:
-    """Relative uncertainty of a contact area whose spots are resolved coarsely.
+    """Relative uncertainty of a contact area with coarsely resolved spots.
 
-    (pi - 1 + ln 2)/24 of the sides that cells in contact share with those that are not, over the
-    cells in contact: what counting cells is wrong by, on average over directions, for spots with
-    smooth outlines (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). A
-    round spot has 0.6 over its diameter in cells.
+    (pi - 1 + ln 2)/24 of the sides between cells in contact and open cells, over the cells in
+    contact: the error of counting cells, averaged over directions, for spots with smooth outlines
+    (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). For a round spot it
+    is 0.6 over its diameter in cells.
 
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
-        [Pa], >= 0.
+        Contact pressure [Pa], >= 0.
     periodic : {"", "x", "y", "xy"}, optional
-        As of a Grid.
+        Periodic directions, as for Grid.
 
     Returns
     -------
     float
-        NaN without contact. The border of the grid is no side.
+        NaN without contact. The edge of the grid is not counted as a side.
     """
     return _uncertainty(outline_of(pressure, periodic))
 
@@ -150,9 +150,9 @@ def _uncertainty(outline: Outline) -> float:
 
 
 def _is_wide(pressure: FloatArray) -> bool:
-    """Whether `FEW` cells along x and y through the largest pressure are in contact; costs little.
+    """Whether `FEW` cells in contact along x and y contain the maximum pressure; cheap.
 
-    Then the spot is as wide; where not, it may still be.
+    If so, the spot is at least as wide; if not, it may still be.
     """
     i, j = divmod(int(pressure.argmax()), pressure.shape[1])
     around = (pressure[max(0, i - FEW) : i + FEW, j], pressure[i, max(0, j - FEW) : j + FEW])
@@ -165,7 +165,7 @@ def _longest_run(inside: NDArray[np.bool_]) -> int:
 
 
 def layers_across(equivalent: ArrayLike) -> float:
-    """Layers from the top of a plastic zone to its bottom.
+    """Number of layers from the top to the bottom of a plastic zone.
 
     Parameters
     ----------
@@ -175,21 +175,21 @@ def layers_across(equivalent: ArrayLike) -> float:
     Returns
     -------
     float
-        A whole number; NaN without plastic strain.
+        An integer; NaN without plastic strain.
     """
     strained = np.flatnonzero(np.asarray(equivalent).any(axis=(0, 1)))
     return float(strained[-1] - strained[0] + 1) if strained.size else math.nan
 
 
 def plastic_layers(extent: Sequence[tuple[int, int]]) -> float:
-    """The same of what `strained_extent` finds."""
+    """Number of layers of a plastic zone, from its `strained_extent`."""
     return float(extent[2][1] - extent[2][0] + 1) if extent else math.nan
 
 
 def warn_of_contact(
     solution: ContactSolution | State, scene: ContactSetup, few: int = FEW, *, stacklevel: int
 ) -> bool:
-    """Warn when fewer than `few` cells lie across a contact, or its spots; whether it did."""
+    """Warn if fewer than `few` cells span the contact or its spots; return whether it did."""
     pressure, grid = solution.repulsion, scene.grid
     outline = solution.outline
     share = _uncertainty(outline)
@@ -199,25 +199,24 @@ def warn_of_contact(
     cell = lengths(grid.dx, grid.dy)
     if thin and (count := spots(pressure, grid.periodic)) > 1:
         text = (
-            f"area is uncertain by about {100 * share:.0f} %, and the mean pressure with it: its "
-            f"{count} spots are {ROUND_SPOT / share:.1f} cells across ({cell}). Take smaller "
-            f"cells; with round spots of 8 it would be {100 * ROUND_SPOT / FEW:.0f} %"
+            f"area is uncertain by about {100 * share:.0f} %, and so is the mean pressure: {count} "
+            f"spots are {ROUND_SPOT / share:.1f} cells across ({cell}). Use smaller cells; with "
+            f"round spots of 8 cells the uncertainty would be {100 * ROUND_SPOT / FEW:.0f} %"
         )
     elif not _is_wide(pressure) and (cells := cells_across(pressure, grid.periodic)) < few:
         text = (
-            f"is only {cells:.0f} of {FEW} or more cells across ({cell}): its pressures depend on "
-            f"the grid. {_remedy(solution, scene)}"
+            f"is only {cells:.0f} cells across ({cell}; at least {FEW} recommended). "
+            f"{_remedy(solution, scene)}"
         )
     elif thin:
         width = 2 * AREA_OF_A_SIDE / share
         text = (
-            f"is a ring, a line or the like, about {width:.1f} cells wide ({cell}): its pressures "
-            f"depend on the grid, and its area is uncertain by about {100 * share:.0f} %. Take "
-            "smaller cells; lengths are in metres"
+            f"is a ring or line about {width:.1f} cells wide ({cell}), its area uncertain by about "
+            f"{100 * share:.0f} %: use smaller cells"
         )
     else:
         return False
-    told = f"at load {solution.load:.6g} N the contact {text}"
+    told = f"under-resolved contact: at load {solution.load:.6g} N the contact {text}"
     warnings.warn(told, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
 
@@ -225,24 +224,24 @@ def warn_of_contact(
 def _remedy(solution: ContactSolution | State, scene: ContactSetup) -> str:
     expected = scene.hertz(load=solution.load)
     if expected is None:
-        return "Take smaller cells; lengths are in metres"
+        return "Use smaller cells"
     widest = quantity(2 * expected.semi_axes[1] / FEW, "m")
-    return f"{expected}: take cells of at most {widest}. Lengths are in metres"
+    return f"{expected}: use cells of at most {widest}"
 
 
 def warn_of_zone(states: Sequence[State], body: int, few: int = FEW, *, stacklevel: int) -> bool:
-    """Warn when fewer than `few` layers lie across the plastic zone of a body; whether it did.
+    """Warn if fewer than `few` layers span the plastic zone of a body; return whether it did.
 
-    In the state where it is highest: a moving body carries its strain out of the grid.
+    It considers the state with the deepest zone: strain of a moving body leaves the grid.
     """
     heights = [plastic_layers(strained_extent(state, body)) for state in states]
     layers = max((height for height in heights if height > 0), default=math.nan)
     if not layers < few:
         return False
     text = (
-        f"the plastic zone of body {body} is only {layers:.0f} of {FEW} or more layers high "
-        f"({quantity(states[0].grid.dz or 0.0, 'm')} each): its strains and residual stresses "
-        "depend on the grid. Take thinner layers, a smaller dz"
+        f"under-resolved plastic zone of body {body}: {layers:.0f} layers of "
+        f"{quantity(states[0].grid.dz or 0.0, 'm')} (at least {FEW} recommended), so that plastic "
+        "strain and residual stress depend on the grid. Reduce dz"
     )
     warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
@@ -251,9 +250,10 @@ def warn_of_zone(states: Sequence[State], body: int, few: int = FEW, *, stacklev
 def warn_of_unseen(
     peak: State, last: State, scene: ContactSetup, few: int = TOO_FEW, *, stacklevel: int
 ) -> bool:
-    """Warn of layers that cannot show whether a body yields below a contact; whether it did.
+    """Warn if layers are too thick to show yield below a contact; return whether it did.
 
-    Where the contact presses hard enough and there are fewer than `few` layers in its half width.
+    This applies if the contact pressure suffices for yield and the half-width has fewer than `few`
+    layers.
     """
     grid = peak.grid
     if grid.dz is None or (hardest := peak.outline.largest) < scene.weakest:
@@ -275,16 +275,16 @@ def warn_of_unseen(
     if half / grid.dz >= few:
         return False
     text = (
-        f"at load {peak.load:.6g} N body {doubtful[0]} does not yield, but the contact's half "
-        f"width is {quantity(half, 'm')}, and the stress is largest at half to {_CLASSIC_DEPTH} of "
-        f"that depth: the layers are too thick, dz = {quantity(grid.dz, 'm')}"
+        f"body {doubtful[0]} appears elastic at load {peak.load:.6g} N because dz = "
+        f"{quantity(grid.dz, 'm')} is too coarse to resolve the maximum stress, at 0.5 to "
+        f"{_CLASSIC_DEPTH} of the contact half-width {quantity(half, 'm')}: reduce dz"
     )
     warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
 
 
 def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn of what no later increment can mend, since this may be the first of many; whether so."""
+    """Warn, after any increment, of what later increments cannot correct; return whether it did."""
     if math.isfinite(state.approach):
         if warn_of_contact(state, scene, TOO_FEW, stacklevel=stacklevel + 1):
             return True
@@ -301,7 +301,7 @@ def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
 
 
 def warn_of_run(states: Sequence[State], scene: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn when the grid does not resolve contact and plastic zones of a whole run; whether so."""
+    """Warn if the grid does not resolve the contact or plastic zones of a run; return whether."""
     solved = [state for state in states if math.isfinite(state.approach)]
     peak = max(solved, key=lambda state: state.load, default=None)
     if peak is not None and warn_of_contact(peak, scene, stacklevel=stacklevel + 1):
@@ -318,18 +318,18 @@ def warn_of_run(states: Sequence[State], scene: ContactSetup, *, stacklevel: int
 
 
 def warn_of_sweep(dataset: xr.Dataset, *, stacklevel: int) -> None:
-    """Warn of the cases of a sweep that their grids do not resolve, in one text."""
+    """Warn, in one message, of the cases of a sweep that are under-resolved."""
     found = []
     for name, what in (
-        ("contact_cells", f"a contact of fewer than {FEW} cells across"),
-        ("plastic_layers_body1", f"a plastic zone of body 1 of fewer than {FEW} layers"),
-        ("plastic_layers_body2", f"a plastic zone of body 2 of fewer than {FEW} layers"),
+        ("contact_cells", f"fewer than {FEW} cells across the contact"),
+        ("plastic_layers_body1", f"fewer than {FEW} layers across the plastic zone of body 1"),
+        ("plastic_layers_body2", f"fewer than {FEW} layers across the plastic zone of body 2"),
     ):
         if name in dataset and (count := int((dataset[name].max("increment") < FEW).sum())):
             found.append(f"{count} with {what}")
     if found:
         text = (
-            f"of {dataset['status'].size} cases there are {', '.join(found)}: see contact_cells "
-            "and plastic_layers_bodyN of each"
+            f"under-resolved cases: of {dataset['status'].size}, {', '.join(found)}; see "
+            "contact_cells and plastic_layers_bodyN"
         )
         warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)

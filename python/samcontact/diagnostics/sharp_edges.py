@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sharp edges of bodies, at which the pressure of elastic contact is singular."""
+"""Sharp edges of bodies, at which the pressure of an elastic contact is singular."""
 
 from __future__ import annotations
 
@@ -32,60 +32,60 @@ if TYPE_CHECKING:
     from .hertz_estimate import ContactSetup
 
 DEFLECTION = 0.25
-"""Height of a step over p d/E*, at least: elastic deflection between two cells of size d closes
-less at once."""
+"""Minimum height of a step over p d/E*: elastic deflection between two cells of size d is
+smaller."""
 TOGETHER = 3
-"""Cells of an edge, at least: single cells of a rough surface are none."""
+"""Minimum number of cells of an edge: single cells of a rough surface are no edge."""
 ROUNDING = 4
-"""Cells in the radius of a rounded edge from which its pressure can be resolved."""
+"""Minimum number of cells in the radius of a rounded edge for a resolved pressure."""
 SINGULAR = (
     "max_pressure", "max_von_mises", "max_equivalent_plastic_strain", "max_residual_von_mises",
 )  # fmt: skip
-"""Quantities without a limit at a sharp edge, by their names in files without the body: the cells
-do not bring them to an end (stresses of perfect plasticity have one)."""
+"""Quantities that are unbounded at a sharp edge, by their names in results files without the body:
+they do not converge with the grid (stresses in perfect plasticity do)."""
 
 
 class SharpEdge(NamedTuple):
     """Cells in contact along sharp edges."""
 
     cells: NDArray[np.bool_]
-    """Of shape (nx, ny): those at the edge."""
+    """Cells at the edge, shape (nx, ny)."""
     peak: tuple[int, int]
-    """That of the largest pressure among them."""
+    """Cell of maximum pressure among them."""
 
 
 def sharp_edge(
     pressure: ArrayLike, gap: ArrayLike, grid_sizes: tuple[float, float], E_star: float,
     periodic: str = "", initial_gap: ArrayLike | None = None,
 ) -> SharpEdge | None:  # fmt: skip
-    """Find the sharp edges of a contact, to which its pressure rises.
+    """Find the sharp edges of a contact, towards which its pressure rises.
 
     The pressure of a smooth contact falls to zero at its edge, like the root of the distance. At
     the end of a body, or at a step that elastic deflection does not close, it rises instead: like
     r^-1/2 with the distance r from the edge for the contact of two half-spaces (Johnson 1985,
-    sections 2.8 and 5.1; other exponents for wedges of unlike materials: Williams 1952,
+    sections 2.8 and 5.1; other exponents for wedges of dissimilar materials: Williams 1952,
     doi:10.1115/1.4010553, Dundurs & Lee 1972).
 
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
-        [Pa], >= 0; the repulsion where surfaces attract each other.
+        Contact pressure [Pa], >= 0; with attraction, the repulsion.
     gap : array_like, shape (nx, ny)
         Separation under load [m]; NaN or infinite where there is no body.
     grid_sizes : pair of float
-        Sizes of a cell along x and y [m].
+        Cell sizes along x and y [m].
     E_star : float
         Contact modulus [Pa].
     periodic : {"", "x", "y", "xy"}, optional
-        As of a Grid.
+        Periodic directions, as for Grid.
     initial_gap : array_like, shape (nx, ny), optional
-        Separation of the undeformed bodies [m], for steps that the load has closed.
+        Separation of the undeformed bodies [m], for steps closed by the load.
 
     Returns
     -------
     SharpEdge or None
-        None where no three touching cells have a step of the gap beside them and more pressure than
-        the cells further inside.
+        None unless three or more connected cells lie next to a step of the gap and have more
+        pressure than the cells further inside.
     """
     p, heights = np.asarray(pressure, dtype=np.float64), np.asarray(gap, dtype=np.float64)
     whole = np.zeros(p.shape, dtype=np.bool_)
@@ -124,10 +124,10 @@ def sharp_edge(
 
 
 def may_have_edge(solution: ContactSolution | State, scene: ContactSetup) -> bool:
-    """Whether `edge_of` may find one.
+    """Whether `edge_of` may find an edge.
 
-    At an edge with a step of the gap under load beside it, the pressure falls to nothing; one that
-    the load has closed is a step of the undeformed gap.
+    At an edge with an open step of the gap next to it, the pressure drops to zero; a step closed
+    by the load is a step of the undeformed gap.
     """
     return solution.outline.rises or scene.may_have_steps
 
@@ -135,7 +135,7 @@ def may_have_edge(solution: ContactSolution | State, scene: ContactSetup) -> boo
 def edge_of(
     solution: ContactSolution | State, bodies: tuple[Body, Body], initial_gap: FloatArray | None
 ) -> SharpEdge | None:
-    """The sharp edges of a solution; None without any, and of given tractions."""
+    """Sharp edges of a solution; None without any, and under prescribed tractions."""
     pressure, grid = solution.repulsion, solution.grid
     if not np.isfinite(solution.approach):
         return None
@@ -147,32 +147,32 @@ def edge_of(
 
 
 def edge_of_state(state: State) -> SharpEdge | None:
-    """The same of a state; steps of reliefs that the load has closed are not looked for."""
+    """Sharp edges of a state; steps of reliefs that the load has closed are not found."""
     domain = state.domain
     known = all(relief is None for relief in domain.reliefs)
     return edge_of(state, state.setup.bodies, domain.initial_gap if known else None)
 
 
 def is_singular(name: str) -> bool:
-    """Whether a quantity, by its name in files, has no limit at a sharp edge."""
+    """Whether a quantity, by its name in results files, is unbounded at a sharp edge."""
     return name.partition("_body")[0] in SINGULAR
 
 
 def warn_of_edge(
     solution: ContactSolution | State, edge: SharpEdge | None, *, stacklevel: int
 ) -> bool:
-    """Warn of pressures that are singular at a sharp edge; whether there is one."""
+    """Warn of pressures that are singular at a sharp edge; return whether there is one."""
     if edge is None:
         return False
     i, j = edge.peak
     x, y = (quantity(float(s), "m") for s in (solution.grid.x[i], solution.grid.y[j]))
     text = (
-        f"the pressure rises to {quantity(float(solution.pressure[i, j]), 'Pa')} at a sharp edge, "
-        f"beside a step of the gap or the end of a body (x = {x}, y = {y}). In elastic contact it "
-        "is singular there: the largest pressure and the stresses near the edge grow without limit "
-        "as the cells become smaller. The load, the approach, the pressure a few cells away from "
-        "the edge and forces over a fixed length remain meaningful. Round the edge, with a radius "
-        f"of {ROUNDING} cells or more, or give a roller a crowned or logarithmic profile"
+        f"singular pressure: it rises to {quantity(float(solution.pressure[i, j]), 'Pa')} at a "
+        f"sharp edge, next to a step of the gap or the end of a body (x = {x}, y = {y}). In "
+        "elastic contact the maximum pressure and the stresses near the edge grow without bound "
+        "as the grid is refined. The load, the approach, the pressure a few cells away from the "
+        "edge and forces over a fixed length remain meaningful. Round the edge with a radius of "
+        f"at least {ROUNDING} cells, or use a crowned or logarithmic profile"
     )
     warnings.warn(text, SingularPressureWarning, stacklevel=stacklevel + 1)
     return True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies that would yield, where they are taken as elastic."""
+"""Detection of yield in bodies treated as elastic."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 _DEPTHS = np.concatenate(([0.0], np.geomspace(0.02, 10.0, 200)))
-"""Over the half width of the contact: where stress is compared with strength."""
+"""Depths over the half-width of the contact at which stress is compared with yield stress."""
 _LONG = 4.0
-"""Length of a spot over its width from which its stress is taken as that of a line contact."""
+"""Length over width of a spot above which its stress is taken as that of a line contact."""
 _MOST_FRICTION = 10.0
 
 
@@ -38,15 +38,15 @@ def warn_of_yield(
     *,
     stacklevel: int,
 ) -> bool:
-    """Warn where a body that yields would do so under an elastic solution; whether it did.
+    """Warn if an elastic-plastic body would yield under an elastic solution; return whether it did.
 
-    The stress is that below a Hertz contact of the same largest pressure, width and friction, so
-    that a rough or unsmooth contact may yield a little sooner or later.
+    The stress is that below a Hertz contact of equal maximum pressure, width and friction. A rough
+    or non-smooth contact may therefore yield slightly earlier or later.
     """
     largest = float(solution.pressure.max())
     found = []
     for number, body in enumerate(bodies, 1):
-        # no contact that slides without friction has a von Mises stress above its largest pressure
+        # without friction, von Mises stress does not exceed the maximum pressure
         if not body.is_plastic or (1 + 2 * _traction(solution, friction)) * largest <= (
             body.least_yield_stress
         ):
@@ -58,7 +58,7 @@ def warn_of_yield(
         return False
     share, stress, number = max(found)
     text = (
-        f"body {number} acts elastically here, but would yield: under the largest pressure, "
+        f"body {number} is treated as elastic, but would yield: under the maximum pressure, "
         f"{quantity(largest, 'Pa')}, the von Mises stress reaches about {quantity(stress, 'Pa')}, "
         f"{share:.3g} times its yield stress. Use Simulation for plastic flow, or an elastic "
         "material"
@@ -68,7 +68,7 @@ def warn_of_yield(
 
 
 def _traction(solution: ContactSolution, friction: FrictionLaw) -> float:
-    """Largest shear over the largest pressure."""
+    """Maximum shear over maximum pressure."""
     if isinstance(solution, ShearedSolution):
         largest = float(solution.pressure.max())
         shear = float(np.hypot(*solution.shear).max())
@@ -79,7 +79,7 @@ def _traction(solution: ContactSolution, friction: FrictionLaw) -> float:
 def _over_yield(
     solution: ContactSolution, body: Body, friction: FrictionLaw
 ) -> tuple[float, float]:
-    """Largest von Mises stress over the yield stress of its depth, and that stress [Pa]."""
+    """Maximum of von Mises stress over yield stress at its depth, and that stress [Pa]."""
     grid, largest = solution.grid, float(solution.pressure.max())
     spot = main_spot(solution.repulsion, grid.periodic)
     assert spot is not None  # there is a pressure above the yield stress
@@ -108,14 +108,14 @@ def _over_yield(
 
 @lru_cache(maxsize=64)
 def _sliding(nu: float, friction: float) -> tuple[float, float]:
-    """Largest von Mises stress over the largest pressure, and its depth over the half width."""
+    """Maximum von Mises stress over maximum pressure, and its depth over the half-width."""
     ratio, _, depth = sliding_max_von_mises(nu, friction)
     return ratio, depth
 
 
 @lru_cache(maxsize=64)
 def _below(nu: float, *, is_line: bool) -> FloatArray:
-    """Von Mises stress on the axis of a Hertz contact over its largest pressure, at `_DEPTHS`."""
+    """Von Mises stress on the axis of a Hertz contact over its maximum pressure, at `_DEPTHS`."""
     if not is_line:
         radial, axial = point_axis(_DEPTHS, nu)
         return np.asarray(np.abs(radial - axial))

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Criteria of fatigue over a cycle of stress: where a crack is likely to begin.
+"""Fatigue criteria over a stress cycle, for the location of crack initiation.
 
-Each takes a sequence of states of a simulation (of a rolling pass, a fretting loop), a `Cycle`, or
-an array of stress of any other origin, and returns a `FatigueField`: a value for each cell of the
-body, the largest and its place. A contact that rolls steadily needs one state: see `passing`.
+Each criterion takes a sequence of states of a simulation (of a rolling pass or a fretting loop), a
+`Cycle`, or a stress array from any source. It returns a `FatigueField`: a value for each cell of
+the body, the maximum and its position. Steady rolling needs one state only: see `passing`.
 
-Stress is the total one by default: of tractions, heat and plastic strain, and the residual stress
-that was there from the start. What is a limit for a material comes from its fatigue tests: see the
-theory page, "Fatigue".
+By default the stress is the total stress: due to tractions, heat and plastic strain, and initial
+residual stress. Limits of a material must come from its fatigue tests: see the theory page,
+"Fatigue".
 """
 
 from .criteria import crossland, dang_van, fatemi_socie, findley, orthogonal_shear

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Criteria of fatigue, each over all points of a cycle."""
+"""Fatigue criteria, evaluated at all points of a cycle."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from .field import FatigueField
 __all__ = ["crossland", "dang_van", "fatemi_socie", "findley", "orthogonal_shear"]
 
 _STEEPEST = 10.0
-"""Of slopes, which are pure numbers below 1 for metals; what is above is a stress."""
+"""Maximum slope: slopes are pure numbers below 1 for metals; a larger value is a stress."""
 
 Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
 
@@ -31,33 +31,33 @@ Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
 def dang_van(
     states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, slope: float | None = None
 ) -> FatigueField:
-    """Dang Van's criterion: the largest tau(t) + slope sigma_h(t) of the cycle.
+    """Dang Van's criterion: maximum of tau(t) + slope sigma_h(t) over the cycle.
 
     Parameters
     ----------
     states : Cycle, sequence of State, or array_like of shape (n, 6, ...)
-        See `cycle`; of one steady state, `passing`.
+        See `cycle`; for steady rolling, `passing`.
     body : {1, 2}, optional
-        Of states; default 2.
+        Body of the states. Default: 2.
     slope : float
-        What a mean normal stress adds over itself, in [0, 10] [-]: 3 (t/f - 1/2) of the fatigue
-        limits t in torsion and f in bending; the limit of the criterion then is t.
+        Weight of the mean normal stress sigma_h, in [0, 10] [-]: 3 (t/f - 1/2) for the fatigue
+        limits t in torsion and f in bending; the limit of the criterion is then t.
 
     Returns
     -------
     FatigueField
-        [Pa].
+        Equivalent shear stress [Pa].
 
     Raises
     ------
     ValueError, TypeError
-        No slope or one outside its range, and as `cycle`.
+        The slope is missing or outside its range; and as `cycle`.
 
     Notes
     -----
     tau is Tresca's shear stress, half the difference of the largest and smallest principal stress,
-    of s(t) - s*: Dang Van's own measure. s* is the deviator that elastic shakedown of the grains
-    leaves, the centre of the smallest ball, in the norm sqrt(s:s), around the path of the deviator
+    of s(t) - s*: Dang Van's own measure. s* is the residual deviator after elastic shakedown of the
+    grains, the centre of the smallest ball, in the norm sqrt(s:s), around the path of the deviator
     s. The ball is exact. K. Dang Van, B. Griveau, O. Message (1989), *Biaxial and Multiaxial
     Fatigue*, EGF 3, 479-496; P. Ballard et al. (1995), doi:10.1111/j.1460-2695.1995.tb00886.x.
     """
@@ -69,25 +69,25 @@ def dang_van(
 def crossland(
     states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, slope: float | None = None
 ) -> FatigueField:
-    """Crossland's criterion: sqrt(J2,a) + slope times the largest sigma_h of the cycle.
+    """Crossland's criterion: sqrt(J2,a) + slope times the maximum sigma_h of the cycle.
 
     Parameters
     ----------
     states, body
-        As of `dang_van`.
+        As for `dang_van`.
     slope : float
-        In [0, 10] [-]: 3 t/f - sqrt(3) of the fatigue limits t in torsion and f in bending; the
-        limit of the criterion then is t.
+        Weight in [0, 10] [-]: 3 t/f - sqrt(3) for the fatigue limits t in torsion and f in
+        bending; the limit of the criterion is then t.
 
     Returns
     -------
     FatigueField
-        [Pa].
+        Equivalent shear stress [Pa].
 
     Raises
     ------
     ValueError, TypeError
-        No slope or one outside its range, and as `cycle`.
+        The slope is missing or outside its range; and as `cycle`.
 
     Notes
     -----
@@ -103,20 +103,20 @@ def crossland(
 def orthogonal_shear(
     states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, axis: str = "x"
 ) -> FatigueField:
-    """Amplitude of the shear on planes parallel to the surface, half its range in the cycle.
+    """Amplitude of the shear stress on planes parallel to the surface: half its range in the cycle.
 
     Parameters
     ----------
     states, body
-        As of `dang_van`.
+        As for `dang_van`.
     axis : {"x", "y"}, optional
-        Along which the shear acts: that of rolling.
+        Direction of the shear stress: the rolling direction.
 
     Returns
     -------
     FatigueField
-        [Pa]. The tau_0 of G. Lundberg and A. Palmgren (1947), Acta Polytechnica 7, on which the
-        life of rolling bearings is based.
+        Shear stress amplitude [Pa], the tau_0 of G. Lundberg and A. Palmgren (1947), Acta
+        Polytechnica 7, on which the life of rolling bearings is based.
 
     Raises
     ------
@@ -135,32 +135,33 @@ def orthogonal_shear(
 def findley(
     states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, k: float | None = None
 ) -> FatigueField:
-    """Findley's criterion: the largest tau_a + k sigma_n,max over all planes.
+    """Findley's criterion: maximum of tau_a + k sigma_n,max over all planes.
 
     Parameters
     ----------
     states, body
-        As of `dang_van`.
+        As for `dang_van`.
     k : float
-        What the largest normal stress on the plane adds, in [0, 10] [-]; 0.2 to 0.4 for ductile
+        Weight of the maximum normal stress on the plane, in [0, 10] [-]; 0.2 to 0.4 for ductile
         metals.
 
     Returns
     -------
     FatigueField
-        [Pa], with the normal of the plane at each point.
+        Equivalent shear stress [Pa], with the normal of the critical plane at each point.
 
     Raises
     ------
     ValueError, TypeError
-        No k or one outside its range, and as `cycle`.
+        k is missing or outside its range; and as `cycle`.
 
     Notes
     -----
-    tau_a is the radius of the smallest circle around the path of the shear in the plane. Planes are
-    scanned 11 degrees apart, and the search goes on from the best ones to tops of the value: what
-    is found is that of a plane, in 99 of 100 points less than 0.11 % below the largest, by 1 % at
-    worst (theory page). W. N. Findley (1959), *J. Eng. Ind.* 81, 301-305.
+    tau_a is the radius of the smallest circle around the path of the shear stress in the plane.
+    Planes are scanned 11 degrees apart, and the search continues from the best ones to local
+    maxima. The value found belongs to an actual plane; it is less than 0.11 % below the maximum
+    in 99 of 100 points, and at most 1 % (theory page). W. N. Findley (1959), *J. Eng. Ind.* 81,
+    301-305.
     """
     number = _slope("k", k)
 
@@ -177,37 +178,37 @@ def fatemi_socie(
     yield_stress: float | None = None,
     material: Material | None = None,
 ) -> FatigueField:
-    """Fatemi and Socie's criterion: the largest gamma_a (1 + k sigma_n,max/yield stress) of planes.
+    """Fatemi and Socie's criterion: maximum of gamma_a (1 + k sigma_n,max/yield stress).
 
     Parameters
     ----------
     states, body
-        As of `dang_van`.
+        As for `dang_van`.
     k : float
-        What the largest normal stress on the plane adds, in [0, 10] [-]; 0.3 to 1 for metals.
+        Weight of the maximum normal stress on the plane, in [0, 10] [-]; 0.3 to 1 for metals.
     yield_stress : float, optional
-        By which the normal stress is divided [Pa], > 0; by default that of the body before
-        hardening.
+        Yield stress by which the normal stress is divided [Pa], > 0. Default: initial yield stress
+        of the body.
     material : Material, optional
-        Whose elastic constants make strain of stress; by default that of the body. An array of
-        stress needs both.
+        Material whose elastic constants convert stress to strain. Default: that of the body. A
+        stress array requires both.
 
     Returns
     -------
     FatigueField
-        [-], with the normal of the plane at each point.
+        Damage parameter [-], with the normal of the critical plane at each point.
 
     Raises
     ------
     ValueError, TypeError
-        No k or one outside its range; no yield stress or material where the body has none; and as
-        `cycle`.
+        k is missing or outside its range; yield stress or material is missing and the body has
+        none; and as `cycle`.
 
     Notes
     -----
-    gamma_a, gamma_max/2 of the source, is the radius of the smallest circle around the path of the
-    engineering shear strain in the plane, elastic and plastic; of a cycle in which nothing flows it
-    is that of the elastic strain. A negative normal stress lowers the value, to 0 at least. Planes
+    gamma_a, gamma_max/2 in the source, is the radius of the smallest circle around the path of the
+    engineering shear strain in the plane, elastic and plastic; in a cycle without plastic flow it
+    is that of the elastic strain. A negative normal stress reduces the value, at least to 0. Planes
     as in `findley`. A. Fatemi, D. F. Socie (1988), doi:10.1111/j.1460-2695.1988.tb01169.x.
     """
     number = _slope("k", k)
@@ -229,14 +230,12 @@ def fatemi_socie(
 
 def _slope(name: str, value: Any) -> float:
     if value is None:
-        raise TypeError(
-            f"{name} must be given: it is a property of the material, see the docstring"
-        )
+        raise TypeError(f"{name} is required: it is a material property, see the docstring")
     found = non_negative(name, value)
     if found > _STEEPEST:
         raise ValueError(
-            f"{name} must be in [0, {_STEEPEST:g}], got {found!r}: it is a pure number, the slope "
-            "of a limit over a stress; a limit in Pa goes to .margin() of what is returned"
+            f"{name} must be in [0, {_STEEPEST:g}], got {found!r}: it is the dimensionless weight "
+            "of a stress; pass a limit in Pa to .margin() of the result"
         )
     return found
 
@@ -246,7 +245,7 @@ def _as_cycle(states: Cycle | Sequence[State] | ArrayLike, body: int | None) -> 
         return cycle(states, body)
     if body is not None:
         raise ValueError(
-            f"body must not be given with a Cycle, which has its own, got {in_short(body)}"
+            f"body cannot be combined with a Cycle, which has its own, got {in_short(body)}"
         )
     return states
 
@@ -272,7 +271,7 @@ def _over_blocks(
     fields: int,
     at: Callable[[Cycle, slice], tuple[FloatArray, FloatArray | None]],
 ) -> FatigueField:
-    """The field, put together of blocks; `fields`: how many of them lie in memory at once."""
+    """Field assembled from blocks; `fields`: number of fields in memory at once."""
     values = np.empty(given.points_shape)
     normals: FloatArray | None = None
     for block in blocks(given, fields):
@@ -296,14 +295,14 @@ def _over_blocks(
 
 
 def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
-    """Shear modulus of each point along the last axis, or of all [Pa]."""
+    """Shear modulus of each point along the last axis, or of all points [Pa]."""
     if material is not None:
         require_type("material", material, Material)
         if material.is_rigid:
             raise ValueError("material must not be rigid: a rigid body has no strain")
     body = material if material is not None else given.body
     if body is None:
-        raise TypeError("material must be given with an array of stress: whose strain is meant?")
+        raise TypeError("material is required with a stress array, to compute strain")
     if isinstance(body, Layered):
         layer = np.searchsorted(body.interfaces, given.places["z"], side="right")
         E, nu = (np.asarray(body.parameters[name])[layer] for name in ("E", "nu"))
@@ -318,7 +317,7 @@ def _yield_stress(given: Cycle, material: Material | None, told: float | None) -
         warn_of(strength("yield_stress", given_stress), stacklevel=4)
         return given_stress
     body = material if material is not None else given.body
-    assert body is not None  # _elasticity has asked
+    assert body is not None  # checked by _elasticity
     if not body.is_plastic:
-        raise ValueError("yield_stress must be given [Pa]: the body's material has none")
+        raise ValueError("yield_stress is required [Pa]: the material of the body has none")
     return float(body.least_yield_stress)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress of the points of a body over the moments of a cycle."""
+"""Stress history of the points of a body over a cycle."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ from .paths import GivenPaths, Passing, Paths, StatePaths
 __all__ = ["Cycle", "cycle", "passing"]
 
 _PART = 0.4
-"""Of the memory there is, for the stress of a block of layers at all moments."""
+"""Fraction of available memory for the stress of a block of layers at all moments."""
 _COPIES = 2.5
-"""Of such a block: what the stress of a state takes while it is laid into it."""
+"""Memory factor of such a block, including the stress of a state while it is copied."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Cycle(Shown):
-    """What the points of a body go through, made by `cycle` or `passing`; handed to criteria.
+    """Stress history of the points of a body, created by `cycle` or `passing`, for the criteria.
 
-    Its stress is computed when a criterion asks, and kept where it fits into the memory, so that
-    the next criterion finds it.
+    Its stress is computed when a criterion needs it, and cached for the next criterion if it fits
+    into memory.
     """
 
     _paths: Paths
@@ -42,26 +42,25 @@ class Cycle(Shown):
 
     @property
     def moments(self) -> int:
-        """How many moments there are."""
+        """Number of moments."""
         return self._paths.moments
 
     @property
     def points_shape(self) -> tuple[int, ...]:
-        """Of a field of its points."""
+        """Shape of a field at its points."""
         return self._paths.shape
 
     @property
     def places(self) -> Mapping[str, NDArray[np.float64]]:
         """Coordinates of the points along each axis of a field [m].
 
-        Of "x" (on the body, from where the contact stood at the start), "y" and "z"; none of an
-        array.
+        Axes "x" (on the body, relative to the initial contact), "y" and "z"; empty for an array.
         """
         return self._places
 
     @property
     def body(self) -> Body | None:
-        """Body of the points; None of an array of stress."""
+        """Body of the points; None for a stress array."""
         return self._body
 
     def __repr__(self) -> str:
@@ -75,25 +74,25 @@ class Cycle(Shown):
 
 
 def has_plastic_strain(of: Cycle) -> bool:
-    """Whether a point of a cycle has plastic strain at some moment."""
+    """Whether any point of a cycle has plastic strain at some moment."""
     return of._paths.has_plastic_strain
 
 
 def blocks(of: Cycle, fields: int) -> Iterator[slice]:
-    """Blocks of points along the last axis, of which so many fields fit into memory at once."""
+    """Blocks of points along the last axis for which a number of fields fits into memory."""
     last = of.points_shape[-1]
     one = 48.0 * of.moments * math.prod(of.points_shape[:-1]) * fields
     there = memory.available()
     fit = last if there is None else int(_PART * there / (_COPIES * one))
     if fit < 1:
-        memory.require("one layer of a cycle", _COPIES * one / _PART, "take fewer moments")
+        memory.require("one layer of a cycle", _COPIES * one / _PART, "use fewer moments")
     size = max(min(fit, last), 1)
     for first in range(0, last, size):
         yield slice(first, min(first + size, last))
 
 
 def stress_in(of: Cycle, block: slice) -> FloatArray:
-    """Stress [Pa], shape (moments, 6, points of a block), the last axis of a field slowest."""
+    """Stress [Pa], shape (moments, 6, points of a block), with the last axis of a field slowest."""
     known: dict[str, FloatArray] = of.__dict__.setdefault("_known", {})
     if "stress" in known:
         each = math.prod(of.points_shape[:-1])
@@ -105,7 +104,7 @@ def stress_in(of: Cycle, block: slice) -> FloatArray:
 
 
 def plastic_strain_in(of: Cycle, block: slice) -> FloatArray:
-    """Plastic strain [-], of the same shape as the stress."""
+    """Plastic strain [-], in the shape of the stress."""
     return of._paths.plastic_strain(block).reshape(of.moments, 6, -1)
 
 
@@ -114,42 +113,42 @@ def cycle(
     body: int | None = None,
     plastic_strain: ArrayLike | None = None,
 ) -> Cycle:
-    """What points of a body go through in a cycle of states, or of given stress.
+    """Stress history of the points of a body over one cycle, from states or from a stress array.
 
     Parameters
     ----------
     states : sequence of State, or array_like of shape (n, 6, ...)
-        At least two moments, of one simulation: those of a pass or a loop, at its steady state;
-        what is not in the sequence, such as the unloaded body, is not in the cycle. Or stress [Pa]
-        of any origin, components xx, yy, zz, yz, xz, xy, tension positive.
+        At least two moments of one simulation: those of a pass or a loop in its steady state.
+        States that are not in the sequence, such as the unloaded body, are not in the cycle. Or
+        stress [Pa] from any source, components xx, yy, zz, yz, xz, xy, tension positive.
     body : {1, 2}, optional
-        Of states; default 2.
+        Body of the states. Default: 2.
     plastic_strain : array_like, optional
-        Of the same shape as given stress, tensor components [-]; default 0. States have their own.
+        Tensor components in the shape of a stress array [-]. Default: 0. Not allowed with states.
 
     Returns
     -------
     Cycle
-        Where the contact moves over the body the points are the body's: the cells that the grids of
-        all states have seen.
+        If the contact moves over the body, the points are those of the body: the cells inside the
+        grids of all states.
 
     Raises
     ------
     ValueError
-        Fewer than two moments, states of different grids or materials, which have no cell in common
-        or lie at different parts of a cell; an array of another shape, not finite.
+        Fewer than two moments; states of different grids or materials, without common cells or
+        offset by different fractions of a cell; an array of another shape or not finite.
     TypeError
-        Neither states nor an array of numbers.
+        The argument is neither states nor an array of numbers.
     """
     if isinstance(states, State):
         raise ValueError(
-            "states must be at least 2 states, got one: for a contact that rolls steadily hand "
+            "states must contain at least 2 states, got one: for steady rolling pass "
             "samcontact.fatigue.passing(state) to the criterion"
         )
     given = list(states) if isinstance(states, Sequence) else []
     if any(isinstance(one, State) for one in given):
         if plastic_strain is not None:
-            raise ValueError("plastic_strain must not be given with states, which have their own")
+            raise ValueError("plastic_strain cannot be combined with states, which have their own")
         return _of_states(given, 2 if body is None else choice("body", body, (1, 2)))
     stress = _tensors("states", states, "(moments, 6, ...)", 1)
     _of_no_body(body)
@@ -165,38 +164,38 @@ def passing(
     axis: str = "x",
     plastic_strain: ArrayLike | None = None,
 ) -> Cycle:
-    """The cycle of material that passes through a steady stress field along x or y.
+    """Stress cycle of material that moves through a steady stress field along x or y.
 
-    For a contact that rolls or slides steadily one moment tells all: every point goes through the
-    stress along its line.
+    For steady rolling or sliding one state suffices: every point undergoes the stress along its
+    line.
 
     Parameters
     ----------
     state : State, or array_like of shape (6, nx, ny, nz)
-        The steady moment, or its stress [Pa], e.g. of `ContactSolver.stress`.
+        Steady state, or its stress [Pa], e.g. from `ContactSolver.stress`.
     body : {1, 2}, optional
-        Of a state; default 2.
+        Body of the state. Default: 2.
     axis : {"x", "y"}, optional
-        Along which the material moves.
+        Direction in which the material moves.
     plastic_strain : array_like, optional
-        Of the same shape as given stress [-]; default 0. A state has its own.
+        Tensor components in the shape of a stress array [-]. Default: 0. Not allowed with a state.
 
     Returns
     -------
     Cycle
         Its points are lines: fields have the axes y and z (x and z). Moments are the cells along a
-        line, with nothing between them, and what a state has far before the contact: the stress
-        that was there from the start. That is not added to a given stress, nor along a period.
+        line, without interpolation, and for a state also the initial stress far ahead of the
+        contact. This is not added to a stress array, nor along a periodic direction.
 
     Raises
     ------
     ValueError, TypeError
-        Not a state, nor a finite array of this shape with at least 2 cells along the axis.
+        The argument is neither a state nor a finite array of this shape with >= 2 cells along axis.
     """
     number = ("x", "y").index(choice("axis", axis, ("x", "y")))
     if isinstance(state, State):
         if plastic_strain is not None:
-            raise ValueError("plastic_strain must not be given with a state, which has its own")
+            raise ValueError("plastic_strain cannot be combined with a state, which has its own")
         which = 2 if body is None else choice("body", body, (1, 2))
         if (cells := state.grid.surface_shape[number]) < 2:
             raise ValueError(
@@ -220,17 +219,19 @@ def passing(
 
 def _of_no_body(body: Any) -> None:
     if body is not None:
-        raise ValueError(f"body must not be given with an array of stress, got {in_short(body)}")
+        raise ValueError(f"body cannot be combined with a stress array, got {in_short(body)}")
 
 
 def _tensors(name: str, given: Any, shape: str, axis: int) -> FloatArray:
     stress = real_array(name, given)
     if stress.ndim <= axis + 1 or stress.shape[axis] != 6 or 0 in stress.shape:
-        raise ValueError(f"{name} must be states, or stress of shape {shape}, got {stress.shape}")
+        raise ValueError(
+            f"{name} must be states, or a stress array of shape {shape}, got {stress.shape}"
+        )
     if not np.isfinite(stress).all():
         raise ValueError(f"{name} must be finite everywhere")
     if (most := float(np.abs(stress).max())) > MOST_STRESS:
-        raise ValueError(f"{name} must be of a size up to {MOST_STRESS:g} Pa, got {most:.6g}")
+        raise ValueError(f"{name} must be at most {MOST_STRESS:g} Pa in magnitude, got {most:.6g}")
     return stress
 
 
@@ -241,9 +242,7 @@ def _strain_like(given: ArrayLike | None, stress: FloatArray) -> FloatArray | No
     if strain.shape != stress.shape:
         raise ValueError(f"plastic_strain must have shape {stress.shape}, got {strain.shape}")
     if not (np.isfinite(strain).all() and np.abs(strain).max() < 1.0):
-        raise ValueError(
-            "plastic_strain must be finite and below 1 everywhere: it is a pure number"
-        )
+        raise ValueError("plastic_strain must be finite and < 1 everywhere: it is dimensionless")
     return strain
 
 
@@ -257,23 +256,23 @@ def _of_states(given: list[Any], body: int) -> Cycle:
         raise TypeError(f"states must all be samcontact.State, got {type(wrong[0]).__name__}")
     if len(given) < 2:
         raise ValueError(
-            "states must be at least 2 states, got one: for a contact that rolls steadily hand "
+            "states must contain at least 2 states, got one: for steady rolling pass "
             "samcontact.fatigue.passing(state) to the criterion"
         )
     sizes = {(s.grid.dx, s.grid.dy, s.grid.nz, s.grid.dz, s.grid.periodic) for s in given}
     if len(sizes) > 1:
-        raise ValueError("states must have the same cells: they are of different grids")
+        raise ValueError("states must have equal cells, got different grids")
     if any(_body_of(s, body) != _body_of(given[0], body) for s in given):
-        raise ValueError(f"states must have the same body {body}: they are of several simulations")
+        raise ValueError(f"states must have one body {body}, got states of several simulations")
     states = in_one_window(given)
     if len({s.grid.surface_shape for s in states}) > 1:
-        raise ValueError("states must have the same grid: they are of several simulations")
+        raise ValueError("states must have one grid, got states of several simulations")
     grid = states[0].grid
     parts = [s.offset(body) for s in states]
     if max(parts) - min(parts) > 1e-6 * grid.dx:
         raise ValueError(
-            f"states must lie at the same part of a cell of body {body}, got offsets from "
-            f"{min(parts):.6g} to {max(parts):.6g} m: move it by whole cells of {grid.dx!r} m"
+            f"states must have equal offsets from the cells of body {body}, got {min(parts):.6g} "
+            f"to {max(parts):.6g} m: move it by whole cells of {grid.dx!r} m"
         )
     paths = StatePaths.of(states, body)
     cells = paths.first + np.arange(paths.shape[0])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a criterion of fatigue says of each point of a body."""
+"""Values of a fatigue criterion at the points of a body."""
 
 from __future__ import annotations
 
@@ -31,25 +31,25 @@ _NAMES = {
 
 @dataclass(frozen=True, repr=False, eq=False)
 class FatigueField(Brief, Shown):
-    """The value of a criterion at each point, made by the functions of `samcontact.fatigue`.
+    """Values of a fatigue criterion at all points, from a function of `samcontact.fatigue`.
 
     Attributes
     ----------
     criterion : str
-        Its name.
+        Name of the criterion.
     parameters : mapping
-        Constants that it was given, in SI units.
+        Constants of the criterion, in SI units.
     values : ndarray
-        At each point, in the unit of `unit`; axes as in `places`.
+        Value at each point, in the unit `unit`; axes as in `places`.
     unit : str
         "Pa", or "-" for a strain.
     places : mapping
-        Coordinates along each axis of `values` [m]: "x" (on the body), "y", "z"; of an array that
-        was given, none.
+        Coordinates along each axis of `values` [m]: "x" (on the body), "y", "z"; empty for a
+        stress array.
     moments : int
-        How many the cycle had.
+        Number of moments of the cycle.
     normals : ndarray or None
-        Of criteria that look for a plane: its normal at each point, shape (3, ...).
+        Normal of the critical plane at each point, shape (3, ...), for critical-plane criteria.
     """
 
     criterion: str
@@ -62,7 +62,7 @@ class FatigueField(Brief, Shown):
 
     @cached_property
     def index(self) -> tuple[int, ...]:
-        """Where in `values` the largest is."""
+        """Index of the maximum in `values`."""
         return tuple(int(i) for i in np.unravel_index(self._flat, self.values.shape))
 
     @cached_property
@@ -71,32 +71,32 @@ class FatigueField(Brief, Shown):
 
     @property
     def largest(self) -> float:
-        """The largest value, in the unit of `unit`."""
+        """Maximum value, in the unit `unit`."""
         return float(self.values[self.index])
 
     @property
     def place(self) -> dict[str, float]:
-        """Coordinates of the largest value [m]; empty without `places`."""
+        """Coordinates of the maximum [m]; empty without `places`."""
         named = zip(self.places.items(), self.index, strict=False)
         return {axis: float(values[i]) for (axis, values), i in named}
 
     @property
     def normal(self) -> FloatArray | None:
-        """Of the critical plane where the value is largest, shape (3,); None of other criteria."""
+        """Normal of the critical plane at the maximum, shape (3,); None for other criteria."""
         return None if self.normals is None else self.normals.reshape(3, -1)[:, self._flat]
 
     def margin(self, limit: float) -> float:
-        """How far the largest value is from a limit: limit over largest value, minus 1 [-].
+        """Safety margin: limit over maximum value, minus 1 [-].
 
         Parameters
         ----------
         limit : float
-            What the material bears, from tests, in the unit of `unit`; > 0.
+            Limit of the material, from tests, in the unit `unit`; > 0.
 
         Returns
         -------
         float
-            0 at the limit, negative where it is passed, infinite where no value is above 0.
+            0 at the limit, negative above it, infinite if no value is above 0.
         """
         allowed = positive("limit", limit)
         if self.unit == "Pa":
@@ -104,29 +104,30 @@ class FatigueField(Brief, Shown):
         return allowed / self.largest - 1.0 if self.largest > 0 else math.inf
 
     def over_depth(self) -> FloatArray:
-        """The largest value of each layer, shape (nz,); of an array, along its last axis."""
+        """Maximum of each layer, shape (nz,); for an array, along its last axis."""
         most: FloatArray = self.values.reshape(-1, self.values.shape[-1]).max(axis=0)
         return most
 
     def to_dataset(self) -> xr.Dataset:
-        """Labelled, with units, as files and figures take it.
+        """Convert to labelled fields with units, for files and plots.
 
         Returns
         -------
         xarray.Dataset
-            A variable named as `criterion`, with its parameters as attributes and the coordinates
-            of `places`; another one, ending in _normal, with a dimension "axis" for the normals.
+            A variable named after `criterion`, with its parameters as attributes and the
+            coordinates of `places`; for critical planes another one, ending in _normal, with the
+            dimension "axis".
 
         Raises
         ------
         ValueError
-            The points have no places: stress was given as an array.
+            The points have no coordinates, because stress was given as an array.
         """
         import xarray as xr  # importing the package should not load it
 
         if not self.places:
             raise ValueError(
-                "a field of given stress has no coordinates: label its `values` yourself"
+                "a field from a stress array has no coordinates: label its `values` directly"
             )
         unit = {"-": "1"}.get(self.unit, self.unit)
         told = {"units": unit, "long_name": self.name, "moments": self.moments}
@@ -143,7 +144,7 @@ class FatigueField(Brief, Shown):
 
     @property
     def name(self) -> str:
-        """Of the criterion, as figures write it."""
+        """Name of the criterion for plots."""
         return _NAMES[self.criterion]
 
     def _rows(self) -> Rows:
@@ -152,8 +153,8 @@ class FatigueField(Brief, Shown):
         for name, value in self.parameters.items():
             known = quantity(value, "Pa" if name == "yield_stress" else "")
             rows.append((name, known if isinstance(value, float) else str(value)))
-        rows.append(("largest value", quantity(self.largest, unit)))
+        rows.append(("maximum", quantity(self.largest, unit)))
         rows += [(axis, quantity(value, "m")) for axis, value in self.place.items()]
         if self.normal is not None:
-            rows.append(("normal of the plane", ", ".join(f"{part:.3f}" for part in self.normal)))
+            rows.append(("critical plane normal", ", ".join(f"{part:.3f}" for part in self.normal)))
         return [*rows, ("moments of the cycle", str(self.moments))]

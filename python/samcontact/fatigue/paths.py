@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the stress of a cycle comes from: states, a line through one state, or an array.
+"""Sources of the stress of a cycle: states, lines through one state, or an array.
 
-A block is a slice of the last axis of the points, depth in most. Fields of it have that axis before
-the others, as the core has depths: shape (moments, 6, block, ...).
+A block is a slice of the last axis of the points, mostly depth. In fields of a block this axis
+comes before the others, as in the core: shape (moments, 6, block, ...).
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class Paths(Protocol):
 
 @dataclass(frozen=True)
 class GivenPaths:
-    """Of an array; plastic strain may be missing."""
+    """Source from an array; plastic strain may be missing."""
 
     given: FloatArray
     strain: FloatArray | None
@@ -63,11 +63,11 @@ class GivenPaths:
 
 @dataclass(frozen=True)
 class StatePaths:
-    """Of states: cells of the body that the grids of all of them have."""
+    """Source from states: cells of the body inside the grids of all states."""
 
     states: Sequence[State]
     body: int
-    first: int  # of these cells
+    first: int  # first of these cells
     shape: tuple[int, int, int]
 
     @classmethod
@@ -77,9 +77,9 @@ class StatePaths:
         rows = min(firsts) + grid.nx - max(firsts)
         if rows < 1:
             raise ValueError(
-                "states must have seen a cell of the body in common: the contact travels further "
-                f"than the grid is long, {grid.nx * grid.dx:.6g} m; take a longer grid, or "
-                "samcontact.fatigue.passing(state) of one steady state"
+                "states must have cells of the body in common, but the contact travels farther "
+                f"than the length of the grid, {grid.nx * grid.dx:.6g} m: use a longer grid, or "
+                "samcontact.fatigue.passing(state) for steady rolling"
             )
         layers = max(state.layers for state in states)
         return cls(states, body, max(firsts), (rows, grid.ny, layers))
@@ -103,7 +103,7 @@ class StatePaths:
         out = np.empty((self.moments, 6, block.stop - block.start, rows, ny))
         for n, state in enumerate(self.states):
             ahead = self.first - state._core.first_cell[self.body - 1]
-            # all layers, whatever the block: the last digits depend on their number
+            # all layers for every block, because the last digits depend on their number
             values = field(state.at_layers(layers))[:, ahead : ahead + rows, :, block]
             out[n] = values.transpose(0, 3, 1, 2)
         return out
@@ -111,12 +111,12 @@ class StatePaths:
 
 @dataclass(frozen=True)
 class Passing:
-    """Of one state: material that moves through it along an axis."""
+    """Source from one state: material that moves through it along an axis."""
 
     state: State
     body: int
     axis: int
-    at_rest: bool  # whether what is far from the contact belongs to the path
+    at_rest: bool  # whether the stress far from the contact is part of the path
     shape: tuple[int, int]
 
     @classmethod

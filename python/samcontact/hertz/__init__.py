@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hertz contact in closed form: point, elliptic and line, with their stresses.
+"""Closed-form Hertz contact: point, elliptic and line contact, with their stresses.
 
 Symbols follow K. L. Johnson, *Contact Mechanics* (1985), doi:10.1017/CBO9781139171731.
 Pressure is positive in compression, stress in tension; z points into the body.

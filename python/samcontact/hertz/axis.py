@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stresses on the axis of Hertz contacts, dimensionless: over p0, at depths over a (or b)."""
+"""Dimensionless stresses on the axis of Hertz contacts: over p0, at depths over a (or b)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .._util.lazy_scipy import scipy
 
 
 def _maximum(function: Callable[[float], float], upper: float) -> tuple[float, float]:
-    """Largest value of `function` on [0, upper] and where, the surface included."""
+    """Maximum of `function` on [0, upper], including the surface, and its position."""
     found = scipy.optimize.minimize_scalar(
         lambda s: -function(s), bounds=(0.0, upper), method="bounded", options={"xatol": 1e-10}
     )
@@ -24,7 +24,7 @@ def _maximum(function: Callable[[float], float], upper: float) -> tuple[float, f
 
 
 def _von_mises(sxx: FloatArray, syy: FloatArray, szz: FloatArray) -> float:
-    """Of principal stresses at one depth."""
+    """Von Mises stress from principal stresses."""
     squares = (sxx - syy) ** 2 + (syy - szz) ** 2 + (szz - sxx) ** 2
     return math.sqrt(0.5 * float(squares))
 
@@ -32,7 +32,7 @@ def _von_mises(sxx: FloatArray, syy: FloatArray, szz: FloatArray) -> float:
 def point_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray]:
     """sigma_rr / p0 and sigma_zz / p0 at depth s = z/a."""
     axial = -1.0 / (1.0 + s**2)
-    # the difference loses digits like eps s^2; two terms of its series are exact from 1e3 on
+    # cancellation grows like eps s^2; two terms of the series are exact from 1e3 on
     far = np.maximum(s, 1.0) ** -2
     bracket = np.where(s > 1e3, far / 3.0 - far**2 / 5.0, 1.0 - s * np.arctan2(1.0, s))
     radial = -(1.0 + nu) * bracket - 0.5 * axial
@@ -40,7 +40,7 @@ def point_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray]:
 
 
 def point_max_von_mises(nu: float) -> tuple[float, float]:
-    """Largest on-axis von Mises stress over p0, and its depth over a [-]."""
+    """Maximum on-axis von Mises stress over p0, and its depth over a [-]."""
     nu = poisson_ratio("nu", nu)
 
     def von_mises(s: float) -> float:
@@ -60,7 +60,7 @@ def line_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray, FloatAr
 
 
 def line_max_von_mises(nu: float) -> tuple[float, float]:
-    """Largest on-axis von Mises stress over p0, and its depth over b [-]."""
+    """Maximum on-axis von Mises stress over p0, and its depth over b [-]."""
     nu = poisson_ratio("nu", nu)
 
     return _maximum(lambda s: _von_mises(*line_axis(np.float64(s), nu)), 2.0)
@@ -69,8 +69,8 @@ def line_max_von_mises(nu: float) -> tuple[float, float]:
 def elliptic_axis(s: FloatArray, k: float, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
     """sigma_xx, sigma_yy, sigma_zz over p0 at depth s = z/a_x under an ellipse a_y = k a_x.
 
-    From the potentials of the pressure (Johnson 1985, sections 3.2 and 3.5), the integrals of
-    Sackfield and Hills (1983) in Carlson's form: nothing cancels near a circle or a line.
+    From the potentials of the pressure (Johnson 1985, sections 3.2 and 3.5): the integrals of
+    Sackfield and Hills (1983) in Carlson's form, without cancellation near a circle or a line.
     """
     s = np.asarray(s, dtype=np.float64)
     A, B = np.hypot(1.0, s), np.hypot(k, s)
@@ -83,6 +83,6 @@ def elliptic_axis(s: FloatArray, k: float, nu: float) -> tuple[FloatArray, Float
 
 
 def elliptic_max_von_mises(k: float, nu: float) -> tuple[float, float]:
-    """Largest on-axis von Mises stress over p0, and its depth over the shorter semi-axis [-]."""
+    """Maximum on-axis von Mises stress over p0, and its depth over the shorter semi-axis [-]."""
     nu, k = poisson_ratio("nu", nu), max(k, 1.0 / k)
     return _maximum(lambda s: _von_mises(*elliptic_axis(np.float64(s), k, nu)), 2.0)

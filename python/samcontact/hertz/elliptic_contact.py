@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elliptic contact: size, pressure and approach."""
+"""Hertz elliptic contact: size, pressure and approach."""
 
 from __future__ import annotations
 
@@ -48,12 +48,12 @@ class EllipticContact(Shown):
     approach: float
 
     def pressure(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
-        """Pressure [Pa] at x, y [m] (broadcast), zero outside the contact."""
+        """Pressure [Pa] at x, y [m] (broadcast); zero outside the contact."""
         across, along = together(x=x, y=y)
         return semi_ellipsoid(self.p0, across / self.a_x, along / self.a_y)
 
     def axis_stress(self, z: ArrayLike, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Elastic stresses under the centre, which are principal stresses.
+        """Elastic stresses below the centre, which are principal stresses.
 
         Parameters
         ----------
@@ -65,7 +65,7 @@ class EllipticContact(Shown):
         Returns
         -------
         sigma_xx, sigma_yy, sigma_zz : ndarray
-            Stresses along x, y and z [Pa], of the shape of `z`.
+            Stresses along x, y and z [Pa], in the shape of `z`.
 
         Raises
         ------
@@ -74,27 +74,27 @@ class EllipticContact(Shown):
 
         Notes
         -----
-        Closed form, as that of Sackfield and Hills (1983), Journal of Strain Analysis 18, 101.
-        The error is rounding, about 1e-15 of the axial stress.
+        Closed form equivalent to that of Sackfield and Hills (1983), Journal of Strain Analysis 18,
+        101. The error is rounding, about 1e-15 of the axial stress.
         """
         s = depth_ratio(z, self.a_x)
         sxx, syy, szz = elliptic_axis(s, self.k, poisson_ratio("nu", nu))
         return self.p0 * sxx, self.p0 * syy, self.p0 * szz
 
     def max_von_mises(self, nu: float) -> tuple[float, float]:
-        """Largest von Mises stress on the axis [Pa] and its depth [m]."""
+        """Maximum von Mises stress on the axis [Pa] and its depth [m]."""
         ratio, depth = elliptic_max_von_mises(self.k, nu)
         return ratio * self.p0, depth * min(self.a_x, self.a_y)
 
 
-_LARGEST_RATIO = 1e100  # of radii; the squares of what follows from it are numbers
+_LARGEST_RATIO = 1e100  # of radii; avoids overflow of squares
 
 
 def _axis_ratio(radius_ratio: float) -> float:
-    """Ratio (>= 1) of the semi-axes of a contact whose radii have the ratio >= 1.
+    """Ratio (>= 1) of the semi-axes of a contact, from the ratio (>= 1) of its radii.
 
-    lambda = (E k^2 - K) / (K - E) is 0/0 for a circle. Carlson's R_D (DLMF 19.25.1) gives
-    the same as R_D(0, 1, k^-2) / R_D(0, k^-2, 1), without any cancellation.
+    lambda = (E k^2 - K) / (K - E) is 0/0 for a circle. Carlson's R_D (DLMF 19.25.1) gives the
+    equivalent form R_D(0, 1, k^-2) / R_D(0, k^-2, 1), without cancellation.
     """
     target = math.log(radius_ratio)
     if target == 0.0:
@@ -118,28 +118,27 @@ def elliptic(
     approach: float | None = None,
     p0: float | None = None,
 ) -> EllipticContact:
-    """Hertz elliptic contact, exact, from exactly one of load, approach or maximum pressure.
+    """Exact Hertz elliptic contact from exactly one of load, approach or maximum pressure.
 
-    Parameters
-    ----------
-    Rx, Ry : float
-        Equivalent principal radii in the planes y = 0 and x = 0 [m]; either may be larger.
-    E_star : float
-        Contact modulus [Pa].
-    load, approach, p0 : float, optional
-        Normal load [N], rigid-body approach [m], maximum pressure [Pa]; give one.
+        Parameters
+        ----------
+        Rx, Ry : float
+            Equivalent principal radii in the planes y = 0 and x = 0 [m]; either may be larger.
+        E_star : float
+            Contact modulus [Pa].
+        load, approach, p0 : float, optional
+            Normal load [N], rigid-body approach [m], maximum pressure [Pa]; give one.
+    Normal load [N], rigid-body approach [m], maximum pressure [Pa]. Exactly one must be given.
+        Returns
+        -------
+        EllipticContact
+            Johnson (1985), (3.60)-(3.62) with complete elliptic integrals.
 
-    Returns
-    -------
-    EllipticContact
-        Johnson (1985), (3.60)-(3.62) with complete elliptic integrals.
-
-    Raises
-    ------
-    ValueError
-        An argument is not finite and positive (an infinite radius is a line contact, see
-        `line`), not exactly one of the three is given, or the contact is beyond the range of
-        numbers.
+        Raises
+        ------
+        ValueError
+            An argument is not finite and positive (for an infinite radius see `line`), not exactly
+            one of the three is given, or the contact dimensions overflow.
     """
     Rx, Ry, E_star = positive("Rx", Rx), positive("Ry", Ry), positive("E_star", E_star)
     given = exactly_one(load=load, approach=approach, p0=p0)
@@ -148,7 +147,7 @@ def elliptic(
     if not radius_ratio <= _LARGEST_RATIO:
         raise ValueError(
             f"Rx and Ry must differ by a factor of at most {_LARGEST_RATIO:g}, got {Rx!r} and "
-            f"{Ry!r}: a straight line of contact is that of `line`"
+            f"{Ry!r}: use `line` for a line contact"
         )
     ratio = _axis_ratio(radius_ratio)
     m1 = ratio**-2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress anywhere under a sliding point contact, dimensionless: over p0, at x, y, z over a.
+"""Dimensionless stress at any point below a sliding point contact: over p0, at x, y, z over a.
 
 The potential of a Hertz pressure is that of point forces on an imaginary line,
 
@@ -36,7 +36,7 @@ def field(x: FloatArray, y: FloatArray, z: FloatArray, nu: float, friction: floa
     # z/R tends to zero at the rim, where R does
     z_R = np.divide(z, R, out=np.zeros_like(R), where=z > 0.0)
 
-    # (1/r d/dr)^k h_n as "hn_k"; those in 1/R, always wanted times z, as "z_hn_k"
+    # (1/r d/dr)^k h_n as "hn_k"; those in 1/R, always needed times z, as "z_hn_k"
     z_h0, z_h1_1, z_h2_2, z_h3_3 = z_R, z_R / T, z_R / T**2, z_R / T**3
     h1, h2 = log_T, zeta * log_T - R
     h2_1, h3_1 = -1.0 / T, -0.5 * (log_T + q)
@@ -82,11 +82,11 @@ def _von_mises(stress: FloatArray) -> FloatArray:
 
 
 def sliding_max_von_mises(nu: float, friction: float) -> tuple[float, float, float]:
-    """Largest von Mises stress over p0 of a sliding contact, and its x/a and z/a; y = 0.
+    """Maximum von Mises stress over p0 of a sliding contact, and its x/a and z/a; y = 0.
 
-    The field has two rival maxima, one below the surface and one on its diameter. Both vary
-    smoothly with the angle t of x = -cos t, the second up to the rim (t = 0), where it is finite
-    and rises like t.
+    The field has two competing maxima, one below the surface and one on its diameter. Both vary
+    smoothly with the angle t in x = -cos t, the second up to the rim (t = 0), where it is finite
+    and increases linearly with t.
     """
 
     def von_mises(t: FloatArray, z: FloatArray) -> FloatArray:
@@ -116,7 +116,7 @@ def sliding_max_von_mises(nu: float, friction: float) -> tuple[float, float, flo
         (-float(surface.fun), -float(np.cos(surface.x)), 0.0),
         (float(line[top]), -float(np.cos(angles[top])), 0.0),
     )
-    # where the largest is at the surface, the search below ends there too, up to rounding
+    # if the maximum is at the surface, this search also ends there, up to rounding
     if -below.fun > found[0] * (1.0 + 1e-12):
         found = -float(below.fun), -float(np.cos(below.x[0])), abs(float(below.x[1]))
     return found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Line contact: size, pressure and stress."""
+"""Hertz line contact: size, pressure and stress."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class LineContact(Shown):
         return self.p0 * sxx, self.p0 * syy, self.p0 * szz
 
     def stress(self, x: ArrayLike, z: ArrayLike, nu: float, friction: float = 0.0) -> FloatArray:
-        """Elastic stress anywhere in a half-space under this pressure, at rest or sliding.
+        """Elastic stress at any point of a half-space under this pressure, at rest or sliding.
 
         Parameters
         ----------
@@ -73,9 +73,9 @@ class LineContact(Shown):
 
         Notes
         -----
-        Closed form, from the complex potential of the pressure (Johnson 1985, section 2.5;
-        Muskhelishvili 1953), as that of McEwen (1949). The shear's share in the normal
-        displacement, zero for bodies of equal elastic constants, is left out.
+        Closed form from the complex potential of the pressure (Johnson 1985, section 2.5;
+        Muskhelishvili 1953), equivalent to that of McEwen (1949). The effect of shear on the normal
+        displacement, zero for identical materials, is neglected.
         """
         across, depth = together(x=x, z=z)
         points = across / self.b, depth_ratio(depth, self.b)
@@ -83,7 +83,7 @@ class LineContact(Shown):
         return self.p0 * plane_field(points[0], points[1], nu, friction)
 
     def max_von_mises(self, nu: float) -> tuple[float, float]:
-        """Largest von Mises stress on the axis [Pa] and its depth [m]."""
+        """Maximum von Mises stress on the axis [Pa] and its depth [m]."""
         ratio, depth = line_max_von_mises(nu)
         return ratio * self.p0, depth * self.b
 
@@ -96,7 +96,7 @@ def line(
 ) -> LineContact:
     """Hertz line contact from load per length or maximum pressure.
 
-    The approach of a line contact depends on the datum and is not offered.
+    The approach of a line contact depends on the datum and is not available.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def line(
     E_star : float
         Contact modulus [Pa].
     load_per_length, p0 : float, optional
-        Load per unit length [N/m], maximum pressure [Pa]; give one.
+        Load per unit length [N/m], maximum pressure [Pa]. Exactly one must be given.
 
     Returns
     -------
@@ -115,8 +115,8 @@ def line(
     Raises
     ------
     ValueError
-        An argument is not finite and positive, not exactly one of the two is given, or the
-        contact is beyond the range of numbers.
+        An argument is not finite and positive, not exactly one of the two is given, or the contact
+        dimensions overflow.
     """
     R, E_star = positive("R", R), positive("E_star", E_star)
     given = exactly_one(load_per_length=load_per_length, p0=p0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress anywhere under a line contact, dimensionless: over p0, at x, z over the half-width.
+"""Dimensionless stress at any point below a line contact: over p0, at x, z over the half-width.
 
 E. McEwen, *Stresses in elastic cylinders in contact along a generatrix*, Phil. Mag. 40 (1949) 454;
 Johnson (1985), (4.49). Plane strain.

@@ -11,7 +11,7 @@ from .._util.short_text import in_short
 
 
 class Body(Protocol):
-    """What `effective_modulus` reads of a material: Young's modulus [Pa] and Poisson's ratio."""
+    """Material attributes for `effective_modulus`: Young's modulus [Pa] and Poisson's ratio."""
 
     @property
     def E(self) -> float: ...
@@ -25,7 +25,7 @@ def effective_modulus(body1: Body, body2: Body) -> float:
     Parameters
     ----------
     body1, body2 : Material
-        Anything with ``E`` [Pa] (inf for a rigid body) and ``nu`` [-].
+        Bodies with ``E`` [Pa] (inf for a rigid body) and ``nu`` [-].
 
     Returns
     -------
@@ -37,18 +37,18 @@ def effective_modulus(body1: Body, body2: Body) -> float:
     ValueError
         A modulus is not positive, or both bodies are rigid.
     TypeError
-        A body has layers.
+        A body is layered.
     """
     compliance = 0.0
     for name, body in (("body1", body1), ("body2", body2)):
         if not hasattr(body, "E"):
             raise TypeError(
-                f"{name} must be homogeneous, with E and nu, got {in_short(body)}: layers have no "
-                "modulus of their own"
+                f"{name} must be homogeneous, with E and nu, got {in_short(body)}: a layered body "
+                "has no single modulus"
             )
         modulus = positive(f"{name}.E", body.E, allow_inf=True)
         if not math.isinf(modulus):
             compliance += (1.0 - poisson_ratio(f"{name}.nu", body.nu) ** 2) / modulus
     if compliance == 0.0:
-        raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
+        raise ValueError("body1 or body2 must be deformable, got two rigid bodies")
     return 1.0 / compliance

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress anywhere under a sliding line contact, dimensionless: over p0, at x, z over b.
+"""Dimensionless stress at any point below a sliding line contact: over p0, at x, z over b.
 
 The stress of plane strain follows from F(zeta) = 1/pi integral of p(s)/(zeta - s) ds, zeta =
 x + i z, which is zeta - sqrt(zeta^2 - 1) for a Hertz pressure (Muskhelishvili 1953; Johnson 1985,
@@ -18,7 +18,7 @@ def plane_field(x: FloatArray, z: FloatArray, nu: float, friction: float) -> Flo
     zeta = x + 1j * z
     root = np.sqrt(zeta - 1.0) * np.sqrt(zeta + 1.0)
     F = 1.0 / (zeta + root)  # zeta - root without cancellation
-    # z F' tends to zero at the surface, at the rim too
+    # z F' tends to zero at the surface, including the rim
     slope = np.divide(-z * F, root, out=np.zeros_like(root), where=(z > 0.0) & (root != 0.0))
     xx, zz, xz = F.imag + slope.real, F.imag - slope.real, -slope.imag
     if friction != 0.0:

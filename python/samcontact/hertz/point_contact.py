@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Point contact: size, pressure, gap, approach and stress."""
+"""Hertz point contact: size, pressure, gap, approach and stress."""
 
 from __future__ import annotations
 
@@ -51,13 +51,13 @@ class PointContact(Shown):
     def gap(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
         """Gap under load [m] at x, y [m] (broadcast), zero inside the contact; (3.42)."""
         r = np.maximum(np.hypot(*together(x=x, y=y)) / self.a, 1.0)
-        # approach - displacement - r^2/2R with every length in contact radii
+        # approach - displacement - r^2/2R, all lengths in contact radii
         outside = (2.0 - r**2) * np.arcsin(1.0 / r) + np.sqrt(r**2 - 1.0)
         scale = self.a**2 / self.R
         return np.asarray(scale * (0.5 * r**2 - 1.0 + outside / math.pi), dtype=np.float64)
 
     def axis_stress(self, z: ArrayLike, nu: float) -> tuple[FloatArray, FloatArray]:
-        """Elastic stresses under the centre, Johnson (3.45).
+        """Elastic stresses below the centre, Johnson (3.45).
 
         Parameters
         ----------
@@ -69,7 +69,7 @@ class PointContact(Shown):
         Returns
         -------
         sigma_rr, sigma_zz : ndarray
-            Radial (= circumferential) and axial stress [Pa], of the shape of `z`.
+            Radial (= circumferential) and axial stress [Pa], in the shape of `z`.
         """
         s = depth_ratio(z, self.a)
         radial, axial = point_axis(s, poisson_ratio("nu", nu))
@@ -78,7 +78,7 @@ class PointContact(Shown):
     def stress(
         self, x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: float, friction: float = 0.0
     ) -> FloatArray:
-        """Elastic stress anywhere in a half-space under this pressure, at rest or sliding.
+        """Elastic stress at any point of a half-space under this pressure, at rest or sliding.
 
         Parameters
         ----------
@@ -101,11 +101,11 @@ class PointContact(Shown):
 
         Notes
         -----
-        Closed form, as that of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02; derived
-        from the potentials of Boussinesq and Cerruti (Johnson 1985, section 3.2). The error is
-        rounding, about 1e-15 p0 near the contact and r/a times that at the distance r. The
-        pressure is that of Hertz: the shear's share in the normal displacement, zero for bodies
-        of equal elastic constants, is left out.
+        Closed form equivalent to that of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02,
+        derived from the potentials of Boussinesq and Cerruti (Johnson 1985, section 3.2). The error
+        is rounding, about 1e-15 p0 near the contact and r/a times as much at the distance r. The
+        pressure is that of Hertz: the effect of shear on the normal displacement, zero for
+        identical materials, is neglected.
         """
         across, along, depth = together(x=x, y=y, z=z)
         points = across / self.a, along / self.a, depth_ratio(depth, self.a)
@@ -113,7 +113,7 @@ class PointContact(Shown):
         return self.p0 * field(points[0], points[1], points[2], nu, friction)
 
     def max_von_mises(self, nu: float) -> tuple[float, float]:
-        """Largest von Mises stress on the axis [Pa] and its depth [m]."""
+        """Maximum von Mises stress on the axis [Pa] and its depth [m]."""
         ratio, depth = point_max_von_mises(nu)
         return ratio * self.p0, depth * self.a
 
@@ -134,7 +134,7 @@ def point(
     E_star : float
         Contact modulus [Pa], see `effective_modulus`.
     load, approach, p0 : float, optional
-        Normal load [N], rigid-body approach [m], maximum pressure [Pa]; give one.
+        Normal load [N], rigid-body approach [m], maximum pressure [Pa]. Exactly one must be given.
 
     Returns
     -------
@@ -145,7 +145,7 @@ def point(
     ------
     ValueError
         An argument is not finite and positive, not exactly one of the three is given, or the
-        contact is beyond the range of numbers.
+        contact dimensions overflow.
     """
     R, E_star = positive("R", R), positive("E_star", E_star)
     given = exactly_one(load=load, approach=approach, p0=p0)
@@ -156,7 +156,7 @@ def point(
     else:
         a = 0.5 * math.pi * R * positive("p0", p0) / E_star
     sizes = {
-        # not a**3, which raises where a product is infinite
+        # not a**3, which raises OverflowError where a product is infinite
         "load": 4.0 * E_star * a * a * a / (3.0 * R) if load is None else float(load),
         "a": a,
         "p0": 2.0 * E_star * a / (math.pi * R) if p0 is None else float(p0),

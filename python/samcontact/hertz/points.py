@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checked points and sizes of a contact, and the pressure over it."""
+"""Checks of points and sizes of a contact, and its pressure."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ def require_range(given: str, **sizes: float) -> None:
     for name, size in sizes.items():
         if not 0.0 < size < math.inf:
             raise ValueError(
-                f"{given} gives a contact beyond the range of numbers: {name} = {size!r}"
+                f"{given} must give finite contact dimensions > 0, got {name} = {size!r}"
             )
 
 
 def semi_ellipsoid(p0: float, *ratios: FloatArray) -> FloatArray:
-    """p0 sqrt(1 - sum ratio^2), zero outside."""
+    """Pressure p0 sqrt(1 - sum ratio^2), zero outside the contact."""
     inside = 1.0 - sum(np.square(ratio) for ratio in ratios)
     return np.asarray(p0 * np.sqrt(np.maximum(inside, 0.0)), dtype=np.float64)
 
 
 def coordinates(**given: ArrayLike) -> list[FloatArray]:
-    """Checked coordinates, each of its own shape."""
+    """Check coordinates, each of its own shape."""
     return [finite_array(name, values) for name, values in given.items()]
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measured surfaces, from the files of instruments or plain arrays of heights.
+"""Measured surfaces, from instrument files or plain arrays of heights.
 
-SurfaceTopography, an optional dependency, knows the formats of some forty instruments and
-programs, and their units.
+SurfaceTopography, an optional dependency, reads the formats and units of some forty instruments
+and programs.
 """
 
 from .files import read

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reading the files of instruments, and plain arrays."""
+"""Readers for instrument files and plain arrays."""
 
 from __future__ import annotations
 
@@ -34,52 +34,53 @@ def read(
     Parameters
     ----------
     path : str or path
-        Any format of SurfaceTopography (.al3d, .sur, .x3p, .opd, .vk4, .nc, text, ...), or plain
-        arrays and texts (.npy, and .txt, .dat, .asc with blanks, .csv with commas or semicolons;
-        decimal points) without a header that tells sizes: with `dx` rows of heights; two columns x
-        and z of a profile, or three columns x, y, z of points that fill a grid, in any order.
+        File in any format of SurfaceTopography (.al3d, .sur, .x3p, .opd, .vk4, .nc, text, ...), or
+        a plain array or text (.npy, and .txt, .dat, .asc with blanks, .csv with commas or
+        semicolons; decimal points) without a header of sizes: rows of heights, which require `dx`;
+        two columns x and z of a profile; or three columns x, y, z of points that fill a grid, in
+        any order.
     format : str, optional
-        The reader: its name in SurfaceTopography ("sur", "x3p", "nms", ...), "array" for rows of
-        heights, or "xyz" for columns of positions; by default found from content and ending.
+        Reader: its name in SurfaceTopography ("sur", "x3p", "nms", ...), "array" for rows of
+        heights, or "xyz" for columns of positions. Default: determined from content and suffix.
     channel : int or str, optional
-        Number (from 0) or name of the map in the file; by default the first one of heights.
+        Number (from 0) or name of the map in the file. Default: the first map of heights.
     detrend : {"center", "height", "slope", "curvature"} or None
-        As `MeasuredSurface.detrended`; None leaves the heights as they are in the file.
+        As `MeasuredSurface.detrended`; None leaves the heights unchanged.
     undefined : {"fill", "error", "keep"}
-        What becomes of undefined points: `MeasuredSurface.filled`, an error, or NaN.
+        Treatment of undefined points: `MeasuredSurface.filled`, an error, or NaN.
     dx, dy : float, optional
-        Distance of the samples [m], for files that do not tell it. dy defaults to dx.
+        Sample spacing [m], if the file does not contain it. Default of dy: dx.
     unit : str, optional
-        Length unit of the heights ("nm", "um", ...), of a file that does not tell it; of rows of
-        heights by default metres. Of columns it is that of the positions too.
+        Length unit of the heights ("nm", "um", ...), if the file does not contain it. Default for
+        rows of heights: metres. For columns it is also the unit of the positions.
 
     Returns
     -------
     MeasuredSurface
-        With `attrs` source, format, channel, the file's unit, trend and number of filled points,
-        and where the file tells them instrument and acquisition_time. A profile has one row,
-        heights of shape (n, 1); where its points are not at equal steps it is interpolated, and
-        `attrs` tells from which steps.
+        Surface with `attrs` source, format, channel, unit of the file, trend and number of filled
+        points, and if available instrument and acquisition_time. A profile has one row, heights of
+        shape (n, 1). If its points are not equally spaced, it is interpolated, and `attrs` contains
+        the original steps.
 
     Raises
     ------
     ValueError
-        The file cannot be read, is no map or profile of heights, tells no size or unit where none
-        is given, or tells one that is given; or an argument is outside its range.
+        The file cannot be read, is not a map or profile of heights, lacks a size or unit that is
+        not given, or contains one that is given; or an argument is outside its range.
     ImportError
-        SurfaceTopography is needed and not installed.
+        SurfaceTopography is required and not installed.
 
     Warns
     -----
     UnitWarning
-        Sizes or slopes that hardly can be: longer than 1 m, an rms slope above 2, or heights that
-        span more than the length.
+        Implausible sizes or slopes: longer than 1 m, an rms slope above 2, or a height range
+        larger than the length.
 
     Notes
     -----
-    The first index of the heights runs along x, whatever the format. A line of a plain text holds
-    the ny heights of one x, as NumPy writes such an array; a text with a header, of an instrument
-    or of SurfaceTopography, is an image, of which a line holds the nx heights of one y.
+    The first index of the heights runs along x, for every format. A line of a plain text contains
+    the ny heights at one x, as NumPy writes such an array. A text with a header, from an instrument
+    or from SurfaceTopography, is an image, whose lines contain the nx heights at one y.
     """
     choice("undefined", undefined, ("fill", "error", "keep"))
     choice("detrend", detrend, (*TRENDS, None))
@@ -87,19 +88,22 @@ def read(
     step_x = None if dx is None else positive("dx", dx)
     step_y = step_x if dy is None else positive("dy", dy)
     if step_y is not None and step_x is None:
-        raise ValueError(f"dx must be given with dy = {in_short(dy)}, got None")
+        raise ValueError(f"dx is required with dy = {in_short(dy)}, got None")
     steps = None if step_x is None or step_y is None else (step_x, step_y)
     surface = _read(source, require_format(format), Given(channel, steps, unit))
     warn_of_size(surface.heights, surface.steps, str(source), stacklevel=2)
     if undefined == "error" and surface.undefined:
-        raise ValueError(f"{source}: {surface.undefined} points are undefined")
-    # the trend is that of the measured points, before others are interpolated
+        raise ValueError(
+            f"{source} must have no undefined points, got {surface.undefined}: "
+            'set undefined = "fill" to interpolate them'
+        )
+    # fit the trend to measured points, before others are interpolated
     surface = surface if detrend is None else surface.detrended(detrend)
     return surface.filled() if undefined == "fill" else surface
 
 
 def has_columns(path: Path) -> bool:
-    """Whether a plain file holds columns of positions and heights, not rows of heights."""
+    """Whether a plain file contains columns of positions and heights, not rows of heights."""
     found = table(path)
     return found is not None and columns(found.values, path) is not None
 
@@ -112,17 +116,17 @@ def _read(source: Path, format: str | None, given: Given) -> MeasuredSurface:
         return _of_rows(source, given)
     if format == "array":
         raise ValueError(
-            f'format must not be "array": {source} is no plain file of numbers (.npy, .txt, .dat, '
-            ".asc, .csv without a header)"
+            f'format must not be "array": {source} is not a plain file of numbers (.npy, .txt, '
+            ".dat, .asc, .csv without a header)"
         )
     return with_library(source, format, given)
 
 
 def _of_rows(source: Path, given: Given) -> MeasuredSurface:
-    """Rows of heights."""
+    """Read rows of heights."""
     heights = plain_heights(source)
     if given.steps is None:
-        raise ValueError(f"dx must be given: {source} does not tell it")
+        raise ValueError(f"dx is required, because {source} does not contain it")
     if given.channel not in _FIRST:
         raise ValueError(f"channel must be 0: {source} has one map, got {in_short(given.channel)}")
     kind = "npy" if is_array(source) else source.suffix.lower()[1:]
@@ -136,23 +140,23 @@ def _of_rows(source: Path, given: Given) -> MeasuredSurface:
 def _of_columns(
     source: Path, found: Table, which: tuple[int, ...], given: Given
 ) -> MeasuredSurface:
-    """A profile of two columns x and z, or a map of three columns x, y, z."""
+    """Read a profile of two columns x and z, or a map of three columns x, y, z."""
     names = ("x", "z") if len(which) == 2 else ("x", "y", "z")
     what = "a profile, columns x and z" if len(names) == 2 else "points, columns x, y and z"
-    rows = f'{source} holds {what} (rows of heights: format="array")'
+    rows = f'{source} contains {what} (rows of heights: format="array")'
     if len(names) == 3:
         grid_of_points(found.values, source)
     if given.steps is not None:
-        raise ValueError(f"dx must not be given: {rows}")
+        raise ValueError(f"dx must be None: {rows}")
     if given.channel not in _FIRST:
         raise ValueError(f"channel must be 0: {source} has one, got {in_short(given.channel)}")
     units = [found.units[column] for column in which]
     if given.unit is None and None in units:
         known = [f"{name} in {unit}" for name, unit in zip(names, units, strict=True) if unit]
-        tells = f"tells {' and '.join(known)} only" if known else "tells none"
-        raise ValueError(f'unit must be given, e.g. unit="um": {rows}, and {tells}')
+        tells = f"specifies only {' and '.join(known)}" if known else "specifies none"
+        raise ValueError(f'unit is required, e.g. unit="um": {rows}, and {tells}')
     if given.unit is not None and None not in units:
-        raise ValueError(f"unit must not be given: {source} has its own, {units[0]}")
+        raise ValueError(f"unit must be None: {source} has its own, {units[0]}")
     told = [given.unit if unit is None else unit for unit in units]
     points = found.values[:, list(which)] * [metres(str(unit)) for unit in told]
     attrs = {"source": str(source), "format": "xyz", "unit": told[-1]}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of instruments, by the readers of SurfaceTopography."""
+"""Instrument files, read by SurfaceTopography."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from .plain import profile, said, written_positions
 from .surface import MeasuredSurface, library
 
 OWN = ("array", "xyz")
-"""Formats read without SurfaceTopography; the second one it knows as well."""
+"""Formats read without SurfaceTopography; it also supports the second one."""
 _PACKED = {b"\x1f\x8b": "gzip", b"BZh": "bzip2", b"\xfd7zXZ": "xz"}
 _NMS_STEPS = 1376  # where NanoFocus files hold the steps along x and y
 _NMS_FIELDS = 2e-5, 5e-2  # of microscope objectives [m]
 
 
 class Given(NamedTuple):
-    """Arguments that tell what a file does not."""
+    """Arguments that supplement the contents of a file."""
 
     channel: int | str | None
     steps: tuple[float, float] | None
@@ -32,15 +32,15 @@ class Given(NamedTuple):
 
 
 class _Refused(Exception):
-    """Why a reader cannot use a file."""
+    """Reason why a reader cannot use a file."""
 
 
 def require_format(name: str | None) -> str | None:
-    """Return the name of a reader in lower case; a ValueError that names the nearest one."""
+    """Return the name of a reader in lower case; ValueError with the closest names if unknown."""
     if name is None:
         return None
     if not isinstance(name, str):
-        raise TypeError(f'format must be a text, e.g. "sur", got {in_short(name)}')
+        raise TypeError(f'format must be a string, e.g. "sur", got {in_short(name)}')
     wanted = name.lower().lstrip(".")
     if wanted in OWN:
         return wanted
@@ -54,7 +54,7 @@ def require_format(name: str | None) -> str | None:
 
 
 def metres(unit: str) -> float:
-    """What a length unit is in metres."""
+    """Length of a unit in metres."""
     conversion = library("SurfaceTopography.Support.UnitConversion")
     try:
         if not isinstance(unit, str):
@@ -67,17 +67,19 @@ def metres(unit: str) -> float:
 
 
 def with_library(path: Path, format: str | None, given: Given) -> MeasuredSurface:
-    """The surface that the first suitable reader finds; a ValueError with the reason of those
-    that know the format, where none does."""
+    """Surface from the first suitable reader; without one, ValueError with the reasons of the
+    readers that recognise the format."""
     io = library("SurfaceTopography.IO")
     reasons: list[tuple[int, str]] = []
     try:
-        # an open file: given a path, readers that fail to recognise the file may leave it open
+        # an open file: given a path, readers that do not recognise the file may leave it open
         with path.open("rb") as file:
             start = file.read(io.MAGIC_BUFFER_SIZE)
             for mark, name in _PACKED.items():
                 if start.startswith(mark):
-                    raise ValueError(f"path: {path} is packed with {name}: unpack it first")
+                    raise ValueError(
+                        f"path: {path} must not be compressed with {name}: unpack it first"
+                    )
             for reader, rank in _candidates(io, path, start, format):
                 file.seek(0)
                 try:
@@ -87,7 +89,7 @@ def with_library(path: Path, format: str | None, given: Given) -> MeasuredSurfac
     except OSError as error:
         raise ValueError(f"path: cannot read heights from {path}: {said(error)}") from error
     told = [text for rank, text in sorted(reasons, key=lambda r: r[0]) if rank < _UNKNOWN]
-    reason = told[0] if told else f"no format that SurfaceTopography knows{_expected(io, path)}"
+    reason = told[0] if told else f"no format supported by SurfaceTopography{_expected(io, path)}"
     raise ValueError(f"path: cannot read heights from {path}: {reason}")
 
 
@@ -95,8 +97,8 @@ _UNKNOWN = 2
 
 
 def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterator[tuple[Any, int]]:
-    """Readers for a file and how well they suit it: by its mark (0), by the ending of its name (1),
-    or not at all (2); of texts in the library's order, in which some need to come before others."""
+    """Readers for a file with their rank: matching its mark (0), the suffix of its name (1), or
+    neither (2); texts in the order of the library, in which some readers must precede others."""
     if format is not None:
         yield io.lookup_reader_by_format[format], 0
         return
@@ -116,21 +118,21 @@ def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterat
 
 
 def _expected(io: Any, path: Path) -> str:
-    """What the ending of a name promises that the content does not keep."""
+    """Hint that the content of a file does not match the suffix of its name."""
     ending = path.suffix.lower()[1:]
     names = [reader.name() for reader in io.readers if ending in reader.file_extensions()]
-    return f"; it does not begin as a file of {names[0]} does" if names else ""
+    return f"; it does not begin like a {names[0]} file" if names else ""
 
 
 def _read(io: Any, path: Path, file: BinaryIO, format: str, given: Given) -> MeasuredSurface:
-    """The surface in an open file; _Refused for the reader's reasons, errors for the arguments."""
+    """Surface in an open file; _Refused for the reader's reasons, other errors for arguments."""
     reader = _tried(io, lambda: io.open_topography(file, format=format))
     with reader:
         if not len(_tried(io, lambda: list(reader.channels))):
             raise _Refused("the file has no channels")
         info = _channel(reader, given.channel, path)
         steps, unit = given.steps, given.unit
-        # a text whose header tells nothing is a plain array all the same
+        # a text whose header has no sizes is a plain array as well
         plain = (format, info.physical_sizes, info.unit, info.dim) == ("asc", None, None, 2)
         if plain:
             steps, unit = steps and steps[::-1], unit or "m"
@@ -151,7 +153,7 @@ def _read(io: Any, path: Path, file: BinaryIO, format: str, given: Given) -> Mea
 
 
 def _tried(io: Any, call: Any) -> Any:
-    """What a reader returns; _Refused with its reason for any error: damaged files end in all."""
+    """Result of a reader; _Refused with its reason for any error: damaged files raise all kinds."""
     try:
         return call()
     except (ImportError, _Refused):
@@ -161,21 +163,21 @@ def _tried(io: Any, call: Any) -> Any:
     except Exception as error:
         raise _Refused(
             f"its reader failed ({type(error).__name__}: {said(error)}): the file is damaged, or "
-            "of a variant that SurfaceTopography does not know"
+            "a variant that SurfaceTopography does not support"
         ) from error
 
 
 def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None) -> MeasuredSurface:
-    """A line scan as a surface with one row of samples.
+    """Convert a line scan to a surface with one row of samples.
 
-    written: its positions [m] where they are known from the file; the library takes those that
-    differ by less than 1e-6 of any unit for equal steps.
+    written: its positions [m] if known from the file; the library regards steps as equal if their
+    positions differ by less than 1e-6 of any unit.
     """
     x, z = np.asarray(topography.positions(), dtype=float), np.ma.asarray(topography.heights())
     if written is not None and len(written) == len(x):
         x = written
     if len(x) < 2 or not ((np.diff(x) > 0).all() or (np.diff(x) < 0).all()):
-        raise _Refused("x of the profile must rise from point to point")
+        raise _Refused("x of the profile must increase from point to point")
     heights, step, uneven = profile(x, np.ma.filled(z.astype(float), np.nan))
     return MeasuredSurface(
         heights, step, attrs=attrs | ({"interpolated_from": uneven} if uneven else {})
@@ -183,7 +185,7 @@ def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None)
 
 
 def _nms_steps(file: BinaryIO, shape: tuple[int, ...], steps: Any) -> Any:
-    """Steps of a NanoFocus file [m]: it holds them in nm, which the library may take for mm."""
+    """Sample spacing of a NanoFocus file [m]: stored in nm, which the library may take for mm."""
     file.seek(_NMS_STEPS)
     own = [1e-9 * step for step in struct.unpack("<2d", file.read(16))]
     low, high = _NMS_FIELDS
@@ -192,7 +194,7 @@ def _nms_steps(file: BinaryIO, shape: tuple[int, ...], steps: Any) -> Any:
 
 
 def _provenance(path: Path, format: str, info: Any, topography: Any) -> dict[str, Any]:
-    """Where heights come from."""
+    """Attributes about the origin of heights."""
     attrs = {"source": str(path), "format": format, "channel": info.name}
     if info.unit is not None:
         attrs["unit"] = info.unit
@@ -203,7 +205,7 @@ def _provenance(path: Path, format: str, info: Any, topography: Any) -> dict[str
 
 
 def _channel(reader: Any, channel: int | str | None, path: Path) -> Any:
-    """The wanted channel of a file, by default the first one of heights."""
+    """Selected channel of a file. Default: the first one of heights."""
     channels = list(reader.channels)
     listed = ", ".join(f"{info.index}: {info.name!r}" for info in channels)
     if channel is None:
@@ -215,8 +217,8 @@ def _channel(reader: Any, channel: int | str | None, path: Path) -> Any:
         raise ValueError(f"channel must be one of {listed} in {path}, got {in_short(channel)}")
     if not found[0].is_height_channel:
         raise ValueError(
-            f"channel {found[0].name!r} of {path} is {found[0].data_kind.value}, no height; the "
-            f"file has {listed}"
+            f"channel {found[0].name!r} of {path} must contain heights, got "
+            f"{found[0].data_kind.value}; the file has {listed}"
         )
     return found[0]
 
@@ -224,12 +226,12 @@ def _channel(reader: Any, channel: int | str | None, path: Path) -> Any:
 def _missing(
     info: Any, steps: tuple[float, float] | None, unit: str | None, path: Path
 ) -> dict[str, Any]:
-    """What the file does not tell about a channel, from the arguments."""
+    """Quantities that a file does not specify for a channel, from the arguments."""
     for name, known, given in (("dx", info.physical_sizes, steps), ("unit", info.unit, unit)):
         if known is not None and given is not None:
-            raise ValueError(f"{name} must not be given: {path} has its own")
+            raise ValueError(f"{name} must be None: {path} has its own")
         if known is None and given is None:
-            raise ValueError(f"{name} must be given: {path} does not tell it")
+            raise ValueError(f"{name} is required, because {path} does not contain it")
     metadata: dict[str, Any] = {}
     if unit is not None:
         metadata["unit"] = unit

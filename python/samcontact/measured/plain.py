@@ -20,12 +20,12 @@ from .._util.checks import FloatArray
 
 PLAIN_FORMATS = (".npy", ".txt", ".dat", ".asc", ".csv")
 _TABLES = (*PLAIN_FORMATS, ".xyz")
-# what np.load raises; the last of headers and archives of numpy.save
+# errors of np.load; the last for headers and archives of numpy.save
 _DAMAGED = (
     OSError, ValueError, EOFError, TypeError, ArithmeticError, MemoryError,
     SyntaxError, TokenError, BadZipFile, KeyError, NotImplementedError,
 )  # fmt: skip
-_FEWEST = 4  # rows that can be columns of positions
+_FEWEST = 4  # minimum number of rows for columns of positions
 # a comment that holds no value: those stand after a colon (in Japanese a wide one) or equals sign
 _COMMENT = re.compile("\\s*(#[^:=\N{FULLWIDTH COLON}]*)?")
 _UNITS = {
@@ -37,14 +37,14 @@ _UNITS = {
 
 
 class Table(NamedTuple):
-    """Numbers of a file, and the unit that the label of each column names, if any."""
+    """Numbers of a file, and the unit in the label of each column, if any."""
 
     values: FloatArray
     units: tuple[str | None, ...]
 
 
 def said(error: BaseException) -> str:
-    """Text of an error on one line, without numbers of the operating system."""
+    """Text of an error on one line, without operating-system error numbers."""
     if isinstance(error, OSError) and error.strerror:
         return error.strerror.lower()
     text = " ".join(str(error).split())
@@ -52,14 +52,14 @@ def said(error: BaseException) -> str:
 
 
 def is_array(path: Path) -> bool:
-    """Whether a file begins as one of numpy.save; a ValueError for what can be read only once."""
+    """Whether a file begins like one of numpy.save; ValueError for a pipe or device."""
     try:
         mode = path.stat().st_mode
         if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
-            raise ValueError(f"path: {path} must be a file, is a pipe or device")
+            raise ValueError(f"path: {path} must be a regular file, got a pipe or device")
         with path.open("rb") as file:
             return file.read(len(MAGIC_PREFIX)) == MAGIC_PREFIX
-    except OSError:  # told by reading its heights
+    except OSError:  # reported when its heights are read
         return False
 
 
@@ -70,13 +70,13 @@ def is_plain(path: Path) -> bool:
         return array
     try:
         lines = [] if path.suffix.lower() == ".npy" else _lines(path)
-    except OSError:  # told by reading its heights
+    except OSError:  # reported when its heights are read
         return True
     return all(_COMMENT.fullmatch(line) for line in _header(lines))
 
 
 def plain_heights(path: Path) -> FloatArray:
-    """Rows of numbers from a plain file; a ValueError that names it where it cannot be read."""
+    """Rows of numbers from a plain file; ValueError naming the file if it cannot be read."""
     try:
         if path.suffix.lower() == ".npy" or is_array(path):
             heights: Any = _array(path)
@@ -87,7 +87,7 @@ def plain_heights(path: Path) -> FloatArray:
     numbers = isinstance(heights, np.ndarray) and heights.dtype.kind in "iuf"
     if not numbers or heights.ndim != 2 or heights.size == 0:
         found = f"{heights.dtype} of shape {heights.shape}" if numbers else type(heights).__name__
-        raise ValueError(f"path: {path} must hold rows of numbers, has {found}")
+        raise ValueError(f"path: {path} must contain rows of numbers, got {found}")
     return np.asarray(heights)
 
 
@@ -102,7 +102,7 @@ def table(path: Path) -> Table | None:
             if len(header) > 1 or any("#" in line or "valid" in line for line in header):
                 return None
             values = _rows(lines, path.suffix.lower() == ".csv", skip=_header(lines))
-        except (OSError, ValueError):  # told by those that read its heights
+        except (OSError, ValueError):  # reported when its heights are read
             return None
     else:
         return None
@@ -115,7 +115,7 @@ def table(path: Path) -> Table | None:
 
 
 def written_positions(path: Path) -> FloatArray | None:
-    """x of a profile as its text has it, whatever its header; None where it is another file."""
+    """Positions x of a profile as written in its text, with any header; None for another file."""
     try:
         lines = _lines(path)
         values = _rows(lines, path.suffix.lower() == ".csv", skip=_header(lines))
@@ -126,7 +126,7 @@ def written_positions(path: Path) -> FloatArray | None:
 
 
 def _unit_of(label: str) -> str | None:
-    """The length unit that the label of a column names."""
+    """Length unit in the label of a column."""
     for unit, words in _UNITS.items():
         if re.search(rf"(?<![^\W_])(?:{words})(?![^\W_])", label):
             return unit
@@ -134,9 +134,9 @@ def _unit_of(label: str) -> str | None:
 
 
 def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
-    """Which columns are x, (y,) z; None where the table is rows of heights.
+    """Indices of the columns x, (y,) z; None if the table is rows of heights.
 
-    A ValueError for what is neither: x of a profile that turns back, or points without a grid.
+    ValueError if it is neither: x of a profile that reverses, or points without a grid.
     """
     if len(values) < _FEWEST or not np.isfinite(values[:, :-1]).all():
         return None
@@ -155,8 +155,9 @@ def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
         steps = np.diff(values[:, first])
         turns = np.flatnonzero(np.sign(steps) != np.sign(values[-1, first] - values[0, first]))
         raise ValueError(
-            f"path: x of the profile in {path} must rise or fall from row to row, but turns at row "
-            f'{turns[0] + 2}; if its lines are rows of heights, give format="array"'
+            f"path: x of the profile in {path} must increase or decrease from row to row, but "
+            f"reverses at row {turns[0] + 2}; for lines that are rows of heights, set "
+            'format="array"'
         )
     return None
 
@@ -167,13 +168,13 @@ def _counts(column: FloatArray) -> bool:
 
 
 def _rises(column: FloatArray) -> float:
-    """Share of steps in the direction of most of them."""
+    """Fraction of steps in the predominant direction."""
     steps = np.diff(column)
     return float(max((steps > 0).mean(), (steps < 0).mean()))
 
 
 def profile(x: FloatArray, z: FloatArray) -> tuple[FloatArray, float, str]:
-    """Heights at equal steps along x, the step, and what was interpolated from (or nothing)."""
+    """Heights at equal steps along x, the step, and a note on the original steps (or none)."""
     if x[0] > x[-1]:
         x, z = x[::-1], z[::-1]
     count = np.arange(len(x))
@@ -181,7 +182,7 @@ def profile(x: FloatArray, z: FloatArray) -> tuple[FloatArray, float, str]:
     even = x[0] + step * count
     if np.abs(x - even).max() <= 1e-6 * step:
         return z, step, ""
-    # positions that were rounded where they were written
+    # positions rounded in the file
     digit = _last_digit(x, step)
     start, rounded = np.polynomial.Polynomial.fit(count, x, 1).convert().coef
     if np.abs(x - start - rounded * count).max() <= 0.55 * digit:
@@ -191,7 +192,7 @@ def profile(x: FloatArray, z: FloatArray) -> tuple[FloatArray, float, str]:
 
 
 def _last_digit(x: FloatArray, step: float) -> float:
-    """What positions are rounded to [m]; 0 where they have more digits than that tells."""
+    """Rounding unit of positions [m]; 0 if they have too many digits to find it."""
     for digits in range(4):
         unit = 10.0 ** (np.floor(np.log10(step) + 1e-9) - digits)
         if np.abs(x / unit - np.round(x / unit)).max() < 1e-4:
@@ -202,16 +203,16 @@ def _last_digit(x: FloatArray, step: float) -> float:
 def grid_of_points(points: FloatArray, path: Path) -> tuple[FloatArray, float, float]:
     """Heights [i][j] of points x, y, z in any order, and their steps along x and y.
 
-    A ValueError unless each place of a grid of equal steps has one point.
+    ValueError unless each node of a regular grid has one point.
     """
     axes = [_places(points[:, axis]) for axis in (0, 1)]
     (i, x), (j, y) = axes
     missing = len(x) * len(y) - len(np.unique(i * len(y) + j))
     if missing or len(points) != len(x) * len(y) or min(len(x), len(y)) < 2:
         raise ValueError(
-            f"path: the three columns of {path} are taken for points x, y, z, which must fill a "
-            f"grid: {len(points)} points lie at {len(x)} x and {len(y)} y. Put them onto a grid, "
-            'or, if its lines are rows of heights, give format="array"'
+            f"path: the three columns of {path} are interpreted as points x, y, z, which must fill "
+            f"a grid: {len(points)} points lie at {len(x)} x and {len(y)} y. Interpolate them to a "
+            'grid, or, for lines that are rows of heights, set format="array"'
         )
     steps = []
     for name, places in (("x", x), ("y", y)):
@@ -228,7 +229,7 @@ def grid_of_points(points: FloatArray, path: Path) -> tuple[FloatArray, float, f
 
 
 def _places(column: FloatArray) -> tuple[Any, FloatArray]:
-    """Of each point the number of its place along an axis, and the places."""
+    """Index of the position of each point along an axis, and the positions."""
     order = np.argsort(column, kind="stable")
     steps = np.diff(column[order])
     number = np.zeros(len(column), dtype=int)
@@ -253,34 +254,34 @@ def _header(lines: list[str]) -> list[str]:
 
 
 def _lines(path: Path) -> list[str]:
-    """The lines of a text as spreadsheets and instruments write it, with or without a mark."""
+    """Lines of a text from a spreadsheet or instrument, with or without a byte-order mark."""
     content = path.read_bytes()
     is_wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
-    # what is no text is no number either, and refused as such
+    # a file that is not text has no numbers, and is refused as such
     return content.decode("utf-16" if is_wide else "utf-8-sig", errors="replace").splitlines()
 
 
 def _array(path: Path) -> Any:
     with path.open("rb") as file:
         start = file.read(6)
-    # others would be taken for pickles, and the user be told to load them without safety
+    # NumPy would take others for pickles, and advise unsafe loading
     if not start.startswith((b"\x93NUMPY", b"PK")):
-        raise ValueError(f"it begins with {start!r}, is no file of numpy.save")
+        raise ValueError(f"it begins with {start!r} and is not a file of numpy.save")
     return np.load(path, allow_pickle=False)
 
 
 def _rows(lines: list[str], is_csv: bool, skip: list[str] | None = None) -> FloatArray:
-    """Numbers of a text; a comma is never guessed to be a decimal one. skip: lines before them."""
+    """Numbers of a text; a comma is never taken as decimal. skip: lines before them."""
     first = next((line for line in lines if _is_data(line)), "")
     delimiter = ";" if ";" in first else "," if is_csv and "," in first else None
     if "," in first and delimiter != ",":
         raise ValueError(
-            f"numbers must have decimal points, and commas separate them in .csv only, got "
+            "numbers must have decimal points, and commas as separators in .csv only, got "
             f"{first.strip()[:40]!r}"
         )
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of an empty file, which is refused by shape
+        warnings.simplefilter("ignore")  # for an empty file, which is refused by shape
         try:
             return np.loadtxt(lines[len(skip or ()) :], delimiter=delimiter, ndmin=2)
-        except ValueError as error:  # without what NumPy advises, which is for its own arguments
+        except ValueError as error:  # without NumPy's advice about its own arguments
             raise ValueError(str(error).split("; use `usecols`")[0]) from error

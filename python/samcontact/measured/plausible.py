@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sizes and slopes of measured heights that hardly can be."""
+"""Plausibility checks of the sizes and slopes of measured heights."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from .._util.display import lengths, quantity
 from .._util.errors import UnitWarning
 
 LONGEST = 1.0
-"""Of a measured area [m]."""
+"""Maximum length of a measured area [m]."""
 STEEPEST = 2.0
-"""Root mean square slope [-]: instruments measure up to some 70 degrees."""
+"""Maximum root-mean-square slope [-]: instruments measure up to some 70 degrees."""
 
 
 def warn_of_size(
     heights: FloatArray, steps: tuple[float, float], source: str, *, stacklevel: int
 ) -> None:
-    """Warn, with numbers, of heights whose unit or steps are likely in another unit.
+    """Warn of heights whose unit or sample spacing is probably in another unit.
 
-    heights: shape (nx, ny) [m], NaN where undefined; steps: distance of the samples [m]. A
-    UnitWarning where the area is longer than 1 m, the rms slope is above 2, or the heights span
-    more than the longer side.
+    heights: shape (nx, ny) [m], NaN where undefined; steps: sample spacing [m]. Issues a
+    UnitWarning if the area is longer than 1 m, the rms slope is above 2, or the height range
+    exceeds the longer side.
     """
     size = [n * step for n, step in zip(heights.shape, steps, strict=True)]
     sides = size[:1] if heights.shape[1] == 1 else size
@@ -33,25 +33,24 @@ def warn_of_size(
     slope = _rms_slope(heights, steps)
     doubts = []
     if max(sides) > LONGEST:
-        doubts.append(f"an area longer than {LONGEST:g} m")
+        doubts.append(f"its area is longer than {LONGEST:g} m")
     if slope > STEEPEST:
-        doubts.append(f"an rms slope of {slope:.3g}")
+        doubts.append(f"its rms slope is {slope:.3g}")
     if span > max(sides):
-        doubts.append("heights that span more than the length")
+        doubts.append("its height range exceeds its length")
     if not doubts:
         return
     over = lengths(*sides) if len(sides) == 2 else quantity(sides[0], "m")
     warnings.warn(
-        f"the heights of {source} span {quantity(span, 'm')} over {over}: "
-        f"{' and '.join(doubts)} can hardly be; is the unit of the heights or of the steps "
-        "another?",
+        f"likely unit error: {source} has a height range of {quantity(span, 'm')} over {over}, and "
+        f"{' and '.join(doubts)}: check the units of heights and steps",
         UnitWarning,
         stacklevel=stacklevel + 1,
     )
 
 
 def _rms_slope(heights: FloatArray, steps: tuple[float, float]) -> float:
-    """Root mean square of the slope between neighbours, along x and y together."""
+    """Root-mean-square slope between neighbours, along x and y together."""
     total = 0.0
     with np.errstate(over="ignore", invalid="ignore"):
         for axis, step in enumerate(steps):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measured heights between their samples: splines, means over cells, what lies beyond."""
+"""Evaluation of measured heights between samples: splines, cell averages, extrapolation."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ import numpy as np
 from .._util.checks import FloatArray, boolean, choice, number
 from .._util.lazy_scipy import scipy
 
-_REACH = 24  # samples over which a cubic spline forgets its ends, to rounding
+_REACH = 24  # samples over which the effect of the ends of a cubic spline decays to rounding
 
 
 @dataclass(frozen=True, eq=False)
 class Sampling:
-    """How heights are wanted.
+    """Options for the evaluation of heights.
 
-    method, average, fill: as those of `MeasuredSurface.on`; periodic: axes along which the measured
-    area repeats itself; edgeless: whether fill may be -inf, no body.
+    method, average, fill: as in `MeasuredSurface.on`; periodic: axes along which the measured area
+    is periodic; edgeless: whether fill may be -inf, no body.
     """
 
     method: str = "cubic"
@@ -36,7 +36,7 @@ class Sampling:
             return
         fill = number("fill", self.fill)
         if not (np.isfinite(fill) or (self.edgeless and fill == -np.inf)):
-            allowed = "a finite number, or -inf for no body" if self.edgeless else "a finite number"
+            allowed = "a finite number, or -inf (no body)" if self.edgeless else "a finite number"
             raise ValueError(f"fill must be {allowed}, got {fill!r}")
 
 
@@ -47,10 +47,10 @@ def resampled(
     cell: tuple[float, float],
     sampling: Sampling,
 ) -> FloatArray:
-    """Heights at all pairs of x and y, counted from the middle of the measured area [m].
+    """Heights at all pairs of x and y, relative to the centre of the measured area [m].
 
-    heights: shape (nx, ny), all defined; one row (ny = 1) is the same at every y. cell: its lengths
-    along x and y [m]. A ValueError where points lie beyond the measured area and there is no fill.
+    heights: shape (nx, ny), all defined; one row (ny = 1) applies at every y. cell: cell lengths
+    along x and y [m]. ValueError if points lie outside the measured area and there is no fill.
     """
     is_profile = heights.shape[1] == 1
     axes, orders, parts, inside = [], [], [], []
@@ -69,7 +69,7 @@ def resampled(
             within = within - n * step * np.round(within / (n * step))
         axes.append(at)
         orders.append(min({"cubic": 3, "linear": 1}[sampling.method], len(at) - 1))
-        # beyond the outermost samples, by half a step at most, their height is taken
+        # up to half a step beyond the outermost samples, their height is used
         parts.append(np.clip(within, at[0], at[-1]))
     spline = scipy.interpolate.RectBivariateSpline(*axes, heights, kx=orders[0], ky=orders[1], s=0)
     found = np.zeros((points[0].size, points[1].size))
@@ -85,20 +85,19 @@ def resampled(
 
 
 def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling: Sampling) -> Any:
-    """Which positions, with an edge around them, are measured; all must be without a fill."""
+    """Whether positions, with an edge around them, are measured; without fill all must be."""
     half = 0.5 * size
     inside = np.abs(positions) + edge <= half * (1.0 + 1e-9)
     if sampling.fill is None and not inside.all():
         raise ValueError(
-            f"the cells reach from {positions.min() - edge:.6g} to "
-            f"{positions.max() + edge:.6g} m along {'xy'[axis]}, counted from the middle of the "
-            f"measured area, beyond its {-half:.6g} to {half:.6g} m: make the grid smaller, "
-            "or give fill"
+            f"grid must lie inside the measured area, {-half:.6g} to {half:.6g} m along "
+            f"{'xy'[axis]} from its centre, but its cells extend from {positions.min() - edge:.6g} "
+            f"to {positions.max() + edge:.6g} m: reduce the grid, or set fill"
         )
     return inside
 
 
 def _parts(positions: FloatArray, cell: float, step: float) -> FloatArray:
-    """Points that divide each cell into equal parts no longer than a step, one row a cell."""
+    """Points that divide each cell into equal parts no longer than a step, one row per cell."""
     count = max(1, int(np.ceil(cell / step - 1e-9)))
     return np.asarray(positions[:, None] + ((np.arange(count) + 0.5) / count - 0.5) * cell)

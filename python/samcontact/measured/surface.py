@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Heights on a regular grid of samples, which can be put onto the grid of a simulation.
+"""Heights on a regular grid of samples, for use on the grid of a simulation.
 
 Tilt and curvature are removed, and undefined points filled, by SurfaceTopography
 (https://contactengineering.github.io/SurfaceTopography), an optional dependency.
@@ -27,24 +27,24 @@ from .resampling import Sampling, resampled
 from .trends import detrended_profile, filled_profile
 
 TRENDS = ("center", "height", "slope", "curvature")
-MANY_UNDEFINED = 0.05  # of all points; beyond, a filled surface is as much guess as measurement
+MANY_UNDEFINED = 0.05  # of all points; above, a filled surface is unreliable
 
 
 def library(module: str = "SurfaceTopography") -> Any:
-    """The module of SurfaceTopography; an ImportError that tells how to get it."""
+    """Import a module of SurfaceTopography; ImportError with instructions if it is missing."""
     try:
         with warnings.catch_warnings():
-            # it tells that there is no MPI, which nothing here needs
+            # it reports missing MPI, which is not needed here
             warnings.simplefilter("ignore", ImportWarning)
             return importlib.import_module(module)
     except ImportError as error:
         raise ImportError(
-            "measured surfaces need SurfaceTopography: pip install samcontact[surfaces]"
+            "measured surfaces require SurfaceTopography: pip install samcontact[surfaces]"
         ) from error
 
 
 def undefined_as_nan(heights: ArrayLike) -> FloatArray:
-    """A copy of heights that may be masked, with NaN under the mask."""
+    """Copy heights that may be masked, with NaN in masked cells."""
     if isinstance(heights, (list, tuple)) and any(np.ma.isMaskedArray(row) for row in heights):
         heights = np.ma.stack(heights)
     if np.ma.isMaskedArray(heights):
@@ -54,27 +54,28 @@ def undefined_as_nan(heights: ArrayLike) -> FloatArray:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MeasuredSurface(Brief):
-    """Heights on a regular grid of samples.
+    """Measured heights on a regular grid of samples.
 
     Parameters
     ----------
     heights : array_like, shape (nx, ny) or (nx,)
-        [m], positive out of the body; the first index runs along x. NaN, or masked, where
-        undefined. At least two samples each way, or one along y: a profile, the same at every y.
+        Heights [m], positive out of the body; the first index runs along x. NaN, or masked, where
+        undefined. At least two samples in each direction, or one along y for a profile, which
+        applies at every y.
     dx, dy : float
-        Distance of the samples along x and y [m]. dy defaults to dx.
+        Sample spacing along x and y [m]. Default of dy: dx.
     attrs : mapping, optional
-        Where the heights come from.
+        Attributes about the origin of the heights.
 
     Raises
     ------
     ValueError
-        Heights of another shape, infinite, or all undefined; a distance that is not positive.
+        Heights have another shape, are infinite or all undefined; a spacing is not positive.
 
     Notes
     -----
-    The origin is the middle of the samples. Each stands for the area dx dy around it, so that the
-    measured area is nx dx long and ny dy wide.
+    The origin is the centre of the samples. Each sample represents the area dx dy around it, so
+    the measured area is nx dx long and ny dy wide.
     """
 
     heights: FloatArray
@@ -88,12 +89,13 @@ class MeasuredSurface(Brief):
         heights = heights[:, None] if heights.ndim == 1 else heights
         if heights.ndim != 2 or heights.shape[0] < 2 or heights.shape[1] < 1:
             raise ValueError(
-                f"heights must have shape (nx, ny), each >= 2, or (nx, 1) of a profile, got {given}"
+                "heights must have shape (nx, ny), each >= 2, or (nx, 1) for a profile, got "
+                f"{given}"
             )
         if np.isinf(heights).any():
             raise ValueError("heights must be finite, or NaN where undefined, got inf")
         if np.isnan(heights).all():
-            raise ValueError("heights must be defined somewhere, got NaN only")
+            raise ValueError("heights must be defined in at least one point, got NaN only")
         object.__setattr__(self, "heights", read_only(heights))
         object.__setattr__(self, "dx", positive("dx", self.dx))
         object.__setattr__(self, "dy", self.dx if self.dy is None else positive("dy", self.dy))
@@ -103,7 +105,7 @@ class MeasuredSurface(Brief):
 
     @property
     def steps(self) -> tuple[float, float]:
-        """Distance of the samples along x and y [m]."""
+        """Sample spacing along x and y [m]."""
         return self.dx, self.dx if self.dy is None else self.dy
 
     @property
@@ -113,7 +115,7 @@ class MeasuredSurface(Brief):
 
     @property
     def is_profile(self) -> bool:
-        """Whether there is one row of samples along x, which is the same at every y."""
+        """Whether there is a single row of samples along x, which applies at every y."""
         return bool(self.heights.shape[1] == 1)
 
     @property
@@ -122,7 +124,7 @@ class MeasuredSurface(Brief):
         return int(np.isnan(self.heights).sum())
 
     def _topography(self) -> Any:
-        # infinite and NaN heights become masked points there
+        # infinite and NaN heights become masked points
         return library().Topography(np.array(self.heights), self.size, unit="m")
 
     def _changed(self, heights: Any, **attrs: Any) -> MeasuredSurface:
@@ -130,14 +132,15 @@ class MeasuredSurface(Brief):
         return replace(self, heights=filled, attrs={**self.attrs, **attrs})
 
     def detrended(self, trend: str = "height") -> MeasuredSurface:
-        """The surface without a trend, fitted to its defined points.
+        """Return the surface without a trend, fitted to its defined points.
 
         Parameters
         ----------
         trend : {"center", "height", "slope", "curvature"}
-            Mean; plane of the least rms height; plane of the least rms slope; polynomial of second
-            order, which also removes the shape of a ball. All but the mean need SurfaceTopography
-            for a map. Of a profile a line, and a parabola.
+            "center": mean; "height": plane of minimum rms height; "slope": plane of minimum rms
+            slope; "curvature": second-order polynomial, which also removes the shape of a ball. For
+            maps, all but the mean require SurfaceTopography. Profiles: line instead of plane, and
+            parabola.
 
         Returns
         -------
@@ -146,7 +149,7 @@ class MeasuredSurface(Brief):
         Raises
         ------
         ValueError
-            Unknown trend.
+            The trend is unknown.
         ImportError
             SurfaceTopography is not installed.
         """
@@ -158,11 +161,11 @@ class MeasuredSurface(Brief):
         return self._changed(self._topography().detrend(trend).heights(), detrend=trend)
 
     def filled(self) -> MeasuredSurface:
-        """The surface with its undefined points interpolated by harmonic functions (of a profile
-        lines).
+        """Return the surface with undefined points interpolated.
 
-        Needs SurfaceTopography where there are any (ImportError). `attrs` tells how many there
-        were; beyond 5 % of all points a UserWarning does too.
+        Maps are interpolated by harmonic functions, profiles linearly. It requires
+        SurfaceTopography if there are any in a map (ImportError). `attrs` contains their number;
+        above 5 % of all points a UserWarning is issued.
         """
         count = self.undefined
         if count == 0:
@@ -181,15 +184,15 @@ class MeasuredSurface(Brief):
         return self._changed(heights, filled_points=count)
 
     def mirrored(self, axis: str = "y") -> MeasuredSurface:
-        """The surface with its x or y reversed.
+        """Return the surface with x or y reversed.
 
-        A body is measured from outside, but body 1 looks down: what was measured on it has to be
-        turned over, and its heights stay positive out of the body.
+        A body is measured from outside, but body 1 faces down: a surface measured on it must be
+        turned over. Its heights remain positive out of the body.
 
         Parameters
         ----------
         axis : {"y", "x"}
-            What is reversed: "y" when the body is turned over about the x axis.
+            Reversed axis: "y" if the body is turned over about the x axis.
 
         Returns
         -------
@@ -209,37 +212,37 @@ class MeasuredSurface(Brief):
         fill: float | None = None,
         periodic: str = "",
     ) -> FloatArray:
-        """Heights at the cells of a grid.
+        """Heights in the cells of a grid.
 
         Parameters
         ----------
         grid : Grid
-            Where they are wanted.
+            Grid on which the heights are evaluated.
         x, y : float, optional
-            Where the middle of the measured area lies in the grid [m].
+            Position of the centre of the measured area in the grid [m].
         method : {"cubic", "linear"}
             Spline through the samples: bicubic (exact for cubic polynomials) or bilinear.
         average : bool, optional
-            Mean over each cell instead of the value at its centre: leaves out what is shorter than
-            a cell. For cells larger than the distance of the samples.
+            Whether to average over each cell instead of using the value at its centre, which
+            removes wavelengths shorter than a cell. For cells larger than the sample spacing.
         fill : float, optional
-            Height beyond the measured area [m], or -inf: no body there; by default there must be
-            none such.
+            Height outside the measured area [m], or -inf: no body there. By default the grid must
+            lie inside the measured area.
         periodic : {"", "x", "y", "xy"}, optional
-            Directions in which the measured area, nx dx long and ny dy wide, is one period, of any
-            number of samples: it is repeated, without a step at its ends. A grid that is periodic
-            along such a direction must be a whole number of periods long.
+            Directions in which the measured area, nx dx long and ny dy wide, is one period, with
+            any number of samples; it is repeated without a step at its ends. A grid that is
+            periodic along such a direction must be a whole number of periods long.
 
         Returns
         -------
         ndarray, shape (grid.nx, grid.ny)
-            [m], positive out of the body: `surfaces.from_heights(grid, heights)` for body 2,
-            `surfaces.from_heights(grid, lower, -heights)` for body 1.
+            Heights [m], positive out of the body: `surfaces.from_heights(grid, heights)` for body
+            2, `surfaces.from_heights(grid, lower, -heights)` for body 1.
 
         Raises
         ------
         ValueError
-            The grid reaches beyond the measured area, points are undefined, or an argument is
+            The grid extends beyond the measured area, points are undefined, or an argument is
             outside its range.
         """
         require_surface(grid)
@@ -259,23 +262,24 @@ class MeasuredSurface(Brief):
         average: bool = False,
         fill: float | None = None,
     ) -> Relief:
-        """All that was measured along x, as a relief that moves with a body.
+        """Convert all heights along x to a relief that moves with a body.
 
         Parameters
         ----------
         grid : Grid
-            Of the simulation; the measured area must be as wide, unless `fill` is given.
+            Grid of the simulation; the measured area must be as wide, unless `fill` is given.
         x, y : float, optional
-            Where the middle of the measured area lies on the body [m].
+            Position of the centre of the measured area on the body [m].
         periodic : bool, optional
-            Repeat it along x for ever; by default the body is flat (height 0) beyond.
+            Whether to repeat it along x. By default the body is flat (height 0) beyond it.
         method, average, fill : optional
-            As those of `on`.
+            As in `on`.
 
         Returns
         -------
         Relief
-            For `relief1` or `relief2` of a `Simulation`. Body 1 takes the surface `mirrored`.
+            Argument `relief1` or `relief2` of a `Simulation`. For body 1 use the surface
+            `mirrored`.
 
         Raises
         ------
@@ -284,13 +288,13 @@ class MeasuredSurface(Brief):
         """
         require_surface(grid)
         centre = finite("x", x)
-        # whole cells inside the measured area; the margin is for rounding
+        # whole cells inside the measured area; with a margin for rounding
         half = 0.5 * (self.size[0] - grid.dx) + 1e-9 * grid.dx
         along, first = rows_within(grid, centre, half)
         if half < 0.0 or np.abs(along - centre).max() > half * (1.0 + 1e-9):
             raise ValueError(
-                f"the measured area must hold a cell of the grid, {grid.dx!r} m long, "
-                f"got {self.size[0]!r} m"
+                f"measured area must be at least one cell of the grid long, {grid.dx!r} m, got "
+                f"{self.size[0]!r} m"
             )
         points = along - centre, np.asarray(grid.y) - finite("y", y)
         heights = self._at(points, (grid.dx, grid.dy), Sampling(method, average, fill))
@@ -299,12 +303,12 @@ class MeasuredSurface(Brief):
     def _at(
         self, points: tuple[FloatArray, FloatArray], cell: tuple[float, float], sampling: Sampling
     ) -> FloatArray:
-        """Heights at all pairs of x and y, counted from the middle of the measured area."""
+        """Heights at all pairs of x and y, relative to the centre of the measured area."""
         if self.undefined:
             first = tuple(int(i) for i in np.argwhere(np.isnan(self.heights))[0])
             raise ValueError(
-                f"{self.undefined} measured points are undefined, the first at index {first}: "
-                "interpolate them with filled()"
+                f"heights must be defined everywhere, got {self.undefined} undefined points, the "
+                f"first at index {first}: interpolate them with filled()"
             )
         return resampled(self.heights, self.steps, points, cell, sampling)
 
@@ -321,6 +325,6 @@ class MeasuredSurface(Brief):
             if abs(periods - round(periods)) > 1e-6 or round(periods) < 1:
                 raise ValueError(
                     f"n{name} d{name} of the periodic grid must be a whole number of periods of "
-                    f"the measured area, {period:.6g} m, got {n * d:.6g} m: take d{name} = "
+                    f"the measured area, {period:.6g} m, got {n * d:.6g} m: use d{name} = "
                     f"{period:.6g}/n{name}"
                 )

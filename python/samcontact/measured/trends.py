@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Trends and gaps of profiles; those of maps are left to SurfaceTopography."""
+"""Trends and undefined points of profiles; maps are handled by SurfaceTopography."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from .._util.checks import FloatArray
 
 
 def detrended_profile(z: FloatArray, trend: str) -> FloatArray:
-    """Heights of a profile at equal steps without its trend, fitted to the defined ones.
+    """Heights of an equally spaced profile without its trend, fitted to the defined points.
 
-    trend: "height", line of the least rms height; "slope", line of the least rms slope, level at
-    the mean; "curvature", parabola of the least rms height.
+    trend: "height", line of minimum rms height; "slope", line of minimum rms slope, level at the
+    mean; "curvature", parabola of minimum rms height.
     """
     s = np.linspace(-1.0, 1.0, len(z))
     known = np.isfinite(z)
@@ -27,6 +27,6 @@ def detrended_profile(z: FloatArray, trend: str) -> FloatArray:
 
 
 def filled_profile(z: FloatArray) -> FloatArray:
-    """Heights of a profile with the undefined ones interpolated linearly."""
+    """Interpolate the undefined heights of a profile linearly."""
     known = np.flatnonzero(np.isfinite(z))
     return np.interp(np.arange(len(z)), known, z[known])

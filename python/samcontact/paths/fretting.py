@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Forces and motions along the surface, of bodies that stick and slip."""
+"""Paths of tangential forces and motions with partial slip."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ def tangential(
     start: Sequence[float] = (0.0, 0.0),
     increments: int = 10,
 ) -> Path:
-    """A force along the surface that grows, or a shift in equal parts, under a load that stays.
+    """Increase a tangential force or displacement in equal steps under constant load or approach.
 
     Parameters
     ----------
     load, approach : float
-        That stays [N], >= 0, or [m]; give one.
+        Constant load [N], >= 0, or approach [m]. Exactly one must be given.
     force : pair of float
-        On body 2 at the end, along x and y [N]; or
+        Force on body 2 at the end, along x and y [N]; excludes `shift`.
     shift : pair of float
-        Rigid motion of body 1 over body 2 in all [m]; give one.
+        Total tangential rigid-body displacement of body 1 relative to body 2 [m]; excludes `force`.
     start : pair of float
         Force before the first step [N].
     increments : int
@@ -46,7 +46,7 @@ def tangential(
     Raises
     ------
     ValueError
-        Both or neither of load and approach or of force and shift; a value outside its range.
+        Both or neither of load and approach, or of force and shift; a value outside its range.
 
     Examples
     --------
@@ -57,7 +57,7 @@ def tangential(
     count = step_count("increments", increments)
     if name == "shift":
         if np.any(finite_array("start", start, (2,))):
-            raise ValueError(f"start goes with force, not with shift, got {in_short(start)}")
+            raise ValueError(f"start must be 0 with shift (it is a force), got {in_short(start)}")
         return _to(_pressed(load, approach), name, [end / count] * count)
     first = finite_array("start", start, (2,))
     fractions = np.arange(1, count + 1)[:, None] / count
@@ -73,19 +73,21 @@ def fretting_loop(
     cycles: int = 1,
     increments: int = 10,
 ) -> Path:
-    """To and fro under a load that stays: from 0 to the amplitude, then cycles to its opposite and
-    back.
+    """Cycle a tangential force or displacement under constant load or approach.
+
+    The path goes from 0 to the amplitude; each cycle then goes to its opposite and back.
 
     Parameters
     ----------
     load, approach : float
-        That stays [N], >= 0, or [m]; give one.
+        Constant load [N], >= 0, or approach [m]. Exactly one must be given.
     force : pair of float
-        Amplitude of the force on body 2 along x and y [N]; or
+        Amplitude of the force on body 2 along x and y [N]; excludes `shift`.
     shift : pair of float
-        that of the rigid motion of body 1 over body 2 [m]; give one.
+        Amplitude of the tangential rigid-body displacement of body 1 relative to body 2 [m];
+            excludes `force`.
     cycles : int
-        From 1 to 100000.
+        Number of cycles, from 1 to 100000.
     increments : int
         Steps from 0 to the amplitude; a cycle has four times as many.
 
@@ -97,7 +99,7 @@ def fretting_loop(
     Raises
     ------
     ValueError
-        Both or neither of load and approach or of force and shift; a value outside its range.
+        Both or neither of load and approach, or of force and shift; a value outside its range.
     """
     name, amplitude = _force_or_shift(force, shift)
     quarter, count = step_count("increments", increments), step_count("cycles", cycles)
@@ -117,13 +119,14 @@ def _pressed(load: float | None, approach: float | None) -> dict[str, Any]:
 def _force_or_shift(
     force: Sequence[float] | None, shift: Sequence[float] | None
 ) -> tuple[str, FloatArray]:
-    """The argument of a step, and the pair."""
+    """Argument of a step, and its pair of components."""
     if force is not None and shift is None:
         return "tangential_load", finite_array("force", force, (2,))
     if shift is not None and force is None:
         return "shift", finite_array("shift", shift, (2,))
     raise ValueError(
-        f"give one of force and shift, got force={in_short(force)} and shift={in_short(shift)}"
+        f"exactly one of force and shift must be given, got force={in_short(force)} and "
+        f"shift={in_short(shift)}"
     )
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Passes of a contact that rolls or slides over the bodies, as lists of steps."""
+"""Paths of rolling and sliding passes."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ from .._util.checks import (
 
 Steps = list[dict[str, Any]]
 
-# Part of a step below which the rest of a distance is rounding, not a step of its own.
+# Fraction of a step below which the rest of a distance is rounding, not a further step.
 _ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
 class Creep:
-    """What a contact that sticks and slips has besides creepage along the way."""
+    """Lateral creepage, spin and longitudinal force of a contact with partial slip."""
 
     lateral: float = 0.0
     spin: float = 0.0
     force_x: float | None = None
 
     def over(self, length: float) -> dict[str, Any]:
-        """Arguments of the step in which it travels a length."""
+        """Arguments of a step over a length."""
         given: dict[str, Any] = {}
         if self.lateral != 0.0:
             given["shift"] = (None if self.force_x is not None else 0.0, self.lateral * length)
@@ -48,9 +48,9 @@ class Creep:
 
 @dataclass(frozen=True)
 class Passes:
-    """One or more passes over the same place; see `paths.rolling` for the arguments.
+    """One or more passes over a track; see `paths.rolling` for the arguments.
 
-    `shares`: how far body 1 and 2 move, towards -x, while the contact travels one metre.
+    `shares`: displacement of bodies 1 and 2 towards -x per distance travelled by the contact.
     """
 
     quantity: str
@@ -77,7 +77,7 @@ class Passes:
             down = step_count("unload_increments", self.unload_increments)
         step_count("number of increments of all passes", count * (len(lengths) + up + down + 1))
         loading = [self._still(self.value * ((i + 1) / up)) for i in range(up)]
-        # load = 0, not approach = 0: a hot or flattened surface may still touch there
+        # load = 0, not approach = 0: a hot or flattened surface may touch at approach 0
         unloading = [self._still(self.value * ((down - i) / down)) for i in range(1, down)]
         unloading.append(self._timed({"load": 0.0}, self.step))
 
@@ -112,22 +112,22 @@ class Passes:
         return self._timed({self.quantity: value}, self.step)
 
     def _timed(self, step: dict[str, Any], length: float) -> dict[str, Any]:
-        """The step with the time in which the contact travels a length."""
+        """Add to a step the time in which the contact travels a length."""
         if self.speed is not None:
             step["duration"] = abs(length) / positive("speed", self.speed)
         return step
 
 
 def _lengths(distance: float, step: float) -> list[float]:
-    """Signed steps that add up to a distance: whole ones, and the rest of it."""
+    """Signed steps that add up to a distance: full steps and a remainder."""
     total, whole = finite("distance", distance), positive("step", step)
     if total == 0.0:
         raise ValueError("distance must not be 0")
     if whole > abs(total) * (1.0 + _ROUNDING):
-        raise ValueError(f"step must be at most the distance, {abs(total)!r}, got {whole!r}")
+        raise ValueError(f"step must be <= the distance, {abs(total)!r}, got {whole!r}")
     if abs(total) > MOST_STEPS * whole:
         raise ValueError(
-            f"step must be at least the distance over {MOST_STEPS}, {abs(total) / MOST_STEPS!r}, "
+            f"step must be >= the distance over {MOST_STEPS}, {abs(total) / MOST_STEPS!r}, "
             f"got {whole!r}"
         )
     count = math.floor(abs(total) / whole + _ROUNDING)
@@ -155,44 +155,45 @@ def rolling(
     speed: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
 ) -> Steps:
-    """Load, roll over both bodies, unload; again from the same place for each pass.
+    """Load, roll over both bodies and unload, once per pass.
 
-    Begins unloaded and ends unloaded, at the end of the last pass.
+    Each pass starts at the initial position. The path begins and ends unloaded, at the end of the
+    last pass.
 
     Parameters
     ----------
     load, approach : float
-        Load [N] or approach [m] while rolling, > 0; give one.
+        Load [N] or approach [m] while rolling, > 0. Exactly one must be given.
     distance : float
-        How far the contact travels over the bodies in a pass [m]: towards +x when positive, towards
-        -x when negative. With sliding, the mean of its ways over both.
+        Distance that the contact travels over the bodies in a pass [m]: positive towards +x. With
+        sliding, the mean of the distances over both bodies.
     step : float
-        Length of a step [m], > 0; best a whole number of cells dx. The last step of a pass is
-        shorter where they do not divide the distance.
+        Length of a step [m], > 0; preferably a whole number of cells dx. The last step of a pass is
+        shorter if the steps do not divide the distance.
     passes : int
-        Number of passes, >= 1. Between two of them the bodies go back unloaded, in one step.
+        Number of passes, >= 1. Between passes the bodies return unloaded, in one step.
     increments, unload_increments : int
-        Number of steps of each loading and unloading, in place (as many down as up by default).
+        Number of steps of each loading and unloading, in place. Default for unloading: as loading.
     slide_to_roll : float
         Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) of the surface speeds u1, u2 of the bodies
         through the contact, in [-2, 2] [-]: the bodies move (1 + slide_to_roll/2) and
-        (1 - slide_to_roll/2) times the distance. Where the simulation has friction, body 1 must
-        slide towards +x: distance and slide_to_roll then have opposite signs. With `Coulomb` it has
-        any sign: minus the creepage of `samcontact.rolling.steady`.
+        (1 - slide_to_roll/2) times the distance. With full sliding, body 1 must slide towards +x:
+        distance and slide_to_roll then have opposite signs. With `Coulomb` any sign is allowed; it
+        is minus the creepage of `samcontact.rolling.steady`.
     lateral_creepage, spin : float
-        With `Coulomb`: motion along y of body 1 over body 2 [-], and turn about z [1/m], per way of
-        the contact towards +x, as in `samcontact.rolling.steady`.
+        With `Coulomb`: motion of body 1 relative to body 2 along y [-], and rotation about z [1/m],
+        per distance of the contact towards +x, as in `samcontact.rolling.steady`.
     tangential_load_x : float, optional
-        With `Coulomb`: force on body 2 while rolling [N], from which the creepage follows.
+        With `Coulomb`: force on body 2 while rolling [N], which determines the creepage.
     back_and_forth : bool
-        Passes under load in turn there and back, loaded and unloaded once.
+        Whether passes alternate in direction under load, with a single loading and unloading.
     speed : float, optional
-        Of the contact over the bodies [m/s], > 0, for a simulation with heat of a `history`: each
-        step, also back, lasts its length over the speed, each increment of load that of a whole
-        step. The `velocity` of the heat should be that of the bodies, for distance > 0
-        -speed (1 + slide_to_roll/2) and -speed (1 - slide_to_roll/2).
+        Speed of the contact over the bodies [m/s], > 0, for a simulation with heat.history: each
+        step, also of a return, lasts its length over the speed, and each load increment lasts as
+        long as a full step. The `velocity` of the heat should be that of the bodies: for
+        distance > 0, -speed (1 + slide_to_roll/2) and -speed (1 - slide_to_roll/2).
     heat_factor : float or pair of floats, optional
-        From the first step on [m/s].
+        Heat flux per unit pressure from the first step on [m/s].
 
     Returns
     -------
@@ -202,7 +203,7 @@ def rolling(
     Raises
     ------
     ValueError
-        Both or neither of load and approach, or a value outside its range; slide_to_roll beside
+        Both or neither of load and approach; a value outside its range; slide_to_roll combined with
         tangential_load_x.
 
     Examples
@@ -221,7 +222,7 @@ def rolling(
         finite("tangential_load_x", tangential_load_x)
         if slide_to_roll != 0.0:
             raise ValueError(
-                f"slide_to_roll must be 0 where tangential_load_x is given, got {slide_to_roll!r}: "
+                f"slide_to_roll must be 0 with tangential_load_x, got {slide_to_roll!r}: "
                 "the creepage follows from the force"
             )
     creep = Creep(
@@ -258,23 +259,24 @@ def sliding(
     speed: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
 ) -> Steps:
-    """Load, slide one body over the other, unload; again from the same place for each pass.
+    """Load, slide one body over the other and unload, once per pass.
 
-    The contact stays in one place of the slider. Where the simulation has friction, body 1 must
-    slide towards +x: distance > 0 with slider 1, distance < 0 with slider 2.
+    Each pass starts at the initial position. The contact stays at one place on the slider. With
+    full sliding, body 1 must slide towards +x: distance > 0 with slider 1, distance < 0 with
+    slider 2.
 
     Parameters
     ----------
     load, approach : float
-        Load [N] or approach [m] while sliding, > 0; give one.
+        Load [N] or approach [m] while sliding, > 0. Exactly one must be given.
     distance : float
-        How far the slider goes over the other body in a pass [m]: towards +x when positive.
+        Distance that the slider travels over the other body in a pass [m]: positive towards +x.
     step, passes, increments, unload_increments, back_and_forth, heat_factor : optional
         As in `rolling`.
     slider : {1, 2}
         The body on which the contact stays.
     speed : float, optional
-        Of sliding [m/s], > 0, as in `rolling`. The `velocity` of the heat should be 0 for the
+        Sliding speed [m/s], > 0, as in `rolling`. The `velocity` of the heat should be 0 for the
         slider and, for distance > 0, -speed for the other body.
 
     Returns

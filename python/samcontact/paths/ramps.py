@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loads and approaches that rise, fall and stay."""
+"""Paths of increasing, decreasing and constant load or approach."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Path = list[dict[str, Any]]
 
 
 def fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
-    """Increasing fractions of a ramp, the last exactly 1, as `ramp` has them."""
+    """Increasing fractions of a ramp, the last exactly 1, as used by `ramp`."""
     choice("spacing", spacing, ("linear", "power"))
     count = step_count("increments", increments)
     parts = np.arange(1, count + 1, dtype=np.float64) / count
@@ -44,7 +44,7 @@ def _with_parts(
     duration: float | None,
     heat_factor: float | Sequence[float] | None,
 ) -> Path:
-    """The steps in equal parts of a way and a duration; the first sets the heat factor."""
+    """Add equal parts of a travel and a duration to steps; the first sets the heat factor."""
     if advance is not None:
         first, second = (float(s) / len(steps) for s in finite_array("advance", advance, (2,)))
         steps = [{**step, "advance": (first, second)} for step in steps]
@@ -66,20 +66,20 @@ def hold(
     duration: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
 ) -> Path:
-    """Steps at one load or approach, while the bodies move or heat flows.
+    """Hold load or approach constant while the bodies move or heat flows.
 
     Parameters
     ----------
     load, approach : float
-        Load [N], >= 0, or approach [m]; give one.
+        Constant load [N], >= 0, or approach [m]. Exactly one must be given.
     increments : int
         Number of steps, from 1 to 100000.
     advance : pair of floats, optional
-        How far body 1 and 2 move towards +x, in all steps together [m].
+        Total displacement of the surfaces of bodies 1 and 2 along +x in all steps [m].
     duration : float, optional
-        Of all together [s], for a simulation with heat of a `history`.
+        Total duration of all steps [s], for a simulation with heat.history.
     heat_factor : float or pair of floats, optional
-        From the first of these steps on [m/s]; 0: the source is off.
+        Heat flux per unit pressure from the first step on [m/s]; 0 switches the source off.
 
     Returns
     -------
@@ -108,20 +108,20 @@ def ramp(
     duration: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
 ) -> Path:
-    """Steps from `start` (excluded) to the target (included, exactly).
+    """Change load or approach from `start` (excluded) to the target (included, exactly).
 
     Parameters
     ----------
     load, approach : float
-        Target load [N], below 0 for bodies that attract each other, or approach [m]; give one.
+        Target load [N], < 0 only with attraction, or approach [m]. Exactly one must be given.
     increments : int
         Number of steps, from 1 to 100000.
     start : float
         Value before the first step [N] or [m].
     spacing : {"linear", "power"}
-        "power" takes fractions (i/increments)^exponent: small steps first for exponent > 1.
+        "power" uses fractions (i/increments)^exponent: small steps first for exponent > 1.
     exponent : float
-        Of the power spacing, > 0 [-].
+        Exponent of the power spacing, > 0 [-].
     advance, duration, heat_factor : optional
         As in `hold`.
 
@@ -158,16 +158,16 @@ def load_unload(
     spacing: str = "linear",
     exponent: float = 2.0,
 ) -> Path:
-    """Load from zero to the peak, then back to `end`.
+    """Load from zero to the peak, then unload to `end`.
 
     Parameters
     ----------
     load, approach : float
-        Peak load [N] or approach [m]; give one.
+        Peak load [N] or approach [m]. Exactly one must be given.
     increments, unload_increments : int
-        Number of steps up and down (as many down as up by default), from 1 to 100000.
+        Number of steps up and down, from 1 to 100000. Default for unloading: as loading.
     end : float
-        Value of the last step [N] or [m], below the peak; a load below 0 as in `ramp`.
+        Value of the last step [N] or [m], below the peak; a load < 0 as in `ramp`.
     spacing, exponent
         As in `ramp`; unloading mirrors loading, so that small steps are near zero load.
 

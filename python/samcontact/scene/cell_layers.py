@@ -8,7 +8,7 @@ from .grid import Grid
 
 
 def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
-    """Whether bodies of layers may flow; ValueError where the flow of one is not served."""
+    """Whether the layers of bodies may yield; ValueError if plastic flow in one is unsupported."""
     flows = False
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Layered) or not body.is_plastic:
@@ -16,20 +16,21 @@ def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bo
         flows = True
         if body.substrate.is_rigid:
             raise ValueError(
-                f"layers of body{n} must not yield on a rigid substrate, got {body!r}: take one "
-                "that is some times stiffer than they are"
+                f"layers of body{n} must not yield on a rigid substrate, got {body!r}: use a "
+                "substrate a few times stiffer instead"
             )
         if residual_stress == "exact":
             raise ValueError(
-                f'residual_stress must be "fast" where body{n} has layers, got "exact": there are '
-                "no closed forms"
+                f'residual_stress must be "fast" because body{n} has layers, got "exact": there '
+                "are "
+                "no closed-form kernels for layered bodies"
             )
         for place, depth in enumerate(body.interfaces if grid.dz is not None else ()):
             cells = depth / grid.dz
             if abs(cells - round(cells)) > 1e-6:
                 raise ValueError(
-                    f"the bottom of layers[{place}] of body{n}, {float(depth)!r} m deep, must lie "
-                    f"between layers of cells, got grid.dz = {grid.dz!r}: take a part of the "
-                    "thickness"
+                    f"the bottom of layers[{place}] of body{n}, at {float(depth)!r} m, must "
+                    f"coincide with an interface of cells, got grid.dz = {grid.dz!r}: use an "
+                    "integer fraction of the thickness"
                 )
     return flows

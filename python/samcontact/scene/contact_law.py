@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact laws: how far the pressure may fall at a gap, and which cells are in contact.
+"""Contact laws: lower bound of the pressure across a gap, and the cells in contact.
 
-Nothing else compares a pressure with zero.
+Only this module compares pressures with zero.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from ..heat import Heat
 
 @dataclass(frozen=True)
 class ContactLaw(Shown):
-    """A contact law, with its parameters as fields.
+    """Contact law, with its parameters as fields.
 
-    The pressure is p = r - a(g), with a repulsion r >= 0 that closed cells carry and an attraction
-    a(g) >= 0 across the gap g. Where the law attracts, friction goes with the repulsion, the
-    grid is not enlarged, a simulation starts with the bodies apart, under the largest tension, and
+    The pressure is p = r - a(g), with a repulsion r >= 0 carried by closed cells and an attraction
+    a(g) >= 0 across the gap g. With an attractive law, friction depends on the repulsion only, the
+    grid is not enlarged, a simulation starts with separated bodies under the maximum tension, and
     `advance`, prescribed pressure and heat are refused. The unit of a parameter is metadata of its
     field.
     """
@@ -36,7 +36,7 @@ class ContactLaw(Shown):
     """Name of the law in case files, results and the core."""
 
     def to_core(self) -> _core.ContactLaw:
-        """The law in the core."""
+        """Contact law of the core."""
         return _core.ContactLaw(self.kind, list(astuple(self)))
 
     @cached_property
@@ -49,7 +49,7 @@ class ContactLaw(Shown):
         return {"kind": self.kind, **asdict(self)}
 
     def require_possible(self, heat: Heat, given: Mapping[str, Any]) -> None:
-        """Raise ValueError for what an attraction has no part in.
+        """Raise ValueError for arguments that an attractive law does not support.
 
         Parameters
         ----------
@@ -69,17 +69,18 @@ class ContactLaw(Shown):
             return
         if any(heat.factor) or heat.partition is not None:
             raise ValueError(
-                f"heat must be left out with contact_law = {self!r}, got {in_short(heat)}"
+                f"heat is not supported with contact_law = {self!r}, got {in_short(heat)}"
             )
         if given.get("pressure") is not None:
             raise ValueError(
-                f"pressure must be left out with contact_law = {self!r}: no contact is solved then"
+                f"pressure cannot be combined with contact_law = {self!r}: the contact is not "
+                "solved"
             )
         ways: Sequence[float] = given.get("advance", (0.0, 0.0))
         if np.any(ways):
             raise ValueError(
-                f"advance must be (0, 0) with contact_law = {self!r}, got {tuple(ways)!r}: the "
-                "surfaces that attract each other do not leave the grid"
+                f"advance must be (0, 0) with contact_law = {self!r}, got {tuple(ways)!r}: motion "
+                "through the grid is not supported with attraction"
             )
 
 
@@ -94,13 +95,13 @@ class HardContact(ContactLaw):
 class TensileLimit(ContactLaw):
     """Constant tensile limit, for `ContactSolver` and `Simulation`: p >= -limit.
 
-    Surfaces part where the tension reaches the limit, and open cells go on to carry it at any gap:
-    an attraction of infinite range, Dugdale's (1960, doi:10.1016/0022-5096(60)90013-2) without an
-    end. So does a gap that is evacuated, or filled by a liquid whose pressure is lower by the
-    limit, as capillary pressure is; for attraction across gaps it is the limit of a range that is
-    large against them, as in Derjaguin, Muller and Toporov's theory of adhesion. The solution is
-    unique: it does not depend on the path. The force of the attraction is the limit times the area
-    of the grid; on one that is not periodic it grows with the grid, and bends the surfaces.
+    Surfaces separate where the tension reaches the limit, and open cells carry this tension at any
+    gap: Dugdale's attraction (1960, doi:10.1016/0022-5096(60)90013-2) with infinite range. An
+    evacuated gap acts in this way, and so does a liquid in the gap whose pressure is lower by the
+    limit (capillary pressure). For attraction across gaps, the law is the limit of a range that is
+    large compared with the gaps, as in the adhesion theory of Derjaguin, Muller and Toporov. The
+    solution is unique and independent of the path. The attractive force is the limit times the area
+    of the grid; on a grid that is not periodic it grows with the grid and bends the surfaces.
 
     Attributes
     ----------
@@ -110,7 +111,7 @@ class TensileLimit(ContactLaw):
     Raises
     ------
     ValueError, TypeError
-        A limit that is negative or not finite, or no number.
+        The limit is negative, not finite or not a number.
     """
 
     kind: ClassVar[str] = "tensile_limit"
@@ -125,9 +126,9 @@ LAWS: tuple[type[ContactLaw], ...] = (HardContact, TensileLimit)
 
 
 def law_of(tree: Mapping[str, Any]) -> ContactLaw:
-    """Contact law of a tree from `ContactLaw.to_tree`.
+    """Contact law from a tree of `ContactLaw.to_tree`.
 
-    Raises ValueError for an unknown kind, TypeError for parameters of another one.
+    Raises ValueError for an unknown kind, TypeError for parameters of another law.
     """
     parameters = dict(tree)
     kind = parameters.pop("kind")
@@ -138,13 +139,13 @@ def law_of(tree: Mapping[str, Any]) -> ContactLaw:
 
 
 def require_law(name: str, value: Any) -> ContactLaw:
-    """The value, if it is a contact law; TypeError otherwise."""
+    """Return the value if it is a contact law; raise TypeError otherwise."""
     require_type(name, value, ContactLaw)
     law: ContactLaw = value
     return law
 
 
 def in_contact(repulsion: ArrayLike) -> NDArray[np.bool_]:
-    """Whether cells are in contact, from their repulsion; that of hard contact is the pressure."""
+    """Whether cells are in contact, from their repulsion (for hard contact, the pressure)."""
     found: NDArray[np.bool_] = np.asarray(repulsion) > 0
     return found

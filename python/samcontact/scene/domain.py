@@ -14,12 +14,12 @@ from .._util.frozen import read_only
 from .grid import Grid
 from .moving_topography import Relief, heights_over, relief_rows
 
-_SAME = 1e-9  # of the heights
+_SAME = 1e-9  # relative to the heights
 
 
 @dataclass(frozen=True, eq=False)
 class Domain:
-    """A grid, and what lies between two bodies over it."""
+    """A grid with the initial gap and the reliefs of both bodies over it."""
 
     grid: Grid
     initial_gap: FloatArray
@@ -37,7 +37,7 @@ class Domain:
 
 @dataclass(frozen=True, eq=False)
 class SurfaceGeometry:
-    """What lies between two bodies: fields of one grid, or functions of any."""
+    """Gap and reliefs of two bodies: fields on one grid, or functions of any grid."""
 
     gap: ArrayLike | Callable[[Grid], ArrayLike]
     relief1: Relief | Callable[[Grid], Relief] | None = None
@@ -45,12 +45,12 @@ class SurfaceGeometry:
 
     @property
     def are_known(self) -> bool:
-        """Whether on any grid."""
+        """Whether they are known on any grid."""
         reliefs = (self.relief1, self.relief2)
         return callable(self.gap) and all(r is None or callable(r) for r in reliefs)
 
     def over(self, grid: Grid) -> Domain:
-        """Checked."""
+        """Return the checked domain of a grid."""
         gap = self.gap(grid) if callable(self.gap) else self.gap
         reliefs = [r(grid) if callable(r) else r for r in (self.relief1, self.relief2)]
         for number, relief in enumerate(reliefs, 1):
@@ -60,7 +60,7 @@ class SurfaceGeometry:
 
 
 def require_continued(larger: Domain, window: Domain) -> None:
-    """Raise ValueError unless a larger window shows the same surfaces in its middle."""
+    """Raise ValueError unless a larger domain has the surfaces of a smaller one in its centre."""
     i = (larger.grid.nx - window.grid.nx) // 2
     j = (larger.grid.ny - window.grid.ny) // 2
     columns = slice(j, j + window.grid.ny)
@@ -73,10 +73,10 @@ def require_continued(larger: Domain, window: Domain) -> None:
     for name, field, known in shown:
         body = np.isfinite(known)
         if not np.array_equal(np.isfinite(field), body):
-            raise ValueError(f"{name} on a larger grid is infinite in other cells, no body there")
+            raise ValueError(f"{name} must be infinite in the same cells on a larger grid")
         off = np.abs(field[body] - known[body])
         if not np.all(off <= _SAME * float(np.ptp(known[body]))):
             raise ValueError(
-                f"{name} is another surface on a larger grid, which differs by up to "
-                f"{off.max():.3g} m where both know it"
+                f"{name} is inconsistent between grids: on a larger grid, heights in the common "
+                f"cells differ by up to {off.max():.3g} m"
             )

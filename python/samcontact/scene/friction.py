@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction laws: each is a class of the core's law of the same name.
+"""Friction laws: each class corresponds to the law of this name in the core.
 
-The core says which parameters a law has and what they may be, and computes its bound of the shear;
-checks, case files, results and checkpoints follow from that.
+The core defines the parameters of a law, their ranges and its shear bound; checks, case files,
+results and checkpoints follow from these definitions.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ __all__ = ["CappedCoulomb", "Coulomb", "Tresca"]
 
 _TOLD = {name: (sticks, parameters) for name, sticks, parameters in _core.friction_laws()}
 LAWS: dict[str, type[FrictionLaw]] = {}
-"""Friction laws by the name that case files, results and checkpoints give them."""
+"""Friction laws by their names in case files, results and checkpoints."""
 
 
 @dataclass(frozen=True)
 class FrictionLaw(Shown):
-    """A bound of the shear as a function of the pressure."""
+    """Bound of the shear as a function of the pressure."""
 
     law: ClassVar[str]
     """Name of the law in case files and results."""
     sticks: ClassVar[bool]
-    """Whether the bodies stick below the bound; else they slide everywhere along x."""
+    """Whether the bodies stick below the bound; otherwise full sliding along x everywhere."""
     constants: ClassVar[Mapping[str, Constant]]
     """Parameters of the law and their ranges."""
 
@@ -48,24 +48,24 @@ class FrictionLaw(Shown):
     def __post_init__(self) -> None:
         for item in fields(self):
             object.__setattr__(self, item.name, number(item.name, getattr(self, item.name)))
-        self.to_core()  # which checks the ranges
+        self.to_core()  # checks the ranges
 
     def to_core(self) -> _core.FrictionLaw:
-        """The law of the core; raises ValueError naming a parameter that is out of range."""
+        """Friction law of the core; raises ValueError naming a parameter that is out of range."""
         return _core.FrictionLaw(self.law, asdict(self))
 
     def bound(self, pressure: ArrayLike) -> FloatArray:
-        """Largest shear under a pressure [Pa]: 0 out of contact, inf without slip."""
+        """Maximum shear under a pressure [Pa]: 0 out of contact, inf without slip."""
         bound: FloatArray = self.to_core().bound(finite_array("pressure", pressure))
         return bound
 
     def ratio(self, pressure: float) -> float:
-        """Largest shear over a pressure [-]; it does not grow with the pressure."""
+        """Maximum shear over pressure [-]; it does not increase with the pressure."""
         return self.to_core().ratio(non_negative("pressure", pressure))
 
     @property
     def sliding_ratio(self) -> float:
-        """Shear over pressure of gross sliding [-]; 0 where the bodies stick."""
+        """Shear over pressure in full sliding [-]; 0 for laws with partial slip."""
         return 0.0 if self.sticks else self.ratio(0.0)
 
     @property
@@ -84,7 +84,7 @@ class FrictionLaw(Shown):
         return self
 
     def to_tree(self) -> dict[str, Any]:
-        """Name and parameters, of which `law_of` makes the law."""
+        """Name and parameters, from which `law_of` restores the law."""
         return {"law": self.law, **asdict(self)}
 
     def _rows(self) -> Rows:
@@ -94,13 +94,13 @@ class FrictionLaw(Shown):
 
 @dataclass(frozen=True, repr=False)
 class GrossSliding(FrictionLaw):
-    """Gross sliding along x, with the shear mu p; given as the number mu."""
+    """Full sliding along x with the shear mu p; given as the number mu."""
 
     coefficient: float
 
     @property
     def given(self) -> float:
-        """The coefficient."""
+        """Coefficient of friction [-]."""
         return self.coefficient
 
     def __repr__(self) -> str:
@@ -109,19 +109,19 @@ class GrossSliding(FrictionLaw):
 
 @dataclass(frozen=True)
 class Coulomb(FrictionLaw):
-    """Coulomb's law of friction, for `ContactSolver` and `Simulation`: bodies stick and slip.
+    """Coulomb friction with partial slip, for `ContactSolver` and `Simulation`.
 
-    The shear is at most mu p. Cells stick where it is less, and slip along it where it is mu p.
+    The shear is at most mu p. Cells stick where it is smaller, and slip along it where it is mu p.
 
     Attributes
     ----------
     coefficient : float
-        mu >= 0 [-]; `math.inf`: no slip at all.
+        mu >= 0 [-]; `math.inf`: no slip.
 
     Raises
     ------
     ValueError, TypeError
-        A coefficient that is negative, NaN or no number.
+        The coefficient is negative, NaN or not a number.
     """
 
     coefficient: float
@@ -129,21 +129,21 @@ class Coulomb(FrictionLaw):
 
 @dataclass(frozen=True)
 class Tresca(FrictionLaw):
-    """Friction with a shear strength of the interface, which the pressure does not change.
+    """Friction with a constant shear strength of the interface, independent of the pressure.
 
-    The shear is at most k wherever the bodies touch. It jumps at the edge of the contact: where
-    they differ elastically, cells at the edge may then neither touch nor part, and there is no
+    The shear is at most k in all contact cells. It jumps at the edge of the contact: with
+    dissimilar materials, cells at the edge may then neither touch nor separate, and there may be no
     solution to a small tolerance.
 
     Attributes
     ----------
     limit : float
-        k >= 0 [Pa]; `math.inf`: no slip at all.
+        k >= 0 [Pa]; `math.inf`: no slip.
 
     Raises
     ------
     ValueError, TypeError
-        A limit that is negative, NaN or no number.
+        The limit is negative, NaN or not a number.
     """
 
     limit: float
@@ -151,7 +151,7 @@ class Tresca(FrictionLaw):
 
 @dataclass(frozen=True)
 class CappedCoulomb(FrictionLaw):
-    """Coulomb friction whose shear has a limit, such as the shear strength of the softer body.
+    """Coulomb friction with a shear limit, such as the shear strength of the softer body.
 
     The shear is at most min(mu p, k).
 
@@ -165,7 +165,7 @@ class CappedCoulomb(FrictionLaw):
     Raises
     ------
     ValueError, TypeError
-        A parameter that is negative, NaN or no number, or a coefficient without end.
+        A parameter is negative, NaN or not a number, or the coefficient is infinite.
     """
 
     coefficient: float
@@ -180,12 +180,12 @@ def is_law(friction: Any) -> bool:
 def friction_law(
     friction: float | FrictionLaw, of_number: Callable[[float], FrictionLaw] = GrossSliding
 ) -> FrictionLaw:
-    """Friction law of a law or a coefficient, by default that of gross sliding."""
+    """Friction law of a value that is a law or, for full sliding, a coefficient."""
     return friction if isinstance(friction, FrictionLaw) else of_number(friction)
 
 
 def sticking_law(friction: Any) -> FrictionLaw:
-    """Return a law that allows stick; raise TypeError for anything else, gross sliding included."""
+    """Return a law that allows stick; raise TypeError for anything else, including full sliding."""
     if not (isinstance(friction, FrictionLaw) and friction.sticks):
         raise TypeError(
             f"friction must be a law such as samcontact.Coulomb(mu), got {in_short(friction)}"
@@ -194,7 +194,7 @@ def sticking_law(friction: Any) -> FrictionLaw:
 
 
 def law_of(tree: Mapping[str, Any]) -> FrictionLaw:
-    """Friction law of a name and parameters; raises LookupError, TypeError or ValueError."""
+    """Friction law from its name and parameters; raises LookupError, TypeError or ValueError."""
     given = dict(tree)
     return LAWS[given.pop("law")](**given)
 
@@ -203,12 +203,12 @@ _PREFIX = "friction_"
 
 
 def attributes_of(law: FrictionLaw) -> dict[str, Any]:
-    """Attributes of results: friction_law, and each parameter, e.g. friction_coefficient."""
+    """Attributes for results: friction_law, and each parameter, e.g. friction_coefficient."""
     return {f"{_PREFIX}{name}": value for name, value in law.to_tree().items()}
 
 
 def law_of_attributes(attributes: Mapping[Any, Any]) -> FrictionLaw | None:
-    """Friction law of a results file; None where it has none."""
+    """Friction law of a results file; None if it has none."""
     law = LAWS.get(str(attributes.get(f"{_PREFIX}law")))
     if law is None:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The regular grid on which every field lives."""
+"""Regular grid of all fields."""
 
 from __future__ import annotations
 
@@ -17,42 +17,42 @@ from .._util.frozen import read_only
 
 @dataclass(frozen=True)
 class Grid(Shown):
-    """Cell-centred regular grid.
+    """Regular grid of cells.
 
-    Points x_i = (i - (nx - 1)/2) dx, likewise y; layer k spans [k dz, (k + 1) dz] with z into the
-    body and its point at mid-depth.
+    Cell centres are x_i = (i - (nx - 1)/2) dx, likewise y. Layer k spans [k dz, (k + 1) dz], with z
+    positive into the body; its point is at mid-depth.
 
     Parameters
     ----------
     nx, ny : int
-        Cells along x and y, from 1 to 2^24.
+        Numbers of cells along x and y, from 1 to 2^24.
     dx, dy : float
         Cell sizes [m], > 0.
     nz : int, optional
-        Layers that fields of a state have, and a `Track`. By default they have as many as there is
-        plastic strain and stress under the contact to see: `State.depths`. Plastic flow goes as
-        deep and as wide as it does, whatever nz is and the sides of the grid are.
+        Number of layers in volume fields and in a `Track`. Default: chosen to include all plastic
+        strain and the stress below the contact; see `State.depths`. Neither nz nor the sides of the
+        grid limit the extent of plastic flow.
     dz : float, optional
-        Layer thickness [m]; without it there is the surface only.
+        Layer thickness [m]. Default: surface only.
     periodic : {"", "x", "y", "xy"}, optional
-        Directions in which bodies, tractions and strains repeat themselves for ever, with the
-        period nx dx, or ny dy, of the grid; default none: beyond it the surfaces are free. Along
-        such a direction there are an even number of cells, or one: "y" with ny = 1 is a line
-        contact, in plane strain.
+        Directions in which bodies, tractions and strains are periodic, with the period nx dx or
+        ny dy of the grid. Default: none; beyond the grid the surfaces are free. The number of cells
+        along a periodic direction is even, or one: "y" with ny = 1 is a line contact in plane
+        strain.
 
     Raises
     ------
     ValueError, TypeError
-        A count or size that is not positive, a size below 1e-75 or above 1e75 m, nz without dz, an
-        odd number of cells, other than one, along a periodic direction, or cells
-        longer than eight periods across.
+        A count or size is not positive, a size is below 1e-75 or above 1e75 m, nz is given without
+        dz, the number of cells along a periodic direction is odd and not one, or cells are longer
+        than eight periods across.
 
     Notes
     -----
-    The displacement of a surface that is periodic in both directions is that against its mean
-    plane, and the approach that of the mean planes of the undeformed gap. Where one direction is
-    periodic, displacement has no limit far away; it is counted from the distance of nx dx (ny dy
-    with periodic="x"), at which a line load displaces nothing. docs/theory/periodic.md.
+    On a grid periodic in both directions, surface displacement is relative to its mean, and the
+    approach is that of the mean planes of the undeformed gap. If one direction is periodic,
+    displacement has no limit far away; it is zero at the distance nx dx (ny dy with periodic="x")
+    from a line load. See docs/theory/periodic.md.
     """
 
     nx: int
@@ -67,12 +67,12 @@ class Grid(Shown):
         for name, minimum in (("nx", 1), ("ny", 1), ("nz", 0)):
             count = integer(name, getattr(self, name), minimum)
             if count > MOST_CELLS:
-                raise ValueError(f"{name} must be at most {MOST_CELLS}, got {count}")
+                raise ValueError(f"{name} must be <= {MOST_CELLS}, got {count}")
             object.__setattr__(self, name, count)
         for name in ("dx", "dy"):
             object.__setattr__(self, name, number(name, getattr(self, name)))
         if self.nz > 0 and self.dz is None:
-            raise ValueError(f"dz must be a finite number > 0 [m] when nz = {self.nz}, got None")
+            raise ValueError(f"dz must be a finite number > 0 [m] with nz = {self.nz}, got None")
         if self.dz is not None:
             object.__setattr__(self, "dz", number("dz", self.dz))
         periodic = choice("periodic", self.periodic, ("", "x", "y", "xy"))
@@ -80,12 +80,12 @@ class Grid(Shown):
         for name in self.periodic:
             if (cells := getattr(self, f"n{name}")) > 1 and cells % 2 == 1:
                 raise ValueError(
-                    f"n{name} must be even, or 1, where the grid is periodic along {name}, got "
-                    f"{cells}; a measured period of any number of samples is put onto it with "
+                    f"n{name} must be even, or 1, on a grid periodic along {name}, got {cells}: "
+                    "map a measured period with any number of samples onto the grid with "
                     f'MeasuredSurface.on(grid, periodic="{name}")'
                 )
         if self.periodic == "xy" and self.nx == self.ny == 1:
-            raise ValueError('nx or ny must be larger than 1 with periodic="xy", got 1 and 1')
+            raise ValueError('nx or ny must be > 1 with periodic="xy", got 1 and 1')
         _ = self._core
 
     @cached_property
@@ -107,7 +107,7 @@ class Grid(Shown):
 
     @cached_property
     def z(self) -> FloatArray:
-        """Mid-depths of the layers [m], shape (nz,); ValueError where nz is not given."""
+        """Mid-layer depths [m], shape (nz,); ValueError if nz is not given."""
         return self.depths(self.volume_shape[2])
 
     def depths(self, layers: int) -> FloatArray:
@@ -121,12 +121,12 @@ class Grid(Shown):
 
     @property
     def along_x(self) -> bool:
-        """Whether the surfaces repeat themselves along x."""
+        """Whether the surfaces are periodic along x."""
         return "x" in self.periodic
 
     @property
     def along_y(self) -> bool:
-        """Whether the surfaces repeat themselves along y."""
+        """Whether the surfaces are periodic along y."""
         return "y" in self.periodic
 
     @property
@@ -136,10 +136,11 @@ class Grid(Shown):
 
     @property
     def volume_shape(self) -> tuple[int, int, int]:
-        """Shape of a scalar volume field, (nx, ny, nz); ValueError where nz is not given."""
+        """Shape of a scalar volume field, (nx, ny, nz); ValueError if nz is not given."""
         if self.nz == 0 and self.has_volume:
             raise ValueError(
-                "nz is not given: a field has as many layers as its state needs, see State.depths"
+                "nz is not given: the number of layers of a field depends on the state, see "
+                "State.depths"
             )
         return (self.nx, self.ny, self.nz)
 

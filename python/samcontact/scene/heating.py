@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Heat as the core takes it, and what it asks of bodies and grid."""
+"""Checks of heat against bodies and grid, and its conversion for the core."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from .friction import FrictionLaw
 from .grid import Grid
 
 COLD = Heat(0.0)
-"""No heat."""
+"""Absence of heating."""
 MOST_HEAT_WAY = 1e7
-"""Largest speed times extent of the grid over diffusivity [-]: the work grows with it."""
+"""Maximum of speed times grid length over diffusivity [-]: the work is proportional to it."""
 LEAST_DIFFUSED = 0.02
-"""Of a cell: how far heat must diffuse in the shortest step of a history, else time and memory of
-the march have no bounds."""
+"""Minimum diffusion length in the shortest step of a history, in cells; it bounds the time and
+memory of transient heating."""
 
 Bodies = tuple[Body, Body]
 
 
 def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: FrictionLaw) -> Heat:
-    """Heat that bodies, kernels and friction allow; default none. Raises ValueError, TypeError."""
+    """Check heat for bodies, grid and friction. Default: none. Raises ValueError, TypeError."""
     checked = COLD if heat is None else heat
     require_type("heat", checked, Heat)
     heating(checked, bodies, grid)
@@ -37,21 +37,21 @@ def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: Fricti
 
 
 def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = None) -> list[Any]:
-    """One entry for each body; refuses what the bodies or the kernels of heat cannot do.
+    """Return one entry for each body; refuse heating that is not supported.
 
-    duration: of an increment of a march in time [s].
+    duration: of an increment of transient heating [s].
     """
     age = math.inf if heat.time is None else heat.time
     reference = 1.0 if heat.reference is None else heat.reference
     entries = []
     of_slip = heat.partition is not None
-    name = "share of the heat" if of_slip else "heat.factor"
+    name = "fraction of the heat" if of_slip else "heat.factor"
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
         if isinstance(body, Layered):
             if factor > 0:
                 raise ValueError(
-                    f"{name} of body{n} must be 0 where the body has layers, got {factor!r}: "
-                    "there are no kernels of heat in layers"
+                    f"{name} must be 0 for layered body{n}, got {factor!r}: heat conduction in "
+                    "layered bodies is not supported"
                 )
             entries.append(_core.Heating())
             continue
@@ -59,15 +59,15 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
             if grid.periodic:
                 raise ValueError(
                     f"{name} of body{n} must be 0 on a periodic grid, got {factor!r} with "
-                    f"grid.periodic = {grid.periodic!r}: heat that enters all of a half-space "
-                    "has no steady state"
+                    f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
+                    "steady state"
                 )
             if body.is_rigid:
-                raise ValueError(f"{name} of body{n} is {factor!r}, but the body is rigid")
+                raise ValueError(f"{name} of body{n} must be 0 because it is rigid, got {factor!r}")
             if body.thermal is None:
                 raise ValueError(
-                    f"{name} of body{n} is {factor!r}, but the body has no thermal constants: "
-                    "give them with with_thermal()"
+                    f"{name} of body{n} must be 0 without thermal constants, got {factor!r}: "
+                    "set them with with_thermal()"
                 )
             _require_speed(grid, n, body.thermal[2], math.hypot(*v))
             if heat.history is not None:
@@ -82,42 +82,41 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
 
 
 def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> None:
-    """Refuse what the kernels of heat would, in the words of the user's arguments."""
+    """Refuse a speed beyond the range of the heat kernels."""
     extent = max(grid.nx * grid.dx, grid.ny * grid.dy)
     fastest = MOST_HEAT_WAY * diffusivity / extent
     if speed > fastest:
         raise ValueError(
-            f"heat.velocity of body {body} must be at most {fastest:.4g} m/s on this grid "
+            f"heat.velocity of body {body} must be <= {fastest:.4g} m/s on this grid "
             f"({extent:.4g} m long, diffusivity {diffusivity:.4g} m^2/s), got {speed:.4g} m/s"
         )
     least = 1e-55 * diffusivity / min(grid.dx, grid.dy)
     if 0 < speed < least:
         raise ValueError(
-            f"heat.velocity of body {body} must be 0 or at least {least:.3g} m/s, "
-            f"got {speed:.3g} m/s"
+            f"heat.velocity of body {body} must be 0 or >= {least:.3g} m/s, got {speed:.3g} m/s"
         )
 
 
 def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float) -> None:
-    """Refuse before anything is solved what the march would."""
+    """Refuse too short a step of the history before anything is solved."""
     cell = max(grid.dx, grid.dy)
     if math.sqrt(diffusivity * shortest) < LEAST_DIFFUSED * cell:
         least = (LEAST_DIFFUSED * cell) ** 2 / diffusivity
         raise ValueError(
-            f"heat.history must have a shortest step of at least {least:.4g} s for body {body}, in "
-            f"which heat diffuses over {LEAST_DIFFUSED:g} of a cell of {cell:.4g} m (diffusivity "
-            f"{diffusivity:.4g} m^2/s), got {shortest:.4g} s"
+            f"heat.history must have a shortest step >= {least:.4g} s for body {body}, got "
+            f"{shortest:.4g} s: heat must diffuse over {LEAST_DIFFUSED:g} of a cell of {cell:.4g} "
+            f"m (diffusivity {diffusivity:.4g} m^2/s)"
         )
 
 
 def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> None:
     longest = 1e55 * min(grid.dx, grid.dy) ** 2 / diffusivity
     if time > longest:
-        raise ValueError(f"{name} must be at most {longest:.3g} s, got {time:.3g} s")
+        raise ValueError(f"{name} must be <= {longest:.3g} s, got {time:.3g} s")
 
 
 def core_law(body: Body) -> Callable[[FloatArray], FloatArray] | None:
-    """The law of softening of a body as the core calls it: (nx, ny, nz) in, depth-major out."""
+    """Return the softening law of a body in the form (nx, ny, nz) -> depth-major array."""
     law = body.softening
     if law is None:
         return None
@@ -130,25 +129,26 @@ def core_law(body: Body) -> Callable[[FloatArray], FloatArray] | None:
 
 
 def require_reference(heat: Heat) -> None:
-    """For a given approach: heat at rest in the steady state displaces relative to a distance."""
+    """Require a reference distance for steady heat at rest under approach control."""
     if heat.reference is not None or heat.time is not None or heat.history is not None:
         return
     if any(f > 0 and not any(v) for f, v in zip(heat.shares, heat.velocity, strict=True)):
         raise ValueError(
-            "heat.reference must be given with an approach: the displacement of a steady source at "
-            "rest has no limit far away, it is zero at this distance [m] of a point source"
+            "heat.reference is required under approach control: the displacement due to a steady "
+            "stationary source is defined only relative to a reference distance [m]"
         )
 
 
 def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
-    """Raise ValueError for heat of another kind than the friction's."""
+    """Raise ValueError if the kind of heat does not suit the friction law."""
     if friction.sticks and any(heat.factor):
         raise ValueError(
-            f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: bodies that "
-            "stick and slip are heated by their slip; give heat.partition to a Simulation"
+            f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: with "
+            "partial slip, heat follows from the slip; use heat.partition in a Simulation"
         )
     if not friction.sticks and heat.partition is not None:
         raise ValueError(
-            f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: "
-            "where all slides the heat goes with the pressure; give heat.factor, see heat.factors"
+            f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: in "
+            "full sliding the heat flux is proportional to the pressure; use heat.factor, see "
+            "heat.factors"
         )

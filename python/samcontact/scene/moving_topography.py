@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Roughness, dents and furrows that move with the surface of a body."""
+"""Surface topography (roughness, dents, furrows) that moves with a body."""
 
 from __future__ import annotations
 
@@ -17,32 +17,33 @@ from .grid import Grid
 __all__ = ["Relief"]
 
 MOST_ROWS = 1 << 20
-"""From where a contact starts to the last row of a dent or furrow."""
+"""Maximum number of rows between the start of a contact and the last row of a dent or furrow."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Relief(Brief):
-    """Heights of a body's surface, fixed to the body.
+    """Surface topography (roughness, dents) that moves with a body.
 
     Parameters
     ----------
     heights : array_like, shape (rows, ny)
-        [m], positive out of the body, on cells as large as the grid's; any number of rows along x.
+        Heights [m], positive out of the body, on cells equal in size to those of the grid; any
+        number of rows along x.
     first : int, optional
-        Row of the grid over which the first of these rows starts; may be negative. As a body moves
-        towards +x, rows before it enter the grid.
+        Grid row of the first of these rows; may be negative. As a body moves towards +x, rows
+        before it enter the grid.
     periodic : bool, optional
-        Repeat the rows along x for ever; by default the surface is flat (0) beyond them.
+        Whether the rows repeat along x. By default the surface is flat (0) beyond them.
     worn : array_like, shape (rows, ny), optional
-        Depth of the material that has been worn off [m], >= 0: the yield profile and the residual
-        stress of the body are counted from the surface before. It does not change the heights;
-        default 0, and 0 beyond these rows.
+        Depth of material already removed by wear [m], >= 0. Yield profile and residual stress of
+        the body are counted from the unworn surface. The heights are not changed. Default: 0; 0
+        beyond these rows.
 
     Raises
     ------
     ValueError, TypeError
-        Heights that are not finite or not two-dimensional, worn depths that are negative or of
-        another shape, or `first` not an integer.
+        Heights are not finite or not two-dimensional, worn depths are negative or have another
+        shape, or `first` is not an integer.
     """
 
     heights: FloatArray
@@ -66,7 +67,7 @@ class Relief(Brief):
 
 
 def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool, Any] | None:
-    """The parts of a relief for the core."""
+    """Convert a relief to the arguments of the core."""
     if relief is None:
         return None
     if not isinstance(relief, Relief):
@@ -79,7 +80,7 @@ def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int,
 
 
 def heights_over(relief: Relief, first: int, count: int) -> FloatArray:
-    """Heights over some rows of the grid [m], shape (count, ny)."""
+    """Heights in some rows of the grid [m], shape (count, ny)."""
     rows = len(relief.heights)
     places = np.arange(first, first + count) - relief.first
     if relief.periodic:
@@ -89,11 +90,11 @@ def heights_over(relief: Relief, first: int, count: int) -> FloatArray:
 
 
 def rows_within(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray, int]:
-    """Positions of the rows of cells within a radius of x, and the number of the first one."""
+    """Positions of the rows of cells within a radius of x, and the index of the first row."""
     middle = 0.5 * (grid.nx - 1)
     if not (abs(x) + radius) / grid.dx < MOST_ROWS:
         raise ValueError(
-            f"x and its reach along x must stay within {MOST_ROWS} cells of {grid.dx!r} m, "
+            f"x and its extent along x must be within {MOST_ROWS} cells of {grid.dx!r} m, "
             f"got {x!r} m and {radius!r} m"
         )
     first = int(np.ceil((x - radius) / grid.dx + middle))

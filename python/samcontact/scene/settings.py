@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings of solver and simulation: of each its default and its range.
+"""Settings of solver and simulation, each with its default and its range.
 
-Checks, repr, checkpoints, the section [contact] of case files and the call of the core follow.
+Checks, repr, checkpoints, section [contact] of case files and arguments of the core follow from it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .friction import FrictionLaw, friction_law, is_law
 
 @dataclass(frozen=True)
 class Range:
-    """Limits of a number, which is finite; None: without."""
+    """Limits of a finite number; None: no limit."""
 
     gt: float | None = None
     ge: float | None = None
@@ -45,7 +45,7 @@ class Range:
         return f"in {ends[0]}{least}, {most}{ends[1]}"
 
     def check(self, name: str, value: Any) -> float:
-        """The value as a float within the limits."""
+        """Return the value as a float within the limits."""
         given = number(name, value)
         inside = (
             math.isfinite(given)
@@ -61,7 +61,7 @@ class Range:
 
 @dataclass(frozen=True)
 class Counted:
-    """At least 1."""
+    """Integer of at least 1."""
 
     def check(self, name: str, value: Any) -> int:
         return integer(name, value, 1)
@@ -69,7 +69,7 @@ class Counted:
 
 @dataclass(frozen=True)
 class Words:
-    """One of some words."""
+    """One of several words."""
 
     allowed: tuple[str, ...]
 
@@ -80,7 +80,7 @@ class Words:
 
 @dataclass(frozen=True)
 class Friction(Range):
-    """A coefficient, or a law of friction."""
+    """Coefficient of friction, or a friction law."""
 
     def check(self, name: str, value: Any) -> Any:
         return value.given if is_law(value) else super().check(name, value)
@@ -88,7 +88,7 @@ class Friction(Range):
 
 @dataclass(frozen=True)
 class LawOfContact:
-    """A contact law."""
+    """Contact law."""
 
     def check(self, name: str, value: Any) -> ContactLaw:
         return require_law(name, value)
@@ -98,18 +98,18 @@ Allowed = Range | Counted | Words | LawOfContact
 
 
 def _setting(default: Any, allowed: Allowed) -> Any:
-    """A field; it may be None where that is its default."""
+    """Field of a setting; it may be None if that is its default."""
     return field(default=default, metadata={"allowed": allowed})
 
 
 def allowed(settings: type[ContactSettings]) -> Mapping[str, Allowed]:
-    """What each setting may be."""
+    """Allowed values of each setting, by its name."""
     return {item.name: item.metadata["allowed"] for item in fields(settings)}
 
 
 @dataclass(frozen=True)
 class ContactSettings:
-    """Of `ContactSolver`, which tells what they mean."""
+    """Settings of `ContactSolver`, which documents them."""
 
     friction: float | FrictionLaw = _setting(0.0, Friction(ge=0.0))  # noqa: RUF009 (a field)
     tol: float = _setting(1e-8, Range(ge=1e-13, lt=1.0))
@@ -126,27 +126,27 @@ class ContactSettings:
 
     @classmethod
     def checked(cls, name: str, value: Any) -> Any:
-        """A value of one of them."""
+        """Check the value of a setting."""
         return allowed(cls)[name].check(name, value)
 
     @property
     def law(self) -> FrictionLaw:
-        """Friction as a law, also where it is given as a number."""
+        """Friction law, also if friction is given as a number."""
         return friction_law(self.friction)
 
     def arguments(self) -> dict[str, Any]:
-        """By name."""
+        """Settings by name."""
         return {item.name: getattr(self, item.name) for item in fields(self)}
 
     def __str__(self) -> str:
-        """Those that are not None, as the arguments they are."""
+        """Settings other than None, written as arguments."""
         given = {name: value for name, value in self.arguments().items() if value is not None}
         return ", ".join(f"{name}={value!r}" for name, value in given.items())
 
 
 @dataclass(frozen=True)
 class Settings(ContactSettings):
-    """Of `Simulation`, which tells what they mean."""
+    """Settings of `Simulation`, which documents them."""
 
     tol: float = _setting(1e-6, Range(ge=1e-11, lt=1.0))
     max_iterations: int = _setting(60, Counted())
@@ -158,7 +158,7 @@ class Settings(ContactSettings):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        # Closer to tol, the difference of two solutions is their own residual.
+        # Near tol, the difference of two solutions is dominated by their residuals.
         if self.increment_tol is not None and self.increment_tol < 10 * self.tol:
             raise ValueError(
                 f"increment_tol must be in [10 tol, 1) with tol = {self.tol!r}, "
@@ -166,9 +166,9 @@ class Settings(ContactSettings):
             )
 
     def to_core(self, dx: float) -> _core.Settings:
-        """As the core takes them, on cells of this length along x [m]."""
+        """Settings for the core, on cells of length dx along x [m]."""
         given = self.arguments()
-        del given["friction"], given["contact_law"]  # of the scene
+        del given["friction"], given["contact_law"]  # passed separately
         given["increment_tol"] = self.increment_tol or 0.0
         given["one_zone"] = given.pop("zones") == "one"
         given["reach"] = round(in_cells("reach", given["reach"], dx))
@@ -176,7 +176,7 @@ class Settings(ContactSettings):
 
 
 class Configured(Fixed):
-    """Has its settings as attributes."""
+    """Base class with its settings as attributes."""
 
     friction: Any  # float, or a law
     tol: float
@@ -191,7 +191,7 @@ class Configured(Fixed):
 
 
 def memory_of_contact(friction: FrictionLaw, bodies: tuple[Body, Body], heat: Heat) -> float:
-    """Memory of a surface cell of an elastic contact [bytes]."""
+    """Memory of an elastic contact per surface cell [bytes]."""
     body1, body2 = bodies
     return memory.of_contact(
         coupled=not friction.is_frictionless and body1._core.stack != body2._core.stack,

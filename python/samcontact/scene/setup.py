@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class SimulationSetup:
-    """Arguments of a simulation, but for its grid and heat, which may change."""
+    """Arguments of a simulation, except for its grid and heat, which may change."""
 
     body1: Body
     body2: Body
@@ -34,7 +34,7 @@ class SimulationSetup:
 
     @cached_property
     def friction(self) -> FrictionLaw:
-        """Friction law, also where it is given as the coefficient of gross sliding."""
+        """Friction law, also if friction is given as the coefficient of full sliding."""
         return self.settings.law
 
     @property
@@ -43,7 +43,7 @@ class SimulationSetup:
         return self.settings.contact_law
 
     def on_grid(self, grid: Grid, heat: Heat) -> dict[str, Any]:
-        """Arguments of `Simulation`, with the surfaces as they were given."""
+        """Arguments of `Simulation`, with the surfaces in their original form."""
         surfaces = {name: getattr(self.surfaces, name) for name in ("gap", "relief1", "relief2")}
         return self._others(heat) | {"grid": grid} | surfaces
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shakedown: does a body that is loaded again and again stop to flow?
+"""Shakedown limits and cyclic simulation: does plastic flow cease under repeated loading?
 
-Closed limits of the pressure of rolling and sliding contacts: `line` exactly, by Melan's theorem,
-`point` and `elliptic` from above, `point_safe` from below; `line_kinematic` and `point_kinematic`
-of linear kinematic hardening. And any cycle of a `Simulation`: `run` repeats it until flow has come
-to rest, closes in each cycle, or goes on, and tells which. See docs/theory/shakedown.md.
+Closed-form limits of the pressure of rolling and sliding contacts: `line`, exact by Melan's
+theorem; `point` and `elliptic`, upper bounds; `point_safe`, lower bound; `line_kinematic` and
+`point_kinematic` for linear kinematic hardening. For any cycle of a `Simulation`, `run` repeats it
+until flow has ceased, is closed in each cycle, or continues. See docs/theory/shakedown.md.
 """
 
 from .cycling import run

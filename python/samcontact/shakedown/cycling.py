@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cycles of a simulation, until it is clear what they come to."""
+"""Repetition of a cycle until its long-term response is clear."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ from .results import (
 )
 
 _STEADY_FLOW = 0.02
-"""Of the flow in a cycle: by how much it may differ from that of the cycle before."""
+"""Maximum change of the flow per cycle, relative to that of the preceding cycle."""
 _STEADY_RATE = 0.1
-"""Of the rate of ratcheting, over `_WINDOW` cycles."""
+"""Maximum change of the ratcheting rate over `_WINDOW` cycles, relative."""
 _WINDOW = 20
 
 
@@ -47,55 +47,56 @@ def run(
     progress: bool = True,
     checkpoint: str | os.PathLike[str] | None = None,
 ) -> ShakedownResult:
-    """Repeat a cycle until flow has ended, closes in each cycle, or goes on steadily.
+    """Repeat a cycle until plastic flow has ceased, is closed in each cycle, or continues steadily.
 
     Parameters
     ----------
     simulation : Simulation
-        With an inelastic body; it stands at the end of the last cycle afterwards. Its grid shows
-        all plastic strain.
+        Simulation with an elastic-plastic body; afterwards it is in the state at the end of the
+        last cycle. Its grid must contain all plastic strain.
     cycle : iterable of dict
-        Steps of `Simulation.step` that bring both bodies back to where they were: `passes`, or
+        Steps of `Simulation.step` that return both bodies to their initial position: `passes`, or
         ``[*paths.rolling(...), {"load": 0.0, "advance": (s, s)}]``, or a fretting loop.
     cycles : int, optional
-        Largest number of cycles that are solved, >= 2.
+        Maximum number of solved cycles, >= 2.
     tol : float, optional
-        Strains below tol times the yield strain are none; in [1e-6, 0.1].
+        Strains below tol times the yield strain are neglected; in [1e-6, 0.1].
     accelerate : bool, optional
-        Extrapolate over cycles where the changes in two successive ones are alike but for a
-        factor. The next cycle has to confirm it; else it is taken back.
+        Extrapolate over cycles if the changes in successive cycles form a geometric series. The
+        next cycle must confirm the extrapolation, otherwise it is undone.
     progress : bool, optional
         Show a progress bar.
     checkpoint : path, optional
-        Folder in which to keep each cycle. The same call of a new simulation goes on from it, with
-        the same bits. Remove it when it is no longer needed.
+        Folder for a checkpoint of each cycle. An equal call with a new simulation resumes from it,
+        with bit-identical results. Delete it when it is no longer needed.
 
     Returns
     -------
     ShakedownResult
         "elastic shakedown": a cycle adds less than tol yield strains of equivalent plastic strain.
-        "plastic shakedown": it ends within that of its beginning, and flows as much, to 2 %, as
-        the one before. "ratcheting": the strain it adds has changed by less than 10 % over the last
-        20 cycles; a rate that falls more slowly is not told from a steady one.
+        "plastic shakedown": it ends within tol of its initial plastic strain, and its flow equals
+        that of the preceding cycle to 2 %. "ratcheting": the added strain has changed by less than
+        10 % over the last 20 cycles; a more slowly decreasing rate cannot be distinguished from a
+        steady one.
 
     Raises
     ------
     ValueError
-        No body can yield; the cycle has no steps or leaves a body elsewhere; a part of the plastic
-        strain lies where the grid does not show it; a value outside its range. An error of a later
-        cycle, or Ctrl-C, has the result of those before in its attribute `result`.
+        No body can yield; the cycle has no steps or does not return a body; plastic strain lies
+        outside the volume fields; a value is outside its range. An error in a later cycle, or
+        Ctrl-C, holds the result of the completed cycles in its attribute `result`.
     TypeError
-        simulation is no Simulation.
+        simulation is not a Simulation.
 
     Warns
     -----
     NotSteadyWarning
-        It is not clear after all cycles: the verdict is "undecided".
+        The response is not clear after all cycles: the result is "undecided".
 
     Notes
     -----
-    A contact that passes in one direction over a track with ends is held back by these: use a
-    surface that is periodic along x, with `passes`, or a track much longer than the contact.
+    The ends of a track constrain a contact that passes in one direction: use a surface that is
+    periodic along x, with `passes`, or a track much longer than the contact.
     """
     require_type("simulation", simulation, Simulation)
     boolean("accelerate", accelerate)
@@ -125,8 +126,8 @@ def run(
     if repeated.verdict == UNDECIDED:
         last = repeated.cycles[-1]
         warnings.warn(
-            f"cycles are not steady after {last.number}: the last adds a plastic strain of "
-            f"{last.net:.3g} and flows by {last.flow:.3g}; allow more than cycles = {count}",
+            f"response is not steady after {last.number} cycles: the last adds a plastic strain of "
+            f"{last.net:.3g}, with plastic flow of {last.flow:.3g}; increase cycles = {count}",
             NotSteadyWarning,
             stacklevel=2,
         )
@@ -135,9 +136,9 @@ def run(
 
 def _require_closed(simulation: Simulation, steps: Sequence[Mapping[str, Any]]) -> None:
     if not steps:
-        raise ValueError("cycle must have at least one step, got none")
+        raise ValueError("cycle must contain at least one step, got none")
     if not any(body.is_plastic for body in (simulation.body1, simulation.body2)):
-        raise ValueError("simulation must have a body that can yield, got two elastic ones")
+        raise ValueError("simulation must have an elastic-plastic body, got two elastic bodies")
     dx = simulation.grid.dx
     ways = [
         math.fsum(in_cells("advance", float(step.get("advance", (0.0, 0.0))[n]), dx) * dx
@@ -147,13 +148,13 @@ def _require_closed(simulation: Simulation, steps: Sequence[Mapping[str, Any]]) 
     if max(map(abs, ways)) > 1e-6 * dx:
         back = tuple(-way for way in ways)
         raise ValueError(
-            f"cycle must bring both bodies back, but they have moved on by {ways!r} m at its end: "
-            f"end it with {{'load': 0.0, 'advance': {back!r}}}"
+            f"cycle must return both bodies, but they have travelled {ways!r} m at its end: append "
+            f"{{'load': 0.0, 'advance': {back!r}}}"
         )
 
 
 class _Repeated:
-    """Cycles so far."""
+    """Cycles solved so far."""
 
     def __init__(
         self, simulation: Simulation, steps: list[dict[str, Any]], tol: float, accelerate: bool
@@ -177,7 +178,7 @@ class _Repeated:
         self._changes: list[Changes] = []
 
     def next(self, journal: Journal | None) -> None:
-        """Solve one cycle, judge it, and jump where that is safe."""
+        """Solve one cycle, classify it, and extrapolate if that is safe."""
         start = tracks(self.simulation, self.simulation.state, self.bodies)
         state = self._solved(journal)
         end = tracks(self.simulation, state, self.bodies)
@@ -191,7 +192,7 @@ class _Repeated:
         self._changes, self.state = [*self._changes[-2:], found], state
         self.strain = {body: each.of("plastic_strain") for body, each in found.items()}
         self._number += 1
-        if self._number == 1:  # that of bodies without a past is unlike all others
+        if self._number == 1:  # the first cycle of virgin bodies differs from all others
             self._changes = []
         flow, net = (max(getattr(c, name) for c in found.values()) for name in ("flow", "net"))
         self.cycles.append(Cycle(self._number, flow, net))
@@ -208,7 +209,7 @@ class _Repeated:
             return kept
         if not self.cycles:
             self.simulation.run(self.steps, progress=False)
-            self.simulation.monitor.checks_increments = False  # what follows is many cycles
+            self.simulation.monitor.checks_increments = False  # not for each of many cycles
         else:
             with self.simulation.monitor.as_a_whole():
                 for step in self.steps:
@@ -219,7 +220,7 @@ class _Repeated:
         return self.simulation.state
 
     def _confirmed(self, found: Changes) -> bool:
-        """Whether the cycle after a jump was as expected; else the jump is taken back."""
+        """Whether the cycle after a jump was as predicted; otherwise undo the jump."""
         made, self._jump = self._jump, None
         assert made is not None
         if made.confirmed(found):
@@ -233,7 +234,7 @@ class _Repeated:
         return False
 
     def take_back(self) -> None:
-        """Of a jump that no cycle has confirmed, if there is one."""
+        """Undo a jump that no cycle has confirmed, if there is one."""
         if self._jump is not None:
             self.simulation.engine.stand_at(self._jump.state)
             self._number -= self._jump.cycles
@@ -251,11 +252,11 @@ class _Repeated:
             return PLASTIC if steady else UNDECIDED
         earlier = [c.net for c in self.cycles if c.number <= last.number - _WINDOW]
         steady = bool(earlier) and abs(earlier[-1] - last.net) <= _STEADY_RATE * last.net
-        settled = len(self._changes) == 3  # the first cycle after a jump corrects it
+        settled = len(self._changes) == 3  # the first cycle after a jump corrects the jump
         return RATCHETING if steady and settled and self._alike() else UNDECIDED
 
     def _alike(self) -> bool:
-        """Whether the last two cycles left about the same."""
+        """Whether the last two cycles left approximately equal plastic strain."""
         older, last = (
             [c.of("plastic_strain") for c in each.values()] for each in self._changes[-2:]
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Closed limits: the Hertz pressure up to which a contact that rolls or slides shakes down."""
+"""Closed-form shakedown limits of the Hertz pressure in rolling and sliding contacts."""
 
 from __future__ import annotations
 
@@ -26,26 +26,26 @@ _ALONG = np.concatenate(
         [1e4],
     ]
 )
-"""Where a point of the body passes the contact, over its half-width: denser at its edges."""
+"""Positions of a material point relative to the contact, over its half-width; denser at edges."""
 _ROUGHEST = 10.0
 EXACT, UPPER, LOWER = "exact", "upper", "lower"
 
 
 @dataclass(frozen=True)
 class Limit(Shown):
-    """A limit of the Hertz pressure.
+    """Limit of the Hertz pressure.
 
     Attributes
     ----------
     ratio : float
-        Largest Hertz pressure p0 over the yield stress in shear k [-]. k is the uniaxial yield
-        stress over 2 (Tresca) or over the square root of 3 (von Mises).
+        Maximum Hertz pressure p0 over the shear yield stress k [-]. k is the uniaxial yield stress
+        divided by 2 (Tresca) or by the square root of 3 (von Mises).
     depth : float
-        Where the body flows first beyond it, over the half-width or radius of the contact along
-        the direction of rolling [-]; 0 at the surface.
+        Depth at which the body yields first above the limit, over the half-width or radius of the
+        contact along the rolling direction [-]; 0 at the surface.
     kind : str
-        "exact"; "upper", a bound beyond which it certainly does not shake down elastically; or
-        "lower", below which it certainly does.
+        "exact"; "upper", a bound above which there is certainly no elastic shakedown; or "lower",
+        a bound below which there certainly is.
     """
 
     ratio: float
@@ -54,7 +54,8 @@ class Limit(Shown):
 
     def _rows(self) -> Rows:
         where = "surface" if self.depth == 0.0 else f"{self.depth:.4g} half-widths deep"
-        name = {"exact": "p0/k", "upper": "p0/k, at most", "lower": "p0/k, at least"}[self.kind]
+        bounds = {"exact": "p0/k", "upper": "p0/k (upper bound)", "lower": "p0/k (lower bound)"}
+        name = bounds[self.kind]
         return [(name, f"{self.ratio:.5g}"), ("where", where)]
 
 
@@ -62,14 +63,14 @@ def _coefficient(friction: float) -> float:
     value = non_negative("friction", friction)
     if value > _ROUGHEST:
         raise ValueError(
-            f"friction must be a coefficient in [0, {_ROUGHEST:g}], got {friction!r}: "
-            "is it in percent?"
+            f"friction must be a coefficient in [0, {_ROUGHEST:g}], got {friction!r}: do not "
+            "use percent"
         )
     return value
 
 
 def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
-    """Largest k over p0 that any depth asks for, and that depth."""
+    """Maximum over depth of the required k over p0, and its depth."""
     asked = [strength(depth) for depth in _DEPTHS]
     worst = int(np.argmax(asked))
     if worst == 0:
@@ -85,31 +86,31 @@ def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
 
 
 def _deviator(stress: FloatArray) -> FloatArray:
-    """Points whose distance is the square root of J2, in the plane y = 0, shape (n, 3)."""
+    """Points whose distances are the square root of J2, in the plane y = 0, shape (n, 3)."""
     xx, yy, zz, _, xz, _ = stress
     across = (yy - 0.5 * (xx + zz)) / math.sqrt(3.0)
     return np.stack([0.5 * (xx - zz), across, xz], axis=-1)
 
 
 def _smallest_ball(deviator: FloatArray) -> float:
-    """Radius of the smallest ball around points of `_deviator`."""
+    """Radius of the smallest ball that encloses points of `_deviator`."""
     shears = np.zeros((len(deviator), 6, 1))
-    shears[:, 3:, 0] = deviator  # whose squares add up to J2
+    shears[:, 3:, 0] = deviator  # the sum of their squares is J2
     return float(crossland(shears, slope=0.0).largest)
 
 
 def _both_signs(deviator: FloatArray) -> FloatArray:
-    """What no residual shear can move to one side: the shear and its opposite."""
+    """Path with mirrored shear, which no residual shear can shift to one side."""
     return np.concatenate([deviator, deviator * [1.0, 1.0, -1.0]])
 
 
 def _tresca(deviator: FloatArray) -> float:
-    """Least k of Tresca's criterion, with residual stresses xx and yy to choose."""
+    """Minimum k by Tresca's criterion, for free residual stresses xx and yy."""
     half, across, shear = deviator[:, 0], math.sqrt(3.0) * deviator[:, 1], deviator[:, 2]
 
     def asked(shift: float) -> float:
-        # Stresses in the plane lie within the radius of their mean, yy `across` from it. The best
-        # residual yy leaves the mean of both ends of (across - radius, across + radius).
+        # In-plane stresses lie within the radius of their mean, yy at `across` from it. The optimum
+        # residual yy places the mean at both ends of (across - radius, across + radius).
         radius = np.hypot(half - shift, shear)
         out_of_plane = 0.25 * (np.max(across + radius) - np.min(across - radius))
         return float(max(radius.max(), out_of_plane))
@@ -132,23 +133,24 @@ def _point_path(depth: float, nu: float, friction: float) -> FloatArray:
 def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> Limit:
     """Elastic shakedown of a line contact on a perfectly plastic body, by Melan's theorem.
 
-    A body shakes down where some residual stress keeps the whole passage within the yield surface.
-    What repeated passages leave does not vary along the surface, so that equilibrium leaves only
-    sigma_xx and sigma_yy free, at each depth by themselves: this is the exact limit.
+    A body shakes down if some residual stress keeps the whole passage within the yield surface.
+    Residual stress after repeated passages is uniform along the surface. Equilibrium then leaves
+    only sigma_xx and sigma_yy free, independently at each depth, so this limit is exact.
 
     Parameters
     ----------
     friction : float, optional
-        Traction over pressure, of a contact that slides or rolls with full slip, in [0, 10] [-].
+        Traction over pressure of a contact in full sliding, in [0, 10] [-].
     nu : float, optional
-        Poisson's ratio, in [0, 0.5]; it counts where sigma_yy does.
+        Poisson's ratio, in [0, 0.5]; it has an effect if sigma_yy has.
     criterion : {"tresca", "von_mises"}, optional
+        Yield criterion.
 
     Returns
     -------
     Limit
-        4.000 without friction, half a half-width deep, where the shear sigma_xz alternates. With
-        Tresca's criterion 1/friction from friction 0.367 on, at the surface.
+        4.000 without friction, at a depth of half a half-width, where the shear sigma_xz
+        alternates. With Tresca's criterion 1/friction at the surface for friction >= 0.367.
 
     Raises
     ------
@@ -157,8 +159,8 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> L
 
     Notes
     -----
-    Johnson (1985), section 9.2; Melan (1938); Johnson and Jefferis (1963). The shear is as if the
-    whole contact slipped.
+    Johnson (1985), section 9.2; Melan (1938); Johnson and Jefferis (1963). The shear is that of
+    full sliding.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     if choice("criterion", criterion, ("tresca", "von_mises")) == "tresca":
@@ -173,9 +175,9 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> L
 def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
     """Elastic shakedown of a line contact on a body with linear kinematic hardening.
 
-    The backstress may have any value anywhere: the body shakes down where the path of the stress
-    deviator of each point fits into the yield surface, wherever that is centred. Beyond, it
-    shakes down plastically, and never ratchets.
+    The backstress is free everywhere: the body shakes down if the path of the stress deviator of
+    each point fits into the yield surface, wherever its centre. Above the limit there is plastic
+    shakedown, and never ratcheting.
 
     Parameters
     ----------
@@ -185,7 +187,7 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
     Returns
     -------
     Limit
-        With von Mises' criterion.
+        Limit with von Mises' criterion.
 
     Raises
     ------
@@ -204,9 +206,9 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
 def point(friction: float = 0.0, nu: float = 0.3) -> Limit:
     """Upper bound of elastic shakedown of a circular contact on a perfectly plastic body.
 
-    No residual stress makes the path of the deviator of a point smaller: its smallest enclosing
-    ball is a bound, without friction by the largest orthogonal shear, 0.21389 p0. At the surface
-    no residual shear sigma_xz can be, which bounds it by 1/friction or less.
+    Residual stress cannot shrink the path of the deviator of a point, so its smallest enclosing
+    ball is a bound; without friction, given by the maximum orthogonal shear, 0.21389 p0. At the
+    surface residual shear sigma_xz must vanish, which gives a bound of 1/friction or less.
 
     Parameters
     ----------
@@ -216,7 +218,7 @@ def point(friction: float = 0.0, nu: float = 0.3) -> Limit:
     Returns
     -------
     Limit
-        With von Mises' criterion, of points in the plane y = 0; 4.675 without friction.
+        Limit with von Mises' criterion at points in the plane y = 0; 4.675 without friction.
 
     Raises
     ------
@@ -225,8 +227,8 @@ def point(friction: float = 0.0, nu: float = 0.3) -> Limit:
 
     Notes
     -----
-    Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the surface residual
-    shear is allowed whatever it takes to be in equilibrium: with friction the limit may be lower.
+    Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the surface
+    residual shear is admitted without regard to equilibrium: with friction the limit may be lower.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
 
@@ -241,9 +243,9 @@ def point(friction: float = 0.0, nu: float = 0.3) -> Limit:
 def point_safe(friction: float = 0.0, nu: float = 0.3) -> Limit:
     """Lower bound of elastic shakedown of a circular contact on a perfectly plastic body.
 
-    Residual stress sigma_xx along the way may be anything at each place across it: it is in
-    equilibrium by itself. By Melan's theorem a body shakes down where this alone keeps the passage
-    within the yield surface; other residual stress may do better.
+    Residual stress sigma_xx along the rolling direction can have any profile transverse to it: it
+    is in equilibrium by itself. By Melan's theorem a body shakes down if this stress keeps the
+    passage within the yield surface; other residual stresses may give a higher bound.
 
     Parameters
     ----------
@@ -253,8 +255,8 @@ def point_safe(friction: float = 0.0, nu: float = 0.3) -> Limit:
     Returns
     -------
     Limit
-        With von Mises' criterion, of points in the plane y = 0, where it is smallest; 3.23 without
-        friction, 3 % below `point` with a coefficient of 0.4.
+        Limit with von Mises' criterion at points in the plane y = 0, where it is lowest; 3.23
+        without friction, 3 % below `point` for a coefficient of 0.4.
 
     Raises
     ------
@@ -262,7 +264,7 @@ def point_safe(friction: float = 0.0, nu: float = 0.3) -> Limit:
         An argument is outside its range.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
-    along = np.array([0.5, -0.5 / math.sqrt(3.0), 0.0])  # of the centre, by sigma_xx
+    along = np.array([0.5, -0.5 / math.sqrt(3.0), 0.0])  # shift of the centre due to sigma_xx
 
     def asked(depth: float) -> float:
         path = _point_path(depth, nu, friction)
@@ -290,7 +292,7 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
     Returns
     -------
     Limit
-        As `line_kinematic`, of points in the plane y = 0, where it is smallest.
+        As `line_kinematic`, at points in the plane y = 0, where it is lowest.
 
     Raises
     ------
@@ -303,20 +305,19 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
 
 
 def elliptic(k: float, friction: float = 0.0) -> Limit:
-    """Upper bound of elastic shakedown of an elliptic contact, by its largest orthogonal shear.
+    """Upper bound of elastic shakedown of an elliptic contact, from its maximum orthogonal shear.
 
-    The shear sigma_xz alternates between +-tau_0 as the contact passes, which no residual stress
-    and no hardening that moves the yield surface can help: p0/k <= p0/tau_0. Friction adds to both
-    ends alike.
+    The shear sigma_xz alternates between +-tau_0 as the contact passes. Neither residual stress nor
+    kinematic hardening reduces its range, so p0/k <= p0/tau_0. Friction shifts both ends equally.
 
     Parameters
     ----------
     k : float
-        Semi-axis across the direction of rolling over the one along it, > 0 [-], e.g. `k` of
-        `hertz.elliptic` for rolling along x.
+        Semi-axis transverse to the rolling direction over the semi-axis along it, > 0 [-], e.g. `k`
+        of `hertz.elliptic` for rolling along x.
     friction : float, optional
-        Traction over pressure, in [0, 10] [-]; the surface of a perfectly plastic body flows beyond
-        1/friction, since no residual shear can be there.
+        Traction over pressure, in [0, 10] [-]. The surface of a perfectly plastic body yields above
+        1/friction, because residual shear vanishes there.
 
     Returns
     -------
@@ -330,14 +331,14 @@ def elliptic(k: float, friction: float = 0.0) -> Limit:
 
     Notes
     -----
-    Lundberg and Palmgren (1947): tau_0/p0 = sqrt(2t - 1)/(2t(t + 1)) in the depth
+    Lundberg and Palmgren (1947): tau_0/p0 = sqrt(2t - 1)/(2t(t + 1)) at the depth
     1/((t + 1) sqrt(2t - 1)) semi-axes, with 1/k^2 = (t^2 - 1)(2t - 1).
     """
     ratio, friction = positive("k", k), _coefficient(friction)
     if not ratio > 1e-50:
         raise ValueError(f"k must be > 1e-50, got {ratio!r}")
     across = ratio**-2
-    # u = t - 1 keeps its digits for long contacts, where it is small
+    # u = t - 1 avoids cancellation for long contacts
     upper = 1.0 + across ** (1.0 / 3.0)
     u = scipy.optimize.brentq(
         lambda u: u * (u + 2.0) * (2.0 * u + 1.0) - across, 0.0, upper, xtol=1e-300, rtol=1e-15
@@ -349,14 +350,14 @@ def elliptic(k: float, friction: float = 0.0) -> Limit:
 
 
 def first_yield(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> Limit:
-    """First yield of a line contact, the elastic limit below shakedown.
+    """First yield of a line contact: the elastic limit, below shakedown.
 
-    Parameters, errors as for `line`.
+    Parameters and errors as for `line`.
 
     Returns
     -------
     Limit
-        From the largest stress anywhere (`hertz.LineContact.stress`).
+        From the maximum stress at any point (`hertz.LineContact.stress`).
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     tresca = choice("criterion", criterion, ("tresca", "von_mises")) == "tresca"

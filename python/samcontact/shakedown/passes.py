@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A cycle in which a contact passes over a surface that has no ends."""
+"""Cycle of a pressure that passes over a periodic surface."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from ..scene.grid import Grid
 
 
 def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, Any]]:
-    """Steps in which a pressure passes once over a surface that is periodic along x.
+    """Move a prescribed pressure once over a surface that is periodic along x.
 
-    Towards +x, from where it is given, once through the period: every point of the surface sees
-    the same, as below a train of equal rollers, one in each period. No contact is solved. With
-    friction as a number the shear along +x passes with it.
+    It moves towards +x through one period, from its given position. Every point of the surface
+    undergoes an equal history, as below a train of equal rollers, one per period. The contact is
+    not solved. In full sliding the shear along +x moves with the pressure.
 
     Parameters
     ----------
     grid : Grid
-        With periodic = "x" or "xy".
+        Grid with periodic = "x" or "xy".
     pressure : array_like, shape (nx, ny)
-        [Pa], e.g. that of `hertz.line` in the middle of a period of 6 half-widths or more.
+        Contact pressure [Pa], e.g. of `hertz.line`, centred in a period of at least 6 half-widths.
     cells : int, optional
-        Cells between two steps; divides nx.
+        Number of cells between two steps; must divide nx.
 
     Returns
     -------
@@ -50,8 +50,8 @@ def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, An
     require_type("grid", grid, Grid)
     if not grid.along_x:
         raise ValueError(
-            f"grid must be periodic along x, got periodic = {grid.periodic!r}: on a track with "
-            "ends use paths.rolling, and bring the bodies back"
+            f"grid must be periodic along x, got periodic = {grid.periodic!r}: for a track with "
+            "ends, use paths.rolling and return the bodies"
         )
     step = integer("cells", cells, 1)
     if grid.nx % step:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The plastic state of the bodies at the end of a cycle, and what a cycle changes of it."""
+"""Plastic state of the bodies at the end of a cycle, and its change in a cycle."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ _DOUBLE_SHEAR = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])[:, None, None, None]
 
 @dataclass(frozen=True)
 class Change:
-    """Of a body in one cycle, on cells of which the first row lies over row `first` of the grid."""
+    """Change of a body in one cycle; the first row of its cells is at row `first` of the grid."""
 
     first: int
     before: dict[str, FloatArray]
-    """By the names of FIELDS."""
+    """Fields before the cycle, by the names of FIELDS."""
     after: dict[str, FloatArray]
 
     def of(self, field: str) -> FloatArray:
@@ -41,19 +41,19 @@ class Change:
 
 
 def largest(strain: FloatArray) -> float:
-    """Of sqrt(2/3 e:e)."""
+    """Maximum of sqrt(2/3 e:e)."""
     squares: FloatArray = np.sum(_DOUBLE_SHEAR * strain**2, axis=0)
     return math.sqrt(2.0 / 3.0 * float(squares.max()))
 
 
 def product(one: FloatArray, other: FloatArray) -> float:
-    """Sum over cells; of tensors, over all nine components."""
+    """Sum over cells of a product; for tensors, over all nine components."""
     weights = _DOUBLE_SHEAR if one.ndim > 3 else 1.0
     return float(np.sum(weights * one * other))
 
 
 def as_deep(fields: Sequence[FloatArray]) -> list[FloatArray]:
-    """The same with as many layers each: below the last one nothing has flowed."""
+    """Extend fields to an equal number of layers; there is no plastic strain below."""
     deepest = max(field.shape[-1] for field in fields)
     return [
         np.pad(field, [(0, 0)] * (field.ndim - 1) + [(0, deepest - field.shape[-1])])
@@ -62,9 +62,9 @@ def as_deep(fields: Sequence[FloatArray]) -> list[FloatArray]:
 
 
 def tracks(simulation: Simulation, state: State, bodies: Sequence[int]) -> dict[int, Track]:
-    """All plastic strain of each body.
+    """Tracks with all plastic strain of each body.
 
-    Raises ValueError where a part of it lies where fields do not show it.
+    Raises ValueError if plastic strain lies outside the volume fields.
     """
     for body in bodies:
         box = state._core.strain_beyond(body - 1)
@@ -74,15 +74,15 @@ def tracks(simulation: Simulation, state: State, bodies: Sequence[int]) -> dict[
         grid = simulation.grid
         if (grid.nz and nz > grid.nz) or first < 0 or first + ny > grid.ny:
             raise ValueError(
-                f"grid must hold the plastic strain of body {body} in depth and along y, which is "
-                f"{nz} layers deep, over rows {first} to {first + ny - 1} along y; got {grid!r}: "
-                "leave nz out, or enlarge ny"
+                f"grid must contain the plastic strain of body {body} in depth and along y: {nz} "
+                f"layers, rows {first} to {first + ny - 1} along y; got {grid!r}: "
+                "omit nz, or enlarge ny"
             )
     return {body: state.track(body, margin=0) for body in bodies}
 
 
 def change(before: Track, after: Track) -> Change:
-    """From one moment to another one later."""
+    """Change of a body between two tracks."""
     pairs = {name: on_common_cells(before, after, name) for name in FIELDS}
     start = min(before.x[0], after.x[0])
     first = after.first - round((after.x[0] - start) / after.grid.dx)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What repeated cycles come to."""
+"""Results of repeated load cycles."""
 
 from __future__ import annotations
 
@@ -15,50 +15,50 @@ UNDECIDED = "undecided"
 
 
 class NotSteadyWarning(UserWarning):
-    """Cycles ended before it was clear what they come to."""
+    """Warning that the response was not steady after the last cycle."""
 
 
 @dataclass(frozen=True)
 class Cycle:
-    """One cycle that was solved."""
+    """Results of one solved cycle."""
 
     number: int
-    """From 1; cycles that were extrapolated count too."""
+    """Number of the cycle, from 1; extrapolated cycles are counted."""
     flow: float
-    """Largest equivalent plastic strain that is added in it [-]."""
+    """Maximum equivalent plastic strain added in the cycle [-]."""
     net: float
-    """Largest equivalent of the plastic strain between its beginning and its end [-].
+    """Maximum magnitude of the plastic strain change over the cycle [-].
 
-    That is the square root of 2/3 e_ij e_ij, which flow to and fro does not raise.
+    The magnitude is the square root of 2/3 e_ij e_ij, which reversed flow does not accumulate.
     """
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ShakedownResult(Brief, Shown):
-    """What repeated cycles come to.
+    """Long-term response to repeated load cycles.
 
     Attributes
     ----------
     verdict : str
-        "elastic": nothing ever flowed. "elastic shakedown": flow has come to rest. "plastic
-        shakedown": each cycle flows to and fro, and ends where it began. "ratcheting": each cycle
-        adds as much plastic strain as the one before. "undecided": none of them yet.
+        "elastic": no plastic flow. "elastic shakedown": flow has ceased. "plastic shakedown":
+        flow is closed in each cycle. "ratcheting": each cycle adds as much plastic strain as the
+        preceding one. "undecided": none of these yet.
     rate : float
-        `net` of the last cycle: plastic strain that each cycle leaves [-].
+        `net` of the last cycle: plastic strain left by each cycle [-].
     flow : float
         `flow` of the last cycle [-].
     cycles : tuple of Cycle
-        Those that were solved and count.
+        Solved cycles, without undone extrapolations.
     solved : int
-        All that were solved, with those of extrapolations that were taken back.
+        Number of all solved cycles, including those of undone extrapolations.
     error : float
-        Estimated error of the plastic strain by extrapolation, of any component [-]; 0 without.
+        Estimated error of any plastic strain component due to extrapolation [-]; 0 without it.
     rejected : int
-        Extrapolations that a cycle did not confirm, and which were taken back.
+        Number of extrapolations that were not confirmed by a cycle, and undone.
     yield_strain : float
-        Yield stress over Young's modulus of the body that yields first, to compare strains with.
+        Yield stress over Young's modulus of the body that yields first, as a reference for strains.
     state : State
-        At the end of the last cycle.
+        State at the end of the last cycle.
     """
 
     verdict: str
@@ -74,11 +74,11 @@ class ShakedownResult(Brief, Shown):
 
     @property
     def shakes_down(self) -> bool:
-        """Whether plastic strain comes to an end, elastic or closed in each cycle."""
+        """Whether plastic strain ceases to grow (elastic or plastic shakedown)."""
         return self.verdict in (ELASTIC, SHAKEDOWN, PLASTIC)
 
     def strain_per_cycle(self, body: int = 2) -> FloatArray:
-        """What the last cycle added to the plastic strain of a body [-].
+        """Plastic strain of a body added in the last cycle [-].
 
         Parameters
         ----------
@@ -87,27 +87,27 @@ class ShakedownResult(Brief, Shown):
         Returns
         -------
         ndarray, shape (6, rows, ny, nz)
-            Tensor components, on the cells of ``state.track(body, margin=0)``.
+            Tensor components in the cells of ``state.track(body, margin=0)``.
 
         Raises
         ------
         ValueError
-            A body that cannot yield.
+            The body cannot yield.
         """
         return self._strain[choice("body", body, tuple(self._strain))]
 
     def residual_stress(self, body: int = 2) -> FloatArray:
-        """`State.residual_stress` at the end [Pa], shape (6, nx, ny, nz)."""
+        """Residual stress at the end [Pa], shape (6, nx, ny, nz), see `State.residual_stress`."""
         return self.state.residual_stress(body)
 
     def _rows(self) -> Rows:
         rows = [
             ("verdict", self.verdict),
-            ("plastic strain left by a cycle", f"{self.rate:.3g}"),
-            ("plastic flow in a cycle", f"{self.flow:.3g}"),
+            ("plastic strain per cycle", f"{self.rate:.3g}"),
+            ("plastic flow per cycle", f"{self.flow:.3g}"),
             ("yield strain", f"{self.yield_strain:.3g}"),
-            ("cycles", f"{self.cycles[-1].number}, {self.solved} of them solved"),
+            ("cycles", f"{self.cycles[-1].number}, {self.solved} of which solved"),
         ]
         if self.error > 0:
-            rows.append(("error of the plastic strain by extrapolation", f"{self.error:.2g}"))
+            rows.append(("extrapolation error of plastic strain", f"{self.error:.2g}"))
         return rows

@@ -34,7 +34,7 @@ KIND = "simulation"
 
 
 def write_checkpoint(path: str | os.PathLike[str], kept: Snapshot, **more: Any) -> None:
-    """A failure leaves the old file. more: trees that go with it."""
+    """Write a checkpoint file; an old file stays if this fails. more: further trees to store."""
     tree = {"scene": _scene(kept.arguments), "state": kept.state, "counters": kept.counters}
     write(path, KIND, tree | more)
 
@@ -42,7 +42,7 @@ def write_checkpoint(path: str | os.PathLike[str], kept: Snapshot, **more: Any) 
 def read_checkpoint(
     path: str | os.PathLike[str], softening: Sequence[Any]
 ) -> tuple[Snapshot, Tree]:
-    """A snapshot, and all trees of the file."""
+    """Read a checkpoint file; return its snapshot and all its trees."""
     try:
         law1, law2 = softening
     except (TypeError, ValueError) as error:
@@ -56,7 +56,7 @@ def read_checkpoint(
 
 
 def _scene(given: Mapping[str, Any]) -> Tree:
-    """The arguments of a simulation as a tree."""
+    """Convert the arguments of a simulation to a tree."""
     scene: Tree = {
         "grid": given["grid"].__getstate__(),
         "settings": {item.name: given[item.name] for item in fields(Settings)}
@@ -96,12 +96,12 @@ def _body_tree(body: Body) -> Tree:
 
 
 def _arguments(scene: Tree, *laws: Any) -> dict[str, Any]:
-    """The reverse."""
+    """Convert a tree back to the arguments of a simulation."""
     given: dict[str, Any] = dict(scene["settings"])
     known = {item.name: item.default for item in fields(Settings)}
     required = {name for name, default in known.items() if default is not None}
     if not required <= set(given) <= set(known):
-        raise ValueError(f"its settings are {', '.join(given) or 'missing'}")
+        raise ValueError(f"unexpected settings in the checkpoint: {', '.join(given) or 'missing'}")
     given["friction"] = law_of(given["friction"])
     given["contact_law"] = contact_law.law_of(given["contact_law"])
     given["heat"] = Heat(**scene["heat"])
@@ -128,8 +128,8 @@ def _material(name: str, part: Tree, law: Any) -> Material:
         law = JohnsonCook(*part["johnson_cook"])
     elif "softening" in part and law is None:
         raise CheckpointError(
-            f"{name} softens by {part['softening']}, which a checkpoint cannot hold: "
-            "give it again, softening=(law of body 1, law of body 2), None for a body without"
+            f"{name} has the softening law {part['softening']}, which a checkpoint cannot store: "
+            "pass softening=(law of body 1, law of body 2), with None for a body without a law"
         )
     kinematic = tuple(map(tuple, part.get("kinematic", ())))
     thermal, profile, stress = map(part.get, ("thermal", "yield_profile", "residual_stress"))

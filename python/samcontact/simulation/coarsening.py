@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A setup over half as many cells along x, y and z: what its grid has no part in stays."""
+"""Coarsening of a setup to half as many cells along x, y and z, and its truncation error."""
 
 from __future__ import annotations
 
@@ -30,17 +30,18 @@ Path = Sequence[Mapping[str, Any]]
 
 
 def coarser(setup: SimulationSetup, domain: Domain) -> tuple[SimulationSetup, Domain]:
-    """The same setup and domain over cells twice as long, wide and deep.
+    """Return the setup and domain on cells twice as long, wide and deep.
 
-    Where layers yield, cells are as deep as fits them: two to three times as deep, or as before.
-    Surfaces that are functions of a grid are those of the coarser one; heights that are known on
-    one grid only are averaged over its cells (of a smooth paraboloid, interpolated).
+    With elastic-plastic layers, the coarse cells are two to three times as deep, so that they fit
+    the layers, or as deep as before. Surfaces given as functions are evaluated on the coarser grid.
+    Heights known on one grid only are averaged over its cells (interpolated for a smooth
+    paraboloid).
 
     Raises
     ------
     ValueError
-        A periodic direction whose cells cannot be halved, or a relief that repeats itself after an
-        odd number of rows.
+        The cells along a periodic direction cannot be halved, or a relief is periodic with an odd
+        number of rows.
     """
     grid, surfaces = coarser_grid(domain.grid, setup.bodies), setup.surfaces
     gap: Any = surfaces.gap
@@ -55,10 +56,10 @@ def coarser(setup: SimulationSetup, domain: Domain) -> tuple[SimulationSetup, Do
 
 
 def coarser_grid(grid: Grid, bodies: Sequence[Body] = ()) -> Grid:
-    """Cells twice as large, over no less, between whose layers those of bodies end that yield.
+    """Return a grid of cells twice as large that covers at least the area of the given one.
 
-    An odd number where there was one, so that what lay in the middle of a cell does so again, or
-    between two.
+    Interfaces of elastic-plastic layers remain between its layers of cells. An odd number of cells
+    stays odd, so that a point at the centre of a cell or between two cells remains there.
     """
     given: dict[str, Any] = {}
     for axis, n, d in zip("xy", (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True):
@@ -68,9 +69,7 @@ def coarser_grid(grid: Grid, bodies: Sequence[Body] = ()) -> Grid:
         half = math.ceil(n / 2)
         if axis in grid.periodic:
             if n % 4 != 0 and n != 2:
-                raise ValueError(
-                    f"n{axis} must be a multiple of 4 where the grid is periodic, got {n}"
-                )
+                raise ValueError(f"n{axis} must be a multiple of 4 on a periodic grid, got {n}")
         elif half % 2 != n % 2:
             half += 1
         given |= {f"n{axis}": half, f"d{axis}": 2 * d}
@@ -81,8 +80,8 @@ def coarser_grid(grid: Grid, bodies: Sequence[Body] = ()) -> Grid:
 
 
 def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
-    """How many times as deep coarser cells are: 2 or the least above it, of which all layers of
-    bodies that yield have a whole number; 1 where there is none."""
+    """Return the ratio of coarse to fine cell depth: 2, or the smallest larger ratio for which all
+    elastic-plastic layers are whole numbers of cells thick; 1 if there is none."""
     ends = [
         round(float(depth) / dz) for body in bodies if isinstance(body, Layered) and body.is_plastic
         for depth in body.interfaces
@@ -92,9 +91,9 @@ def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
 
 
 def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int]]:
-    """A path in whole cells of twice the length, and which of its increments has each of the old.
+    """Coarsen a path to whole cells of twice the length; also map its increments to the new ones.
 
-    Two increments that move by the same odd number of cells become one; others stay.
+    Two increments that move by an equal odd number of cells are merged; others are unchanged.
     """
     steps: list[dict[str, Any]] = []
     which: list[int] = []
@@ -116,7 +115,7 @@ def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int
 
 
 def _of_both(step: Mapping[str, Any]) -> dict[str, Any]:
-    """Motions of two equal increments together; forces along the surface are totals."""
+    """Combine the motions of two equal increments; tangential forces are totals."""
     moved: dict[str, Any] = {"advance": tuple(2 * s for s in step["advance"])}
     if step.get("shift") is not None:
         moved["shift"] = tuple(None if s is None else 2 * s for s in step["shift"])
@@ -126,7 +125,7 @@ def _of_both(step: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def coarser_strain(strain: FloatArray, fine: Grid, grid: Grid) -> FloatArray:
-    """Means of strain (6, nx, ny, layers) over coarser cells; it is 0 beside the finer grid."""
+    """Average strain (6, nx, ny, layers) over coarser cells; it is 0 outside the finer grid."""
     for axis, (m, n) in enumerate(_counts(grid, fine), 1):
         if n > 1:
             pad = max(0, math.ceil(0.5 * (2 * m - n)))
@@ -140,7 +139,7 @@ def coarser_strain(strain: FloatArray, fine: Grid, grid: Grid) -> FloatArray:
 def _means_along(
     field: FloatArray, axis: int, zeros: tuple[int, int], edges: FloatArray
 ) -> FloatArray:
-    """Means of a field along one axis, with zeros before and behind, between edges in cells."""
+    """Average a zero-padded field along one axis, between edges given in cells."""
     width = [zeros if axis == other else (0, 0) for other in range(field.ndim)]
     lines = np.moveaxis(np.pad(field, width), axis, 0)
     means = _means(lines.reshape(len(lines), -1), edges, 0)
@@ -148,25 +147,25 @@ def _means_along(
 
 
 def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
-    """Share of the mean square slope of heights in waves that a grid of half the cells has not.
+    """Fraction of the mean square slope of heights that a grid of half the cells cannot resolve.
 
     Parameters
     ----------
     heights : array_like, shape (nx, ny)
-        [m]; a paraboloid is taken off, and the borders are faded out (Hann).
+        [m]; a best-fit paraboloid is subtracted, and the edges are tapered (Hann window).
     dx, dy : float
         Cell sizes [m].
 
     Returns
     -------
     float
-        In [0, 1]; of waves shorter than 4 dx along x or 4 dy along y. NaN of a smooth surface, and
-        of fewer than 8 cells a side.
+        In [0, 1]: waves shorter than 4 dx along x or 4 dy along y. NaN for a smooth surface, and
+        for fewer than 8 cells per side.
 
     Notes
     -----
-    Of a surface whose slope falls by a power of the wavenumber, such as a self-affine one, the next
-    octave, beyond the grid itself, holds no less than this one times the ratio of the two before.
+    If the slope spectrum is a power law of the wavenumber, as for a self-affine surface, the next
+    octave, beyond the grid itself, contains at least this fraction times the ratio of the last two.
     """
     field = np.asarray(heights, dtype=np.float64)
     finite_array("heights", field, field.shape)
@@ -188,7 +187,7 @@ def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
 
 def _gap(setup: SimulationSetup, domain: Domain, grid: Grid) -> FloatArray:
     body = np.isfinite(domain.initial_gap)
-    if not body.all():  # cells of which most have a body are as high as that
+    if not body.all():  # cells mostly covered by a body take its height
         share = _averaged(body.astype(np.float64), domain.grid, grid)
         height = _averaged(np.where(body, domain.initial_gap, 0.0), domain.grid, grid)
         kept = share >= 0.5
@@ -214,7 +213,7 @@ def _counts(grid: Grid, fine: Grid) -> list[tuple[int, int]]:
 
 
 def _averaged(field: FloatArray, fine: Grid, grid: Grid) -> FloatArray:
-    """Means over the cells of a coarser grid around the same middle."""
+    """Average a field over the cells of a coarser grid with a common centre."""
     for axis, (m, n) in enumerate(_counts(grid, fine)):
         if n == 1:
             continue
@@ -228,7 +227,7 @@ def _averaged(field: FloatArray, fine: Grid, grid: Grid) -> FloatArray:
 
 
 def _means(field: FloatArray, edges: FloatArray, axis: int) -> FloatArray:
-    """Of a field of cells between edges, which are counted in cells."""
+    """Average a field of cells between edges given in cells, along one axis."""
     lines = np.moveaxis(field, axis, 0)
     sums = np.concatenate([np.zeros((1, lines.shape[1])), np.cumsum(lines, axis=0)])
     below = np.clip(np.floor(edges).astype(int), 0, len(lines) - 1)
@@ -237,11 +236,11 @@ def _means(field: FloatArray, edges: FloatArray, axis: int) -> FloatArray:
 
 
 def _relief(relief: Relief, fine: Grid, grid: Grid) -> Relief:
-    """Means of its rows over the cells of a coarser grid."""
+    """Average the rows of a relief over the cells of a coarser grid."""
     rows = len(relief.heights)
     if relief.periodic and rows % 2 != 0:
-        raise ValueError(f"a relief that repeats itself after {rows} rows cannot be halved")
-    begins = relief.first - 0.5 * fine.nx  # from the middle of the grid, in fine cells
+        raise ValueError(f"a relief with a period of {rows} rows cannot be coarsened by two")
+    begins = relief.first - 0.5 * fine.nx  # from the centre of the grid, in fine cells
     first = math.floor(0.5 * begins + 0.5 * grid.nx)
     ends = math.ceil(0.5 * (begins + rows) + 0.5 * grid.nx)
     count = rows // 2 if relief.periodic else ends - first
@@ -254,6 +253,6 @@ def _relief(relief: Relief, fine: Grid, grid: Grid) -> Relief:
         along = _means(np.pad(field, [(2, 2), (0, 0)], mode), edges + 2.0, 0)
         return _averaged(along, across[0], across[1])
 
-    # Beside the rows of the grid it goes on straight, and may fall below 0.
+    # Linear extrapolation outside the rows of the grid, where heights may be below 0.
     worn = None if relief.worn is None else np.maximum(means(relief.worn), 0.0)
     return Relief(means(relief.heights), first, relief.periodic, worn)

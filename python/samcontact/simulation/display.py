@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A simulation as a table of its setup and present state."""
+"""Display of a simulation as a table of its setup and current state."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def _friction(law: Any) -> str:
 
 
 def simulation_rows(simulation: Any) -> Rows:
-    """Scene and present state of a simulation."""
+    """Rows of the setup and the current state of a simulation."""
     grid, state = simulation.grid, simulation.state
     cells = counts(*(grid.volume_shape if grid.nz > 0 else grid.surface_shape))
     sizes = lengths(*(size for size in (grid.dx, grid.dy, grid.dz) if size is not None))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The solver of a simulation: increments over a computational domain that may be enlarged."""
+"""The solver of a simulation: increments on a grid that may be enlarged."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _logger = logging.getLogger("samcontact")
 
 
 class Engine:
-    """Solver of the increments of a simulation, on a computational domain that may be enlarged.
+    """Solver of the increments of a simulation, on a grid with surfaces that may be enlarged.
 
     The domain is enlarged if the contact reaches its edge and the surfaces are known beyond it,
     except with on_border="warn".
@@ -110,7 +110,7 @@ class Engine:
     def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, Any, Any]:
         """Solve an increment; return its arguments and the core state.
 
-        Between them, the core state before where bodies may overlap after the increment; else None.
+        The second item is the core state before the increment if the bodies might overlap, or None.
         """
         with self.access:
             while True:
@@ -186,7 +186,7 @@ class Engine:
             return False
         try:
             self._go_on_over(counts)
-        except (ValueError, MemoryError):  # the increment is done; a warning tells of it
+        except (ValueError, MemoryError):  # the increment is done; a warning reports it
             return False
         return True
 
@@ -197,9 +197,9 @@ class Engine:
         if setup.settings.on_border != "error" or self.domain.grid.periodic:
             return "it stays"
         if self.heat.history is not None or setup.body1.softening or setup.body2.softening:
-            return "the grid stays, with heat of a history or bodies that soften"
+            return "the grid cannot be enlarged with heat.history or thermal softening"
         if setup.contact_law.attracts:
-            return "the grid stays, with bodies that attract each other all over it"
+            return "the grid cannot be enlarged with a contact law that attracts"
         if not setup.surfaces.are_known:
             return GROWS
         return ""
@@ -229,7 +229,7 @@ class Engine:
     def enlargement(self) -> str:
         """Text about the enlargement of the domain; empty without one."""
         (a, b), (c, d) = self.first.grid.surface_shape, self.domain.grid.surface_shape
-        return f"the window has grown from {a} x {b} to {c} x {d} cells" if (a, b) != (c, d) else ""
+        return f"grid enlarged from {a} x {b} to {c} x {d} cells" if (a, b) != (c, d) else ""
 
     def snapshot(self, state: State | None = None) -> Snapshot:
         """Return a snapshot of the current state, or of an earlier one."""
@@ -250,7 +250,7 @@ class Engine:
             try:
                 require_continued(domain, before)
             except ValueError as error:
-                told = f"the checkpoint is of other surfaces: {error}"
+                told = f"the checkpoint was written for different surfaces: {error}"
                 raise ForeignCheckpointError(told) from error
         then = heat
         if heat.partition is None:
@@ -263,7 +263,7 @@ class Engine:
         self.heat = heat
 
     def stand_at(self, state: State) -> None:
-        """Return to an earlier state on the same domain."""
+        """Return to an earlier state on the current domain."""
         self.history.forget()
         self.core.stand_at(state._core)
         self.heat = state.heat

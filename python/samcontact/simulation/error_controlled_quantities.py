@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities of a state whose error is told: between the cells, so that they converge cleanly.
+"""Quantities of a state that have an error estimate, interpolated between cells.
 
-A largest value is that of parabolas through its cell and the neighbours: along grids that become
-finer it jumps far less than the largest cell does, as does `contact_area` than the number of cells.
+A maximum is that of parabolas through its cell and the neighbouring cells. Under grid refinement it
+jumps far less than the maximum over cells, and so does `contact_area` compared with a cell count.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ OF_BODY = (
     "max_residual_von_mises",
     "print_depth",
 )
-"""Of bodies, all but the first of those that yield only; followed by `_body1` or `_body2`."""
+"""Quantities of a body, followed by `_body1` or `_body2`; all but the first require yielding."""
 _FIELDS = {
     "max_von_mises": "stress",
     "max_equivalent_plastic_strain": "equivalent_plastic_strain",
@@ -40,7 +40,7 @@ _FIELDS = {
 
 
 def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list[str]:
-    """Of all that a scene has: of each inelastic body, or else of the chosen one."""
+    """Names of all quantities of a case: of each elastic-plastic body, or else of the given one."""
     inelastic = [n for n, material in enumerate(bodies, 1) if material.is_plastic]
     found = list(OF_CONTACT)
     if not volume:
@@ -51,15 +51,15 @@ def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list
 
 
 def value(state: State, name: str) -> float:
-    """One quantity of a state, by its name in files [SI units]."""
+    """Return a quantity of a state by its name in results files [SI units]."""
     return max(parts(state, name))
 
 
 def parts(state: State, name: str) -> tuple[float, ...]:
-    """The same as the values whose largest it is, each of which converges by itself.
+    """Return the values whose maximum is the quantity; each of them converges separately.
 
-    Of a field of the volume the largest below the surface and that of the surface, of each layer
-    that inside of it and those of its faces: which of them is larger may depend on the grid.
+    For a volume field these are the maximum below the surface and the maximum at the surface; for a
+    layer, the maxima inside it and at its faces. Which one is the largest may depend on the grid.
     """
     if name in ("load", "approach"):
         return (float(getattr(state, name)),)
@@ -88,10 +88,10 @@ def _bodies(state: State) -> tuple[Body, Body]:
 
 
 def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
-    """A field where the body's strain was solved for, by the operators of the increment.
+    """Return a field over the plastic box of a body, computed by the operators of the increment.
 
-    Of name "stress" or "residual_stress" the deviator, or "residual_displacement". None where that
-    is not all: without plastic strain, of several zones, where the body has moved on.
+    `name` is "stress" or "residual_stress" (deviators) or "residual_displacement". None without
+    plastic strain, with several plastic subdomains, or after the body has moved.
     """
     index, core = body - 1, state._core
     box = core.own_box(index)
@@ -107,7 +107,7 @@ def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
 
 
 def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
-    """Scalar fields that together have the largest value of a quantity of the volume."""
+    """Return scalar fields whose overall maximum is a quantity of the volume."""
     zones = state.zones(body)
     if not zones and kind != "max_von_mises":
         return []
@@ -121,7 +121,7 @@ def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
 
 
 def _ranges(body: Body, grid: Grid) -> list[slice]:
-    """Layers of cells of each material: stress jumps, and flow ends, between two of them."""
+    """Return the cell layers of each material: stress jumps and plastic flow ends between them."""
     if isinstance(body, Material) or grid.dz is None:
         return [slice(None)]
     cuts = np.rint(body.interfaces / grid.dz).astype(int).tolist()
@@ -129,20 +129,20 @@ def _ranges(body: Body, grid: Grid) -> list[slice]:
 
 
 def _parts_of_material(cells: FloatArray, *, is_layer: bool) -> list[float]:
-    """Largest value inside of it, at its top and, of a layer, at its bottom."""
+    """Return the maxima inside a material, at its top and, for a layer, at its bottom."""
     found = list(below_and_at_surface(cells))
     return [*found, below_and_at_surface(cells[:, :, ::-1])[1]] if is_layer else found
 
 
 def _count(materials: int) -> int:
-    """Of parts that so many materials have."""
+    """Number of parts for a number of materials."""
     return 3 * materials - 1
 
 
 def _bounds(state: State, body: int, ranges: Sequence[slice]) -> FloatArray:
-    """Yield stress of each material, which no stress exceeds, whatever a parabola does.
+    """Return the yield stress of each material, an upper bound of the interpolated stress.
 
-    Infinite where it is not known.
+    Infinite where it is unknown.
     """
     bounds = np.full(_count(len(ranges)), np.inf)
     if state.max_plastic_strain_magnitude(body) == 0:
@@ -160,30 +160,30 @@ def _bounds(state: State, body: int, ranges: Sequence[slice]) -> FloatArray:
 
 
 def has_parts(name: str, bodies: Sequence[Body]) -> int:
-    """How many parts a quantity has."""
+    """Number of parts of a quantity."""
     if name[: -len("_body1")] not in _FIELDS:
         return 1
     return _count(len(materials_of(bodies[int(name[-1]) - 1])))
 
 
 def values(state: State, wanted: Sequence[str]) -> dict[str, float]:
-    """Several quantities of a state, by their names in files [SI units]."""
+    """Return several quantities of a state by their names in results files [SI units]."""
     return {name: value(state, name) for name in wanted}
 
 
 def peak_value(field: ArrayLike) -> float:
-    """Largest value of a field between its cells.
+    """Maximum of a field, interpolated between its cells.
 
     Parameters
     ----------
     field : array_like
-        At the centres of cells.
+        Values at the cell centres.
 
     Returns
     -------
     float
-        The largest cell, and along each axis what a parabola through it and its neighbours rises
-        above it.
+        Maximum over the cells, plus along each axis the rise above it of the parabola through its
+        cell and the two neighbouring cells.
     """
     values = np.asarray(field, dtype=np.float64)
     if values.size == 0:
@@ -192,7 +192,7 @@ def peak_value(field: ArrayLike) -> float:
 
 
 def _risen(values: FloatArray, at: tuple[np.intp, ...]) -> float:
-    """A cell, and what parabolas through it and its neighbours rise above it."""
+    """Value of a cell plus the rise of the parabolas through it and its neighbours above it."""
     risen = float(values[at])
     for axis in range(values.ndim):
         line = np.moveaxis(values, axis, -1)[tuple(np.delete(at, axis))]
@@ -205,10 +205,10 @@ def _risen(values: FloatArray, at: tuple[np.intp, ...]) -> float:
 
 
 def below_and_at_surface(field: FloatArray) -> tuple[float, float]:
-    """Largest of what rises and falls with the depth, and of a parabola at depth 0.
+    """Maximum below the surface where values rise and fall with depth, and value at depth 0.
 
-    The parabola goes through the first three layers where the values grow towards the surface;
-    where the third has none it is a line.
+    The value at depth 0 is extrapolated by a parabola through the first three layers where values
+    increase towards the surface, and a line where the third layer has no value.
     """
     layers = field.shape[2]
     if layers < 3:

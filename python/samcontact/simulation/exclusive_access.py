@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One thread at a time in a simulation."""
+"""Exclusive access of one thread to a simulation."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import threading
 
 
 class ExclusiveAccess:
-    """Refuses a second thread, or a law of softening, that would change the same simulation."""
+    """Context that refuses a second thread, or a softening law, that would change a simulation."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -15,8 +15,8 @@ class ExclusiveAccess:
     def __enter__(self) -> None:
         if not self._lock.acquire(blocking=False):
             raise RuntimeError(
-                "this simulation is in the middle of an increment: one thread at a time, each "
-                "with a simulation of its own (copy.deepcopy makes one)"
+                "an increment is already in progress: use one Simulation per thread "
+                "(copy.deepcopy makes one)"
             )
 
     def __exit__(self, *error: object) -> None:

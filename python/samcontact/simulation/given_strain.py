@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Strain that a simulation is given: plastic strain to go on from, and eigenstrain."""
+"""Initial plastic strain and eigenstrain prescribed for a simulation."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def plastic_fields(
     terms: int,
     first: int | None,
 ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-    """Arguments of `Simulation.set_plastic_strain`, depth-major; terms: number of backstresses."""
+    """Depth-major arguments of `Simulation.set_plastic_strain`; terms: number of backstresses."""
     given = real_array("strain", strain).shape
     fits = len(given) == 4 and min(given) > 0
     rows = grid.nx
@@ -79,28 +79,28 @@ def plastic_fields(
 
 
 def _require_over_grid(grid: Grid, strain: FloatArray, first: int) -> None:
-    """Refuse a plastic strain that lies beside the grid as a whole."""
+    """Refuse a plastic strain that lies entirely outside the grid."""
     rows = np.flatnonzero(strain.any(axis=(0, 2, 3))) + first
     if rows.size and not ((rows >= 0) & (rows < grid.nx)).any():
         raise ValueError(
-            f"strain must lie over the grid at least in part, rows 0 to {grid.nx - 1}; with "
-            f"first = {first} it lies in rows {rows[0]} to {rows[-1]}"
+            f"strain must overlap the grid, rows 0 to {grid.nx - 1}, got first = {first}, "
+            f"rows {rows[0]} to {rows[-1]}"
         )
 
 
 def eigenstrain_field(
     grid: Grid, strain: ArrayLike, first: Cells, cells: Cells | None
 ) -> tuple[tuple[int, int, int], FloatArray]:
-    """Arguments of `Simulation.add_eigenstrain`: first cell, and strain, depth-major."""
+    """First cell and depth-major strain, the checked arguments of `Simulation.add_eigenstrain`."""
     place = _three("first", first, 0)
     if not grid.has_volume:
-        raise ValueError(f"grid must have dz for an eigenstrain, which needs layers; got {grid!r}")
+        raise ValueError(f"grid must have dz for an eigenstrain, got {grid!r}")
     shape = real_array("strain", strain).shape
     if cells is not None or shape == (6,):
         if cells is None or shape != (6,):
             raise ValueError(
-                "strain must have shape (6,) together with cells = (nx, ny, nz), or shape "
-                f"(6, nx, ny, nz) without; got shape {shape} and cells = {in_short(cells)}"
+                "strain must have shape (6,) with cells = (nx, ny, nz), or shape (6, nx, ny, nz) "
+                f"without cells, got shape {shape} and cells = {in_short(cells)}"
             )
         uniform = finite_array("strain", strain, (6,))
         field = np.tile(uniform[:, None, None, None], (1, *_three("cells", cells, 1)))
@@ -112,18 +112,18 @@ def eigenstrain_field(
     for axis, start, count, most in sizes:
         if start + count > most and not (axis == "z" and grid.nz == 0):
             raise ValueError(
-                f"the box must lie in the grid, which has {most} cells along {axis}; it has cells "
+                f"the box must lie in the grid, which has {most} cells along {axis}, got cells "
                 f"{start} to {start + count - 1}"
             )
     return place, np.ascontiguousarray(np.moveaxis(field, 3, 1))
 
 
 def _three(name: str, numbers: Cells, least: int) -> tuple[int, int, int]:
-    """Three whole numbers."""
+    """Check and return three integers."""
     try:
         i, j, k = numbers
     except (TypeError, ValueError) as error:
-        raise ValueError(f"{name} must be three whole numbers, got {in_short(numbers)}") from error
+        raise ValueError(f"{name} must be three integers, got {in_short(numbers)}") from error
     for number in (i, j, k):
         integer(name, number, least)
     return int(i), int(j), int(k)

@@ -15,26 +15,26 @@ if TYPE_CHECKING:
 
 @dataclass
 class History:
-    """The increments of a simulation since its start, as far as they are known."""
+    """Increments of a simulation since its start, as far as they are known."""
 
     heat: Heat
     """Heat of the first increment."""
     steps: list[dict[str, Any]] | None = field(default_factory=list)
-    """Arguments of `Simulation.step`; None where the start is not that of undeformed bodies."""
+    """Arguments of `Simulation.step`; None after a start from deformed bodies."""
     checked: int = 0
-    """The number of increments at the last estimate."""
+    """Number of increments at the last estimate."""
 
     def add(self, given: Mapping[str, Any]) -> None:
-        """Add an increment; prescribed tractions are not kept, nor what follows them."""
+        """Add an increment; prescribed tractions end the record of the history."""
         if given.get("pressure") is not None:
             self.forget()
         if self.steps is not None:
             self.steps.append(cleaned(given))
 
     def forget(self) -> None:
-        """Forget all, after a state that the increments do not lead to."""
+        """Discard the history, for a state that does not result from its increments."""
         self.steps = None
 
     def is_due(self, factor: int) -> bool:
-        """Whether there are so many times as many increments as at the last estimate."""
+        """Whether the number of increments has grown by a factor since the last estimate."""
         return bool(self.steps) and len(self.steps or ()) >= factor * self.checked

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How far results depend on the number of increments, from a solve with another number of them."""
+"""Error of results due to the size of increments, from a run with another number of them."""
 
 from __future__ import annotations
 
@@ -32,39 +32,39 @@ if TYPE_CHECKING:
 __all__ = ["IncrementErrors", "IncrementWarning", "estimated"]
 
 LARGEST = 0.05
-"""Relative error above which there is a warning."""
+"""Relative error above which a warning is issued."""
 _ENOUGH = {True: 6.0, False: 16.0}
-"""Cells across the contact on the coarsest grid used; whether a body yields. Without flow, what
-increments change lies in few cells, between stick and slip."""
+"""Cells across the contact on the coarsest grid used, with and without yielding. Without plastic
+flow, increments affect only few cells, between stick and slip zones."""
 _COARSEST = 3
 _FIRST_ORDER = 2.0, 2.0
-"""Error of n increments over the difference of n and 2n, of plastic strain and of others; exact for
-the first order."""
+"""Error of n increments over the difference of n and 2n, for plastic strain and for other fields;
+exact for first-order convergence."""
 _BETWEEN = 2.0, 1.5
-"""The same over the difference of n/2 and n: 1 for the first order, 2.4 for the order 1/2 that
+"""Error of n increments over the difference of n/2 and n: 1 for order 1, 2.4 for order 1/2, which
 single cells may have; calibrated, see docs/theory/accuracy.md."""
 
 _logger = logging.getLogger("samcontact")
 
 Repeat = Callable[["SimulationSetup", "Grid", "Heat", Sequence[Mapping[str, Any]]], list["State"]]
-"""Runs another setup on a grid, from a heat on, along a path."""
+"""Function that runs a setup on a grid, with an initial heat, along a path."""
 
 
 @dataclass(frozen=True, eq=False)
 class IncrementErrors(Shown):
-    """Estimated relative errors of a run by the number of its increments.
+    """Estimated relative errors of a run due to the size of its increments.
 
     Attributes
     ----------
     fields : dict of float
-        Of "pressure", "shear" and "equivalent_plastic_strain_bodyN": the largest error at any cell
-        and increment over the largest value of the run (of the strain no less than that at yield,
-        at the increment of largest load and at the last only).
+        For "pressure", "shear" and "equivalent_plastic_strain_bodyN": maximum error over all cells
+        and increments, relative to the maximum value of the run (for plastic strain at least the
+        yield strain, and only at the increment of maximum load and the last one).
     values : dict of float
-        Of the certified quantities, by their names in results files: at the same two increments,
-        relative to the larger value.
+        Errors of the quantities with error control, by their names in results files, at these two
+        increments, relative to the larger value.
     compared : str
-        The solves that the estimate is from.
+        Description of the runs that were compared.
     """
 
     fields: dict[str, float]
@@ -73,11 +73,11 @@ class IncrementErrors(Shown):
 
     @property
     def largest(self) -> float:
-        """The largest error of the fields."""
+        """Maximum error of the fields."""
         return max(self.fields.values(), default=0.0)
 
     def __str__(self) -> str:
-        return f"{said(self.fields)} of its largest value (estimated from {self.compared})"
+        return f"{said(self.fields)} of its maximum (estimated from {self.compared})"
 
     def _rows(self) -> Rows:
         return [(_label(name), f"± {percent(share)}") for name, share in self.fields.items()]
@@ -87,19 +87,19 @@ class IncrementErrors(Shown):
 
 
 def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
-    """Warn of errors above 5 %; whether it did."""
+    """Warn of errors above 5 %; return whether a warning was issued."""
     if errors.largest <= LARGEST:
         return False
     times = math.ceil(errors.largest / LARGEST)
-    text = f"{errors}: take more, smaller increments, about {times} times as many for 5 %"
+    text = f"{errors}: use smaller increments, about {times} times as many for 5 %"
     warnings.warn(text, IncrementWarning, stacklevel=stacklevel + 1)
     return True
 
 
 def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
-    """Whether the number of increments has a part in some states.
+    """Whether some states depend on the number of increments.
 
-    It has where a body has yielded, unless `increment_tol` controls it, or where shear sticks.
+    They do if a body has yielded, unless `increment_tol` controls the error, or with partial slip.
     """
     last = states[-1]
     if setup.friction.sticks:
@@ -122,10 +122,10 @@ def warn_of(
 ) -> None:
     """Warn, once in a simulation, of increments that are too large.
 
-    Nothing is estimated where a filter ignores the warning.
+    Nothing is estimated if a filter ignores the warning.
 
-    states: the last ones. factor: how many times as many increments as at the last estimate there
-    must be, which bounds the time of all estimates.
+    states: the latest states. factor: minimum growth of the number of increments since the last
+    estimate, which bounds the time of all estimates.
     """
     history = engine.history
     if not monitor.checks_increments or not states or not history.is_due(factor):
@@ -140,7 +140,7 @@ def warn_of(
 
 
 def _is_ignored(category: type[Warning]) -> bool:
-    """Whether the filters of Python ignore all warnings of a category."""
+    """Whether Python's filters ignore all warnings of a category."""
     for action, message, other, module, line in warnings.filters:
         if issubclass(category, other) and not (message or module or line):
             return action == "ignore"
@@ -156,41 +156,41 @@ def estimated(
     *,
     certified: bool = False,
 ) -> IncrementErrors | None:
-    """Estimate what more increments would change in a run from the undeformed bodies on.
+    """Estimate the effect of smaller increments on a run that starts from undeformed bodies.
 
-    The path is solved with half as many increments where neighbours join, else with twice as many:
-    on cells so many times as large that 6 (without flow 16) are still across the contact.
+    The path is solved with half as many increments if neighbours can be merged, else with twice as
+    many, on a grid coarsened as long as 6 cells (16 without plastic flow) span the contact.
 
     Parameters
     ----------
     engine : Engine
-        The solver of the run; it stays as it is.
+        Solver of the run; unchanged.
     path : sequence of dict
         All increments since the start.
     states : sequence of State
-        Of all increments or the last ones.
+        States of all increments or of the last ones.
     heat : Heat
         Heat of the first increment.
     repeat : callable
-        Runs another setup on a grid, from a heat on, along a path, and returns its states.
+        Function that runs a setup on a grid, with an initial heat, along a path; returns states.
     certified : bool, optional
-        Whether `IncrementErrors.values` are wanted.
+        Whether to compute `IncrementErrors.values`.
 
     Returns
     -------
     IncrementErrors or None
-        None where increments have no part in the result, and where the estimate fails (the logger
-        "samcontact" tells why).
+        None if increments do not affect the result, or if the estimate fails (the logger
+        "samcontact" records why).
     """
     path = [cleaned(step) for step in path]
     if not is_path_dependent(engine.setup, states) or any("pressure" in step for step in path):
         return None
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of another path on another grid than the user's
+            warnings.simplefilter("ignore")  # they concern an auxiliary path and grid
             return _compared(engine, path, states, heat, repeat, certified)
     except Exception as error:
-        _logger.info("the error by the number of increments is not estimated: %s", error)
+        _logger.info("the error due to increments is not estimated: %s", error)
         return None
 
 
@@ -221,7 +221,7 @@ def _compared(
     halves = halved(steps, first, start)
     joined, ends = halves or doubled(steps, first, start, grid.dx, heat)
     compared = f"{'half' if halves else 'twice'} as many increments"
-    # What moves by single cells has fewer increments on larger ones.
+    # Motions by single cells are merged on larger cells.
     factors = [f * len(steps) / len(path) for f in (_BETWEEN if halves else _FIRST_ORDER)]
     second = repeat(setup, grid, heat, joined)
     if level > 0:
@@ -237,14 +237,14 @@ def _compared(
 
 
 def _scaled(differences: Mapping[str, float], factors: Sequence[float]) -> dict[str, float]:
-    """Errors by differences; factors: of strains, of others."""
+    """Scale differences to errors; factors: for strains, for other fields."""
     return {
         name: factors[0 if "strain" in name else 1] * share for name, share in differences.items()
     }
 
 
 def _level(states: Sequence[State]) -> int:
-    """How many times the cells are doubled."""
+    """Number of times the cell size is doubled."""
     top = max(states, key=lambda state: float(state.pressure.max()))
     periodic = top.grid.periodic
     yields = any(states[-1].max_equivalent_plastic_strain(body) > 0 for body in (1, 2))
@@ -258,7 +258,7 @@ Pairs = Sequence[tuple["State", "State"]]
 
 
 def _of_fields(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, float]:
-    """Largest differences of fields over largest values."""
+    """Maximum differences of fields, relative to the maximum values."""
     names = ["pressure", "shear"] if setup.friction.sticks else ["pressure"]
     found = {}
     for name in names:
@@ -277,17 +277,17 @@ def _of_fields(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, 
 
 
 def _difference(both: Sequence[tuple[FloatArray, ...]], least: float) -> float:
-    """The largest, over the largest value or `least`."""
+    """Maximum difference, relative to the maximum value or to `least`."""
     largest = max([least, *(float(np.abs(one).max()) for one, _ in both)])
     differences = [float(np.abs(np.subtract(*_common(*pair))).max()) for pair in both]
     return max(differences) / largest if largest > 0 else 0.0
 
 
 def _common(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Over the cells that both grids have: windows around the same middle, layers from the top."""
+    """Restrict two fields to their common cells: centred areas, layers from the surface down."""
     if one.shape == other.shape:
         return one, other
-    x = 1 if one.ndim == 3 and len(one) == 2 else 0  # of a pair of components
+    x = 1 if one.ndim == 3 and len(one) == 2 else 0  # for a pair of components
     cut = []
     for field_of, like in ((one, other), (other, one)):
         for axis in (x, x + 1):
@@ -300,7 +300,7 @@ def _common(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]
 
 
 def _of_values(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict[str, float]:
-    """Largest differences of the certified quantities over the larger of both values."""
+    """Maximum differences of quantities with error control, relative to the larger value."""
     names = error_controlled_quantities.names(setup.bodies, volume=grid.has_volume)
     one, other = (
         [error_controlled_quantities.values(pair[which], names) for pair in marks]
@@ -316,7 +316,7 @@ def _of_values(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict[str, fl
 
 
 def said(shares: Mapping[str, float]) -> str:
-    """Errors of fields in words, the largest first."""
+    """Describe the errors of fields, the largest first."""
     found = sorted(shares.items(), key=lambda item: -item[1])
     parts = [f"the {_label(name)} by about {percent(share)}" for name, share in found]
     return f"more increments would change {', '.join(parts)}"

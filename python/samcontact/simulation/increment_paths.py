@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Paths with twice, and with half, as many increments."""
+"""Paths with twice and with half as many increments."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ if TYPE_CHECKING:
 
 Step = Mapping[str, Any]
 Ends = list[tuple[int, int]]
-"""Numbers of increments of the one path and the other that end at the same target."""
+"""Numbers of the increments of two paths that end at a common target."""
 _TARGETS = ("load", "approach", "torque")
 _MOTIONS = ("twist", "duration")
 _ALIKE = 3.0
 _FEW = 0.65
-"""Of the increments, that may be left of them."""
+"""Maximum fraction of increments that may remain after merging."""
 
 
 def cleaned(step: Step) -> dict[str, Any]:
-    """Without arguments that are left out, or at rest."""
+    """Remove arguments that are omitted or zero."""
     kept = dict(step)
     for name, value in step.items():
         if value is None or (name == "advance" and tuple(value) == (0.0, 0.0)):
@@ -32,10 +32,10 @@ def cleaned(step: Step) -> dict[str, Any]:
 def doubled(
     path: Sequence[Step], states: Sequence[State], start: float, dx: float, heat: Heat
 ) -> tuple[list[dict[str, Any]], Ends]:
-    """Each increment in two; those stay whole that would move by parts of a cell, or be shorter
-    than the heat of a history allows.
+    """Split each increment in two, except where parts would move by fractions of a cell, or be
+    shorter than the heat history allows.
 
-    start: the approach at which the bodies touch [m]; dx: length of the cells.
+    start: approach at first contact [m]; dx: cell length.
     """
     steps: list[dict[str, Any]] = []
     ends = []
@@ -48,9 +48,9 @@ def doubled(
 def halved(
     path: Sequence[Step], states: Sequence[State], start: float
 ) -> tuple[list[dict[str, Any]], Ends] | None:
-    """Neighbouring increments that go on in the same direction as one; others stay.
+    """Merge neighbouring increments that continue in one direction; leave the others unchanged.
 
-    None where that tells too little: few can be joined, or one that stays is larger than those.
+    None if this reveals too little: few can be merged, or an unmerged one is larger than those.
     """
     steps: list[dict[str, Any]] = []
     ends: Ends = []
@@ -73,7 +73,7 @@ def halved(
 
 
 def _sizes(before: Step, step: Step) -> dict[str, float]:
-    """How far an increment goes in each of its targets and motions."""
+    """Magnitude of an increment in each of its targets and motions."""
     found = {name: abs(step[name] - before[name]) for name in _TARGETS if name in step}
     if "twist" in step:
         found["twist"] = abs(step["twist"])
@@ -88,7 +88,7 @@ def _sizes(before: Step, step: Step) -> dict[str, float]:
 def _before(
     number: int, path: Sequence[Step], states: Sequence[State], start: float
 ) -> dict[str, Any]:
-    """Targets as they were reached before an increment: as they were given, or as they are."""
+    """Targets reached before an increment, as prescribed or as computed."""
     if number == 0:
         return {"load": 0.0, "approach": start, "torque": 0.0, "tangential_load": (0.0, 0.0)}
     step, state = path[number - 1], states[number - 1]
@@ -129,7 +129,7 @@ def _halves(step: Step, before: Step, dx: float, heat: Heat) -> list[dict[str, A
 
 
 def _goes_on(before: Step, step: Step, after: Step) -> bool:
-    """Whether two increments, from what was reached before, go on in the same direction."""
+    """Whether two increments continue in one direction from the targets reached before."""
     if step.keys() != after.keys():
         return False
     ways = [(before[name], step[name], after[name]) for name in _TARGETS if name in step]
@@ -148,7 +148,7 @@ def _goes_on(before: Step, step: Step, after: Step) -> bool:
 
 
 def _is_one_way(a: float, b: float | None, c: float | None) -> bool:
-    """Whether two ways in the same direction are of about the same length."""
+    """Whether two changes have one direction and similar lengths."""
     if b is None or c is None:
         return b is None and c is None
     return a == b == c or (b != a and 1 / _ALIKE <= (c - b) / (b - a) <= _ALIKE)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs that survive being killed: a checkpoint after each increment, and going on from them."""
+"""Runs that survive being killed: a checkpoint after each increment, and resuming from them."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ if TYPE_CHECKING:
 
 
 def describe(engine: Engine, **what: Any) -> Identity:
-    """Identify a run that is about to begin: its scene, and what is done with it, e.g. its path.
+    """Identify a run that is about to begin by its setup and by further data, e.g. its path.
 
-    Softening laws are parts of their own, so that messages name them.
+    Softening laws are separate parts, so that messages can name them.
     """
     scene = engine.setup.on_domain(engine.first, engine.heat)
     for number in (1, 2):
@@ -50,7 +50,7 @@ def describe(engine: Engine, **what: Any) -> Identity:
 def journal_of(
     folder: str | os.PathLike[str] | None, engine: Engine, **what: Any
 ) -> Iterator[Journal | None]:
-    """The journal of a run, in a folder that is its own meanwhile; None without a folder."""
+    """Journal of a run, in a folder locked for it; None without a folder."""
     if folder is None:
         yield None
         return
@@ -59,24 +59,23 @@ def journal_of(
 
 
 class Journal:
-    """Checkpoints of the increments of one run, in a folder of their own.
+    """Checkpoints of the increments of one run, in a folder of its own.
 
-    Going on from them gives the same bits as a run that was not interrupted.
+    A resumed run gives bit-identical results to an uninterrupted one.
 
     Parameters
     ----------
     folder : path
-        Made when it is missing.
+        Created if missing.
     engine : Engine
-        The solver of the increments.
+        Solver of the increments.
     who : Identity
-        From `describe`, before the first increment: it tells this run from others, whose
-        checkpoints are refused.
+        From `describe`, before the first increment. Checkpoints of any other run are refused.
 
     Raises
     ------
     ValueError
-        The folder holds something else, or checkpoints of another run or version; or the run
+        The folder contains other files, or checkpoints of another run or version; or the run
         cannot be identified, because a law has state that Python cannot read.
     """
 
@@ -85,20 +84,20 @@ class Journal:
         require_identified(who)
         self.who = who
         self.count = 0
-        """Increments so far, restored or new."""
+        """Number of increments so far, restored or new."""
         self.folder.mkdir(parents=True, exist_ok=True)
         files = sorted(self.folder.glob("*.h5"))
         for file in files:
             require_marked(file, "move it away, or choose another folder")
-        for file in files:  # the first one that is whole tells
+        for file in files:  # the first intact one identifies the run
             with suppress(DamagedCheckpointError):
                 require_same(self.folder, who, read(file, KIND))
                 break
 
     def next(self) -> State | None:
-        """The state after the next increment, where it was kept; the simulation stands there.
+        """Restore the next increment if its checkpoint exists, and return its state.
 
-        A damaged checkpoint is none, with a warning: its increment follows from the one before.
+        A damaged checkpoint is ignored with a warning; its increment is solved again.
         """
         if not (file := self._file(self.count + 1)).exists():
             return None
@@ -106,7 +105,7 @@ class Journal:
             self._restore(file)
         except DamagedCheckpointError as error:
             number = self.count + 1
-            text = f"{error}: going on from the one before, increment {number} is solved again"
+            text = f"{error}: continuing from the previous one, increment {number} is solved again"
             warnings.warn(text, stacklevel=3)
             return None
         self.count += 1
@@ -120,13 +119,13 @@ class Journal:
             self.engine.restore(kept)
 
     def add(self, state: State | None = None) -> None:
-        """Keep the simulation after a new increment: as it stands, or an earlier state of it."""
+        """Store the simulation after a new increment, in its current state or an earlier one."""
         kept = self.engine.snapshot(state)
         write_checkpoint(self._file(self.count + 1), kept, run=self.who)
         self.count += 1
 
     def add_all(self, states: Iterable[State]) -> None:
-        """The same of the increments so far of a run that had no journal."""
+        """Store all increments so far of a run that had no journal."""
         for state in states:
             self.add(state)
 

@@ -15,7 +15,7 @@ from .simulation import Simulation
 
 
 def _eigenstrain(simulation: Simulation, body: int) -> FloatArray:
-    """Eigenstrain of a body over the grid, as it lay at the start, shape (6, nx, ny, layers)."""
+    """Eigenstrain of a body over the grid, at its initial position, shape (6, nx, ny, layers)."""
     track = simulation.state.track(body, margin=0)
     strain, rows = track.eigenstrain(), track.first + np.arange(track.grid.nx)
     field = np.zeros((6, *simulation.grid.surface_shape, strain.shape[3]))
@@ -40,7 +40,7 @@ def coarsened(simulation: Simulation, heat: Heat) -> Simulation:
 
     Eigenstrain is averaged over the coarser cells.
 
-    Raises ValueError where the grid cannot be halved, see `coarser`.
+    Raises ValueError if the grid cannot be coarsened, see `coarser`.
     """
     setup, domain = coarser(simulation.engine.setup, simulation.engine.domain)
     arguments = setup.on_grid(domain.grid, heat)

@@ -24,13 +24,13 @@ if TYPE_CHECKING:
     from .increment_errors import Repeat
 
 Made = TypeVar("Made")
-"""A class of simulations."""
+"""Type variable: a class of simulations."""
 
 
 def restored(cls: type[Made], kept: Snapshot, first: Domain | None = None, gap: Any = None) -> Made:
-    """The simulation, of class `cls`, of a snapshot.
+    """Restore a simulation of class `cls` from a snapshot.
 
-    first: its domain before any enlargement; gap: a function that is the one in it.
+    first: its domain before any enlargement; gap: the function of a grid that gives its gap.
     """
     changes = {} if gap is None else {"gap": gap}
     simulation = cls(**kept.arguments | changes)
@@ -42,7 +42,7 @@ def restored(cls: type[Made], kept: Snapshot, first: Domain | None = None, gap: 
 
 
 def reduced(cls: type[Any], engine: Engine, monitor: Monitor) -> tuple[Any, ...]:
-    """What a pickle or copy of a simulation is made of; functions stay what they are."""
+    """Arguments for pickling or copying a simulation; functions are kept as they are."""
     kept, surfaces = engine.snapshot(), vars(engine.setup.surfaces)
     functions = {name: shape for name, shape in surfaces.items() if callable(shape)}
     kept = replace(kept, arguments=kept.arguments | functions)
@@ -52,7 +52,7 @@ def reduced(cls: type[Any], engine: Engine, monitor: Monitor) -> tuple[Any, ...]
 def loaded(
     cls: type[Made], path: str | os.PathLike[str], softening: Sequence[Any], gap: Any = None
 ) -> Made:
-    """The simulation of a checkpoint file; gap: a function that is the one in it."""
+    """Load a simulation from a checkpoint file; gap: function of a grid that gives its gap."""
     kept, tree = read_checkpoint(path, softening)
     if told := other_version(path, tree):
         warnings.warn(f"{told}: further increments may differ in their last digits", stacklevel=3)
@@ -61,14 +61,14 @@ def loaded(
 
 
 def without_estimates(cls: type[Any], arguments: Mapping[str, Any]) -> Any:
-    """Make a simulation of class `cls` that does not estimate errors by its increments."""
+    """Create a simulation of class `cls` that does not estimate errors due to its increments."""
     simulation = cls(**arguments)
     simulation.monitor.checks_increments = False
     return simulation
 
 
 def repeat_with(cls: type[Any]) -> Repeat:
-    """Return a function that runs another setup along a path, without estimates of its errors."""
+    """Return a function that runs a setup along a path, without error estimates."""
 
     def repeated(
         setup: SimulationSetup, grid: Grid, heat: Heat, path: Sequence[Mapping[str, Any]]

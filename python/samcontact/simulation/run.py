@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The increments of a run, one after the other: log, progress and checkpoints."""
+"""Execution of the increments of a run, with log, progress and checkpoints."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ def _log(state: State, number: int, count: int) -> None:
     if not _logger.isEnabledFor(logging.INFO):
         return
     _logger.info(
-        "increment %d of %d: load %.6g N, approach %.6g m, largest pressure %.6g Pa",
+        "increment %d of %d: load %.6g N, approach %.6g m, maximum pressure %.6g Pa",
         number, count, state.load, state.approach, state.pressure.max(),
     )  # fmt: skip
     _logger.debug(
-        "increment %d: %d plastic and %d contact iterations in %d parts, residual %.2g",
+        "increment %d: %d plastic and %d contact iterations in %d sub-increments, residual %.2g",
         number, state.iterations, state.contact_iterations, state.substeps, state.plastic_residual,
     )  # fmt: skip
 
@@ -43,7 +43,7 @@ def run_into(
     *,
     leave: bool = True,
 ) -> None:
-    """Append the state of each increment as soon as it is done; leave: the progress when it is."""
+    """Append the state of each completed increment; `leave` the progress bar at the end."""
     monitor.doubt(engine.estimate, engine.heat, largest_target(steps), stacklevel=3)
     if not any(engine.heat.shares) and (load := largest_cold_load(steps)) is not None:
         engine.make_room(load)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Incremental elastic-plastic contact: loading, unloading, reloading."""
+"""Incremental simulation of elastic-plastic contact."""
 
 from __future__ import annotations
 
@@ -44,47 +44,47 @@ class Simulation(Configured, Shown):
     Parameters
     ----------
     grid : Grid
-        Needs layers (dz) if a body is elastic-plastic.
+        Must have layers (dz) if a body is elastic-plastic.
     body1, body2 : Material or Layered
         Upper and lower body; at most one is rigid.
     gap : array_like, shape (nx, ny), or callable
         Initial separation of the undeformed bodies [m], inf where one of them is absent; or a
-        function of a grid that returns it, e.g. ``lambda grid: surfaces.paraboloid(grid, R)``, with
-        which the grid is enlarged automatically if it does not contain the contact, see Notes.
+        function of a grid that returns it, e.g. ``lambda grid: surfaces.paraboloid(grid, R)``. With
+        a function, the grid is enlarged automatically to contain the contact; see Notes.
     friction : float or Coulomb, optional
-        Friction law. A float is a coefficient mu >= 0 [-] for gross sliding along +x on body 2;
-        `Coulomb(mu)` allows partial slip, driven by `step`.
+        Friction law. A float is a coefficient mu >= 0 [-] for full sliding, with shear along +x on
+        body 2; `Coulomb(mu)` allows partial slip, driven by `step`.
     tol : float, optional
-        Convergence tolerance of an increment [-], in [1e-11, 1): bound of the relative change of
-        the plastic strain increment and of the relative violation of the yield condition.
+        Convergence tolerance of an increment [-], in [1e-11, 1): bound on the relative change of
+        the plastic strain increment and on the relative violation of the yield condition.
     increment_tol : float, optional
         Tolerance of automatic sub-increments [-], in [10 tol, 1), of pressure and of equivalent
         plastic strain relative to their maxima. Each part is solved as a whole and in halves, and
         extrapolated to second order. ValueError if more than 64 parts would be needed; the message
-        gives a tolerance for which 64 suffice. Default: increments as given, of first order.
+        gives a tolerance for which 64 suffice. Default: no subdivision, first order.
     on_border : {"error", "warn"}, optional
-        Action if the contact reaches the edge of a grid that is not enlarged; with "warn" none is.
+        Action if the contact reaches the edge of the grid; with "warn" it is never enlarged.
     max_iterations : int, optional
         Maximum number of fixed-point iterations before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
         "fast": sweeps over the layers; time and memory are proportional to the cells. "exact":
         influence coefficients of cuboids at their centres, a reference; time grows with the square
-        of the layers, memory is 1 kB a cell. With little hardening and cubic cells, plastic strain
-        may alternate from layer to layer (a ResolutionWarning) or not converge.
+        of the layers, memory is 1 kB per cell. With little hardening and cubic cells, plastic
+        strain may alternate between layers (`ResolutionWarning`) or not converge.
     image_tol : float, optional
-        With "fast": error by periodic transforms over the largest residual stress; in [1e-6, 0.1].
+        Error of "fast" due to periodic transforms, over maximum residual stress; in [1e-6, 0.1].
     zones : {"auto", "one"}, optional
         Domain of the plastic strain. "auto": several boxes where this reduces the work, as on rough
-        surfaces; "one": always a single one. They differ by about 1e-3 of the residual stress.
+        surfaces; "one": a single box. Results differ by about 1e-3 of the residual stress.
     heat : Heat, optional
         Frictional heating. Default: none, `Heat(0.0)`.
     relief1, relief2 : Relief or callable, optional
         Surface topography (roughness, dents) that moves with body 1 or 2, or a function of a grid
         that returns it.
     reach : float, optional
-        Distance beyond the grid, along x, up to which plastic strain acts [m]; default: its length.
+        Distance beyond the grid, along x, up to which plastic strain acts [m]. Default: its length.
     contact_law : ContactLaw, optional
-        Bound of the pressure at a gap. Default: `HardContact()`, p >= 0.
+        Lower bound of the pressure across a gap. Default: `HardContact()`, p >= 0.
 
     Raises
     ------
@@ -95,11 +95,11 @@ class Simulation(Configured, Shown):
 
     Notes
     -----
-    A grid is enlarged on both sides, by whole cells of the same size: to 1.25 times the Hertz
-    contact of a paraboloid (in a run, at its largest load), else by half along each direction whose
-    border is touched. `grid` and arrays of its shape are then those of the larger one; a state
-    keeps its own, and `run` returns all on the last. At 64 times the cells a GridTooSmallError ends
-    it. Periodic grids, and those of heat with a history or bodies that soften, are not enlarged.
+    A grid is enlarged on both sides by cells of unchanged size: to 1.25 times the Hertz contact of
+    a paraboloid (in a run, at its maximum load), else by half in each direction whose edge was
+    reached. `grid` and arrays of its shape then refer to the larger grid. A state keeps its grid;
+    `run` returns all states on the last one. Above 64 times the cells, GridTooSmallError is raised.
+    Grids that are periodic, or with heat.history or thermal softening, are not enlarged.
     """
 
     _last = "engine"
@@ -157,7 +157,7 @@ class Simulation(Configured, Shown):
 
     @property
     def grid(self) -> Grid:
-        """Present grid, which may have been enlarged."""
+        """Current grid, which may have been enlarged."""
         return self.engine.domain.grid
 
     @property
@@ -167,17 +167,17 @@ class Simulation(Configured, Shown):
 
     @property
     def relief1(self) -> Relief | None:
-        """Relief of body 1 over the grid."""
+        """Moving surface topography of body 1 over the grid."""
         return self.engine.domain.relief1
 
     @property
     def relief2(self) -> Relief | None:
-        """Relief of body 2 over the grid."""
+        """Moving surface topography of body 2 over the grid."""
         return self.engine.domain.relief2
 
     @property
     def heat(self) -> Heat:
-        """Heat of the next increment; `step` can change its factor."""
+        """Frictional heating of the next increment; `step` can change its factor."""
         return self.engine.heat
 
     def step(
@@ -195,38 +195,38 @@ class Simulation(Configured, Shown):
         heat_factor: float | Sequence[float] | None = None,
         duration: float | None = None,
     ) -> State:
-        """Advance by one increment, to exactly one of load, approach, or given tractions.
+        """Advance by one increment under load control, approach control or prescribed pressure.
 
         Parameters
         ----------
         load, approach : float
-            Total load [N], >= 0 or down to the tension of the contact law; approach [m].
+            Normal load [N], >= 0 or down to the tension of the contact law; approach [m].
         pressure : array_like, shape (nx, ny)
-            Prescribed pressure [Pa]; no contact is solved.
+            Prescribed pressure [Pa]; the contact is not solved. Exactly one of the three is given.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
             Prescribed shear traction s_x, or (s_x, s_y), on body 2 [Pa]. Only with `pressure`.
             Default: friction * pressure.
         advance : pair of floats, optional
             Displacement of the surfaces of bodies 1 and 2 through the contact during the increment,
-            positive along +x [m]. Equal: rolling towards -x; different: sliding by the difference.
-            Plastic strain moves with its body, the grid stays with the contact. Whole cells are
-            exact; see `State.origin` for parts of them. With `Coulomb` the difference is creepage.
+            positive along +x [m]. Equal: rolling towards -x; different: sliding by the difference,
+            or creepage with `Coulomb`. Plastic strain moves with its body; the grid stays with the
+            contact. Whole cells are exact; for fractions of a cell see `State.origin`.
         shift : pair of float, optional
-            With `Coulomb`: rigid displacement of body 1 over body 2 in this increment [m]. None for
-            a component means that `tangential_load` prescribes the force in that direction.
+            With `Coulomb`: tangential rigid-body displacement of body 1 relative to body 2 in this
+            increment [m]. None for a component leaves that direction to `tangential_load`.
         tangential_load : pair of float, optional
             With `Coulomb`: force on body 2 at the end of the increment [N]. A direction without
-            prescribed force or displacement is held.
+            prescribed force or displacement is held fixed.
         twist : float, optional
             With `Coulomb`: rotation of body 1 relative to body 2 about z at the origin, in this
-            increment [rad]; of bodies that roll, spin times their mean distance. Or
+            increment [rad]; for rolling bodies, spin times mean distance. Excludes `torque`.
         torque : float, optional
-            the moment on body 2 at its end [N m]. With neither, rotation is prevented.
+            Moment on body 2 at the end of the increment [N m]. With neither, rotation is prevented.
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 switches it off.
         duration : float, optional
-            Duration of the increment [s], > 0; with a `history` of the heat, whose flux follows
-            the pressure at the end of the increment, or with its `partition`.
+            Duration of the increment [s], > 0. Only with `heat.history`, whose flux follows the
+            pressure at the end of the increment, or with `heat.partition`.
 
         Returns
         -------
@@ -238,7 +238,7 @@ class Simulation(Configured, Shown):
         ValueError
             Invalid arguments, or GridTooSmallError.
         ConvergenceError
-            With .iterations and .residual. In every case the state before the call stays.
+            With .iterations and .residual. After any error the previous state is kept.
         MemoryError
             The plastic zone requires more memory than is available.
         RuntimeError
@@ -248,7 +248,7 @@ class Simulation(Configured, Shown):
         -----
         ElasticStrainWarning, SingularPressureWarning, UnitWarning, PlasticStrainWarning, \
         GridTooSmallWarning, ResolutionWarning, IncrementWarning
-            Each at most once in a simulation; docs/conventions.md has the conditions.
+            Each is issued at most once per simulation; docs/conventions.md lists the conditions.
         """
         given = {
             "load": load, "approach": approach, "pressure": pressure, "shear": shear,
@@ -274,28 +274,28 @@ class Simulation(Configured, Shown):
         path : iterable of dict
             See `samcontact.paths` for helpers.
         progress : bool, optional
-            Show a progress bar; where there is no terminal, ten lines at most.
+            Show a progress bar, or at most ten lines if there is no terminal.
         checkpoint : path, optional
-            Folder for each increment, from which the same call of a new simulation continues.
+            Folder for checkpoints of all increments; a repeated call with it resumes the run.
 
         Returns
         -------
         list of State
-            One per increment. An error or interrupt (Ctrl-C) has those before it in its attribute
-            `states`, and the simulation stands at the last good one. The logger "samcontact"
-            records each (INFO) and its iterations (DEBUG).
+            One per increment. An error or interrupt (Ctrl-C) holds the completed states in its
+            attribute `states`; the simulation then remains at the last of them. The logger
+            "samcontact" records each increment (INFO) and its iterations (DEBUG).
 
         Raises
         ------
         ValueError
-            `checkpoint` is of another run or version of this package, or a softening law has no
-            identity (see `Material.with_softening`); and as `step`.
+            `checkpoint` belongs to another run or version of this package, a softening law cannot
+            be identified (see `Material.with_softening`), or `step` raises it.
 
         Warns
         -----
         UnitWarning, ResolutionWarning, IncrementWarning
-            Before the first increment and, of the run as a whole, at the end: as in `step`, with
-            stricter limits of resolution (docs/conventions.md).
+            Before the first increment, and at the end for the whole run; as in `step`, with
+            stricter resolution limits (docs/conventions.md).
         """
         boolean("progress", progress)
         states: list[State] = []
@@ -311,13 +311,13 @@ class Simulation(Configured, Shown):
 
     @property
     def state(self) -> State:
-        """The present state."""
+        """Current state."""
         return self.engine.state
 
     @property
     def counters(self) -> dict[str, int]:
-        """Work done so far, as contact_solves, contact_iterations, yield_checks, plastic_solves,
-        plastic_iterations, halvings; volume_bytes is memory of plastic state and kernels."""
+        """Counts of contact_solves, contact_iterations, yield_checks, plastic_solves,
+        plastic_iterations, halvings; volume_bytes: memory of plastic state and kernels."""
         return dict(self.engine.core.counters)
 
     def set_plastic_strain(
@@ -340,34 +340,34 @@ class Simulation(Configured, Shown):
         backstress : array_like, shape (terms, 6, nx, ny, nz), optional
             Deviators of kinematic hardening [Pa], as from `State.backstress`; default 0.
         first : int, optional
-            Row of the grid of the first row of these fields, possibly negative; they may then have
+            Grid row of the first row of these fields, possibly negative. The fields may then have
             any length: ``set_plastic_strain(2, track.plastic_strain(), first=track.first)``.
 
         Raises
         ------
         ValueError
-            A field has another shape, or values that are not finite or out of range.
+            A field has the wrong shape, or values that are not finite or out of range.
         """
         set_plastic_strain(self.engine, body, strain, equivalent, backstress, first)
 
     def add_eigenstrain(
         self, body: int, strain: ArrayLike, first: Cells = (0, 0, 0), cells: Cells | None = None
     ) -> None:
-        """Add an eigenstrain (misfit, swelling, transformation) to an elastic or plastic body.
+        """Add an eigenstrain (misfit, swelling, transformation) to a body that is not rigid.
 
         It acts from the next increment on and moves with the body: see `State.eigenstress`. Raises
-        ValueError: box beyond the grid, no dz, a rigid body, strain that is not finite.
+        ValueError for a box outside the grid, no dz, a rigid body or strain that is not finite.
 
         Parameters
         ----------
         body : {1, 2}
         strain : array_like, shape (6, nx, ny, nz) or (6,)
-            Tensor components xx, yy, zz, yz, xz, xy [-] of the cells of a box, with any trace; six
-            numbers: the same in `cells`. In common cells it adds to an earlier one.
+            Tensor components xx, yy, zz, yz, xz, xy [-] in the cells of a box, with any trace; six
+            numbers are a uniform strain in `cells`. It adds to earlier eigenstrains.
         first : tuple of int, optional
-            First cell of the box along x, y and z; it may begin below the surface.
+            First cell of the box along x, y and z; it may lie below the surface.
         cells : tuple of int, optional
-            Numbers of cells (nx, ny, nz) of the box, with six numbers only.
+            Numbers of cells (nx, ny, nz) of the box. Only with uniform strain.
         """
         add_eigenstrain(self.engine, body, strain, first, cells)
 
@@ -381,7 +381,7 @@ class Simulation(Configured, Shown):
         return reduced(type(self), self.engine, self.monitor)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a checkpoint (HDF5), replacing an old one only when the new one is complete."""
+        """Write a checkpoint (HDF5). A file is only replaced after the new one is complete."""
         write_checkpoint(path, self.engine.snapshot())
 
     @classmethod
@@ -391,10 +391,10 @@ class Simulation(Configured, Shown):
         softening: Sequence[Callable[[FloatArray], ArrayLike] | None] = (None, None),
         gap: Callable[[Grid], ArrayLike] | None = None,
     ) -> Simulation:
-        """Read a checkpoint; going on from it gives bit-identical results on the same machine.
+        """Read a checkpoint. Continuing from it gives bit-identical results on the same machine.
 
-        softening: laws of bodies 1 and 2 that are not of `samcontact.softening`. gap: the function
-        of a grid that it was, without which the grid is not enlarged. Raises CheckpointError (a
-        ValueError) for a file that is damaged or no checkpoint, and if gap is another surface.
+        softening: laws of bodies 1 and 2 that are not from `samcontact.softening`. gap: the
+        function of a grid used before; without it the grid is not enlarged. Raises CheckpointError
+        (a ValueError) for a damaged file, another kind of file, or a different surface.
         """
         return loaded(cls, path, softening, gap)

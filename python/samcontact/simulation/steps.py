@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arguments of a step of a simulation, checked and as the core takes them."""
+"""Checked arguments of a step of a simulation, converted for the core."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ STEP = (
 
 @dataclass(frozen=True)
 class Step:
-    """Where an increment goes, and the heat from then on."""
+    """Targets of an increment, and the heat from then on."""
 
     kind: str
     value: float
@@ -51,7 +51,7 @@ class Step:
 
     @property
     def target(self) -> dict[str, float]:
-        """Load or approach by its name; nothing with given tractions."""
+        """Load or approach by name; empty with prescribed tractions."""
         return {} if self.kind == "pressure" else {self.kind: self.value}
 
     def to_core(self) -> dict[str, Any]:
@@ -67,7 +67,7 @@ _HELD = GivenAlong((False, False, False), (0.0, 0.0, 0.0))
 
 
 class StepArguments:
-    """Checks of the arguments of increments on one grid; the last heat is checked once."""
+    """Checks of the arguments of increments on one grid; an unchanged heat is checked once."""
 
     def __init__(self, grid: Grid, bodies: Bodies, friction: FrictionLaw) -> None:
         self.grid, self.bodies, self.friction = grid, bodies, friction
@@ -89,7 +89,7 @@ class StepArguments:
         heat_factor: float | Sequence[float] | None = None,
         duration: float | None = None,
     ) -> Step:
-        """Arguments of `Simulation.step` as a step, after steps with this heat."""
+        """Check arguments of `Simulation.step`, given the heat so far, and return the step."""
         grid, friction = self.grid, self.friction
         kind = exactly_one(load=load, approach=approach, pressure=pressure)
         value = 0.0
@@ -98,7 +98,7 @@ class StepArguments:
             given = dict(zip(("shear_x", "shear_y"), shear_components(grid, shear), strict=True))
             given["pressure"] = tractions("pressure", pressure, grid.surface_shape)
         elif shear is not None:
-            raise ValueError(f"shear goes with pressure, not with {kind}: use friction instead")
+            raise ValueError(f"shear cannot be combined with {kind}: set friction instead")
         else:
             value = number(kind, load if kind == "load" else approach)
         ways = AT_REST if advance is AT_REST else _ways(grid, advance)
@@ -110,8 +110,8 @@ class StepArguments:
         lasts = _duration(heat, duration)
         if heat_factor is not None and heat.partition is not None:
             raise ValueError(
-                f"heat_factor must be left out with heat.partition, "
-                f"got {in_short(heat_factor)}: the heat is that of the slip"
+                f"heat_factor cannot be combined with heat.partition, "
+                f"got {in_short(heat_factor)}: the heat flux follows from the frictional power"
             )
         if heat_factor is not None:
             heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
@@ -123,7 +123,7 @@ class StepArguments:
         return Step(kind, value, heat, heated, lasts or 0.0, ways, tangential, **given)
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
-        """Entries of the heat for the core; duration: of an increment of a march in time [s]."""
+        """Entries of the heat for the core; duration: of an increment of transient heating [s]."""
         known = self._heated
         if known is None or known[0] is not heat or known[1] != duration:
             require_heat_of(self.friction, heat)
@@ -133,13 +133,13 @@ class StepArguments:
 
 
 def _ways(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
-    """Way of the surface of each body, in cells."""
+    """Travel of the surface of each body in the increment, in cells."""
     given = finite_array("advance", advance, (2,))
     first, second = (in_cells("advance", float(way), grid.dx) for way in given)
     if grid.along_x and (first, second) != AT_REST:
         raise ValueError(
-            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got "
-            f"{(first, second)!r}: a body that repeats itself along x does not leave the grid"
+            f"advance must be (0, 0) on a grid periodic along {grid.periodic!r}, got "
+            f"{(first, second)!r}"
         )
     return first, second
 
@@ -152,28 +152,28 @@ def _require_possible(
     torque: float | None,
     advance: tuple[float, float],
 ) -> None:
-    """What goes with each other of bodies that stick and slip."""
+    """Check that the arguments for partial slip are compatible with each other."""
     if not friction.sticks:
         return
     if pressure is not None and (any(tangential.is_force) or any(tangential.values)):
         raise ValueError(
-            "shift, tangential_load, twist and torque go with load or approach, not with "
-            "pressure: no contact is solved then; give the shear"
+            "shift, tangential_load, twist and torque cannot be combined with a prescribed "
+            "pressure: prescribe shear instead"
         )
     if pressure is not None and shear is None:
         raise ValueError(
-            f"shear must be given with pressure where friction is {friction!r}, got None: it does "
-            "not follow from the pressure; 0 everywhere is none"
+            f"shear is required with a prescribed pressure and friction = {friction!r}, got None: "
+            "it is not determined by the pressure; pass zeros for none"
         )
     if torque is not None and advance != (0.0, 0.0):
         raise ValueError(
-            f"torque must be left out where the bodies move on, got {in_short(torque)} "
-            "with advance: give the twist, spin times the way"
+            f"torque cannot be combined with advance, got {in_short(torque)}: prescribe "
+            "twist = spin x distance rolled"
         )
 
 
 def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:
-    """Of a path whose steps change no heat; None where one does, or without loads."""
+    """Maximum load of a path; None if the heating changes or if there are no loads."""
     loads = [step.get("load") for step in steps]
     given = [load for load in loads if isinstance(load, (int, float))]
     heated = any("heat_factor" in step for step in steps)
@@ -181,7 +181,7 @@ def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:
 
 
 def largest_target(steps: Sequence[Mapping[str, Any]]) -> dict[str, float]:
-    """Of a path: its largest load, or approach where no load is given."""
+    """Maximum load of a path, or maximum approach if no load is given."""
     for name in ("load", "approach"):
         given = [v for step in steps if isinstance(v := step.get(name), (int, float))]
         if given:
@@ -190,21 +190,21 @@ def largest_target(steps: Sequence[Mapping[str, Any]]) -> dict[str, float]:
 
 
 def _duration(heat: Heat, duration: float | None) -> float | None:
-    """Of an increment [s]; None without a march in time or heat of slip."""
+    """Checked duration of an increment [s]; None without heat.history or heat.partition."""
     if heat.partition is not None:
         if duration is None:
-            raise ValueError("duration must be given in a simulation with heat of slip")
+            raise ValueError("duration is required because heat.partition is set")
         return positive("duration", duration)
     if heat.history is None:
         if duration is not None:
-            raise ValueError("duration needs a simulation with heat of a history or of slip")
+            raise ValueError("duration requires heat with history or partition")
         return None
     if duration is None:
-        raise ValueError("duration must be given in a simulation with heat of a history")
+        raise ValueError("duration is required because heat.history is set")
     seconds, shortest = positive("duration", duration), heat.history[0]
     if seconds < shortest * (1 - 1e-12):
         raise ValueError(
-            f"duration must be at least the shortest step of heat.history, {shortest!r} s, "
+            f"duration must be >= the shortest step of heat.history, {shortest!r} s, "
             f"got {seconds!r}"
         )
     return seconds
@@ -213,17 +213,16 @@ def _duration(heat: Heat, duration: float | None) -> float | None:
 def _require_motion_of_heat(
     heat: Heat, duration: float, advance: tuple[float, float], dx: float
 ) -> None:
-    """Past heat is known at the cells of the grid, and moves with the velocities."""
+    """Require motions consistent with past heat, which is stored per cell of the grid."""
     for n, cells in enumerate(advance, 1):
         moved = cells * dx
         if abs(cells - round(cells)) > 1e-6:
             raise ValueError(
-                f"advance of body {n} must be a whole number of cells of {dx!r} m in a simulation "
-                f"with heat of a history, got {moved!r} m"
+                f"advance of body {n} must be a whole number of cells of {dx!r} m "
+                f"with heat.history, got {moved!r} m"
             )
         expected = heat.velocity[n - 1][0] * duration
         if heat.factor[n - 1] > 0 and abs(moved - expected) > 1e-6 * dx:
             raise ValueError(
-                f"advance of body {n} must be its velocity times duration, {expected!r} m, "
-                f"got {moved!r} m"
+                f"advance of body {n} must be velocity x duration, {expected!r} m, got {moved!r} m"
             )

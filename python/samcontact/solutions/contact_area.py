@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Area of a contact, whose edge lies between the cells of its grid."""
+"""Contact area, with the contact edge located between the cells of the grid."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from ..scene.contact_law import in_contact
 from .outline import Sides, around, sides_of, steps_beside
 
 AREA_OF_A_SIDE = (math.pi - 1 + math.log(2)) / 24
-"""Of a cell: mean excess of the counted area for each side of the outline of a smooth spot."""
+"""Mean excess of the counted area per side of the outline of a smooth spot [cells]."""
 RESOLVED, UNRESOLVED = 0.08, 0.14
-"""Perimeter correction over the counted area (of a periodic grid that is nearly closed, over the
-open area) up to which the edge is located from the pressure, and from which it is not: round spots
-of 7.5 and 4.3 cells across."""
-_CELLS = range(1, 5)  # from the edge, by which a pressure is continued
-_RIM = 4  # cells around a field, as many
+"""Perimeter correction over the counted area (on a periodic grid in nearly full contact, over the
+open area) below which the edge is located from the pressure, and above which it is not. They
+correspond to round spots of 7.5 and 4.3 cells across."""
+_CELLS = range(1, 5)  # from the edge, used to extrapolate the pressure
+_RIM = 4  # cells added around a field
 
 
 def contact_area(
@@ -27,40 +27,40 @@ def contact_area(
 ) -> float:
     """Contact area from the pressure in the cells of a grid [m^2].
 
-    Counting the cells under pressure is of first order in the cell size and nearly always too
-    large. Where the spots are resolved, the edge is located within the cells from the squared
-    pressure, which falls linearly to zero at the edge of a smooth contact (second order). Where
-    they are not, or where that would exceed the count (contacts that are nearly closed), each side
-    of the outline takes (pi - 1 + ln 2)/24 of a cell off the count: the mean excess of counting,
-    over all directions of a smooth edge (Yastrebov, Anciaux and Molinari 2017,
-    doi:10.1016/j.triboint.2017.04.023). In between the two are blended. Sides at the border of the
-    grid, and those at a step of the gap, take nothing off: the edge lies on them.
+    Counting cells under pressure is a first-order method and nearly always overestimates the area.
+    If the spots are resolved, the edge is located within the cells from the squared pressure, which
+    falls linearly to zero at the edge of a smooth contact (second order). If they are not, or if
+    the located area would exceed the count (nearly full contact), each side of the outline reduces
+    the count by (pi - 1 + ln 2)/24 of a cell: the mean excess of counting over all directions of a
+    smooth edge (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). Between
+    the two limits both values are blended. Sides at the edge of the grid or at a step of the gap
+    do not reduce the count, because the contact edge lies on them.
 
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
-        [Pa], >= 0; the repulsion where surfaces attract each other.
+        Contact pressure [Pa], >= 0; with attraction, the repulsion.
     cell_area : float
-        [m^2].
+        Area of a cell [m^2].
     periodic : {"", "x", "y", "xy"}, optional
-        As of a Grid.
+        Periodic directions, as for `Grid`.
     gap : array_like, shape (nx, ny), optional
-        Separation of the undeformed bodies [m], in which steps are looked for.
+        Separation of the undeformed bodies [m], used to find steps.
     """
     return _located(pressure, periodic, gap)[0] * cell_area
 
 
 def area_doubt(pressure: ArrayLike, periodic: str = "", gap: ArrayLike | None = None) -> float:
-    """Perimeter correction over the contact area, as far as it had to serve [-].
+    """Perimeter correction that was used, relative to the contact area [-].
 
-    0 where the edge is located from the pressure; the arguments as for `contact_area`.
+    It is 0 if the edge is located from the pressure. The arguments are those of `contact_area`.
     """
     area, doubt = _located(pressure, periodic, gap)
     return doubt / area if area > 0 else 0.0
 
 
 def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple[float, float]:
-    """Contact area, and the part of the perimeter correction that it rests on [cells]."""
+    """Contact area, and the part of the perimeter correction used for it [cells]."""
     field = np.asarray(pressure, dtype=np.float64)
     inside = in_contact(field)
     count = int(np.count_nonzero(inside))
@@ -77,18 +77,18 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
     if taken_off == 0:
         return float(count), 0.0
     by_perimeter = max(count - taken_off, 0.5 * count)
-    # where contact is nearly everywhere, the spots to resolve are those without
+    # in nearly full contact, the open spots must be resolved
     least = min(count, inside.size - count) if set(periodic) == {"x", "y"} else count
     trust = (UNRESOLVED - taken_off / least) / (UNRESOLVED - RESOLVED)
     if trust <= 0:
         return by_perimeter, taken_off
     steps = [(sides, fixed) for sides, fixed in zip(outline, on_cells, strict=True) if fixed.any()]
     by_pressure = _inside_of_zero_line(field, periodic, steps)
-    # edges along one direction of the grid all lie alike in their cells: by up to half a cell off
+    # edges along one grid direction all lie alike within their cells: up to half a cell off
     straight = smooth[0] + smooth[1] == 0 or smooth[2] + smooth[3] == 0
     slack = 0.25 * sum(smooth) if straight else 0.0
     beyond = (by_pressure - count - slack) / (slack or taken_off)
-    if beyond > 0:  # of a contact that is nearly closed: the less, the further beyond the count
+    if beyond > 0:  # nearly full contact: smaller, the more it exceeds the count
         trust = min(trust, 1.0) * max(0.0, 1.0 - beyond)
         by_pressure = count + slack
     trust = min(trust, 1.0)
@@ -96,7 +96,7 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
 
 
 def _on_cells(sides: Sides, gap: ArrayLike | None, periodic: str) -> NDArray[np.bool_]:
-    """Sides on which the edge of the contact lies, since the gap has a step there."""
+    """Whether sides coincide with the contact edge because of a step of the gap."""
     if gap is None:
         return np.zeros(len(sides.i), dtype=np.bool_)
     return steps_beside(sides, np.asarray(gap, dtype=np.float64), periodic)[0]
@@ -105,11 +105,12 @@ def _on_cells(sides: Sides, gap: ArrayLike | None, periodic: str) -> NDArray[np.
 def _inside_of_zero_line(
     pressure: FloatArray, periodic: str, steps: list[tuple[Sides, NDArray[np.bool_]]]
 ) -> float:
-    """Number of cells inside of the line where the squared pressure, continued outwards, vanishes.
+    """Number of cells inside the zero line of the extrapolated squared pressure.
 
-    A parabola through the second to fourth cell from the edge (the first depends on where in it the
-    edge lies) continues it over the first cells without pressure, at most to zero in their centres.
-    Beside a step it vanishes half-way. The area is that of the triangles between the centres.
+    A parabola through the second to fourth cell from the edge (the first depends on the position
+    of the edge within it) extrapolates it over the first cells without pressure, at most to zero
+    at their centres. At a step it vanishes half-way. The area is that of the triangles between
+    the centres.
     """
     field = (pressure / pressure.max()) ** 2
     held = np.full(field.shape, np.nan)
@@ -131,14 +132,14 @@ def _inside_of_zero_line(
 
 
 def _continued(squared: FloatArray) -> FloatArray:
-    """Squared pressures, with those below zero that continue them over the cells beside."""
+    """Extrapolate squared pressures to negative values in the adjacent cells."""
     inside = squared > 0
     level = np.where(inside, squared, np.nan)
     total, weights = np.zeros_like(level), np.zeros_like(level)
     for i, j in ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)):
         first, second, third, fourth = (np.roll(level, (n * i, n * j), (0, 1)) for n in _CELLS)
         continued = 6.0 * second - 8.0 * third + 3.0 * fourth
-        # a narrow spot: by a line; one of a single cell ends half-way to its neighbours
+        # narrow spots: a line; a single cell ends half-way to its neighbours
         line = 2.0 * first - np.where(np.isnan(second), 3.0 * first, second)
         continued = np.where(np.isnan(continued), line, continued)
         known = np.isfinite(continued)
@@ -151,7 +152,7 @@ def _continued(squared: FloatArray) -> FloatArray:
 
 
 def _area_above_zero(level: FloatArray) -> float:
-    """In squares between the points of a lattice, each cut into four triangles at its middle."""
+    """Area in squares of a lattice of points, each split into four triangles at its centre."""
     corners = (level[:-1, :-1], level[1:, :-1], level[1:, 1:], level[:-1, 1:])
     middle = 0.25 * sum(corners)
     area = 0.0

@@ -18,40 +18,40 @@ from .contact_area import contact_area
 from .outline import Outline, outline_of
 
 Before = tuple[FloatArray, FloatArray, FloatArray | None, float]
-"""Pressure, shear, gap and approach at the end of an increment; None: not known."""
+"""Pressure, shear, gap and approach at the end of an increment; None: unknown."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
 class ContactSolution(Brief, Shown):
-    """Solution of one elastic contact.
+    """Solution of an elastic contact.
 
     Attributes
     ----------
     grid : Grid
-        Of the fields: that of the solver, or a larger one.
+        Grid of the fields: that of the solver, or an enlarged one.
     pressure : ndarray, shape (nx, ny)
-        Contact pressure [Pa], >= 0; less, down to minus the attraction of the contact law.
+        Contact pressure [Pa], >= 0; with attraction, >= -a for the attraction a of the law.
     repulsion : ndarray, shape (nx, ny)
-        What is left of the pressure beside the attraction [Pa], >= 0; without any, the pressure.
+        Contact pressure plus attraction [Pa], >= 0; without attraction, the pressure.
     gap : ndarray, shape (nx, ny)
         Separation under load [m], zero (to `error`) where the repulsion is positive.
     approach : float
-        Rigid-body approach of the bodies [m].
+        Rigid-body approach [m].
     load : float
-        Total load [N].
+        Normal load [N].
     iterations : int
-        Conjugate-gradient steps on the grid; the start from coarser grids is not counted.
+        Conjugate-gradient iterations on the grid, without those on coarser grids.
     operator_applications : int
-        Exact displacements computed on the grid, each a pair of zero-padded transforms (with
-        coupled friction, those of the shear included).
+        Exact displacement evaluations on the grid, each a pair of zero-padded transforms
+        (including those of the shear with coupled friction).
     work : float
-        All transforms of the solve, those of the preconditioner, of its cheap displacements and of
-        coarser grids included, in units of one exact displacement [-].
+        All transforms of the solve, including those of the preconditioner, of approximate
+        displacements and of coarser grids, in units of one exact displacement [-].
     error : float
-        Largest violation of r >= 0, g >= 0, r g = 0 for the repulsion r: largest size of
-        min(r/max r, g/max u) [-].
+        Complementarity error [-]: maximum of |min(r/max r, g/max u)| over all cells, for the
+        repulsion r, gap g and displacement u.
     converged : bool
-        Whether error <= tol (a solve that is not raises ConvergenceError).
+        Whether error <= tol (otherwise ConvergenceError is raised).
     """
 
     grid: Grid
@@ -68,7 +68,7 @@ class ContactSolution(Brief, Shown):
 
     @cached_property
     def outline(self) -> Outline:
-        """Outline of the contact in the cells of the grid."""
+        """Outline of the contact in cells of the grid."""
         return outline_of(self.repulsion, self.grid.periodic)
 
     @property
@@ -78,7 +78,7 @@ class ContactSolution(Brief, Shown):
 
     @property
     def contact_area(self) -> float:
-        """Contact area [m^2], with its edge between the cells; see the theory page."""
+        """Contact area [m^2], with the edge located between the cells; see the theory page."""
         grid = self.grid
         gap = self.gap if self.outline.rises else None
         return contact_area(self.repulsion, grid.cell_area, grid.periodic, gap)
@@ -99,7 +99,7 @@ class ContactSolution(Brief, Shown):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ShearedSolution(ContactSolution):
-    """What solutions with Coulomb friction share; see `StickSlipSolution`."""
+    """Base class of solutions with Coulomb friction; see `StickSlipSolution`."""
 
     shear: FloatArray
     slip: FloatArray
@@ -118,8 +118,8 @@ class ShearedSolution(ContactSolution):
             ("tangential load", both(self.tangential_load, "N")),
             ("torque", quantity(self.torque, "N m")),
             *self._motion(),
-            ("cells that stick", str(np.count_nonzero(self.sticking))),
-            ("error of the shear", quantity(self.tangential_error)),
+            ("sticking cells", str(np.count_nonzero(self.sticking))),
+            ("shear error", quantity(self.tangential_error)),
         ]
 
     def _motion(self) -> Rows:
@@ -128,43 +128,44 @@ class ShearedSolution(ContactSolution):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class StickSlipSolution(ShearedSolution):
-    """Solution of one contact that sticks and slips by Coulomb's law; also a `ContactSolution`.
+    """Solution of a contact with partial slip under Coulomb friction; also a `ContactSolution`.
 
     Attributes
     ----------
     shear : ndarray, shape (2, nx, ny)
-        Along x and y, on body 2 [Pa]; reversed on body 1. Its length is at most mu p.
+        Shear traction along x and y on body 2 [Pa], reversed on body 1; magnitude at most mu p.
     slip : ndarray, shape (2, nx, ny)
-        Of body 1 over body 2 in this increment [m]; zero where the bodies stick or do not touch.
+        Slip of body 1 relative to body 2 in this increment [m]; zero in stick and out of contact.
     sticking : ndarray of bool, shape (nx, ny)
-        Cells in contact that do not slip in this increment.
+        Contact cells that do not slip in this increment.
     tangential_load : ndarray, shape (2,)
         Force along x and y on body 2 [N].
     torque : float
-        On body 2 about z at the origin [N m].
+        Moment on body 2 about z at the origin [N m].
     shift : ndarray, shape (2,)
-        Rigid motion of body 1 over body 2 along x and y since the first increment [m].
+        Tangential rigid-body displacement of body 1 relative to body 2 along x and y, accumulated
+            since the first increment [m].
     twist : float
-        Turn of body 1 over body 2 about z at the origin since then [rad].
+        Rotation of body 1 relative to body 2 about z at the origin, accumulated likewise [rad].
     friction_work : float
-        Turned into heat since then [J].
+        Frictional dissipation since the first increment [J].
     tangential_error : float
-        Natural residual of stick and slip: by how much the shear changes when it is moved along its
-        slip and cut at mu p, relative to the largest mu p, or to ten times the largest shear where
-        that is less [-]. With unlike bodies it is that for the final pressure, and `error` that of
-        the pressure for the final shear.
+        Natural residual of the slip conditions: change of the shear when it is moved along its slip
+        and cut at mu p, relative to the maximum of mu p, or to ten times the maximum shear if that
+        is smaller [-]. With dissimilar materials it refers to the final pressure, and `error` is
+        that of the pressure for the final shear.
     energy_gap : float
-        What friction could still turn over with these slips [J]: twice the elastic energy of the
-        error of the shear is less. NaN where friction is infinite.
+        Bound on the energy that friction could still dissipate with these slips [J]; twice the
+        elastic energy of the shear error is smaller. NaN for infinite friction.
     sweeps : int
-        Between pressure and shear; 1 where they do not act on each other.
+        Iterations between pressure and shear; 1 if they are uncoupled.
     tangential_iterations : int
-        Steps of the linear solves for the shear on the finest grid.
+        Iterations of the linear solves for the shear on the finest grid.
     tangential_applications : int
-        Displacements of shear computed on the box of the contact, each two pairs of transforms.
+        Evaluations of shear displacement on the box of the contact, each two pairs of transforms.
     tangential_work : float
-        All transforms for the shear, those of the preconditioner and of coarser grids included, in
-        units of such a displacement [-].
+        All transforms for the shear, including those of the preconditioner and of coarser grids, in
+        units of one such evaluation [-].
     """
 
     shift: FloatArray
@@ -182,22 +183,22 @@ class StickSlipSolution(ShearedSolution):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class RollingSolution(ShearedSolution):
-    """Solution of one contact that rolls steadily; also a `ContactSolution`.
+    """Solution of a contact in steady rolling; also a `ContactSolution`.
 
     Attributes
     ----------
     creepage : ndarray, shape (2,)
-        Rigid slip of body 1 over body 2 along x and y per way rolled [-].
+        Rigid slip of body 1 relative to body 2 along x and y, per distance rolled [-].
     spin : float
-        Turn of body 1 over body 2 about z per way rolled [1/m].
+        Rotation of body 1 relative to body 2 about z, per distance rolled [1/m].
     friction : Coulomb
         Friction law.
     slip : ndarray, shape (2, nx, ny)
-        Of body 1 over body 2 per way rolled [-]; zero where the bodies stick or do not touch.
+        Slip of body 1 relative to body 2 per distance rolled [-]; zero in stick and out of contact.
     work_per_way : float
-        Turned into heat per way rolled [J/m].
+        Frictional dissipation per distance rolled [J/m].
     shear, sticking, tangential_load, torque
-        As in `StickSlipSolution`, and so are errors and counts.
+        As in `StickSlipSolution`; errors and counts as well.
     """
 
     creepage: FloatArray
@@ -209,18 +210,18 @@ class RollingSolution(ShearedSolution):
         return [
             ("creepage", both(self.creepage, "")),
             ("spin", quantity(self.spin, "1/m")),
-            ("friction work per way", quantity(self.work_per_way, "J/m")),
+            ("friction work per distance", quantity(self.work_per_way, "J/m")),
         ]
 
 
 def both(values: FloatArray, unit: str) -> str:
-    """Two numbers, rounding beside the other as zero."""
+    """Format two numbers; values negligible against the other are shown as zero."""
     small = 1e-9 * float(np.abs(values).max())
     return ", ".join(quantity(float(v) if abs(v) > small else 0.0, unit) for v in values)
 
 
 def fits(solution: ContactSolution, grid: Grid) -> bool:
-    """Whether a grid has the cells of the solution, or more around them."""
+    """Whether a grid has the cells of the solution, and possibly more around them."""
     own = solution.grid
     more = [n - m for n, m in zip(grid.surface_shape, own.surface_shape, strict=True)]
     same = (grid.dx, grid.dy, grid.periodic) == (own.dx, own.dy, own.periodic)
@@ -228,12 +229,11 @@ def fits(solution: ContactSolution, grid: Grid) -> bool:
 
 
 def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> Before:
-    """Pressure, shear, gap and approach on a grid that fits; ValueError, with the name of the
-    argument, for others."""
+    """Pressure, shear, gap and approach on a grid that fits; ValueError, naming the argument, for
+    other grids."""
     if not fits(solution, grid):
         raise ValueError(
-            f"{name} must be a solution on the same cells, got one on {solution.grid!r} for "
-            f"{grid!r}"
+            f"{name} must be a solution with equal cells, got one on {solution.grid!r} for {grid!r}"
         )
     margins = [
         ((n - m) // 2, (n - m) // 2)

@@ -15,18 +15,18 @@ from ..scene.grid import Grid
 
 SIDES = ("above", "below")
 _TO_FACE = {1: (1.0,), 2: (1.5, -0.5), 3: (11 / 6, -7 / 6, 1 / 3)}
-"""Value at the face of the first of so many cells from the means of a polynomial over them."""
+"""Weights for the value at the face of the first of n cells, from cell means of a polynomial."""
 
 
 def layered_body(bodies: tuple[Body, Body], body: int, offset: float) -> Layered:
-    """The layered body of that number; ValueError where it has no interfaces over whole cells."""
+    """Return the layered body; ValueError if it has no interfaces or is offset from the cells."""
     found = bodies[body - 1]
     if not isinstance(found, Layered):
-        raise ValueError(f"body{body} must have layers, whose interfaces are asked for: {found!r}")
+        raise ValueError(f"body{body} must be layered to have interfaces, got {found!r}")
     if offset:
         raise ValueError(
-            f"fields of body{body} lie {offset:.3g} m beside the cells of the grid, "
-            "where tractions are known: let both bodies move by whole cells"
+            f"fields of body{body} are offset by {offset:.3g} m from the cells of the grid, where "
+            "tractions are known: move both bodies by whole cells"
         )
     return found
 
@@ -39,14 +39,14 @@ def stress_at_interfaces(
 ) -> FloatArray:
     """See `State.interface_stress`.
 
-    tractions: pressure and shear on the body; of_strain: the stress of its plastic strain in so
-    many layers of cells.
+    tractions: pressure and shear on the body; of_strain: stress due to its plastic strain in a
+    number of layers of cells.
     """
     pressure, shear = tractions
     depths = layered.interfaces
     sides = np.stack([np.nextafter(depths, 0.0), depths])
     needed = memory.volume(grid, memory.STRESS_OF_TRACTIONS, sides.size)
-    memory.require_for_grid("the stress at interfaces", grid, needed)
+    memory.require_for_grid("the stress at the interfaces", grid, needed)
     stress = _core.operators.surface_stress(
         grid._core, layered._core.stack, _core.Heating(), sides.ravel().tolist(),
         np.ascontiguousarray(pressure), *np.ascontiguousarray(shear),
@@ -61,7 +61,7 @@ def stress_at_interfaces(
 
 
 def _continued(cells: FloatArray, cuts: Sequence[int]) -> FloatArray:
-    """Stress in layers of cells, continued to the interfaces from each side."""
+    """Extrapolate stress in layers of cells to the interfaces from each side."""
     faces = []
     for above, at, below in zip([0, *cuts], cuts, [*cuts[1:], cells.shape[-1]], strict=False):
         upper, lower = cells[..., above:at][..., ::-1], cells[..., at:below]
@@ -70,7 +70,7 @@ def _continued(cells: FloatArray, cuts: Sequence[int]) -> FloatArray:
 
 
 def _at_face(cells: FloatArray) -> FloatArray:
-    """Of cells of one material, from its face on."""
+    """Extrapolate stress in cells of one material to the face of the first cell."""
     weights = _TO_FACE[min(len(_TO_FACE), cells.shape[-1])]
     face: FloatArray = cells[..., : len(weights)] @ np.array(weights)
     return face

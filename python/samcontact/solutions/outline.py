@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Outline of a contact in the cells of its grid, and steps of the gap beside it."""
+"""Outline of a contact in cells of its grid, and steps of the gap next to it."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from .._util.checks import FloatArray
 from ..scene.contact_law import in_contact
 
 RISE = 1.05
-"""Pressure of a cell at a sharp edge over that of its neighbour further inside, at least."""
+"""Minimum ratio of the pressure of a cell at a sharp edge to that of its inner neighbour."""
 STEP = 8.0
-"""Height of a step over the bends of the gap beside it."""
+"""Minimum ratio of the height of a step to the bends of the gap next to it."""
 
 Ints = NDArray[np.intp]
 _BLOCK = 1 << 18
-"""Cells that are looked at together, for the memory of it."""
+"""Number of cells processed together, which limits the memory."""
 _MARGIN = 5
-"""Cells around a contact, in which all lies that says whether its edge is sharp."""
+"""Margin around a contact within which cells determine whether its edge is sharp."""
 
 
 def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
-    """Rows and columns of the contact with a margin; all of them where the grid is periodic."""
+    """Rows and columns of the contact with a margin; all of them on a periodic grid."""
     found = []
     for axis, name in enumerate("xy"):
         at = np.flatnonzero(inside.any(axis=1 - axis))
@@ -38,23 +38,23 @@ def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
 
 
 class Outline(NamedTuple):
-    """Outline of a contact in the cells of its grid."""
+    """Outline of a contact in cells of its grid."""
 
     cells: int
     """Cells in contact."""
     sides: int
-    """Sides of `sides_of` in all."""
+    """Total number of sides from `sides_of`."""
     reach: int
-    """Cells: contact reaches from so many before the largest pressure to one less behind it, along
-    x and y, so that its spot is twice as wide at least."""
+    """Number r of cells: contact extends from r before the maximum pressure to r - 1 behind it
+    along x and y, so that its spot is at least 2 r wide."""
     rises: bool
-    """Whether the pressure rises to a side of the contact, from the next cell further inside."""
+    """Whether the pressure increases towards a side of the contact, from the next inner cell."""
     largest: float
-    """Pressure [Pa]."""
+    """Maximum pressure [Pa]."""
 
 
 def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
-    """Outline of the contact under a pressure >= 0 [Pa], shape (nx, ny); periodic: as of a Grid."""
+    """Outline of the contact for a pressure >= 0 [Pa], shape (nx, ny); periodic: as for Grid."""
     field = np.asarray(pressure, dtype=np.float64)
     return Outline(*contact_outline(field, "x" in periodic, "y" in periodic, RISE))
 
@@ -68,14 +68,14 @@ class Sides(NamedTuple):
     step: int
 
     def neighbours(self, shape: tuple[int, ...], cells: int = 1) -> tuple[Ints, Ints]:
-        """Rows and columns so many cells further out; around the end of the grid."""
+        """Rows and columns a number of cells further out; cyclic at the end of the grid."""
         moved = [self.i, self.j]
         moved[self.axis] = (moved[self.axis] + self.step * cells) % shape[self.axis]
         return moved[0], moved[1]
 
 
 def away_from_border(sides: Sides, shape: tuple[int, ...], periodic: str) -> Sides:
-    """The sides on whose both sides all cells that `steps_beside` looks at are in the grid."""
+    """Sides for which all cells used by `steps_beside` lie inside the grid."""
     if "xy"[sides.axis] in periodic:
         return sides
     at, n = (sides.i if sides.axis == 0 else sides.j), shape[sides.axis]
@@ -85,9 +85,9 @@ def away_from_border(sides: Sides, shape: tuple[int, ...], periodic: str) -> Sid
 
 
 def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
-    """Sides that cells in contact share with those that are not, of four directions.
+    """Sides between cells in contact and open cells, in four directions.
 
-    The border of the grid is no side, but where it repeats itself.
+    The edge of the grid is no side, except in a periodic direction.
     """
     return sides_between(inside, ~inside, periodic)
 
@@ -95,7 +95,7 @@ def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
 def sides_between(
     inside: NDArray[np.bool_], beside: NDArray[np.bool_], periodic: str
 ) -> Iterator[Sides]:
-    """Sides that cells of one kind share with those of another, of four directions."""
+    """Sides between cells of two kinds, in four directions."""
     for axis, name in enumerate("xy"):
         for step in (1, -1):
             outside = np.roll(beside, -step, axis)
@@ -110,11 +110,11 @@ def sides_between(
 def steps_beside(
     sides: Sides, gap: FloatArray, periodic: str
 ) -> tuple[NDArray[np.bool_], FloatArray]:
-    """Whether the gap has a step up at each side, and its height [m].
+    """Whether the gap has a step up at each side, and the height of the step [m].
 
-    A step is higher than what the slopes on both sides can make between two cells, and `STEP` times
-    the bends of the gap on both sides. Where there is no body outside (NaN or infinite) it is
-    infinitely high.
+    A step is higher than the slopes on both sides can cause between two cells, and than `STEP`
+    times the bends of the gap on both sides. If there is no body outside (NaN or infinite), its
+    height is infinite.
     """
     heights = [_along(sides, gap, cells, periodic) for cells in range(-2, 4)]
     with np.errstate(invalid="ignore"):
@@ -123,7 +123,7 @@ def steps_beside(
         bends = np.abs(into - (inner - further_in)), np.abs(further_out - next_out - out)
         height = outer - own - 0.5 * (into + out)
         least = np.maximum(np.abs(out - into), STEP * np.maximum(*bends))
-        # rounding of heights that lie far away
+        # rounding of heights with a large offset
         least = np.maximum(least, 1e-9 * np.abs(own))
         found = np.nan_to_num(height, nan=0.0) > np.nan_to_num(least, nan=0.0, posinf=0.0)
     nothing = ~np.isfinite(outer)
@@ -131,7 +131,7 @@ def steps_beside(
 
 
 def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArray:
-    """Heights so many cells further out; of the last cell beyond the end of the grid."""
+    """Heights a number of cells further out; beyond the end of the grid, of the last cell."""
     i, j = sides.i, sides.j
     at = (i if sides.axis == 0 else j) + sides.step * cells
     n = gap.shape[sides.axis]
@@ -169,9 +169,9 @@ def _bends_suddenly(heights: FloatArray) -> bool:
 
 
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
-    """Whether the pressure of some cell is above that of both neighbours along an axis by `RISE`.
+    """Whether the pressure of some cell exceeds both neighbours along an axis by `RISE`.
 
-    So it is at every edge to which the pressure rises; a smooth contact has none.
+    This holds at every edge towards which the pressure rises, and nowhere in a smooth contact.
     """
     for axis, name in enumerate("xy"):
         p = pressure if axis == 0 else pressure.T
@@ -189,7 +189,7 @@ def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
 
 
 def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:
-    """Where the pressure is more than further inside, and falls by as much or more beside."""
+    """Whether the pressure exceeds that further inside, and drops at least as much further out."""
     own, inner = pressure[sides.i, sides.j], pressure[sides.neighbours(pressure.shape, -1)]
     beside = pressure[sides.neighbours(pressure.shape, 1)]
     found: NDArray[np.bool_] = in_contact(inner) & (own > RISE * inner) & (own > RISE * beside)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which increment of a run is its peak."""
+"""Selection of the increment of maximum stress in a run."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ if TYPE_CHECKING:
 
 
 _SAME_STRESS = 1e-3
-"""Relative: flow without hardening holds the stress at the yield stress, to its tolerance."""
+"""Relative tolerance on stress: flow without hardening keeps it at yield, to the tolerance."""
 _SAME = 1e-9
-"""Relative, of pressures and loads: they differ by rounding."""
+"""Relative tolerance on pressures and loads, for rounding."""
 
 
 def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
-    """Position of the increment with the largest von Mises stress.
+    """Position of the increment with the maximum von Mises stress.
 
-    Of those with the same the one with the largest pressure, then the largest load, then the
-    first: a rolling contact has the same load all the way, and a rough spot of the way tells most.
+    Among equal ones, that with the maximum pressure, then with the maximum load, then the first:
+    in rolling contact the load is constant, and a rough spot on the track is the most informative.
 
     Parameters
     ----------
     stress, pressure, load : array_like, shape (increments,)
-        Largest von Mises stress of all bodies [Pa], None where there is no volume; largest
-        pressure [Pa]; load [N]. Increments with NaN are left out.
+        Maximum von Mises stress of all bodies [Pa], None without a volume; maximum pressure [Pa];
+        load [N]. Increments with NaN are ignored.
     """
     pressures = np.asarray(pressure, dtype=np.float64)
     left = np.isfinite(pressures)
@@ -43,7 +43,7 @@ def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
 
 
 def peak_of_dataset(dataset: xr.Dataset) -> int:
-    """The same of a results dataset."""
+    """Position of the increment with the maximum von Mises stress in a results dataset."""
     names = [f"max_von_mises_body{body}" for body in (1, 2)]
     stress = [dataset[name].values for name in names if name in dataset]
     largest = np.max(stress, axis=0) if stress else None

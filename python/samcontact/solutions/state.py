@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One moment of a simulation."""
+"""State of a simulation at the end of an increment."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _VOLUME = (
 
 
 def in_one_window(states: Sequence[State]) -> list[State]:
-    """The same moments of a simulation, over the largest of their grids."""
+    """Return the states of a simulation on the largest of their grids."""
     if not states:
         return []
     largest = max(states, key=lambda state: state.grid.nx * state.grid.ny)
@@ -38,20 +38,20 @@ def in_one_window(states: Sequence[State]) -> list[State]:
 
 
 class State(SurfaceState, Fixed, Shown):
-    """Fields of one moment, in SI units; volume fields are computed when they are asked for.
+    """Fields and scalars at the end of one increment, in SI units.
 
-    Tensor components are xx, yy, zz, yz, xz, xy in the frame of the body (z into it); tension is
-    positive. Methods take body = 1 or 2; those of volume fields raise ValueError for a grid without
-    layers or a rigid body. Their nz layers lie at `depths`. They are read-only, and what was
-    computed last is kept for the next who asks for it. A pickle or copy stands for itself, with a
-    simulation of its own.
+    Volume fields are computed on access. Tensor components are xx, yy, zz, yz, xz, xy in the frame
+    of the body (z into it); tension is positive. Methods take body = 1 or 2; those of volume fields
+    raise ValueError for a grid without layers or a rigid body. Their nz layers lie at `depths`.
+    Fields are read-only, and the most recent ones are cached. A pickle or copy is independent, with
+    a simulation of its own.
     """
 
     domain: Domain
     heat: Heat
     """Heat of the next increment."""
     counters: Callable[[], dict[str, int]]
-    """Work of the simulation so far, when it is asked for."""
+    """Function that returns the work counts of the simulation so far."""
     _given_layers: int | None
     _tracks: dict[tuple[int, int], Track]
 
@@ -72,10 +72,10 @@ class State(SurfaceState, Fixed, Shown):
 
     @cached_property
     def depths(self) -> FloatArray:
-        """Mid-depths of the layers that volume fields have [m], shape (nz,).
+        """Mid-layer depths of the volume fields [m], shape (nz,).
 
-        Those of the grid. Where it has no nz they hold all plastic strain of both bodies so far,
-        and the stress down to one and a half radii below the spots in contact; 8 at least.
+        These are the depths of the grid. Without nz, they include all plastic strain of both bodies
+        so far, and the stress down to 1.5 radii below the contact spots; at least 8 layers.
         """
         return self.grid.depths(self.layers)
 
@@ -85,76 +85,77 @@ class State(SurfaceState, Fixed, Shown):
         return self._core.layers() if self._given_layers is None else self._given_layers
 
     def at_layers(self, layers: int) -> State:
-        """The same moment, whose volume fields have another number of layers, >= 1."""
+        """Return this state with another number of layers (>= 1) in its volume fields."""
         integer("layers", layers, 1)
         if layers == self.layers:
             return self
         return State(self._core, self.setup, self.domain, self.heat, self.counters, layers)
 
     def _seen_over(self, window: State) -> State:
-        """The same moment over the grid of another state, which is larger."""
+        """Return this state on the larger grid of another state."""
         core, layers = self._core.widened(window._core), self._given_layers
         return State(core, self.setup, window.domain, self.heat, self.counters, layers)
 
     @property
     def time(self) -> float:
-        """Time [s] since the start of a simulation with heat of a `history`; 0 otherwise."""
+        """Time [s] since the start of a simulation with heat.history; 0 otherwise."""
         return float(self._core.time)
 
     @property
     def heat_factor(self) -> tuple[float, float]:
-        """Heat flux over pressure of body 1 and 2 in this increment [m/s]; with a `partition` of
-        the heat its shares [-]."""
+        """Heat flux per unit pressure of bodies 1 and 2 in this increment [m/s]; with
+        heat.partition, the fractions of the heat [-]."""
         return self._core.heat_factor1, self._core.heat_factor2
 
     @property
     def travel(self) -> tuple[float, float]:
-        """How far the surfaces of body 1 and 2 have moved through the contact, in +x [m]."""
+        """Accumulated displacement of surfaces 1 and 2 through the contact, along +x [m]."""
         first, second = self._core.travel
         return first * self.grid.dx, second * self.grid.dx
 
     @property
     def origin(self) -> float:
-        """Where x = 0 of the contact lies in the grid [m], within half a cell of its middle.
+        """Position of the contact origin (x = 0) relative to the grid centre [m].
 
-        The cells of the grid are those of the body whose plastic strain it follows (body 2 where
-        it is inelastic), so the contact moves in the grid by what is not a whole cell.
+        It is at most half a cell. The cells of the grid are those of the body whose plastic strain
+        is tracked (body 2 if it is elastic-plastic), so the contact moves in the grid by the
+        fraction of a cell.
         """
         return float(self._core.origin) * self.grid.dx
 
     def offset(self, body: int = 2) -> float:
-        """How far volume fields of a body lie from the grid's cells, along x [m].
+        """Offset of the volume fields of a body from the cells of the grid along x [m].
 
-        Within half a cell; not zero only where two inelastic bodies moved differently by parts of
-        a cell.
+        At most half a cell; not zero only if two elastic-plastic bodies moved by different
+        fractions of a cell.
         """
         return -float(self._core.offset[choice("body", body, (1, 2)) - 1]) * self.grid.dx
 
     def track(self, body: int = 2, margin: int | None = None) -> Track:
-        """What the whole way of the contact left in a body, beyond the grid too.
+        """Residual fields along the whole track of the contact on a body, also outside the grid.
 
         Parameters
         ----------
         body : {1, 2}
         margin : int, optional
-            Cells before and behind the plastic strain, >= 0; default a quarter of the grid's.
+            Cells added before and behind the plastic strain, >= 0. Default: a quarter of the grid.
 
         Returns
         -------
         Track
-            Its fields are computed when asked for; a MemoryError says before what they need.
+            Fields are computed on access; MemoryError if they require more than is available.
         """
         choice("body", body, (1, 2))
         cells = self.grid.nx // 4 if margin is None else integer("margin", margin, 0)
         if cells > MOST_CELLS // 4:
-            raise ValueError(f"margin must be at most {MOST_CELLS // 4} cells, got {cells}")
+            raise ValueError(f"margin must be <= {MOST_CELLS // 4} cells, got {cells}")
         key = body, cells
         if key not in self._tracks:
             self._tracks[key] = Track(self._core, self.grid, body, cells, self.layers)
         return self._tracks[key]
 
     def zones(self, body: int = 2) -> tuple[Zone, ...]:
-        """Boxes of cells that hold all plastic strain of a body, without common cells.
+        """Non-overlapping plastic subdomains of a body, which contain all its plastic strain.
 
         Parameters
         ----------
@@ -163,41 +164,41 @@ class State(SurfaceState, Fixed, Shown):
         Returns
         -------
         tuple of Zone
-            Those in which the strain was solved for, where they are several (see `Simulation`);
-            else one, or none without plastic strain. Their fields take the memory of the zones
-            instead of that of all layers of the grid.
+            The subdomains in which the plastic strain was solved, if there are several (see
+            `Simulation`); else a single one, or none without plastic strain. Their fields take the
+            memory of the subdomains instead of that of all layers of the grid.
         """
         found = ZoneStress(self._core, choice("body", body, (1, 2)))
         return tuple(Zone(self.grid, body, number, found) for number in range(len(found.boxes)))
 
     @property
     def converged(self) -> bool:
-        """Whether contact and plastic flow are converged to the tolerance."""
+        """Whether contact and plastic flow have converged to the tolerance."""
         return bool(self._core.converged)
 
     @property
     def iterations(self) -> int:
-        """Evaluations of the plastic fixed point in this increment; 0 if nothing yielded."""
+        """Fixed-point iterations for the plastic strain in this increment; 0 if elastic."""
         return int(self._core.iterations)
 
     @property
     def contact_iterations(self) -> int:
-        """Conjugate-gradient iterations in this increment."""
+        """Number of conjugate-gradient iterations in this increment."""
         return int(self._core.contact_iterations)
 
     @property
     def substeps(self) -> int:
-        """Parts into which the increment was divided to converge, 1 if it was not."""
+        """Number of sub-increments of this increment; 1 if it was not subdivided."""
         return int(self._core.substeps)
 
     @property
     def plastic_residual(self) -> float:
-        """Relative change of the plastic strain increment when it was accepted [-]."""
+        """Relative change of the plastic strain increment at convergence [-]."""
         return float(self._core.plastic_residual)
 
     @property
     def yield_excess(self) -> float:
-        """Largest (von Mises - yield stress)/yield stress when the increment was accepted [-]."""
+        """Maximum of (von Mises stress - yield stress)/yield stress at convergence [-]."""
         return float(self._core.yield_excess)
 
     def stress(self, body: int = 2) -> FloatArray:
@@ -205,27 +206,28 @@ class State(SurfaceState, Fixed, Shown):
         return self._field("stress", body)
 
     def residual_stress(self, body: int = 2) -> FloatArray:
-        """Stress without tractions and heat [Pa], shape (6, nx, ny, nz).
+        """Residual stress [Pa], shape (6, nx, ny, nz).
 
-        That of the plastic strain, `initial_stress` and `eigenstress`.
+        Stress due to plastic strain, plus `initial_stress` and `eigenstress`; no tractions, no
+        heat.
         """
         return self._field("residual_stress", body)
 
     def initial_stress(self, body: int = 2) -> FloatArray:
-        """Stress that was there before any contact [Pa], shape (6, nx, ny, nz).
+        """Initial (residual) stress [Pa], shape (6, nx, ny, nz).
 
-        See `Material.with_residual_stress`; 0 without.
+        See `Material.with_residual_stress`; 0 without it.
         """
         return self._field("initial_stress", body)
 
     def eigenstress(self, body: int = 2) -> FloatArray:
-        """Stress of the `eigenstrain` alone [Pa], shape (6, nx, ny, nz); in equilibrium."""
+        """Stress due to the `eigenstrain` alone [Pa], shape (6, nx, ny, nz); in equilibrium."""
         return self._field("eigenstress", body)
 
     def eigenstrain(self, body: int = 2) -> FloatArray:
-        """Sum of what `Simulation.add_eigenstrain` has added [-], shape (6, nx, ny, nz).
+        """Sum of the strains added by `Simulation.add_eigenstrain` [-], shape (6, nx, ny, nz).
 
-        Tensor components; no part of `plastic_strain`.
+        Tensor components; not part of `plastic_strain`.
         """
         return self._field("eigenstrain", body)
 
@@ -233,10 +235,10 @@ class State(SurfaceState, Fixed, Shown):
         """Total stress on both sides of the interfaces of a layered body [Pa].
 
         Shape (2, 6, nx, ny, m): above and below each of the m interfaces, see `Layered.interfaces`.
-        The tractions between layers, zz, yz and xz, are continuous but for the error of the cells;
-        xx, yy and xy jump. Stress due to tractions is exact at its depth, that due to plastic
-        strain is continued from three cells of each side (fewer in thinner layers). Raises
-        ValueError for a body without layers, or one with an `offset`.
+        The tractions between layers, zz, yz and xz, are continuous up to the grid error; xx, yy and
+        xy jump. Stress due to tractions is exact at its depth; stress due to plastic strain is
+        extrapolated from three cells on each side (fewer in thinner layers). Raises ValueError for
+        a body without layers, or with an `offset`.
         """
         return self._field("interface_stress", body, lambda: self._at_interfaces(body))
 
@@ -260,7 +262,7 @@ class State(SurfaceState, Fixed, Shown):
         return self._field("hydrostatic", body, lambda: self.stress(body)[:3].mean(axis=0))
 
     def plastic_cells(self) -> int:
-        """How many cells of both bodies have yielded so far, wherever they lie."""
+        """Number of cells of both bodies that have yielded, inside and outside the grid."""
         return int(self._core.plastic_cells(0)) + int(self._core.plastic_cells(1))
 
     def plastic_strain(self, body: int = 2) -> FloatArray:
@@ -272,9 +274,9 @@ class State(SurfaceState, Fixed, Shown):
         return self._field("equivalent_plastic_strain", body)
 
     def backstress(self, body: int = 2) -> FloatArray:
-        """Each backstress of kinematic hardening [Pa], shape (terms, 6, nx, ny, nz).
+        """Backstresses of kinematic hardening [Pa], shape (terms, 6, nx, ny, nz).
 
-        Their sum is the centre of the yield surface; no terms without kinematic hardening.
+        Their sum is the centre of the yield surface. Without kinematic hardening, terms = 0.
         """
         return self._field("backstress", body)
 
@@ -288,14 +290,14 @@ class State(SurfaceState, Fixed, Shown):
         return of[0], of[1]
 
     def max_equivalent_plastic_strain(self, body: int = 2) -> float:
-        """Largest accumulated equivalent plastic strain [-]; 0 for a body that cannot yield."""
+        """Maximum accumulated equivalent plastic strain [-]; 0 for a body that cannot yield."""
         return self.largest_strains[choice("body", body, (1, 2)) - 1][0]
 
     def max_plastic_strain_magnitude(self, body: int = 2) -> float:
-        """Largest magnitude sqrt(2/3 e:e) of the plastic strain e [-]; not cumulative.
+        """Maximum magnitude sqrt(2/3 e:e) of the plastic strain e [-]; not cumulative.
 
-        Reversed flow lowers it, whereas it raises the equivalent plastic strain. It is what the
-        theory of small strains limits; 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
+        Reversed flow decreases it, but increases the equivalent plastic strain. Small-strain theory
+        limits this magnitude. 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
         """
         return self.largest_strains[choice("body", body, (1, 2)) - 1][1]
 
@@ -304,14 +306,14 @@ class State(SurfaceState, Fixed, Shown):
         return bool(self._core.has_eigenstrain(choice("body", body, (1, 2)) - 1))
 
     def relief(self, body: int = 2) -> FloatArray:
-        """Heights of the body's `Relief` where it stands now [m], shape (nx, ny); 0 without."""
+        """Heights of a body's `Relief` at its current position [m], shape (nx, ny); 0 without."""
         return self._field("relief", body)
 
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
-        """Permanent print [m], shape (nx, ny): u_z of the plastic strain, positive inwards.
+        """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
-        With axis="x" or "y" the displacement that the plastic strain leaves along the surface, in
-        the directions that both bodies share. Of a periodic surface the body is at rest far below.
+        It is due to the plastic strain. With axis="x" or "y" it is tangential, along the directions
+        that both bodies share. On a periodic surface it is relative to the body far below.
         """
         number = axis_number(axis)
         core, index = self._core, choice("body", body, (1, 2)) - 1
@@ -321,19 +323,19 @@ class State(SurfaceState, Fixed, Shown):
         )  # fmt: skip
 
     def surface_displacement(self, body: int = 2) -> FloatArray:
-        """u_z of the surface under load [m], shape (nx, ny), positive into the body."""
+        """Normal surface displacement under load [m], shape (nx, ny), positive into the body."""
         return self._field("surface_displacement", body)
 
     def temperature(self, body: int = 2) -> FloatArray:
-        """Rise of temperature at mid-depth of the layers [K], shape (nx, ny, nz)."""
+        """Temperature rise at the mid-layer depths [K], shape (nx, ny, nz)."""
         return self._field("temperature", body)
 
     def surface_temperature(self, body: int = 2) -> FloatArray:
-        """Rise of temperature of the surface (flash temperature) [K], shape (nx, ny)."""
+        """Temperature rise of the surface (flash temperature) [K], shape (nx, ny)."""
         return self._field("surface_temperature", body)
 
     def softening(self, body: int = 2) -> FloatArray:
-        """Factor of the yield stress by thermal softening [-], shape (nx, ny, nz)."""
+        """Factor on the yield stress due to thermal softening [-], shape (nx, ny, nz)."""
         known = self._core.softening(choice("body", body, (1, 2)) - 1)
         factor = np.ones((*self.grid.surface_shape, self.layers))
         if known is None:
@@ -348,7 +350,7 @@ class State(SurfaceState, Fixed, Shown):
     def _field(
         self, name: str, body: int, compute: Callable[[], FloatArray] | None = None
     ) -> FloatArray:
-        """Of the core, unless it is kept, or computed from others that may be."""
+        """Cached field, or one computed from other fields or by the core."""
         index = choice("body", body, (1, 2)) - 1
         return kept(self, (name, index), compute or (lambda: self._of_core(name, index)))
 
@@ -366,7 +368,7 @@ class State(SurfaceState, Fixed, Shown):
         return field
 
     def _rows(self) -> Rows:
-        """What costs nothing to tell: no volume field is computed."""
+        """Rows that need no volume field."""
         rows = [
             ("load", quantity(self.load, "N")),
             ("approach", quantity(self.approach, "m")),

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def strained_cells(
     zone: Zone, shape: Sequence[int]
 ) -> tuple[tuple[NDArray[np.intp], ...], tuple[NDArray[np.intp], ...]]:
-    """Cells i, j, k with plastic strain, of those in a grid of this shape: in the zone, there."""
+    """Cells i, j, k with plastic strain within a grid of this shape, from those in the zone."""
     inside = np.nonzero(zone.equivalent_plastic_strain())
     there = [at + first for at, first in zip(inside, (*zone.first, 0), strict=True)]
     shown = np.logical_and.reduce(
@@ -28,7 +28,7 @@ def strained_cells(
 
 
 def strained_extent(state: State, body: int) -> list[tuple[int, int]]:
-    """First and last cell along x, y and z with plastic strain, of those that fields show.
+    """First and last cell along x, y and z with plastic strain inside the volume fields.
 
     Empty without plastic strain.
     """

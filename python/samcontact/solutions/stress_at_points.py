@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress of surface tractions at any points of a half-space, by direct sums."""
+"""Stress due to surface tractions at arbitrary points of a half-space, by direct summation."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from ..bodies.material import Material
 from ..scene.grid import Grid
 
 _BLOCK = 1 << 18
-"""Pairs of a point and a cell at once: 20 MB."""
+"""Number of pairs of a point and a cell processed together: 20 MB."""
 _AT_EDGE = 1e-6
-"""Of a cell: nearer than this, a point lies on its edge."""
+"""Distance from the edge of a cell, in cells, below which a point is on the edge."""
 _FARTHEST = 1e75
-"""Coordinates [m], beyond which squares of distances overflow in products."""
+"""Maximum coordinates [m]: beyond, squares of distances overflow in products."""
 
 IntArray = NDArray[np.intp]
 Tractions = tuple[FloatArray, FloatArray | None, FloatArray | None]
@@ -31,12 +31,12 @@ def stress_at_points(
     nu: float,
     points: tuple[ArrayLike, ArrayLike, ArrayLike],
 ) -> FloatArray:
-    """Stress of pressure, s_x and s_y in the cells of a grid, at points [Pa], shape (6, ...).
+    """Stress due to pressure, s_x and s_y in the cells of a grid, at points [Pa], shape (6, ...).
 
-    Each loaded cell counts with its closed form (Love 1929; `kernels.pressure_stress` and
-    `kernels.shear_stress`): what the transforms of `ContactSolver.stress` give at the centres of
-    cells. Where loaded cells meet at the surface, the mean half a cell to both sides. Time grows
-    with points times loaded cells, memory does not.
+    The closed forms of all loaded cells are summed (Love 1929; `kernels.pressure_stress` and
+    `kernels.shear_stress`). At cell centres the result equals that of `ContactSolver.stress`. Where
+    loaded cells meet at the surface, values half a cell to both sides are averaged. Time is
+    proportional to points times loaded cells; memory is constant.
     """
     given = {name: _finite(name, values) for name, values in zip("xyz", points, strict=True)}
     x, y, z = together(**given)
@@ -55,15 +55,15 @@ def stress_at_points(
 
 
 def _half_cells(grid: Grid, tractions: Tractions, points: FloatArray) -> FloatArray:
-    """From points at the surface where loaded cells meet, half a cell [m] across the line; else 0.
+    """Offset of half a cell [m] across the line where loaded cells meet at the surface; else 0.
 
-    The stress of uniform cells is infinite there, by the logarithm of the distance from the edge of
-    a jump of the traction; the mean of its values half a cell to both sides has no such term.
+    The stress of uniform cells is infinite there, with the logarithm of the distance from a jump of
+    the traction; the mean of the values half a cell to both sides does not contain this term.
     """
     half = np.zeros_like(points)
     cells: list[tuple[IntArray, IntArray]] = []
     for n, (axis, size) in enumerate(((grid.x, grid.dx), (grid.y, grid.dy))):
-        edge = (points[n] - axis[0]) / size + 0.5  # in cells from the border
+        edge = (points[n] - axis[0]) / size + 0.5  # in cells from the edge of the grid
         half[n, np.abs(edge - np.rint(edge)) < _AT_EDGE] = 0.5 * size
         behind, ahead = (
             np.clip(np.floor(edge + side), -1, len(axis)).astype(np.intp) + 1
@@ -90,7 +90,7 @@ def _sums(grid: Grid, tractions: Tractions, nu: float, points: FloatArray) -> Fl
 def _finite(name: str, values: ArrayLike) -> FloatArray:
     array = real_array(name, values)
     if not (np.abs(array) <= _FARTHEST).all():
-        raise ValueError(f"{name} must be finite and at most {_FARTHEST:g} everywhere [m]")
+        raise ValueError(f"{name} must be finite and <= {_FARTHEST:g} everywhere [m]")
     return array
 
 
@@ -102,7 +102,7 @@ def _add(
     nu: float,
     points: FloatArray,
 ) -> None:
-    """One traction, in blocks of points and cells."""
+    """Add the stress due to one traction, in blocks of points and cells."""
     i, j = np.nonzero(traction)
     values, halves = traction[i, j], (0.5 * grid.dx, 0.5 * grid.dy)
     cells = min(len(values), _BLOCK)
@@ -120,22 +120,22 @@ def _add(
 
 
 def require_closed_forms(grid: Grid, material: Body, body: int, *, heated: bool) -> Material:
-    """Raise ValueError for what has no stress at points: the homogeneous material of others."""
+    """Return the homogeneous material; raise ValueError if stress at points is not supported."""
     if not isinstance(material, Material):
         raise ValueError(
-            f"body{body} must be homogeneous for stress at points, got one of layers: use "
-            "ContactSolver.stress(pressure, z), on the cells of the grid"
+            f"body{body} must be homogeneous for stress at points, got a layered body: use "
+            "ContactSolver.stress(pressure, z) at the cells of the grid"
         )
     if material.is_rigid:
-        raise ValueError(f"body{body} is rigid: it has no stress")
+        raise ValueError(f"body{body} is rigid and has no stress")
     if grid.periodic:
         raise ValueError(
-            f"grid must have no period for stress at points, got periodic={grid.periodic!r}: use "
-            "ContactSolver.stress(pressure, z), on the cells of the grid"
+            f"grid must not be periodic for stress at points, got periodic={grid.periodic!r}: use "
+            "ContactSolver.stress(pressure, z) at the cells of the grid"
         )
     if heated:
         raise ValueError(
-            f"body{body} is heated, and stress at points is that of tractions alone: use "
+            f"body{body} must not be heated for stress at points, which omits thermal stress: use "
             "ContactSolver.stress(pressure, z), which includes thermal stress"
         )
     return material

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a state knows of the surfaces in contact."""
+"""Surface quantities of a state."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .stress_at_points import require_closed_forms, stress_at_points
 
 
 class SurfaceState:
-    """Tractions, gap, and the rigid motion of one moment."""
+    """Tractions, gap and rigid-body motion at the end of an increment."""
 
     grid: Grid
     _core: Any
@@ -36,14 +36,14 @@ class SurfaceState:
 
     @cached_property
     def outline(self) -> Outline:
-        """Outline of the contact in the cells of the grid."""
+        """Outline of the contact in cells of the grid."""
         return outline_of(self.repulsion, self.grid.periodic)
 
     @cached_property
     def repulsion(self) -> FloatArray:
         """Pressure plus the attraction of the contact law [Pa], shape (nx, ny).
 
-        The pressure itself in hard contact.
+        In hard contact, the pressure.
         """
         if not self.setup.contact_law.attracts:
             return self.pressure
@@ -63,14 +63,15 @@ class SurfaceState:
 
     @property
     def shear(self) -> FloatArray:
-        """Shear s_x, s_y on body 2 [Pa], shape (2, nx, ny)."""
+        """Shear tractions s_x, s_y on body 2 [Pa], shape (2, nx, ny)."""
         return np.stack([self._surface("shear_x"), self._surface("shear_y")])
 
     @property
     def slip(self) -> FloatArray:
-        """Of body 1 over body 2 in the last increment [m], shape (2, nx, ny); 0 where they stick.
+        """Slip of body 1 relative to body 2 in the last increment [m], shape (2, nx, ny).
 
-        Raises ValueError where friction is a number: gross sliding is not resolved.
+        Zero in the stick zone. Raises ValueError in full sliding (friction given as a number),
+        where slip is not computed.
         """
         _require_sticking("slip", self.setup)
         shape = (2, *self.grid.surface_shape)
@@ -79,9 +80,9 @@ class SurfaceState:
 
     @property
     def sticking(self) -> NDArray[np.bool_]:
-        """Cells in contact that did not slip in the last increment, shape (nx, ny).
+        """Contact cells that did not slip in the last increment, shape (nx, ny).
 
-        Raises ValueError where friction is a number.
+        Raises ValueError in full sliding.
         """
         return self.in_contact & ~self.slip.any(axis=0)
 
@@ -97,58 +98,59 @@ class SurfaceState:
 
     @property
     def shift(self) -> FloatArray:
-        """Rigid motion of body 1 over body 2 along x and y since the start [m], shape (2,).
+        """Accumulated tangential rigid-body displacement [m], shape (2,).
 
-        The difference of their ways is in it. Raises ValueError where friction is a number.
+        Of body 1 relative to body 2 along x and y; it includes the difference of their travel.
+        Raises ValueError in full sliding.
         """
         _require_sticking("shift", self.setup)
         return np.array(self._core.motion[:2])
 
     @property
     def twist(self) -> float:
-        """Turn of body 1 over body 2 about z since the start [rad]; ValueError as `shift`."""
+        """Accumulated rotation of body 1 relative to body 2 about z [rad]; raises like `shift`."""
         _require_sticking("twist", self.setup)
         return float(self._core.motion[2])
 
     @property
     def friction_work(self) -> float:
-        """Turned into heat by slip since the start [J]; ValueError as `shift`."""
+        """Frictional dissipation since the start [J]; raises like `shift`."""
         _require_sticking("friction_work", self.setup)
         return float(self._core.friction_work)
 
     def _surface(self, name: str) -> FloatArray:
-        """A field of the surface; 0 where the core has none."""
+        """Return a surface field; 0 if the core does not have it."""
         shape = self.grid.nx, self.grid.ny
         field = getattr(self._core, name)
         return np.zeros(shape) if field is None else field.reshape(shape)
 
     @cached_property
     def gap(self) -> FloatArray:
-        """Separation [m], shape (nx, ny); under prescribed tractions that for zero approach."""
+        """Separation [m], shape (nx, ny); under prescribed tractions, that for zero approach."""
         field: FloatArray = self._core.gap()
         field.flags.writeable = False
         return field
 
     @property
     def load(self) -> float:
-        """Total load [N]."""
+        """Normal load [N]."""
         return float(self._core.load)
 
     @property
     def contact_area(self) -> float:
-        """Contact area [m^2], with its edge between the cells; see the theory page.
+        """Contact area [m^2], with the edge located between the cells; see the theory page.
 
-        Under prescribed tractions that of their pressure.
+        Under prescribed tractions it is the area of their pressure.
         """
         repulsion, grid = self.repulsion, self.grid
         gap = self.gap if np.isfinite(self.approach) and self.outline.rises else None
         return contact_area(repulsion, grid.cell_area, grid.periodic, gap)
 
     def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: int = 2) -> FloatArray:
-        """Stress of pressure and shear at any points [Pa], shape (6, ...): the elastic part.
+        """Elastic stress due to pressure and shear at arbitrary points [Pa], shape (6, ...).
 
-        That of plastic strain, and what was there before the contact, is in `residual_stress`.
-        Arguments, errors and method are those of `ContactSolver.stress_at`.
+        Stress due to plastic strain and initial stress are in `residual_stress`. Arguments, errors
+        and method are those of `ContactSolver.stress_at`.
         """
         number = choice("body", body, (1, 2))
         heated = (self._core.heat_factor1, self._core.heat_factor2)[number - 1] > 0
@@ -159,7 +161,7 @@ class SurfaceState:
 
     @property
     def mean_pressure(self) -> float:
-        """Load over contact area [Pa]; 0 without contact."""
+        """Mean pressure, load over contact area [Pa]; 0 without contact."""
         area = self.contact_area
         return self.load / area if area > 0 else 0.0
 
@@ -170,7 +172,7 @@ class SurfaceState:
 
 
 def rows_along_surface(state: SurfaceState) -> Rows:
-    """Forces and motions along the surface; none where friction is a number."""
+    """Rows of tangential forces and motions; none in full sliding."""
     if not state.setup.friction.sticks:
         return []
     touching = int(np.count_nonzero(state.in_contact))
@@ -178,7 +180,7 @@ def rows_along_surface(state: SurfaceState) -> Rows:
         ("tangential load", both(state.tangential_load, "N")),
         ("shift", both(state.shift, "m")),
         ("friction work", quantity(state.friction_work, "J")),
-        ("cells that stick", f"{np.count_nonzero(state.sticking)} of {touching} in contact"),
+        ("sticking cells", f"{np.count_nonzero(state.sticking)} of {touching} in contact"),
     ]
     if state.twist != 0.0:
         turned = [("torque", state.torque, "N m"), ("twist", state.twist, "rad")]
@@ -187,9 +189,9 @@ def rows_along_surface(state: SurfaceState) -> Rows:
 
 
 def _require_sticking(name: str, setup: SimulationSetup) -> None:
-    """Raise ValueError where the bodies slide everywhere."""
+    """Raise ValueError for full sliding."""
     if not (friction := setup.friction).sticks:
         raise ValueError(
-            f"{name} is not solved for where friction is a number, {friction!r}, which is "
-            "gross sliding: make the simulation with friction=samcontact.Coulomb(mu)"
+            f"{name} requires partial slip, got friction = {friction!r} (full sliding): use "
+            "friction=samcontact.Coulomb(mu) in the simulation"
         )

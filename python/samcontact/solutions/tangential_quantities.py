@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What states know of the way along the surface, by the names in results files."""
+"""Tangential quantities of states, by their names in results files."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 ROUNDING = 1e-8
-"""Relative, below which a force or a motion is none."""
+"""Relative value below which a force or a motion counts as zero."""
 
 
 def along_surface(states: Sequence[State]) -> dict[str, FloatArray]:
-    """Forces, motions and friction work of each, shape (states,), of a simulation with Coulomb."""
+    """Forces, motions and friction work of states with Coulomb friction, shape (states,)."""
     given: dict[str, list[float]] = {}
     for state in states:
         (force_x, force_y), (x, y) = state.tangential_load, state.shift
@@ -42,7 +42,7 @@ ALONG = ("tangential_load_x", "tangential_load_y", "torque", "shift_x", "shift_y
 def not_rounding(
     values: Mapping[str, FloatArray], load: FloatArray, approach: FloatArray, area: FloatArray
 ) -> list[str]:
-    """Names of forces and motions that are more than rounding beside those of the contact."""
+    """Names of forces and motions that are not just rounding errors of the contact's."""
     p, d, a = (float(np.nanmax(np.abs(v), initial=0.0)) for v in (load, approach, area))
     size = a**0.5
     scales = (p, p, p * size, d, d, d / size if size > 0 else 0.0)

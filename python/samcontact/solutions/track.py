@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All of the plastic strain that a moving contact left in a body."""
+"""Residual fields of a body along the whole track of a moving contact."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ __all__ = ["Track"]
 
 
 class Track(Fixed):
-    """What is left in one body along its whole track, unloaded, in the frame of the body.
+    """Residual fields of one body along its whole track, unloaded, in the frame of the body.
 
-    Made by `State.track`. Fields are read-only, and kept as those of a state. The origin of x is
-    where the contact stood on the body at the start of the simulation.
+    Created by `State.track`. Fields are read-only and cached like those of a state. The origin of x
+    is the position of the contact on the body at the start of the simulation.
     """
 
     def __init__(self, core: Any, grid: Grid, body: int, margin: int, layers: int) -> None:
@@ -33,7 +33,7 @@ class Track(Fixed):
         start, rows = core.history_rows(body - 1) or (0, grid.nx)
         self._first_row = start - margin
         self.first = self._first_row + core.first_cell[body - 1]
-        """Row of the grid, as it lay at the start, over which its first row lies."""
+        """Row of the grid, in its initial position, at the first row of the track."""
         self.grid = Grid(
             rows + 2 * margin,
             grid.ny,
@@ -42,13 +42,13 @@ class Track(Fixed):
             nz=layers if grid.has_volume else 0,
             dz=grid.dz,
         )
-        """The cells of the track; its own x is counted from the middle, see `x`."""
-        # The body's cell number n stood at (n - (nx - 1)/2) dx of the grid at the start.
+        """Grid of the track; its own x has its origin at the centre, see `x`."""
+        # Cell n of the body was initially at (n - (nx - 1)/2) dx of the grid at the start.
         cells = self.first + np.arange(self.grid.nx)
         self.x: FloatArray = read_only((cells - 0.5 * (grid.nx - 1)) * grid.dx)
         """Positions of the cells on the body [m]."""
         self.contact = -core.travel[body - 1] * grid.dx
-        """Where the contact stands on the body now [m]."""
+        """Current position of the contact on the body [m]."""
         self._core = core
 
     @property
@@ -62,9 +62,9 @@ class Track(Fixed):
         return self.grid.z
 
     def residual_displacement(self, axis: str = "z") -> FloatArray:
-        """Permanent print [m], shape (len(x), ny), positive into the body.
+        """Residual normal displacement [m], shape (len(x), ny), positive into the body.
 
-        With axis="x" or "y" the displacement along the surface.
+        With axis="x" or "y": residual tangential displacement.
         """
         return kept(
             self, f"residual_displacement along {axis_number(axis)}",
@@ -72,29 +72,30 @@ class Track(Fixed):
         )  # fmt: skip
 
     def residual_stress(self) -> FloatArray:
-        """Stress without tractions and heat [Pa], shape (6, len(x), ny, nz).
+        """Residual stress [Pa], shape (6, len(x), ny, nz).
 
-        That of the plastic strain, `initial_stress` and `eigenstress`.
+        Stress due to plastic strain, plus `initial_stress` and `eigenstress`; no tractions, no
+        heat.
         """
         return self._field("residual_stress")
 
     def initial_stress(self) -> FloatArray:
-        """Stress that was there before any contact [Pa], shape (6, len(x), ny, nz).
+        """Initial (residual) stress [Pa], shape (6, len(x), ny, nz).
 
-        See `Material.with_residual_stress`; 0 without.
+        See `Material.with_residual_stress`; 0 without it.
         """
         return self._field("initial_stress")
 
     def eigenstress(self) -> FloatArray:
-        """Stress of the `eigenstrain` alone [Pa], shape (6, len(x), ny, nz)."""
+        """Stress due to the `eigenstrain` alone [Pa], shape (6, len(x), ny, nz)."""
         return self._field("eigenstress")
 
     def eigenstrain(self) -> FloatArray:
-        """Eigenstrain of `Simulation.add_eigenstrain` [-], shape (6, len(x), ny, nz)."""
+        """Sum of strains from `Simulation.add_eigenstrain` [-], shape (6, len(x), ny, nz)."""
         return self._field("eigenstrain")
 
     def yield_factor(self) -> FloatArray:
-        """Factor of the yield stress by its profile over depth [-], shape (len(x), ny, nz)."""
+        """Factor on the yield stress due to its depth profile [-], shape (len(x), ny, nz)."""
         return self._field("yield_factor")
 
     def residual_von_mises(self) -> FloatArray:
@@ -115,22 +116,22 @@ class Track(Fixed):
         return self._field("equivalent_plastic_strain")
 
     def backstress(self) -> FloatArray:
-        """Each backstress of kinematic hardening [Pa], shape (terms, 6, len(x), ny, nz)."""
+        """Backstresses of kinematic hardening [Pa], shape (terms, 6, len(x), ny, nz)."""
         return self._field("backstress")
 
     def to_dataset(self, *, volume: bool = True) -> xr.Dataset:
-        """Labelled fields with units, as figures of tracks take them.
+        """Convert to labelled fields with units, as used by plots of tracks.
 
         Parameters
         ----------
         volume : bool, optional
-            Whether fields of the volume are wanted, where the grid has layers, or the print only.
+            Whether to include volume fields if the grid has layers; else only the residual imprint.
 
         Returns
         -------
         xarray.Dataset
-            Dimensions x, y and, with a volume, z and component; the variables are the methods
-            above but `backstress`, the attributes the body and the sizes of the cells [m].
+            Dimensions x, y and, with a volume, z and component. The variables are the methods above
+            except `backstress`; the attributes are the body and the cell sizes [m].
         """
         import xarray as xr  # importing the package should not load it
 

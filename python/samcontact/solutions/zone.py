@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A part of a body that holds plastic strain."""
+"""Plastic subdomain of a body."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 __all__ = ["Zone"]
 
 Box = tuple[int, int, int, int, int]
-"""First cell along x and y, cells along x, y and z."""
+"""First cell along x and y; numbers of cells along x, y and z."""
 
 
 class ZoneStress:
-    """Stress in all zones of a body, computed at once when the first asks."""
+    """Stress in all plastic subdomains of a body, computed together at the first request."""
 
     def __init__(self, core: Any, body: int) -> None:
         self.core, self._body = core, body
@@ -33,7 +33,7 @@ class ZoneStress:
     def stress(self, zone: int, *, loaded: bool) -> FloatArray:
         if loaded not in self._fields:
             needed = memory.ZONE_FIELD * self._ends[-1] / 6
-            memory.require("the stress in all zones", needed)
+            memory.require("the stress in all plastic subdomains", needed)
             self._fields[loaded] = read_only(self.core.stress_in_zones(self._body - 1, loaded))
         *_, nx, ny, nz = self.boxes[zone]
         mine = self._fields[loaded][: self._ends[zone]][-6 * nx * ny * nz :]
@@ -42,9 +42,9 @@ class ZoneStress:
 
 
 class Zone(Fixed):
-    """A box of cells of one body with plastic strain in some, from the surface down.
+    """Plastic subdomain: a box of cells of one body, from the surface down.
 
-    Made by `State.zones`. It may reach beyond the cells that fields of the state show, beside the
+    Made by `State.zones`. It may extend beyond the cells of the state's volume fields, outside the
     grid and below its layers. Fields are read-only.
     """
 
@@ -52,15 +52,15 @@ class Zone(Fixed):
         self._box = i0, j0, nx, ny, nz = zones.boxes[number]
         self.body = body
         self.first = i0, j0
-        """The grid's cell over which its first one lies; negative beside the grid."""
+        """Grid cell of its first cell; negative outside the grid."""
         self.shape = nx, ny, nz
-        """Cells along x and y, and layers."""
+        """Numbers of cells along x and y, and of layers."""
         self.x: FloatArray = _centres(i0, nx, grid.nx, grid.dx)
         """Cell centres along x [m]."""
         self.y: FloatArray = _centres(j0, ny, grid.ny, grid.dy)
         """Cell centres along y [m]."""
         self.z: FloatArray = read_only(grid.depths(nz))
-        """Mid-depths of the layers [m]."""
+        """Mid-layer depths [m]."""
         self._number, self._zones = number, zones
         self._core = zones.core
 
@@ -73,9 +73,10 @@ class Zone(Fixed):
         return read_only(self._core.equivalent_plastic_strain_in(self.body - 1, self._box))
 
     def residual_stress(self) -> FloatArray:
-        """Stress of all plastic strain of the body, and from the start [Pa], shape (6, nx, ny, nz).
+        """Residual stress [Pa], shape (6, nx, ny, nz).
 
-        Of several zones, by the operators that their strain was solved with: see the theory.
+        Stress due to all plastic strain of the body, and initial stress. With several subdomains it
+        is computed by the operators of the solution: see the theory.
         """
         return self._zones.stress(self._number, loaded=False)
 
@@ -88,5 +89,5 @@ class Zone(Fixed):
 
 
 def _centres(first: int, count: int, cells: int, size: float) -> FloatArray:
-    """Of cells of a lattice, counted from the first of the grid's cells."""
+    """Centres of cells of a lattice, counted from the first cell of the grid."""
     return read_only(np.asarray((first - 0.5 * (cells - 1) + np.arange(count)) * size, np.float64))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear and running-in: material leaves the surface where strain is too large, or where it slips.
+"""Wear and running-in: removal of surface material by plastic strain, or by slip.
 
-`run`: Boucly (2008), part 5. Each cycle loads and unloads; then what has too much accumulated
-plastic strain, from the surface down, is removed, and the next cycle starts from the worn surface
-and the plastic strain that is left. `fretting`: elastic bodies slip to and fro, and lose depth in
-proportion to the work of friction, or to pressure times slip. See docs/theory/wear.md.
+`run`: Boucly (2008), part 5. After each load cycle, material with too much accumulated plastic
+strain is removed from the surface down; the next cycle starts from the worn surface and the
+remaining plastic strain. `fretting`: elastic bodies in oscillating slip lose depth in proportion to
+the frictional work, or to pressure times slip. See docs/theory/wear.md.
 """
 
 from .by_slip import fretting

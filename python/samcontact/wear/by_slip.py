@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear by slip: depths in proportion to the work of friction, or to pressure times slip."""
+"""Wear by slip, proportional to the frictional work, or to pressure times slip."""
 
 from __future__ import annotations
 
@@ -28,16 +28,16 @@ from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
 _STABLE = 1.0
-"""Of a part: pressure that its wear takes off the shortest wave, over that of the wave.
+"""Maximum pressure relieved by the wear of one part, over the pressure, for the shortest wave.
 
-From 2 on the shortest waves would grow from part to part.
+From 2 on, the shortest waves would grow from part to part.
 """
 _MOST_PARTS = 10_000
 _CLOSED = 1e-2
-"""Of the largest mu p: by how much the shear at both ends of a repeat may differ.
+"""Maximum change of the shear over one repeat, relative to the maximum of mu p.
 
-Directions of slip at the border of stick go on turning a little for many repeats, which the work
-does not show.
+Slip directions at the edge of the stick zone continue to rotate slightly over many repeats, with
+no visible effect on the work.
 """
 _MOST_TIMES = 20
 
@@ -60,32 +60,31 @@ def fretting(
     progress: bool = True,
     **settings: Any,
 ) -> FrettingResult:
-    """Let elastic bodies slip to and fro, and wear them where they slip.
+    """Simulate fretting wear of elastic bodies, by dissipated energy or by Archard's law.
 
     Parameters
     ----------
     grid, body1, body2, gap, relief1, relief2
-        As for `Simulation`; bodies that do not yield, and that stay where they are but for slip.
-        Surfaces that are functions are those on this grid, which does
-        not grow.
+        As for `Simulation`; the bodies cannot yield, and do not move except for slip. Surfaces
+        given as functions are evaluated on this grid, which is not enlarged.
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``: load or
-        approach, shift or tangential_load, twist or torque. It ends where it has been: steps up to
-        the first of the same load and drive along the surface lead up to what is repeated, and do
-        not wear; nor do the first times through, before the shear comes back as it was.
+        approach, shift or tangential_load, twist or torque. The last step must repeat an earlier
+        one. Steps up to the first step with an equal load and tangential drive are a lead-in and
+        cause no wear, and neither do the first repetitions, until the shear is periodic.
     friction : Coulomb
+        Friction law, with a coefficient > 0, finite.
     energy : float or pair of floats
-        Depth that body 2 loses for the work of friction on an area [m/(J/m^2) = 1/Pa], or that of
-        body 1 and of body 2, >= 0. Fouvry et al. (2003), doi:10.1016/S0043-1648(03)00117-0. Or
+        Wear depth per frictional work on an area [m/(J/m^2) = 1/Pa], for body 2, or for body 1 and
+        body 2, >= 0. Fouvry et al. (2003), doi:10.1016/S0043-1648(03)00117-0. Excludes `archard`.
     archard : float or pair of floats
-        depth for the pressure times the way of slip [1/Pa]: wear coefficient over hardness. Archard
-        (1953), doi:10.1063/1.1721448. The same as an energy of archard/mu.
+        Wear depth per pressure times slip distance [1/Pa]: wear coefficient over hardness. Archard
+        (1953), doi:10.1063/1.1721448. Equivalent to an energy of archard/mu.
     cycles : int, optional
-        Largest number of cycles, >= 1.
+        Maximum number of cycles, >= 1.
     repeats : int, optional
-        How often each is gone through, >= 1. The surface is solved for again whenever the wear
-        since it was last would change the pressure of the shortest waves of the grid by as much as
-        it is.
+        Number of repeats of the loop per cycle, >= 1. The surface is solved again whenever the wear
+        since the last solve would change the pressure of the shortest waves of the grid by 100 %.
     checkpoint, progress
         As for `run`.
     **settings
@@ -98,10 +97,10 @@ def fretting(
     Raises
     ------
     ValueError, TypeError
-        An argument outside its range, before the first cycle; a cycle that takes more than 10 000
-        parts, or does not come to repeat itself; a contact that grows to the border of the grid; a
-        checkpoint of other arguments. An error of a later cycle has the result of those before in
-        its attribute `result`.
+        An argument is outside its range (before the first cycle); a cycle requires more than
+        10 000 parts, or does not become periodic; a contact reaches the edge of the grid; a
+        checkpoint belongs to other arguments. An error in a later cycle holds the result of the
+        completed cycles in its attribute `result`.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -122,21 +121,21 @@ def fretting(
 
 @dataclass(frozen=True)
 class _Repeat:
-    """One repeat of a cycle: its states, and what happens to each cell, shape (nx, ny)."""
+    """One repeat of a cycle: its states, and quantities per cell, shape (nx, ny)."""
 
     states: tuple[State, ...]
     work: FloatArray
-    """Of friction [J/m^2]."""
+    """Frictional work [J/m^2]."""
     way: FloatArray
-    """Of slip [m]."""
+    """Slip distance [m]."""
     worn: FloatArray
-    """Depth that a coefficient of 1 gives [m Pa]."""
+    """Wear depth for a coefficient of 1 [m Pa]."""
     per_pressure: FloatArray
-    """The same over the pressure [m]."""
+    """Wear depth for a coefficient of 1, over the pressure [m]."""
 
 
 def _gone_through(scene: FrettingScene, heights: Mapping[int, list[FloatArray]]) -> _Repeat:
-    """One repeat over the present surfaces, which bodies without a past lead up to."""
+    """Solve one repeat on the current surfaces, after a lead-in from bodies without history."""
     relief1, relief2 = reliefs_of(scene, Standing(dict(heights)))
     simulation = Simulation(
         scene.grid,
@@ -148,7 +147,7 @@ def _gone_through(scene: FrettingScene, heights: Mapping[int, list[FloatArray]])
         **scene.settings,
     )
     simulation.monitor.checks_steps = False
-    simulation.monitor.checks_increments = False  # of the many that follow
+    simulation.monitor.checks_increments = False  # not for each of many repeats
     states = _closed(simulation, scene)
     ways = np.array([np.hypot(*state.slip) for state in states])
     work = np.sum([(state.shear * state.slip).sum(axis=0) for state in states], axis=0)
@@ -173,26 +172,26 @@ def _closed(simulation: Simulation, scene: FrettingScene) -> tuple[State, ...]:
         if np.abs(states[-1].shear - start.shear).max() <= _CLOSED * bound:
             return states
     raise ValueError(
-        f"cycle must come to end as it begins, but its shear still changes after {_MOST_TIMES} "
-        "times: take one that closes"
+        f"cycle must become periodic, but its shear still changes after {_MOST_TIMES} "
+        "repetitions: use a closed cycle"
     )
 
 
 def _advance(scene: FrettingScene, standing: Standing) -> tuple[tuple[State, ...], Standing]:
-    """All repeats of one cycle, in as many parts as they are stable in."""
+    """Advance by one cycle, in as many parts as stability requires."""
     heights = {body: [*before, before[-1]] for body, before in standing.heights.items()}
     left, parts, work, removed = float(scene.repeats), 0, 0.0, np.zeros(scene.grid.surface_shape)
     first = _gone_through(scene, heights)
     if not standing.cycles and not any(state.in_contact.any() for state in first.states):
-        raise ValueError("cycle must bring the bodies into contact where it repeats, got none")
+        raise ValueError("cycle must have contact in its repeated part, got none")
     while left > 0:
         now = _gone_through(scene, heights) if parts else first
         most = _most_repeats(scene, now)
         if left > (_MOST_PARTS - parts) * most:
             raise ValueError(
-                f"{scene.law} and repeats must wear a cycle in at most {_MOST_PARTS} parts of "
+                f"{scene.law} and repeats must not require more than {_MOST_PARTS} parts of "
                 f"{most:.3g} repeats, got {max(scene.coefficients)!r} 1/Pa and {scene.repeats}: "
-                "take fewer repeats; is the coefficient in SI units?"
+                "use fewer repeats, or check the unit of the coefficient"
             )
         count = min(left, most)
         removed += count * now.worn
@@ -207,9 +206,10 @@ def _advance(scene: FrettingScene, standing: Standing) -> tuple[tuple[State, ...
 
 
 def _most_repeats(scene: FrettingScene, now: _Repeat) -> float:
-    """After which the surface has to be solved for again.
+    """Number of repeats after which the surface must be solved again.
 
-    Wear of depth c p changes the pressure of a wave k by -c E* k/2 of it.
+    Wear of depth c p changes the pressure of a wave with wavenumber k by -c E* k/2, relative to the
+    pressure.
     """
     grid = scene.grid
     steps = [1 / step for n, step in ((grid.nx, grid.dx), (grid.ny, grid.dy)) if n > 1]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a computation of fretting wear is given, and which of its steps wear."""
+"""Checks of the arguments of fretting wear, and its lead-in steps."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ from .results import FrettingCycle
 
 _TAKEN = ("load", "approach", "shift", "tangential_load", "twist", "torque")
 _SAME = 1e-9
-"""Relative to the largest of a cycle: by how much equal drives differ."""
+"""Relative difference, over the maximum of a cycle, below which drives are equal."""
 
 
 @dataclass(frozen=True)
 class FrettingScene:
-    """Checked arguments of `samcontact.wear.fretting` that stay the same in all cycles."""
+    """Checked arguments of `samcontact.wear.fretting`, constant over all cycles."""
 
     grid: Grid
     bodies: tuple[Material, Material]
@@ -57,7 +57,7 @@ class FrettingScene:
         return FrettingCycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """First row and number of rows of a body that wear: the grid, as bodies stay in place."""
+        """First row and number of rows of a body that can wear: the grid, as bodies do not move."""
         return 0, self.grid.nx
 
 
@@ -72,27 +72,27 @@ def make_scene(
     repeats: int,
     settings: dict[str, Any],
 ) -> FrettingScene:
-    """Check everything but what `Simulation` checks itself."""
+    """Check all arguments except those checked by `Simulation`."""
     require_type("grid", grid, Grid)
     require_homogeneous(NO_WORN_LAYERS, *bodies)
     for n, body in enumerate(bodies, 1):
         if body.is_plastic:
             raise ValueError(
-                f"body{n} must not yield, got {body.law}: fretting wears elastic bodies; "
-                "samcontact.wear.run wears those whose plastic strain is too large"
+                f"body{n} must be elastic for fretting wear, got law {body.law}: use "
+                "samcontact.wear.run for wear by plastic strain"
             )
     sticking_law(friction)
     if friction.is_frictionless or friction.prevents_slip:
         raise ValueError(
-            f"friction must be above 0 and finite, got {friction!r}: there is no work of friction"
+            f"friction must be > 0 and finite for wear by frictional work, got {friction!r}"
         )
     law = exactly_one(energy=energy, archard=archard)
     coefficients = of_bodies(law, energy if energy is not None else archard)  # type: ignore[arg-type]
     if not any(coefficients):
-        raise ValueError(f"{law} must be above 0 for a body at least, got {coefficients!r}")
+        raise ValueError(f"{law} must be > 0 for at least one body, got {coefficients!r}")
     warn_of(wear_coefficient(law, max(coefficients)), stacklevel=4)
     surfaces = given.over(grid)
-    finite_array("gap", surfaces.initial_gap)  # wear knows no ends of bodies
+    finite_array("gap", surfaces.initial_gap)  # finite bodies are not supported
     path = step_list("cycle", cycle, _TAKEN)
     closing(path)
     return FrettingScene(
@@ -110,9 +110,9 @@ def make_scene(
 
 
 def closing(path: list[dict[str, Any]]) -> int:
-    """Number of steps that lead up to those that are repeated.
+    """Number of lead-in steps before those that are repeated.
 
-    Raises ValueError for a path that does not end where it has been, or with bodies that move on.
+    Raises ValueError for a path that does not return to an earlier step, or with bodies that move.
     """
     places = _places(path)
     most = [max(abs(place[k][1]) for place in places) for k in range(len(places[0]))]
@@ -123,18 +123,18 @@ def closing(path: list[dict[str, Any]]) -> int:
         ):
             return n
     raise ValueError(
-        "cycle must end where it has been, with the load and the forces or motions along the "
-        f"surface of an earlier step, got {in_short(path)}: paths.fretting_loop makes one"
+        "cycle must end with the load and the tangential forces or motions of an earlier step, "
+        f"got {in_short(path)}: use paths.fretting_loop"
     )
 
 
 def _places(path: list[dict[str, Any]]) -> list[list[tuple[str, float]]]:
-    """Load or approach, and what drives both directions and the turn, at first and after each step.
+    """Load or approach, and tangential drives including rotation, initially and after each step.
 
-    Without load nothing else counts.
+    Without load the drives are ignored.
     """
     if not path:
-        raise ValueError("cycle must hold at least one step, got none")
+        raise ValueError("cycle must contain at least one step, got none")
     free = [("load", 0.0), *[("motion", 0.0)] * 3]
     places, moved = [free], [0.0] * 3
     for step in path:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where a wear computation stands between two cycles, in memory and in a file (HDF5)."""
+"""State of a wear computation between two cycles, in memory and in a file (HDF5)."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _KIND = "wear"
 
 
 class Worn(Protocol):
-    """Checked arguments of a computation of wear that stay the same in all its cycles."""
+    """Checked arguments of a wear computation, constant over all cycles."""
 
     @property
     def grid(self) -> Grid: ...
@@ -47,15 +47,15 @@ class Worn(Protocol):
     def worn(self) -> tuple[int, ...]: ...
     @property
     def record(self) -> type[AnyCycle]:
-        """What there is of each cycle."""
+        """Class of the record of a cycle."""
 
     def rows(self, body: int) -> tuple[int, int]:
-        """First row and number of rows of a body that wear."""
+        """First row and number of rows of a body that can wear."""
 
 
 @dataclass
 class Strain:
-    """Plastic state of a body; its first row lies over the row `first` of the grid."""
+    """Plastic state of a body; its first row is at row `first` of the grid."""
 
     first: int
     strain: FloatArray
@@ -65,10 +65,10 @@ class Strain:
 
 @dataclass
 class Standing:
-    """All that the next cycle starts from, and the records of those before."""
+    """Initial state of the next cycle, and the records of the preceding cycles."""
 
     heights: dict[int, list[FloatArray]]
-    """Of each worn body, at the start and after each cycle."""
+    """Heights of each worn body, at the start and after each cycle."""
     strains: dict[int, Strain] = field(default_factory=dict)
     cycles: list[AnyCycle] = field(default_factory=list)
 
@@ -78,25 +78,25 @@ def _identity(scene: Worn) -> Identity:
 
 
 def alone(path: str | os.PathLike[str]) -> AbstractContextManager[None]:
-    """No other run writes this file meanwhile."""
+    """Context in which no other run can write this file."""
     file = file_path("checkpoint", path)
     return locked(file.parent, "choose another checkpoint", f".{file.name}.lock")
 
 
 def _before(path: str | os.PathLike[str]) -> Path:
-    """The checkpoint of the cycle before."""
+    """Path of the checkpoint of the preceding cycle."""
     return Path(f"{os.fspath(path)}.before")
 
 
 def require_own(path: str | os.PathLike[str] | None) -> None:
-    """Raise ValueError for a checkpoint, or that of the cycle before, which is a file of others."""
+    """Raise ValueError if a checkpoint, or that of the preceding cycle, is a foreign file."""
     if path is not None:
         for file in (file_path("checkpoint", path), _before(path)):
             require_marked(file)
 
 
 def write(path: str | os.PathLike[str], scene: Worn, standing: Standing) -> None:
-    """A failure leaves the old file; a copy of it stays in any case."""
+    """Write a checkpoint; the old file is kept on failure, and a copy of it in any case."""
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)
@@ -117,19 +117,19 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
 
 
 def latest(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
-    """As `read`; of a damaged file that of the cycle before, with a warning, where there is one."""
+    """Read a file like `read`; if it is damaged, that of the preceding cycle, with a warning."""
     require_identified(_identity(scene))
     try:
         return read(path, scene)
     except DamagedCheckpointError as error:
         if not _before(path).exists():
-            raise DamagedCheckpointError(f"{error}: delete it to start anew") from error
-        warnings.warn(f"{error}: going on from the cycle before", stacklevel=3)
+            raise DamagedCheckpointError(f"{error}: delete it to start again") from error
+        warnings.warn(f"{error}: continuing from the preceding cycle", stacklevel=3)
         return read(_before(path), scene)
 
 
 def read(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
-    """Where the file stands; None without a file.
+    """Read the state in a file; None without a file.
 
     Raises CheckpointError for a file of other arguments, of another kind, or a damaged one.
     """
@@ -169,9 +169,9 @@ def _cycles(records: Tree, scene: Worn) -> list[AnyCycle]:
         per_body = item.name in scene.record.PER_BODY
         shape: tuple[int, ...] = (count, worn) if per_body else (count,)
         if np.shape(records[item.name]) != shape:
-            raise ValueError(f"{item.name} of the cycles is not {shape} finite numbers")
+            raise ValueError(f"{item.name} of the cycles must have {shape} finite numbers")
     if list(records["number"]) != list(range(1, count + 1)):
-        raise ValueError("the cycles are not numbered one after the other")
+        raise ValueError("the cycles must be numbered consecutively")
     return [scene.record(**{k: _plain(v[n]) for k, v in records.items()}) for n in range(count)]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a wear computation is given: checked before anything heavy is done."""
+"""Checks of the arguments of a wear computation, before expensive work."""
 
 from __future__ import annotations
 
@@ -35,21 +35,21 @@ from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, window_and_order
 
 YIELD_STRAIN = 20e-6
-"""Plastic strain at which yield is defined [-]: below it nothing has flowed.
+"""Plastic strain at the conventional yield point [-]; below it there is no flow.
 
-The elastic strain of a hard steel at yield is about 1 %: a threshold of 0.2 % is one of the plastic
-strain alone, and far beyond yield.
+The elastic strain of a hard steel at yield is about 1 %. A threshold of 0.2 % refers to the plastic
+strain alone and is far beyond yield.
 """
-NO_WORN_LAYERS = "a layer that wears is not equally thick, as those of a Layered are"
+NO_WORN_LAYERS = "layered bodies are not supported, because a worn layer has no uniform thickness"
 _AS_WIDE = math.sqrt(12.0)
-"""Width of a moving mean over the standard deviation of a Gaussian that spreads as far."""
+"""Width of a moving mean over the standard deviation of a Gaussian of equal spread."""
 _BESIDE = 4
-"""Rows of cells kept beside those the contact meets: gaps between cells are interpolated."""
+"""Rows of cells kept outside those in contact, for interpolation between cells."""
 
 
 @dataclass(frozen=True)
 class Scene:
-    """Checked arguments of `samcontact.wear.run` that stay the same in all cycles."""
+    """Checked arguments of `samcontact.wear.run`, constant over all cycles."""
 
     grid: Grid
     bodies: tuple[Material, Material]
@@ -68,7 +68,7 @@ class Scene:
         return Cycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """First row and number of rows of a body that its cycle meets, with the window beside."""
+        """First and number of the rows of a body that meet the grid during a cycle."""
         cells = travels(self.cycle)[:, body - 1] / self.grid.dx
         beside = max(self.filter.sides) + _BESIDE
         first = -int(np.ceil(cells.max())) - beside
@@ -88,18 +88,18 @@ def make_scene(
     friction: float,
     settings: dict[str, Any],
 ) -> Scene:
-    """Check everything; the contact is solved once, elastically, for its size."""
+    """Check all arguments; the contact is solved once elastically for its size."""
     require_type("grid", grid, Grid)
     if not grid.has_volume:
-        raise ValueError("grid must have layers (dz) for the plastic strain, got dz = None")
+        raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
     require_homogeneous(NO_WORN_LAYERS, *bodies)
     surfaces = given.over(grid)
-    finite_array("gap", surfaces.initial_gap)  # wear knows no ends of bodies
+    finite_array("gap", surfaces.initial_gap)  # finite bodies are not supported
     limit = number("threshold", threshold)
     if not YIELD_STRAIN < limit < SMALL_STRAIN:
         raise ValueError(
-            f"threshold must be above {YIELD_STRAIN!r}, where yield begins, and below "
-            f"{SMALL_STRAIN!r}, the limit of small strains, got {limit!r}"
+            f"threshold must be > {YIELD_STRAIN!r} (yield) and < {SMALL_STRAIN!r} (limit of small "
+            f"strains), got {limit!r}"
         )
     numbers = tuple(worn) if isinstance(worn, (list, tuple)) else ()
     if not numbers or any(numbers.count(one) > 1 for one in numbers):
@@ -107,7 +107,9 @@ def make_scene(
     for index in numbers:
         material = bodies[choice("worn", index, (1, 2)) - 1]
         if not material.is_plastic:
-            raise ValueError(f"worn must name inelastic bodies; body {index} is {material.law}")
+            raise ValueError(
+                f"worn must name elastic-plastic bodies, got body {index} with law {material.law}"
+            )
     path = step_list("cycle", cycle, STEP)
     _check_cycle(path, grid)
     scene = Scene(
@@ -130,34 +132,35 @@ def make_scene(
 def make_filter(
     grid: Grid, smoothing_length: float | None, window: Window, order: int | None
 ) -> Gaussian | Polynomials:
-    """What smooths the border of the wear, of which exactly one is given."""
+    """Filter that smooths the edge of the wear, from exactly one of two arguments."""
     require_type("grid", grid, Grid)
     if (smoothing_length is None) == (window is None):
         given = "none" if window is None else f"{smoothing_length!r} and {window!r}"
         raise ValueError(
-            "exactly one of smoothing_length (metres) and window (cells, the thesis's filter; 1: "
-            f"no smoothing) must be given, got {given}"
+            "exactly one of smoothing_length (metres) and window (cells, Boucly's filter; 1: no "
+            f"smoothing) must be given, got {given}"
         )
     if smoothing_length is None:
         x, y, degree = window_and_order(window, 2 if order is None else order)
         return Polynomials((x, y), degree)
     if order is not None:
         raise ValueError(
-            f"order goes with window, not with smoothing_length, got {in_short(order)}"
+            "order requires window and cannot be combined with smoothing_length, got "
+            f"{in_short(order)}"
         )
     length = positive("smoothing_length", smoothing_length)
     cell = max(grid.dx, grid.dy)
     if length < cell:
         raise ValueError(
-            f"smoothing_length must be at least one cell, {cell!r} m, got {length!r}: take smaller "
-            "cells, or window = 1 for no smoothing"
+            f"smoothing_length must be >= one cell, {cell!r} m, got {length!r}: use smaller cells, "
+            "or window = 1 for no smoothing"
         )
     return Gaussian((length / grid.dx, length / grid.dy))
 
 
 def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
     if not path:
-        raise ValueError("cycle must hold at least one step, got none")
+        raise ValueError("cycle must contain at least one step, got none")
     step = path[-1]
     if step.get("load") != 0:
         raise ValueError(
@@ -166,37 +169,37 @@ def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
     end = travels(path)[-1].tolist()
     if max(map(abs, end)) > 1e-6 * grid.dx:
         raise ValueError(
-            "cycle must bring both bodies back to where they started: the sum of its advances "
-            f"must be 0, got {end[0]!r} m and {end[1]!r} m"
+            "cycle must be closed: the sum of its advances must be 0 for both bodies, got "
+            f"{end[0]!r} m and {end[1]!r} m"
         )
 
 
 def travels(path: list[dict[str, Any]]) -> FloatArray:
-    """How far both bodies have moved, at first and after each step [m], shape (steps + 1, 2)."""
+    """Travel of both bodies initially and after each step [m], shape (steps + 1, 2)."""
     steps = [finite_array("advance", step.get("advance", (0.0, 0.0)), (2,)) for step in path]
     return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
 
 
 def _check_filter(scene: Scene) -> None:
-    """One that is larger than the contact would smear its wear over what it does not touch."""
+    """Refuse a filter wider than the contact, which would spread wear beyond it."""
     with warnings.catch_warnings():
-        # of a pressure that the cycles, in which the bodies yield, do not reach
+        # its pressure is not reached in the cycles, where bodies yield
         warnings.simplefilter("ignore", ElasticStrainWarning)
         pressure = _elastic_pressure(scene)
     touched_cells = in_contact(pressure)
     if not touched_cells.any():
-        raise ValueError("cycle must bring the bodies into contact, which none of its steps does")
+        raise ValueError("cycle must have at least one step with contact, got none")
     for axis, name in enumerate("xy"):
         touched = np.flatnonzero(touched_cells.any(axis=1 - axis))
         extent = int(touched[-1] - touched[0]) + 1
-        size = f"the contact, which is {extent} cells long along {name} at the largest load"
+        size = f"the contact ({extent} cells along {name} at maximum load)"
         if isinstance(scene.filter, Gaussian):
             cells = scene.filter.deviation[axis]
             if cells * _AS_WIDE > max(extent, 1):
                 dx = (scene.grid.dx, scene.grid.dy)[axis]
                 raise ValueError(
-                    f"smoothing_length must be at most {max(extent, 1) * dx / _AS_WIDE:.3g} m: it "
-                    f"spreads wear beyond {size}; got {cells * dx:.6g}"
+                    f"smoothing_length must be <= {max(extent, 1) * dx / _AS_WIDE:.3g} m, so that "
+                    f"wear is not spread beyond {size}, got {cells * dx:.6g}"
                 )
         elif scene.filter.sides[axis] > max(extent, 1):
             raise ValueError(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cycles of loading and wear, until nothing wears any more."""
+"""Load cycles with plastic-strain-controlled wear."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .results import Cycle, Moments, WearResult
 from .steps import Window, depth, shift, shift_deviator
 
 SAME_LOAD = 1e-9
-"""Relative: by how much loads differ that are the same but for rounding."""
+"""Relative difference below which loads are equal, for rounding."""
 
 
 def run(
@@ -50,46 +50,48 @@ def run(
     progress: bool = True,
     **settings: Any,
 ) -> WearResult:
-    """Repeat a cycle, and wear the bodies after each, until nothing wears any more.
+    """Simulate plastic-strain-controlled wear over repeated load cycles.
+
+    Material is removed after each cycle, until no more is removed.
 
     Parameters
     ----------
     grid, body1, body2, gap, friction, relief1, relief2
-        As for `Simulation`; the grid needs dz. Surfaces that are functions are those on this grid,
-        which does not grow.
+        As for `Simulation`; the grid must have dz. Surfaces given as functions are evaluated on
+        this grid, which is not enlarged.
     cycle : iterable of dict
-        Steps of `Simulation.step`, e.g. ``[{"load": 2000.0}, {"load": 0.0}]``. The last is unloaded
-        (load 0), and the advances of each body add up to 0.
+        Steps of `Simulation.step`, e.g. ``[{"load": 2000.0}, {"load": 0.0}]``. The last step has
+        zero load, and the advances of each body sum to 0.
     threshold : float
-        Accumulated equivalent plastic strain beyond which material at the surface breaks off [-];
+        Accumulated equivalent plastic strain [-] above which material at the surface is removed;
         above `YIELD_STRAIN`, below 5 %.
     cycles : int, optional
-        Largest number of cycles, >= 1.
+        Maximum number of cycles, >= 1.
     worn : sequence of {1, 2}, optional
-        Bodies that wear; inelastic ones.
+        Elastic-plastic bodies that wear.
     smoothing_length : float, optional
-        Standard deviation of the Gaussian that smooths the border of the wear [m], from one cell to
-        0.29 times the size of the contact; a length of the material, with which results converge
-        when cells, layers and increments become smaller. Exactly one of it and `window` is given.
+        Standard deviation of the Gaussian that smooths the edge of the wear [m], from one cell to
+        0.29 times the contact size. It is a material length, with which results converge as cells,
+        layers and increments are refined. Exactly one of it and `window` must be given.
     window : int or pair of int, optional
-        Of the thesis's filter, in cells, see `smooth`; not larger than the contact. Its results
-        depend on the cells. 1: no smoothing.
+        Window of Boucly's filter in cells, see `smooth`; not larger than the contact. Its results
+        depend on the cell size. 1: no smoothing.
     order : int, optional
-        Of this filter; default 2.
+        Order of Boucly's filter. Default: 2.
     strain_depth : {"exact", "smoothed"}, optional
-        By how much the plastic strain moves up. "exact": by the depth to which it exceeded the
-        threshold, so that it nowhere exceeds it at the new surface. "smoothed": by what the surface
-        lost, so that material beyond the threshold stays where the filter takes less than that, and
-        wears in a later cycle.
+        Depth by which the plastic strain moves up. "exact": the depth to which it exceeded the
+        threshold, so that it nowhere exceeds the threshold at the new surface. "smoothed": the
+        depth removed from the surface, so that material above the threshold remains where the
+        filter removes less, and wears in a later cycle.
     checkpoint : str or Path, optional
-        File that is written after each cycle. A later call with the same arguments (more `cycles`
-        are allowed) goes on from it, bit-identically; delete it to start anew. Beside it, with the
-        ending .before, is that of the cycle before, which serves when it is damaged.
+        File written after each cycle. A later call with equal arguments (more `cycles` are allowed)
+        resumes from it with bit-identical results; delete it to start again. The checkpoint of the
+        preceding cycle, with the suffix .before, is used if it is damaged.
     progress : bool, optional
-        Show a progress bar; where there is no terminal, ten lines at most.
+        Show a progress bar, or at most ten lines if there is no terminal.
     **settings
-        Other arguments of `Simulation`, e.g. ``increment_tol``, or frictional heat: each cycle
-        begins cold.
+        Other arguments of `Simulation`, e.g. ``increment_tol``, or frictional heating: each cycle
+        starts without heat.
 
     Returns
     -------
@@ -98,9 +100,10 @@ def run(
     Raises
     ------
     ValueError, TypeError
-        An argument outside its range, before the first cycle; plastic strain beyond the threshold
-        at the bottom of the grid, or wear at its sides; a checkpoint of other arguments. An error
-        of a later cycle has the result of those before in its attribute `result`.
+        An argument is outside its range (before the first cycle); the plastic strain exceeds the
+        threshold at the bottom of the grid, or material wears at its sides; a checkpoint belongs to
+        other arguments. An error in a later cycle holds the result of the completed cycles in its
+        attribute `result`.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -126,8 +129,9 @@ def _advance(scene: Scene, standing: Standing) -> tuple[Moments, Standing]:
 
 
 def _solve(scene: Scene, standing: Standing) -> Moments:
-    """One cycle: the state under its largest load (of several, the one with the largest pressure:
-    a load that rolls stays the same), and that at its end.
+    """Solve one cycle; return the states at its maximum load and at its end.
+
+    Of several states at maximum load (as in rolling), that with the maximum pressure is returned.
     """
     body1, body2 = scene.bodies
     relief1, relief2 = reliefs_of(scene, standing)
@@ -142,7 +146,7 @@ def _solve(scene: Scene, standing: Standing) -> Moments:
         **scene.settings,
     )
     simulation.monitor.checks_steps = False
-    simulation.monitor.checks_increments = False  # of the many that follow
+    simulation.monitor.checks_increments = False  # not for each of many cycles
     for body, kept in standing.strains.items():
         simulation.set_plastic_strain(
             body, kept.strain, kept.equivalent, kept.backstress, first=kept.first
@@ -157,15 +161,15 @@ def _solve(scene: Scene, standing: Standing) -> Moments:
 
 
 def _strain_of(state: State, body: int) -> Strain | None:
-    """The plastic strain of an inelastic body along its whole track; None without any."""
+    """Plastic strain of an elastic-plastic body along its whole track; None without any."""
     if state._core.strain_beyond(body - 1) is not None:
         raise ValueError(
-            f"plastic strain of body {body} lies below nz dz or beside the grid, where wear does "
-            "not see it: leave out nz, or enlarge nz, nx or ny"
+            f"plastic strain of body {body} must lie within the grid, but extends below nz dz or "
+            "outside its sides: omit nz, or enlarge nz, nx or ny"
         )
     track = state.track(body, margin=0)
     fields = [track.equivalent_plastic_strain(), track.plastic_strain(), track.backstress()]
-    if state.grid.nz == 0:  # nothing has flowed below
+    if state.grid.nz == 0:  # no plastic strain below the grid
         fields = [np.pad(field, [*[(0, 0)] * (field.ndim - 1), (0, 1)]) for field in fields]
     equivalent, strain, back = fields
     rows = np.flatnonzero(strain.any(axis=(0, 2, 3)) | equivalent.any(axis=(1, 2)))
@@ -181,7 +185,7 @@ def _strain_of(state: State, body: int) -> Strain | None:
 
 
 def _wear(scene: Scene, standing: Standing, moments: Moments) -> Standing:
-    """Remove what is strained too much after a cycle, and move up what is left."""
+    """Remove overstrained material after a cycle, and move up the remaining plastic strain."""
     peak, end = moments
     found = {body: _strain_of(end, body) for body in (1, 2) if scene.bodies[body - 1].is_plastic}
     strains = {body: kept for body, kept in found.items() if kept is not None}
@@ -222,7 +226,7 @@ def _largest(kept: Strain | None, layers: slice) -> float:
 
 
 def _worn_depth(scene: Scene, body: int, kept: Strain | None) -> FloatArray:
-    """Wear depth on the rows of `heights`, not yet smoothed [m]."""
+    """Wear depth on the rows of `heights` before smoothing [m]."""
     grid = scene.grid
     assert grid.dz is not None
     first, rows = scene.rows(body)
@@ -234,15 +238,15 @@ def _worn_depth(scene: Scene, body: int, kept: Strain | None) -> FloatArray:
     side = scene.filter.sides[1] // 2
     if side and (found[:, :side].any() or found[:, -side:].any()):
         raise ValueError(
-            f"body {body} wears within {side} cells of the sides of the grid, y = "
-            f"+-{0.5 * grid.ny * grid.dy!r} m, half of what the filter spreads it over: enlarge "
-            "ny dy, or smooth less"
+            f"wear of body {body} must be more than {side} cells from the sides of the grid, y = "
+            f"+-{0.5 * grid.ny * grid.dy!r} m (half the filter width): enlarge ny dy, or smooth "
+            "less"
         )
     return found
 
 
 def _moved_up(scene: Scene, body: int, kept: Strain, worn: FloatArray) -> Strain:
-    """What is left of the plastic strain, as seen from the worn surface."""
+    """Remaining plastic strain, with depths counted from the worn surface."""
     assert scene.grid.dz is not None
     first, _ = scene.rows(body)
     removed = worn[kept.first - first : kept.first - first + len(kept.equivalent)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What both laws of wear do alike: one cycle after the other, kept after each."""
+"""Repetition of wear cycles with checkpoints, shared by both wear laws."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ S = TypeVar("S", bound=Worn)
 R = TypeVar("R", bound=AnyResult)
 Moments = tuple[State, ...]
 Advance = Callable[[S, Standing], tuple[Moments, Standing]]
-"""One cycle: its states, and where the next begins."""
+"""Function that solves one cycle: its states, and the initial state of the next cycle."""
 
 
 def repeat(
@@ -33,14 +33,14 @@ def repeat(
     checkpoint: str | os.PathLike[str] | None,
     progress: bool,
 ) -> R:
-    """Cycles until nothing wears any more, from the start or from a checkpoint."""
+    """Repeat cycles until no material is removed, from the start or from a checkpoint."""
     with nullcontext() if checkpoint is None else alone(checkpoint):
         standing = None if checkpoint is None else latest(checkpoint, scene)
         if standing is None:
             standing = _start(scene)
         if len(standing.cycles) >= count:
             done = len(standing.cycles)
-            raise ValueError(f"cycles must be > {done}, those of the checkpoint, got {count}")
+            raise ValueError(f"cycles must be > {done} (number in the checkpoint), got {count}")
         return _repeat(kind, scene, advance, standing, count, checkpoint, progress)
 
 
@@ -72,7 +72,7 @@ def _repeat(
             stopped = not any(standing.cycles[-1].volume)
             bar.update()
             bar.set_postfix(volume=f"{sum(standing.cycles[-1].volume):.3g} m3")
-            # A finished computation keeps what its last cycle started from: it gives `last` again.
+            # A finished computation keeps the initial state of its last cycle, to restore `last`.
             if checkpoint is not None and not stopped and len(standing.cycles) < count:
                 write(checkpoint, scene, standing)
     assert last is not None
@@ -89,7 +89,7 @@ def _start(scene: Worn) -> Standing:
 
 
 def reliefs_of(scene: Worn, standing: Standing) -> list[Relief | None]:
-    """The present surfaces of both bodies."""
+    """Current surfaces of both bodies."""
     reliefs = list(scene.reliefs)
     for body in scene.worn:
         first, _ = scene.rows(body)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a wear computation gives."""
+"""Results of wear computations."""
 
 from __future__ import annotations
 
@@ -22,35 +22,35 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Moments = tuple[State, State]
-"""Under the largest load of a cycle, where its pressure is largest, and unloaded at its end."""
+"""States at the maximum load of a cycle (where the pressure is maximum) and unloaded at its end."""
 
 
 @dataclass(frozen=True)
 class Cycle:
-    """One cycle; tuples have one value for each worn body."""
+    """Results of one cycle; tuples have one value for each worn body."""
 
     number: int
-    """From 1."""
+    """Number of the cycle, from 1."""
     volume: tuple[float, ...]
-    """Of the material whose plastic strain exceeds the threshold, removed [m^3]."""
+    """Volume of removed material, whose plastic strain exceeded the threshold [m^3]."""
     lost: tuple[float, ...]
-    """By how much the volume under the surface is less after it [m^3]."""
+    """Decrease of the volume below the surface [m^3]."""
     depth: tuple[float, ...]
-    """Largest wear depth, after smoothing [m]."""
+    """Maximum wear depth after smoothing [m]."""
     surface_strain: tuple[float, ...]
-    """Largest equivalent plastic strain of the first layer, before anything is removed [-]."""
+    """Maximum equivalent plastic strain in the first layer, before removal [-]."""
     max_equivalent_plastic_strain: tuple[float, ...]
-    """Largest equivalent plastic strain, before anything is removed [-]."""
+    """Maximum equivalent plastic strain, before removal [-]."""
     max_pressure: float
-    """Largest pressure of the cycle [Pa]."""
+    """Maximum pressure of the cycle [Pa]."""
     max_von_mises: float
-    """Largest von Mises stress in the worn bodies under the largest load [Pa]."""
+    """Maximum von Mises stress in the worn bodies at maximum load [Pa]."""
     contact_area: float
-    """Under the largest load [m^2]."""
+    """Contact area at maximum load [m^2]."""
     contact_cells: float
-    """Across the contact under the largest load, see `resolution.cells_across`."""
+    """Cells across the contact at maximum load, see `resolution.cells_across`."""
     plastic_layers: tuple[float, ...]
-    """From top to bottom of the plastic zone, before anything is removed; 0 without one."""
+    """Layers from top to bottom of the plastic zone, before removal; 0 without plastic zone."""
 
     PER_BODY: ClassVar = (
         "volume", "lost", "depth", "surface_strain", "max_equivalent_plastic_strain",
@@ -60,33 +60,33 @@ class Cycle:
 
 @dataclass(frozen=True)
 class FrettingCycle:
-    """One cycle of `fretting`; tuples have one value for each worn body.
+    """Results of one cycle of `fretting`; tuples have one value for each worn body.
 
-    Pressure, slip and areas are those of the surface with which it begins.
+    Pressure, slip and areas refer to the surface at the start of the cycle.
     """
 
     number: int
-    """From 1."""
+    """Number of the cycle, from 1."""
     parts: int
-    """Into which its repeats were divided, the worn surface being solved for before each."""
+    """Number of parts of its repeats; the worn surface is solved before each part."""
     friction_work: float
-    """Of all its repeats [J]."""
+    """Frictional work of all its repeats [J]."""
     volume: tuple[float, ...]
-    """That the law of wear removes [m^3]."""
+    """Volume removed by the wear law [m^3]."""
     lost: tuple[float, ...]
-    """By how much the volume under the surface is less after it [m^3]."""
+    """Decrease of the volume below the surface [m^3]."""
     depth: tuple[float, ...]
-    """Largest wear depth [m]."""
+    """Maximum wear depth [m]."""
     slip_path: float
-    """Longest way of slip of a cell in one repeat [m]."""
+    """Maximum slip distance of a cell in one repeat [m]."""
     max_pressure: float
-    """Largest pressure [Pa]."""
+    """Maximum pressure [Pa]."""
     contact_area: float
-    """Under the largest load [m^2]."""
+    """Contact area at maximum load [m^2]."""
     sticking_area: float
-    """What touches and does not slip in a whole repeat [m^2]."""
+    """Area in contact that does not slip during a whole repeat [m^2]."""
     contact_cells: float
-    """Across the contact under the largest load, see `resolution.cells_across`."""
+    """Cells across the contact at maximum load, see `resolution.cells_across`."""
 
     PER_BODY: ClassVar = ("volume", "lost", "depth")
 
@@ -96,37 +96,37 @@ AnyCycle: TypeAlias = Cycle | FrettingCycle
 
 @dataclass(eq=False, repr=False)
 class AnyResult(Brief):
-    """What both laws of wear give."""
+    """Results common to both wear laws."""
 
     grid: Grid
     worn: tuple[int, ...]
     cycles: Sequence[AnyCycle]
     stopped: bool
-    """Whether nothing was worn in the last cycle, so that nothing would be in another one."""
+    """Whether no material was removed in the last cycle, so that wear has ceased."""
     relief1: Relief | None
-    """Final surface of body 1, to go on from."""
+    """Final surface of body 1, for further computations."""
     relief2: Relief | None
     heights: dict[int, FloatArray] = field(repr=False)
-    """Of each worn body, at the start and after each cycle [m], shape (cycles + 1, rows, ny)."""
+    """Heights of each worn body, at the start and after each cycle [m], (cycles + 1, rows, ny)."""
     first_row: dict[int, int] = field(repr=False)
     last: tuple[State, ...] = field(repr=False)
     _solve_first: Callable[[], Any] = field(repr=False)
 
     @cached_property
     def first(self) -> Any:
-        """As `last`, of the first cycle, which is solved again after going on from a checkpoint."""
+        """States of the first cycle, like `last`; solved again after a resumed run."""
         return self._solve_first()
 
     def x(self, body: int | None = None) -> FloatArray:
-        """Positions of the rows of `heights` on a worn body [m]; 0 where the contact starts."""
+        """Positions of the rows of `heights` on a worn body [m]; 0 at the initial contact."""
         chosen = self._body(body)
         rows = self.first_row[chosen] + np.arange(self.heights[chosen].shape[1])
         return np.asarray((rows - 0.5 * (self.grid.nx - 1)) * self.grid.dx, dtype=np.float64)
 
     def profile(self, cycle: int = -1, body: int | None = None) -> FloatArray:
-        """Heights of a worn body after a cycle, 0: before the first [m], shape (len(x), ny).
+        """Heights of a worn body after a cycle [m], shape (len(x), ny); cycle 0: initial heights.
 
-        Raises ValueError for a cycle that was not computed, or a body that is not worn.
+        Raises ValueError for a cycle that was not computed, or a body that does not wear.
         """
         chosen = self._body(body)
         count = len(self.cycles)
@@ -137,23 +137,23 @@ class AnyResult(Brief):
 
     @property
     def rate(self) -> FloatArray:
-        """Worn volume of each cycle, of all worn bodies [m^3]."""
+        """Worn volume of each cycle, summed over worn bodies [m^3]."""
         return np.array([sum(cycle.volume) for cycle in self.cycles])
 
     def _body(self, body: int | None) -> int:
         return int(choice("body", self.worn[-1] if body is None else body, self.worn))
 
     def to_dataset(self) -> xr.Dataset:
-        """Labelled results with units: per cycle, and the heights after each cycle.
+        """Convert to labelled results with units: values per cycle, and heights after each cycle.
 
         Returns
         -------
         xarray.Dataset
-            Dimensions cycle, body (the worn ones), and for each of those state (0: before the first
-            cycle), x_body1 or x_body2, y. Save it with `samcontact.results.save`,
-            read it with `open_results`.
+            Dimensions cycle, body (the worn ones), and for each worn body state (0: before the
+            first cycle), x_body1 or x_body2, y. Save it with `samcontact.results.save`, read it
+            with `open_results`.
         """
-        import xarray as xr  # here, since importing the package should not load it
+        import xarray as xr  # here, so that importing the package does not load it
 
         numbers = [cycle.number for cycle in self.cycles]
         coordinates = {
@@ -182,16 +182,16 @@ class AnyResult(Brief):
 
 @dataclass(eq=False, repr=False)
 class WearResult(AnyResult):
-    """Cycles of `run`, worn surfaces, and the first and last cycle's states."""
+    """Results of `run`: cycles, worn surfaces, and states of the first and last cycle."""
 
     cycles: list[Cycle]
     last: Moments = field(repr=False)
-    """States of the last cycle, under its largest load, and unloaded before anything is removed."""
+    """States of the last cycle, at its maximum load, and unloaded before removal."""
 
 
 @dataclass(eq=False, repr=False)
 class FrettingResult(AnyResult):
-    """Cycles of `fretting`, worn surfaces, and the first and last cycle's states."""
+    """Results of `fretting`: cycles, worn surfaces, and states of the first and last cycle."""
 
     cycles: list[FrettingCycle]
     last: tuple[State, ...] = field(repr=False)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What wear does to a body: depth of what is removed, its smoothing, the strain that is left."""
+"""Steps of wear: depth of removal, its smoothing, and the remaining plastic strain."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from .._util.short_text import in_short
 Window = int | Sequence[int] | None
 
 _BISECTIONS = 60
-"""Halvings of one layer: beyond rounding."""
+"""Number of bisections of one layer, sufficient for rounding."""
 _TAIL = 4.0
-"""Standard deviations after which a Gaussian is cut off."""
+"""Standard deviations at which a Gaussian is cut off."""
 _DEVIATOR = 1e-9
-"""Largest trace of a deviator, relative to its largest component."""
+"""Maximum trace of a deviator, relative to its largest component."""
 
 
 def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
-    """Depth to which the plastic strain exceeds a threshold, without a break from the surface.
+    """Depth to which the plastic strain exceeds a threshold, contiguously from the surface.
 
     Parameters
     ----------
@@ -34,19 +34,19 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
     dz : float
         Thickness of a layer [m], > 0.
     threshold : float
-        [-], > 0.
+        Threshold of the equivalent plastic strain [-], > 0.
 
     Returns
     -------
     ndarray, shape (nx, ny)
-        [m]; 0 where the first layer does not exceed the threshold, whatever is below it; otherwise
-        where monotone cubic (PCHIP) interpolation along the column first comes down to it. Boucly
-        (2008), section 5.1.3.1, has Lagrange polynomials, which overshoot.
+        Depth [m]; 0 if the first layer does not exceed the threshold, regardless of deeper layers.
+        Otherwise the first depth at which monotone cubic (PCHIP) interpolation along the column
+        falls to it. Boucly (2008), section 5.1.3.1, uses Lagrange polynomials, which overshoot.
 
     Raises
     ------
     ValueError
-        Where the strain exceeds the threshold down to the last layer.
+        The strain exceeds the threshold down to the last layer.
     """
     step, limit = positive("dz", dz), positive("threshold", threshold)
     shape = real_array("equivalent", equivalent).shape
@@ -60,8 +60,8 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
     columns = field[worn]
     if (columns > limit).all(axis=1).any():
         raise ValueError(
-            f"the grid is too shallow: the plastic strain exceeds threshold = {limit!r} down to "
-            f"its last layer, at {shape[2] * step!r} m; give it more layers"
+            f"grid must be deep enough: the plastic strain exceeds threshold = {limit!r} down to "
+            f"its last layer, at {shape[2] * step!r} m; use more layers"
         )
     layer = np.argmax(columns <= limit, axis=1) - 1  # the last one above the threshold
     rows, slopes = np.arange(len(columns)), _slopes(columns)
@@ -77,7 +77,7 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
 
 
 def _slopes(columns: FloatArray) -> FloatArray:
-    """Slopes of the monotone interpolant at layers of thickness 1, shape (columns, nz)."""
+    """Slopes of the monotone interpolant for layers of thickness 1, shape (columns, nz)."""
     count = columns.shape[-1]
     interpolant = scipy.interpolate.PchipInterpolator(np.arange(count), columns, axis=-1)
     return np.asarray(interpolant(np.arange(count), 1), dtype=np.float64)
@@ -86,7 +86,7 @@ def _slopes(columns: FloatArray) -> FloatArray:
 def _hermite(
     t: FloatArray, values: tuple[FloatArray, FloatArray], slopes: tuple[FloatArray, FloatArray]
 ) -> FloatArray:
-    """Cubic between two layers, at the part t of the way from one to the next."""
+    """Cubic interpolation between two layers, at the fraction t of their distance."""
     s = 1 - t
     (y0, y1), (d0, d1) = values, slopes
     result: FloatArray = s * s * ((1 + 2 * t) * y0 + t * d0) + t * t * ((1 + 2 * s) * y1 - s * d1)
@@ -94,7 +94,7 @@ def _hermite(
 
 
 def window_and_order(window: Window, order: int) -> tuple[int, int, int]:
-    """Checked cells of the window along x and y, and order; (1, 1, 0): no smoothing."""
+    """Check the cells of the window along x and y, and the order; (1, 1, 0): no smoothing."""
     sides: list[int] = [1 if window is None else window] * 2 if _single(window) else list(window)  # type: ignore[arg-type,list-item]
     if len(sides) != 2:
         raise ValueError(
@@ -102,11 +102,11 @@ def window_and_order(window: Window, order: int) -> tuple[int, int, int]:
         )
     for cells in sides:
         if integer("window", cells, 1) % 2 == 0:
-            raise ValueError(f"window must be odd (cells), got {in_short(window)}")
+            raise ValueError(f"window must be an odd number of cells, got {in_short(window)}")
     integer("order", order, 0)
     for cells in sides:
         if 1 < cells <= order:
-            raise ValueError(f"order must be less than window = {in_short(window)}, got {order}")
+            raise ValueError(f"order must be < window = {in_short(window)}, got {order}")
     return int(sides[0]), int(sides[1]), int(order)
 
 
@@ -115,27 +115,27 @@ def _single(window: Window) -> bool:
 
 
 def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
-    """Wear depth with its border smoothed; the volume is kept. Boucly (2008), eqs. (5.1)-(5.3).
+    """Smooth the edge of a wear depth, conserving the volume. Boucly (2008), eqs. (5.1)-(5.3).
 
     Parameters
     ----------
     depth : array_like, shape (nx, ny)
-        [m], >= 0. Beyond the array it is 0.
+        Wear depth [m], >= 0; 0 outside the array.
     window : int or pair of int, optional
         Odd number of cells (along x and y) of a two-dimensional Savitzky-Golay filter; None or 1:
         no smoothing.
     order : int, optional
-        Of its polynomials, in x and in y; < window.
+        Order of its polynomials, in x and in y; < window.
 
     Returns
     -------
     ndarray, shape (nx, ny)
-        [m], >= 0, with the same sum to rounding.
+        Wear depth [m], >= 0, with an equal sum to rounding.
 
     Raises
     ------
     ValueError
-        A depth below 0, or a window or order that is not allowed.
+        A depth is < 0, or a window or order is not allowed.
     """
     shape = real_array("depth", depth).shape
     if len(shape) != 2:
@@ -149,20 +149,20 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
     result = given
     for axis, cells in enumerate(sides):
         if cells > 1:
-            # What the filter carries beyond the array would be lost: it is cut off only at the end.
+            # Values that the filter spreads beyond the array are cut off only at the end.
             padding = [(cells, cells) if axis == n else (0, 0) for n in (0, 1)]
             padded = np.pad(result, padding)
             padded = scipy.signal.savgol_filter(
                 padded, cells, degree, axis=axis, mode="constant", cval=0.0
             )
             result = padded[cells:-cells] if axis == 0 else padded[:, cells:-cells]
-    return _with_volume_of(given, np.maximum(result, 0.0))  # beside a step it undershoots
+    return _with_volume_of(given, np.maximum(result, 0.0))  # it undershoots near a step
 
 
 def _with_volume_of(given: FloatArray, result: FloatArray) -> FloatArray:
     total = math.fsum(given.flat)
     scaled = np.asarray(result * (total / math.fsum(result.flat)), dtype=np.float64)
-    # Rounding of the scaling goes where it is least: into the deepest cell.
+    # The rounding error of the scaling is added to the deepest cell, where it matters least.
     deepest = np.unravel_index(int(np.argmax(scaled)), scaled.shape)
     scaled[deepest] += total - math.fsum(scaled.flat)
     return scaled
@@ -170,7 +170,7 @@ def _with_volume_of(given: FloatArray, result: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class Polynomials:
-    """`smooth` over a window of cells, as in the thesis."""
+    """Smoothing by `smooth` over a window of cells, as in Boucly's thesis."""
 
     sides: tuple[int, int]
     """Cells of the window along x and y."""
@@ -182,14 +182,14 @@ class Polynomials:
 
 @dataclass(frozen=True)
 class Gaussian:
-    """A Gaussian whose standard deviation is a length, whatever the cells; the volume is kept."""
+    """Smoothing by a Gaussian with a physical standard deviation, conserving the volume."""
 
     deviation: tuple[float, float]
-    """In cells along x and y."""
+    """Standard deviation in cells along x and y."""
 
     @property
     def sides(self) -> tuple[int, int]:
-        """Cells along x and y that a cell is spread over."""
+        """Cells along x and y over which a cell is spread."""
         x, y = (2 * math.ceil(_TAIL * cells) + 1 for cells in self.deviation)
         return x, y
 
@@ -203,27 +203,27 @@ class Gaussian:
 
 
 def shift(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
-    """A field of the layers as seen from a surface that is worn: its values at z_k + depth.
+    """Map a volume field to depths below the worn surface: its values at z_k + depth.
 
     Parameters
     ----------
     field : array_like, shape (..., nx, ny, nz)
-        At the mid-depths of the layers.
+        Values at the mid-layer depths.
     depth : array_like, shape (nx, ny)
-        What was removed [m], >= 0.
+        Removed depth [m], >= 0.
     dz : float
         Thickness of a layer [m], > 0.
 
     Returns
     -------
     ndarray
-        Shape of the field; interpolated along each column by monotone cubics (PCHIP), which do not
-        overshoot; falls to 0 within one layer below the grid.
+        Field of unchanged shape; interpolated along each column by monotone cubics (PCHIP), which
+        do not overshoot; it falls to 0 within one layer below the grid.
 
     Raises
     ------
     ValueError
-        Wrong shape, or a depth below 0.
+        Wrong shape, or a depth < 0.
     """
     step, shape = positive("dz", dz), real_array("field", field).shape
     if len(shape) < 3 or shape[-1] == 0:
@@ -238,7 +238,7 @@ def shift(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
     if not columns.any():
         return np.asarray(result, dtype=np.float64)
     count = shape[-1]
-    # Two layers of zeros: where the column ends, and beyond.
+    # Two layers of zeros: at the end of the column, and beyond.
     extended = np.concatenate([columns, np.zeros((*columns.shape[:-1], 2))], axis=-1)
     slopes = _slopes(extended)
     place = np.arange(count) + (removed[worn] / step)[:, None]
@@ -255,9 +255,9 @@ def shift(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
 
 
 def shift_deviator(tensor: FloatArray, depth: FloatArray, dz: float) -> FloatArray:
-    """`shift` of tensors, shape (..., 6, nx, ny, nz), whose components are interpolated one by one.
+    """Apply `shift` to each component of tensors, shape (..., 6, nx, ny, nz).
 
-    Columns of a deviator stay one: their trace is taken away.
+    Columns of deviators remain deviators: their trace is subtracted.
     """
     moved = shift(tensor, depth, dz)
     trace = np.abs(tensor[..., :3, :, :, :].sum(axis=-4)).max(axis=-1, keepdims=True)

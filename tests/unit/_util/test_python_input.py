@@ -94,15 +94,15 @@ class TestBeyondTheRange:
     @pytest.mark.parametrize("name", ["green", "onset", "green_cylinder", "onset_cylinder"])
     @pytest.mark.parametrize("stress", [1e-300, 1e300])
     def test_critical_values(self, name, stress):
-        with pytest.raises(ValueError, match="beyond the range of numbers"):
+        with pytest.raises(ValueError, match="must give finite critical values"):
             getattr(sc.critical, name)(1e-2, 1e11, 0.3, stress)
 
     def test_heat_names_what_the_user_gave(self):
         hot = STEEL.with_thermal(50.0, 1e-5, 1.4e-5)
         for settings, named in (
-            ({"velocity": (1e12, 0.0)}, "heat.velocity of body 2 must be at most"),
-            ({"velocity": (0.0, 1e-300)}, "heat.velocity of body 2 must be 0 or at least"),
-            ({"time": 1e300}, "heat.time must be at most"),
+            ({"velocity": (1e12, 0.0)}, "heat.velocity of body 2 must be <="),
+            ({"velocity": (0.0, 1e-300)}, "heat.velocity of body 2 must be 0 or >="),
+            ({"time": 1e300}, "heat.time must be <="),
         ):
             with pytest.raises(ValueError, match=named):
                 small(hot, heat=sc.Heat(0.1, **settings)).step(load=10.0)
@@ -110,9 +110,9 @@ class TestBeyondTheRange:
             sc.heat.factors(1e200, 1e200)
 
     def test_constants_of_swift(self):
-        with pytest.raises(ValueError, match="must be finite: its constants are too large"):
+        with pytest.raises(ValueError, match="must be finite: use smaller constants"):
             sc.Material.swift(210e9, 0.3, 1e200, 1e200, 1.0)
-        with pytest.raises(ValueError, match="strain leads beyond the range of numbers"):
+        with pytest.raises(ValueError, match="strain causes floating-point overflow"):
             STEEL.uniaxial_stress([1e300])
 
     @pytest.mark.parametrize("C", [1e-300, 1e-9, 20.0, 1e200])
@@ -137,7 +137,7 @@ class TestScenes:
     @pytest.mark.parametrize("first", [15, -15, 1000])
     def test_strain_beside_the_grid(self, first):
         simulation = small()
-        with pytest.raises(ValueError, match=f"over the grid at least in part.*first = {first}"):
+        with pytest.raises(ValueError, match=f"strain must overlap the grid.*first = {first}"):
             simulation.set_plastic_strain(2, np.full((6, 15, 15, 10), 1e-4), first=first)
 
     def test_strong_friction_does_not_converge_in_a_single_cell(self):
@@ -227,7 +227,7 @@ class TestInTheMiddle:
         held = []
 
         def law(rise):
-            with pytest.raises(RuntimeError, match="in the middle of an increment"):
+            with pytest.raises(RuntimeError, match="an increment is already in progress"):
                 held[0].step(load=1.0)
             return np.ones_like(rise)
 

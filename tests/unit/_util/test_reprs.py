@@ -156,7 +156,7 @@ def test_state_that_sticks_and_slips():
     assert rows["tangential load"] == "45 N, 0 N"
     assert rows["shift"] == f"{state.shift[0] * 1e6:.4g} µm, 0 m"
     told = f"{state.sticking.sum()} of {np.count_nonzero(state.pressure)} in contact"
-    assert rows["cells that stick"] == told
+    assert rows["sticking cells"] == told
     assert "twist" not in rows
     _, rows = parsed(simulation.step(load=300.0, twist=1e-4))
     assert rows["twist"] == "100 µrad"
@@ -170,7 +170,7 @@ def test_stick_slip_solution():
     name, rows = parsed(solution)
     assert name == "StickSlipSolution"
     assert rows["tangential load"] == "45 N, 0 N"
-    assert rows["cells that stick"] == str(solution.sticking.sum())
+    assert rows["sticking cells"] == str(solution.sticking.sum())
     assert "friction=Coulomb(coefficient=0.3)" in repr(solver)
 
 

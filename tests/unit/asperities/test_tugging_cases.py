@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files of asperities that tug at each other, and what the command makes of them."""
+"""Case files of asperity collisions, and the output of the command."""
 
 import numpy as np
 import pandas as pd
@@ -77,7 +77,7 @@ def test_no_figures_and_no_animation(case_file, tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "text"),
     [
-        ("6e-4", "1.5", r"tugging: interference must be below both radii, < 1.0 m, got 1.5"),
+        ("6e-4", "1.5", r"tugging: interference must be < 1.0 m, the smaller radius, got 1.5"),
         ("R1 = 1.0", "R1 = -1.0", r"tugging.R1: must be a finite number > 0 \[m\]"),
         ("passes = 2", "pases = 2", r"tugging.pases: unknown field; allowed here: R1, R2"),
         ("[contact]", "[contact]\nfriction = 0.1", r"contact.friction: unknown field"),

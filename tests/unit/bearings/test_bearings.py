@@ -187,16 +187,16 @@ def test_palmgren_and_the_rating_mean_the_same_deformation():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: bearings.static_load_rating([], 8), "races must have one contact at least"),
+        (lambda: bearings.static_load_rating([], 8), "races must contain at least one contact"),
         (
             lambda: bearings.static_load_rating(both_races(D, PITCH), 8, length=1e-2),
-            "length is of rollers without a crown only, got 0.01",
+            "length applies to uncrowned rollers only, got 0.01",
         ),
         (
             lambda: bearings.static_load_rating([bearings.roller_on_race(D, PITCH)], 8),
-            "length must be given with a roller without a crown, got None",
+            "length is required for an uncrowned roller, got None",
         ),
-        (lambda: bearings.ball_on_race(D, PITCH), "exactly one of groove_radius, conformity"),
+        (lambda: bearings.ball_on_race(D, PITCH), "exactly one of groove_radius and conformity"),
         (lambda: bearings.ball_on_race(D, PITCH, 6.3e-3), "must be > 0.5, got 0.49"),
         (lambda: bearings.ball_on_race(D, 0.01, conformity=F), "pitch_diameter must be >"),
         (lambda: bearings.ball_on_race(D, PITCH, conformity=F, race="cage"), "race must be one of"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Profiles over depth as a part of a material: what it tells of them, and what it refuses."""
+"""Depth profiles of a material: its description and refused arguments."""
 
 import re
 

@@ -66,7 +66,7 @@ class TestCurve:
 
     @pytest.mark.parametrize("x", [1e-9, 1e-3, 0.9, 1.0, 1.1, 30.0])
     def test_work_of_voce_keeps_its_digits(self, x):
-        """Where nearly all stress is hardening, the closed form would cancel: its series."""
+        """If hardening dominates the stress, a series replaces the closed form (cancellation)."""
         steep = sc.Material.voce(E, NU, 1.0, 1e9, RATE)
         g = x / RATE
         range_ = integrate.quad(lambda t: -np.expm1(-RATE * t), 0.0, g, epsabs=0.0, epsrel=1e-13)[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Layered bodies: what they refuse, their waves and coefficients, and contacts between them."""
+"""Layered bodies: refused arguments, transfer functions and coefficients, contacts between them."""
 
 import copy
 import pickle
@@ -26,7 +26,7 @@ RIGID = sc.Material.rigid()
         ([(STEEL, 1e-6), (STEEL, 0.0)], STEEL, ValueError, r"thickness of layers\[1\].*> 0.*got 0"),
         ([(STEEL, np.inf)], STEEL, ValueError, r"thickness of layers\[0\].*finite"),
         ([(STEEL, "1 um")], STEEL, TypeError, r"thickness of layers\[0\] must be a number"),
-        ([(RIGID, 1e-6)], STEEL, ValueError, r"layers\[0\] is rigid: only the substrate"),
+        ([(RIGID, 1e-6)], STEEL, ValueError, r"layers\[0\] must not be rigid: only the substrate"),
         (
             [(1e-6, STEEL)],
             STEEL,
@@ -49,10 +49,10 @@ def test_what_is_no_layered_body(layers, substrate, error, text):
 
 def test_what_layers_do_not_serve_is_refused_by_name():
     coated = sc.Layered([(NITRIDE, 2e-6)], STEEL)
-    with pytest.raises(ValueError, match=r"heat.factor of body2 must be 0.*layers"):
+    with pytest.raises(ValueError, match=r"heat.factor must be 0 for layered body2"):
         sc.ContactSolver(sc.Grid(8, 8, 1e-6, 1e-6), RIGID, coated, 0.1, heat=sc.Heat((0.0, 0.1)))
     grid = sc.Grid(8, 8, 1e-6, 1e-6, dz=1e-6)
-    with pytest.raises(ValueError, match=r"body2 must be a Material, got 1 layer.*equally thick"):
+    with pytest.raises(ValueError, match=r"body2 must be a Material, got 1 .*uniform thickness"):
         sc.wear.run(
             grid, RIGID, coated, np.zeros((8, 8)),
             cycle=[{"load": 1.0}], threshold=1e-3, smoothing_length=2e-6,
@@ -183,7 +183,7 @@ def test_both_bodies_may_have_layers_and_friction_couples_them():
 
 
 def test_a_surface_and_its_repetitions_are_the_same():
-    """Lattice sums of coefficients and stresses, made in different ways for other periods."""
+    """Lattice sums of coefficients and stresses, by different methods for other periods."""
     body = sc.Layered([(NITRIDE, 1.5e-6), (POLYMER, 0.7e-6)], STEEL)
     rng = np.random.default_rng(4)
     pressure, shear = 1e8 * rng.random((8, 6)), 1e7 * rng.random((2, 8, 6))
@@ -239,7 +239,7 @@ def test_a_simulation_with_layers_is_the_contact_of_its_solver(tmp_path):
     assert state.stress(2) == pytest.approx(direct, abs=1e-9 * np.abs(direct).max())
     sides = solver.stress(state.pressure, [np.nextafter(4e-6, 0.0), 4e-6])
     assert np.array_equal(state.interface_stress(), np.moveaxis(sides, -1, 0)[..., None])
-    with pytest.raises(ValueError, match="body1 must have layers, whose interfaces"):
+    with pytest.raises(ValueError, match="body1 must be layered to have interfaces"):
         state.interface_stress(1)
     simulation.save(tmp_path / "coated.h5")
     again = sc.Simulation.load(tmp_path / "coated.h5")
@@ -289,7 +289,7 @@ SOFT = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
         (
             sc.Layered([(STEEL, 1e-6)], SOFT),
             {"residual_stress": "exact"},
-            'residual_stress must be "fast" where body2 has layers',
+            'residual_stress must be "fast" because body2 has layers',
         ),
         (sc.Layered([(NITRIDE, 1.5e-6)], SOFT), {}, r"the bottom of layers\[0\] of body2"),
     ],
@@ -329,7 +329,7 @@ def test_flow_below_a_layer_of_the_same_stiffness_stays_below_it():
 
 
 def test_flow_below_a_nearly_absent_layer_is_that_of_the_substrate():
-    """The print of a substrate below what bears nothing, pressed by prescribed tractions."""
+    """Residual imprint of a substrate below a very soft layer, under prescribed tractions."""
     nothing = sc.Material.elastic(1e-3, 0.0)
     steel = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
     grid = sc.Grid(20, 20, 4e-6, 4e-6, nz=12, dz=4e-6)

@@ -112,7 +112,7 @@ def test_flow_in_nearly_incompressible_layers_is_that_of_the_homogeneous_body():
 
 
 def test_a_nanometre_on_a_millimetre_is_a_membrane():
-    """It bears what the surface of the substrate stretches by; the contact knows nothing of it."""
+    """The layer is stretched with the surface of the substrate; the contact is not affected."""
     grid = sc.Grid(41, 41, 1e-6, 1e-6)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     body = sc.Layered([(NITRIDE, 1e-9)], STEEL)

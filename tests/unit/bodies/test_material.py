@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Materials: the hardening laws in numbers, and what the factories refuse."""
+"""Materials: hardening laws in numbers, and refused arguments of the class methods."""
 
 import math
 import pickle

@@ -136,7 +136,7 @@ def test_rolling_comes_to_the_steady_state_of_its_creepages():
         assert states[-2].torque == pytest.approx(expected.torque, rel=0.03)
         slip = (states[-2].shift - states[-3].shift) / grid.dx
         np.testing.assert_allclose(slip, expected.creepage, atol=2e-5)
-    with pytest.raises(ValueError, match="slide_to_roll must be 0 where tangential_load_x is giv"):
+    with pytest.raises(ValueError, match="slide_to_roll must be 0 with tangential_load_x"):
         paths.rolling(**rolls, slide_to_roll=0.1, tangential_load_x=1.0)
 
 

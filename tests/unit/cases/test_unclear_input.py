@@ -109,17 +109,17 @@ def simulation(**settings):
         (
             lambda: sc.Material("elastic", {"E": 1.0, "nu": 0.3}, thermal=(1.0,)),
             ValueError,
-            "thermal must hold conductivity, expansion, diffusivity",
+            "thermal must contain conductivity, expansion, diffusivity",
         ),
         (
             lambda: sc.Material("elastic", {"E": 1.0, "nu": 0.3}, kinematic=3.0),
             ValueError,
-            "kinematic must hold modulus, recovery",
+            "kinematic must contain modulus, recovery",
         ),
         (
             lambda: sc.Material("elastic", {"E": 1.0, "nu": 0.3}, softening=abs),
             ValueError,
-            "softening needs a body that yields",
+            "softening requires an elastic-plastic material",
         ),
     ],
 )
@@ -384,7 +384,7 @@ def test_nothing_after_a_unit_is_dropped(text):
 
 @pytest.mark.parametrize(
     ("name", "content", "message"),
-    [("h.npy", "1 2 3\n", r"no file of numpy\.save$"), ("h.txt", "1 2 3\n1 2\n", "at row 2$")],
+    [("h.npy", "1 2 3\n", r"not a file of numpy\.save$"), ("h.txt", "1 2 3\n1 2\n", "at row 2$")],
 )
 def test_errors_of_heights_advise_nothing_that_is_not_ours(tmp_path, name, content, message):
     (tmp_path / name).write_text(content)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies and a ball of elastic contact, and what makes a solution one."""
+"""Bodies and a ball in elastic contact, and conditions of a solution."""
 
 import numpy as np
 import pytest

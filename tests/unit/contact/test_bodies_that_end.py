@@ -22,7 +22,7 @@ def ended(grid, gap, radius):
 @pytest.mark.parametrize("periodic", ["", "y", "xy"])
 @pytest.mark.parametrize("friction", [0.0, 0.2, sc.Coulomb(0.3)])
 def test_a_body_that_ends_beside_the_contact(periodic, friction):
-    """What is not touched changes nothing."""
+    """Cells out of contact do not affect the solution."""
     grid = sc.Grid(72, 64, UM, UM, periodic=periodic)
     gap = surfaces.paraboloid(grid, 1e-3)
     other = sc.Material.elastic(70e9, 0.33)
@@ -84,7 +84,7 @@ class TestSimulation:
         return sc.Simulation(self.grid, RIGID, SOFT, gap)
 
     def test_plastic_and_moving(self, tmp_path):
-        """A ball that ends moves over a body that yields, by parts of cells."""
+        """A truncated ball moves over an elastic-plastic body by fractions of a cell."""
         end = ended(self.grid, self.gap, 24e-6)
         expected = self.simulation(self.gap).run(PATH, progress=False)
         simulation = self.simulation(end)
@@ -135,7 +135,7 @@ def test_a_window_grows_with_the_body_that_ends():
     def narrower(grid):
         return ended(grid, surfaces.paraboloid(grid, 1e-3), 30e-6 * 16 / grid.nx)
 
-    with pytest.raises(sc.GridTooSmallError, match="larger grid is infinite in other cells"):
+    with pytest.raises(sc.GridTooSmallError, match="must be infinite in the same cells"):
         sc.Simulation(grid, RIGID, STEEL, narrower).step(load=3.0)
 
 
@@ -170,7 +170,7 @@ def test_other_numbers_are_no_gap(value):
 
 
 class TestFixedGapAtTheBorder:
-    """What cannot be enlarged is not asked to be."""
+    """Grids that cannot be enlarged are not enlarged."""
 
     grid = sc.Grid(48, 40, UM, UM)
     rough = 1e-8 * np.random.default_rng(3).standard_normal((48, 40))
@@ -203,13 +203,13 @@ class TestFixedGapAtTheBorder:
     @pytest.mark.parametrize("height", [1e-6, -1e-6, 1 / 3])
     def test_a_constant_gap_is_not_tilted(self, height):
         text = self.message(np.full(self.grid.surface_shape, height), 1.0, False)
-        assert "touches everywhere" in text
+        assert "in contact everywhere" in text
         assert "tilted" not in text
 
     def test_a_map_that_touches_here_and_there(self):
         text = self.message(self.rough, 1e-2, False)
         assert "enlarge n" in text
-        assert 'detrend="curvature", or let it repeat itself' in text
+        assert 'detrend="curvature", or make the surface periodic' in text
 
     @pytest.mark.parametrize(
         ("slope", "load", "text"), [(4e-3, 1e-3, "is tilted, by 18"), (0.0, 100.0, "everywhere")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Coulomb friction with a limit of the shear: Coulomb below it, Tresca above."""
+"""Coulomb friction with a shear limit: Coulomb below it, Tresca above."""
 
 import math
 

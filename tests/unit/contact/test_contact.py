@@ -132,7 +132,7 @@ class TestFriction:
         assert np.abs(below - below[::-1]).max() > 0.01 * below.max()
 
     def test_pressure_moves_the_way_the_coupling_says(self):
-        """Where u_z of the shear raises the surface (u_z < 0), the pressure grows."""
+        """The pressure increases where the shear raises the surface (u_z < 0)."""
         grid, gap, exact = scene(RIGID, STEEL)
         free = sc.ContactSolver(grid, RIGID, STEEL).solve(gap, load=exact.load).pressure
         rubbed = sc.ContactSolver(grid, RIGID, STEEL, 0.4).solve(gap, load=exact.load).pressure
@@ -206,7 +206,7 @@ class TestStress:
         grid, gap, _ = scene(RIGID, STEEL)
         solver = sc.ContactSolver(grid, RIGID, STEEL)
         for call, text in (
-            (lambda: solver.stress(gap, [0.0], 1), "body 1 is rigid: it has no stress"),
+            (lambda: solver.stress(gap, [0.0], 1), "body 1 is rigid and has no stress"),
             (lambda: solver.stress(gap, [0.0], 3), "body must be one of 1, 2, got 3"),
             (lambda: solver.stress(gap[1:], [0.0]), "pressure must have shape (31, 31), got (30,"),
             (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All three displacements of a surface against closed forms, and against each other by Betti."""
+"""All three displacements of a surface against closed forms and Betti's theorem."""
 
 import numpy as np
 import pytest

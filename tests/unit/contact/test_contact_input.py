@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic contact: limits, borders, what is refused, and arrays of any kind."""
+"""Elastic contact: limits, grid edges, refused arguments, and arrays of any kind."""
 
 import math
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic contact: transforms that it takes, and the same pressure by other solvers."""
+"""Elastic contact: number of transforms, and equal pressure from other solvers."""
 
 import math
 import warnings

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Periodic surfaces: lattice sums, contact, plasticity, and what they refuse."""
+"""Periodic surfaces: lattice sums, contact, plasticity, and refused arguments."""
 
 import pickle
 
@@ -44,7 +44,7 @@ def rng():
 
 @pytest.mark.parametrize(("cells", "sides", "periodic", "tiles"), TILINGS)
 def test_a_surface_and_its_repetitions_are_the_same(cells, sides, periodic, tiles, rng):
-    """Every table is made another way for another shape of the period."""
+    """Tables are computed by different methods for different shapes of the period."""
     loads = rng.normal(size=(3, *cells)) * 1e9
     one, many = grids(cells, sides, periodic, tiles)
     wide = np.tile(loads, (1, *tiles))
@@ -282,9 +282,9 @@ def test_the_grid_keeps_its_directions(tmp_path):
     [
         ({"periodic": "yx"}, "periodic must be one of '', 'x', 'y', 'xy', got 'yx'"),
         ({"periodic": None}, "periodic must be one of"),
-        ({"nx": 15, "periodic": "x"}, "nx must be even, or 1, where .* along x, got 15"),
+        ({"nx": 15, "periodic": "x"}, "nx must be even, or 1, on .* along x, got 15"),
         ({"ny": 7, "periodic": "xy"}, "ny must be even, or 1"),
-        ({"nx": 1, "ny": 1, "periodic": "xy"}, "nx or ny must be larger than 1"),
+        ({"nx": 1, "ny": 1, "periodic": "xy"}, "nx or ny must be > 1"),
         ({"ny": 2, "dy": 1e-12, "periodic": "y"}, "dx must be at most 8 periods ny dy of the grid"),
     ],
 )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stick and slip of unlike bodies: a dense solver, another program, and symmetries of the laws."""
+"""Partial slip of dissimilar bodies: a dense solver, another program, and symmetries."""
 
 import math
 
@@ -13,7 +13,7 @@ RUBBER = sc.Material.elastic(2.0, 0.1)
 
 
 def dense_matrix(grid, body1, body2):
-    """Of u_x, u_y, u_z between the surfaces by s_x, s_y, p: Love and Cerruti integrated."""
+    """Coefficients of the relative u_x, u_y, u_z for s_x, s_y, p: Love and Cerruti."""
     softness = [0.0 if m.is_rigid else 2 * (1 + m.nu) / m.E for m in (body1, body2)]
     ratios = [0.0 if m.is_rigid else m.nu for m in (body1, body2)]
     total = sum(softness)
@@ -102,7 +102,7 @@ def spence(cells, largest):
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 def test_pressing_unlike_bodies():
-    """To the digits that CONTACT prints; its 921 cells at the end are on the verge of contact."""
+    """Agreement with the digits printed by CONTACT; its 921 last cells barely touch."""
     solver, gap, path = spence(37, 35)
     for k, touching, sticking, approach, peak in (
         (6, 29, 5, 2.901e-3, 3.941e-3),
@@ -155,7 +155,7 @@ def close(a, b, found):
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 def test_symmetries():
-    """Swapped, mirrored, rotated and scaled scenes have swapped, mirrored, ... answers."""
+    """Swapped, mirrored, rotated and scaled problems have correspondingly transformed solutions."""
 
     def solver(first, second, grid=SCENE):
         return sc.ContactSolver(grid, first, second, sc.Coulomb(0.3), tol=1e-10, on_border="warn")

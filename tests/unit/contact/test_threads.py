@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Neither the number of OpenMP threads nor other Python threads change a digit."""
+"""Results are independent of the number of OpenMP threads and of other Python threads."""
 
 import threading
 

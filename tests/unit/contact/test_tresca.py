@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A shear of a limited size: gross slip, a closed form of partial slip, loops, rolling, yield."""
+"""Constant shear limit: full sliding, a closed form of partial slip, loops, rolling, yield."""
 
 import math
 

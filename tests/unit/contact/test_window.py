@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Windows that grow by themselves, where the surfaces are functions of the grid."""
+"""Automatic grid enlargement with surfaces given as functions of the grid."""
 
 import copy
 import pickle
@@ -107,7 +107,7 @@ def test_a_run_goes_on_from_the_middle_with_the_same_bits(tmp_path):
         (tmp_path / name).unlink()
     for one, other in zip(run(), whole, strict=True):
         assert_same(one, other)
-    with pytest.raises(sc.CheckpointError, match="other surfaces: gap is another surface"):
+    with pytest.raises(sc.CheckpointError, match="different surfaces: gap is inconsistent"):
         run(lambda grid: np.minimum(punch(grid), 2e-6))
     # of another window than the one before, which stays when it cannot be restored
     with h5py.File(tmp_path / "increment_00002.h5", "a") as file:
@@ -131,9 +131,9 @@ def test_copies_and_files_stand_in_the_window_that_has_grown(grown, tmp_path):
         assert_same(other.state, grown[1][1])
         assert_same(other.step(**PATH[2]), grown[1][2])
     stays = sc.Simulation.load(tmp_path / "state.h5")
-    with pytest.raises(sc.GridTooSmallError, match=r"by itself where the gap is a function of it$"):
+    with pytest.raises(sc.GridTooSmallError, match=r"to enlarge the grid automatically$"):
         stays.step(load=20 * LOAD)
-    with pytest.raises(sc.CheckpointError, match="gap is another surface"):
+    with pytest.raises(sc.CheckpointError, match="gap is inconsistent between grids"):
         sc.Simulation.load(tmp_path / "state.h5", gap=lambda grid: punch(grid) * 1.01)
 
 
@@ -164,7 +164,7 @@ def test_elastic_contact():
         rel=0.01,
     )
     for gap, text in (
-        (punch(grid(7, 6)), "gap is a function"),
+        (punch(grid(7, 6)), "gap and reliefs as functions"),
         (REFUSED["flat"][0]["gap"], "2688"),
     ):
         with pytest.raises(sc.GridTooSmallError, match=text):
@@ -195,28 +195,28 @@ def test_rolling_contact(relieved):
     np.testing.assert_allclose(one, other, rtol=0, atol=1e-3 * np.abs(other).max())
 
 
-TOUCHES = "^at load .* touches the border .*"
+TOUCHES = "^at load .* reaches the edge .*"
 REFUSED = {
     "flat": (
         {"gap": lambda grid: np.zeros(grid.surface_shape)},
-        "grid of .* x .* cells grows no further: .* x .* cells are more than 2688",
+        "grid of .* x .* cells cannot be enlarged: .* x .* cells exceed the limit of 2688",
     ),
     "made on the grid": (
         {"gap": lambda grid: surfaces.rough_self_affine(grid, 1e-7, 0.8, seed=1)},
-        "grid of 7 x 6 cells grows no further: gap is another surface on a larger grid",
+        "grid of 7 x 6 cells cannot be enlarged: gap is inconsistent between grids",
     ),
     "not known": (
         {"gap": partial(surfaces.sphere, R=4.6 * CELL), "upper": STEEL, "lower": STEEL},
-        "grows no further: R must be at least",
+        "cannot be enlarged: R must be >=",
     ),
     "relief of its own": (
-        {"relief2": sc.Relief(np.zeros((7, 6)))}, "by itself where the gap is a function",
+        {"relief2": sc.Relief(np.zeros((7, 6)))}, "pass gap and reliefs as functions",
     ),
     "modulus in gigapascals": (
         {"gap": partial(surfaces.paraboloid, Rx=RADIUS), "upper": sc.Material.elastic(210.0, 0.3)},
-        r"E is in pascals.* grows no further: .* cells are more than 4194304",
+        r"E is in pascals.* cannot be enlarged: .* cells exceed the limit of 4194304",
     ),
-    "array": ({"gap": punch(grid(7, 6))}, "by itself where the gap is a function"),
+    "array": ({"gap": punch(grid(7, 6))}, "pass gap and reliefs as functions"),
 }  # fmt: skip
 
 
@@ -240,7 +240,7 @@ def test_a_case_grows_and_the_run_tells(tmp_path):
     with results.open_results(tmp_path / "results.nc") as data:
         nx, ny = data.sizes["x"], data.sizes["y"]
     assert nx > 15
-    assert f"the window has grown from 15 x 13 to {nx} x {ny} cells: [grid] gives" in outcome.stdout
+    assert f"grid enlarged from 15 x 13 to {nx} x {ny} cells" in outcome.stdout
     rough = '[surface.roughness]\nkind = "self_affine"\nrms_height = 1e-8\nhurst = 0.8\nseed = 1\n'
     file.write_text(text + rough)
     check_failure(invoke("run", file, "--output", tmp_path / "rough", "--quiet"), 2, "border")
@@ -248,7 +248,7 @@ def test_a_case_grows_and_the_run_tells(tmp_path):
 
 def test_a_warning_or_a_period_keeps_the_window():
     sim = simulation((7, 6), upper=STEEL, lower=STEEL, on_border="warn")
-    with pytest.warns(sc.GridTooSmallWarning, match="touches the border"):
+    with pytest.warns(sc.GridTooSmallWarning, match="reaches the edge"):
         assert sim.step(load=LOAD).grid == grid(7, 6)
     line = sc.Grid(8, 1, CELL, CELL, dz=CELL, periodic="y")
     sim = sc.Simulation(line, STEEL, SOFT, partial(surfaces.paraboloid, Rx=RADIUS, Ry=np.inf))

@@ -116,7 +116,7 @@ def test_a_body_alike_at_all_depths_yields_where_it_does(friction):
 
 
 def test_a_hardened_case_yields_first_where_finite_elements_do():
-    """At p0 = 1.80 GPa, 0.71 radii deep; the radius is that of the case there."""
+    """First yield at p0 = 1.80 GPa, 0.71 radii deep; the radius is that of the case."""
     z, a = np.linspace(0.0, 2e-3, 201), 1e-3
     body = sc.Material.swift(E, NU, 700e6, 20.0, 0.1)
     body = body.with_yield_profile(z, 1 + 0.6 * np.exp(-((z / 0.5e-3) ** 2)))
@@ -151,7 +151,7 @@ def test_first_yield_is_that_of_the_stress_along_fine_lines(z, factor, stress, d
 
 
 def test_uneven_residual_stress_helps_one_way():
-    """Pure shear of the start, along a line that no symmetry tells."""
+    """Initial pure shear, along a line without symmetry."""
     size = 3e8
     ways = [
         critical.onset_over_depth(
@@ -207,9 +207,9 @@ def test_a_line_yields_first_where_strips_of_pressure_bring_it_to_yield(z, facto
 
 
 def test_what_has_no_first_yield_is_refused():
-    with pytest.raises(ValueError, match="body must be one that yields, got 'elastic'"):
+    with pytest.raises(ValueError, match="body must be elastic-plastic, got law 'elastic'"):
         critical.onset_over_depth(**FLAT, body=sc.Material.elastic(E, NU))
     with pytest.raises(TypeError, match="body"):
         critical.onset_over_depth(**FLAT, body=1e9)
-    with pytest.raises(ValueError, match="at yield without a contact"):
+    with pytest.raises(ValueError, match="residual stress already reaches yield"):
         critical.onset_over_depth(**FLAT, body=PLAIN.with_residual_stress([0.0], [1e9]))

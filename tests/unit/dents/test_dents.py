@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Dents and furrows: shape, place on the body, and what they refuse."""
+"""Dents and furrows: shape, position on the body, and refused arguments."""
 
 import numpy as np
 import pytest
@@ -77,10 +77,16 @@ def test_a_dent_is_met_where_it_lies():
     ("call", "message"),
     [
         (lambda: dents.spherical(GRID, 0.0, 1e-4), r"depth must not be 0, .* got 0\.0"),
-        (lambda: dents.spherical(GRID, 2e-4, 1e-4), "depth must not be 0, nor deeper than radius"),
+        (
+            lambda: dents.spherical(GRID, 2e-4, 1e-4),
+            "must be at most radius = 0.0001 deep, got",
+        ),
         (lambda: dents.spherical(GRID, 1e-6, 0.0), "radius must be a finite number > 0, got 0"),
         (lambda: dents.spherical(GRID, 1e-6, 1e-4, x=np.inf), "x must be a finite number, got inf"),
-        (lambda: dents.furrow(GRID, 1e-3, 1e-4), "depth must not be 0, nor deeper than half_width"),
+        (
+            lambda: dents.furrow(GRID, 1e-3, 1e-4),
+            "must be at most half_width = 0.0001 deep",
+        ),
         (lambda: dents.furrow(GRID, 1e-6, 1e-4, "z"), "along must be one of 'y', 'x', got 'z'"),
         (lambda: dents.furrow(GRID, 1e-6, -1.0), "half_width must be a finite number > 0, got -1"),
     ],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sharp edges are told wherever the pressure rises to them, and nowhere else."""
+"""Sharp edges are found wherever the pressure rises towards them, and nowhere else."""
 
 import math
 import warnings
@@ -32,7 +32,7 @@ def roller(cells, end=1e-3):
 
 
 def crowned(grid):
-    """The same roller with a logarithmic profile, ends of the body included."""
+    """The roller with a logarithmic profile, including the ends of the body."""
     profile = sc.surfaces.paraboloid(grid, RADIUS, math.inf)
     s = np.clip(np.abs(grid.y) / (LENGTH / 2), 0.0, 0.999)
     drop = -2 * LINE_LOAD / (math.pi * E_STAR) * np.log1p(-(s**2))
@@ -159,7 +159,7 @@ def test_a_search_for_an_accuracy_ends_where_nothing_converges():
 
 @pytest.mark.parametrize("periodic", ["", "x", "y", "xy"])
 def test_a_contact_without_a_ridge_rises_nowhere(periodic):
-    """What is looked at first, for speed, misses none."""
+    """The fast preliminary checks miss no edge."""
     rng = np.random.default_rng(5)
     found = 0
     for _ in range(300):

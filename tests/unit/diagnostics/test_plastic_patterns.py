@@ -69,7 +69,7 @@ class TestAlternation:
             sc.Grid(n, n, size, size, dz=depth * size), RIGID, soft,
             lambda grid: sc.surfaces.paraboloid(grid, R), residual_stress=residual_stress,
         )  # fmt: skip
-        start = "the plastic strain of body 2 alternates from layer to layer"
+        start = "plastic strain of body 2 alternates between layers"
         texts = warned(sim, start, approach=[0.5 * interference, interference])
         return texts, sim.state.max_equivalent_plastic_strain()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities in other units than those of the SI are told before anything is solved."""
+"""Quantities in units other than SI cause a warning before the solve."""
 
 import re
 import warnings
@@ -46,28 +46,29 @@ factor = 0.01
 load = 300.0
 increments = 2
 """
-HERTZ = "Hertz: radius 244.5 µm, largest pressure 2.395 GPa"
+FITS = "It would be plausible with"
+HERTZ = "Hertz: radius 244.5 µm, p0 = 2.395 GPa"
 CELLS, WINDOW = "width of the Hertz contact in cells", "over that of the grid"
-PART, YIELD = "half width of the Hertz contact over its radius", "yield stress over E of body 2"
-CAPACITY = "conductivity over diffusivity of body 2"
+PART, YIELD = "half-width of the Hertz contact over its radius", "yield stress over E of body 2"
+CAPACITY = "volumetric heat capacity (conductivity over diffusivity) of body 2"
 # what is changed, the check that fails, and what the text names
 SLIPS = {
-    "cells in µm": ({"20e-6": "20.0"}, CELLS, f"{HERTZ}. It would fit with cells of 20 µm:"),
-    "cells in mm": ({"20e-6": "0.02"}, CELLS, f"{HERTZ}. It would fit with cells of 20 µm:"),
-    "E in GPa": ({"210e9": "210.0"}, PART, "It would fit with moduli of E* = 115.4 GPa:"),
-    "E in MPa": ({"210e9": "210e3"}, PART, "It would fit with moduli of E* = 115.4 GPa:"),
-    "E in kPa": ({"210e9": "210e6"}, WINDOW, "moduli of E* = 115.4 GPa"),
-    "radius in mm": ({"7.5e-3": "7.5"}, WINDOW, "It would fit with radii of 7.5 mm:"),
-    "radius in µm": ({"7.5e-3": "7500.0"}, WINDOW, "It would fit with radii of 7.5 mm:"),
-    "load": ({"300.0": "1e9"}, PART, "largest pressure 357.8 GPa. It would fit with a load of"),
-    "small ball": ({"7.5e-3": "0.05e-3"}, PART, "Bodies are taken as half-spaces"),
+    "cells in µm": ({"20e-6": "20.0"}, CELLS, f"{HERTZ}. {FITS} cells of 20 µm:"),
+    "cells in mm": ({"20e-6": "0.02"}, CELLS, f"{HERTZ}. {FITS} cells of 20 µm:"),
+    "E in GPa": ({"210e9": "210.0"}, PART, f"{FITS} E* = 115.4 GPa:"),
+    "E in MPa": ({"210e9": "210e3"}, PART, f"{FITS} E* = 115.4 GPa:"),
+    "E in kPa": ({"210e9": "210e6"}, WINDOW, "E* = 115.4 GPa"),
+    "radius in mm": ({"7.5e-3": "7.5"}, WINDOW, f"{FITS} radii of 7.5 mm:"),
+    "radius in µm": ({"7.5e-3": "7500.0"}, WINDOW, f"{FITS} radii of 7.5 mm:"),
+    "load": ({"300.0": "1e9"}, PART, f"p0 = 357.8 GPa. {FITS} a load of"),
+    "small ball": ({"7.5e-3": "0.05e-3"}, PART, "The theory assumes half-spaces"),
     "small cells": ({"20e-6": "20e-9"}, WINDOW, HERTZ),
     "layers": ({"dz = 20e-6": "dz = 20e-9"}, "contact in layers", "dz = 20 nm"),
-    "yield in MPa": ({"2e9": "2000.0"}, YIELD, "Both are in pascals"),
-    "W/(mm K)": ({"50.2": "0.0502"}, CAPACITY, "conductivity is in W/(m K)"),
-    "mm²/s": ({"1.367e-5": "13.67"}, CAPACITY, "diffusivity in m^2/s"),
+    "yield in MPa": ({"2e9": "2000.0"}, YIELD, "Use Pa for both"),
+    "W/(mm K)": ({"50.2": "0.0502"}, CAPACITY, "use W/(m K) for conductivity"),
+    "mm²/s": ({"1.367e-5": "13.67"}, CAPACITY, "m^2/s for diffusivity"),
     "1e-6/K": ({"11.7e-6": "11.7"}, "expansion of body 2", "Steel has 1.2e-5"),
-    "mm/s": ({"factor = 0.01": "factor = 1e4"}, "rise of the temperature", "factor of heat is"),
+    "mm/s": ({"factor = 0.01": "factor = 1e4"}, "temperature rise", "Use m/s for heat.factor"),
 }
 
 
@@ -81,7 +82,7 @@ def changed(slip):
 
 @pytest.fixture(scope="module")
 def solved():
-    """The scene as it is meant, without a warning."""
+    """The correct case causes no warning."""
     case = parse_case(CASE)
     simulation, path = case.build()
     with warnings.catch_warnings():
@@ -119,12 +120,12 @@ def test_a_slip_is_told_before_the_solve_and_fails_a_check(slip, solved):
 
 STEEL = sc.Material.perfect_plastic(210e9, 0.3, 2e9)
 SLIPS_OF_MATERIALS = {
-    "hardness numbers": (STEEL.with_yield_profile([0, 1e-3], [720, 350]), "largest yield factor"),
+    "hardness numbers": (STEEL.with_yield_profile([0, 1e-3], [720, 350]), "maximum yield factor"),
     "case depth in mm": (STEEL.with_yield_profile([0, 0.8, 1], [2, 1, 1]), "depth of the yield"),
     "depths in mm": (STEEL.with_residual_stress([0, 0.3], [-8e8, 0]), "depth of the residual"),
-    "MPa": (STEEL.with_residual_stress([0, 3e-4], [-800, 0]), "largest residual stress over E"),
-    "E in GPa": (sc.Material.tabulated(210.0, 0.3, [0, 1e-3], [1e9, 2e9]), "largest yield stress"),
-    "E in MPa": (sc.Material.voce(2.1e5, 0.3, 1e4, 2e5, 10.0), "largest yield stress over E"),
+    "MPa": (STEEL.with_residual_stress([0, 3e-4], [-800, 0]), "maximum residual stress over E"),
+    "E in GPa": (sc.Material.tabulated(210.0, 0.3, [0, 1e-3], [1e9, 2e9]), "maximum yield stress"),
+    "E in MPa": (sc.Material.voce(2.1e5, 0.3, 1e4, 2e5, 10.0), "maximum yield stress over E"),
     "backstress in MPa": (STEEL.with_kinematic_hardening(2e4), "modulus of kinematic hardening"),
     "layer in µm": (sc.Layered([(STEEL, 5.0)], STEEL), "thickness of layers[0] of body 2"),
     "residual stress below a layer": (
@@ -172,7 +173,7 @@ def test_the_first_slip_is_told_by_a_solver():
 
 def test_limits_and_coefficients_of_wear():
     stress = 1e8 * np.sin(np.arange(3 * 6 * 2.0)).reshape(3, 6, 2)
-    with pytest.warns(sc.UnitWarning, match=r"limit is 300 Pa, and should be ≥ 1e\+04 Pa"):
+    with pytest.warns(sc.UnitWarning, match=r"limit is 300 Pa \(≥ 1e\+04 Pa expected\)"):
         sc.fatigue.dang_van(stress, slope=0.3).margin(300.0)
     with pytest.warns(sc.UnitWarning, match="yield_stress is 900 Pa"):
         sc.fatigue.fatemi_socie(stress, k=0.3, yield_stress=900.0, material=ELASTIC)
@@ -187,7 +188,7 @@ def test_limits_and_coefficients_of_wear():
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (["--R", "7.5", "--E-star", "115e9", "--load", "300"], '--R is 7.5 m, and should be ≤ 1 m'),
+        (["--R", "7.5", "--E-star", "115e9", "--load", "300"], '--R is 7.5 m (≤ 1 m expected)'),
         (["--R", "7.5e-3", "--E-star", "115000", "--load", "3"], "--E-star is 1.15e+05 Pa"),
         (["--R", "7.5e-3", "--E-star", "115e9", "--p0", "1500"], "--p0 is 1.5e+03 Pa"),
         (["--R", "10 um", "--E-star", "115 GPa", "--load", "300"], "over its radius is 2.69"),

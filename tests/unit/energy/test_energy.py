@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic work and residual energy against sums over the path and over the stress around."""
+"""Plastic work and residual energy against sums over the path and over the surrounding stress."""
 
 import itertools
 
@@ -105,5 +105,5 @@ def test_residual_energy_is_that_of_the_stress_around():
 def test_thermal_softening_is_refused():
     soft = SWIFT.with_softening(sc.softening.JohnsonCook(melting=1800.0, m=1.0))
     simulation, _ = scene(SWIFT, 1)
-    with pytest.raises(ValueError, match="without softening"):
+    with pytest.raises(ValueError, match="does not support thermal softening"):
         energy.plastic_work(soft, simulation.state.track())

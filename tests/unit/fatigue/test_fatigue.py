@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Criteria of fatigue: closed forms, independent searches, and what no criterion may depend on."""
+"""Fatigue criteria: closed forms, independent searches, and invariances."""
 
 import numpy as np
 import pytest
@@ -94,7 +94,7 @@ def test_tresca_is_about_the_centre_that_holds_the_path():
 
 
 def _centre(points):
-    """Of the smallest ball, by a general solver of quadratic programs from its dual."""
+    """Smallest ball from its dual, by a general solver of quadratic programs."""
     from scipy.optimize import minimize
 
     gram, squares = points @ points.T, (points**2).sum(axis=1)
@@ -145,7 +145,7 @@ def _circle(points):
 
 
 def test_critical_planes_are_those_of_a_brute_search():
-    """To the error that the docstring states; both look for a maximum from below."""
+    """Agreement to the stated error; both searches approach the maximum from below."""
     stress = random_paths(4, moments=9, seed=8)
     found = findley(stress, k=0.3)
     strain = fatemi_socie(1e8 * stress, k=0.6, yield_stress=4e8, material=STEEL)
@@ -207,7 +207,7 @@ def test_stress_that_does_not_change_has_no_amplitude():
 
 
 def line_stress(x, z, nu=0.3):
-    """Under the pressure sqrt(1 - x^2), by complex potentials; (6, x, z)."""
+    """Stress under the pressure sqrt(1 - x^2), by complex potentials; (6, x, z)."""
     x, z = np.meshgrid(x, z, indexing="ij")
     root = np.sqrt(x + 1j * z - 1) * np.sqrt(x + 1j * z + 1)
     inner = 1 / (x + 1j * z + root)
@@ -217,7 +217,7 @@ def line_stress(x, z, nu=0.3):
 
 
 def test_line_contact():
-    """Over p0 and in half-widths, rolling without friction."""
+    """Limits over p0, lengths in half-widths, rolling without friction."""
     x, z = np.arange(-25, 25.01, 0.02), np.arange(0.01, 1.2, 0.01)
     lines = passing(line_stress(x, z)[:, :, None, :])
     for slope, value, depth in ((0.3, 0.171, 0.62), (0.0, 0.25, 0.49)):

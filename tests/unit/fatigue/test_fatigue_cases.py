@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""[fatigue] of a case file: the command prints and writes what Python computes."""
+"""[fatigue] of a case file: output of the command against results from Python."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Criteria of fatigue over many points: threads change no digit, Ctrl-C gets through."""
+"""Fatigue criteria at many points: independent of threads, interrupted by Ctrl-C."""
 
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Empirical models of a flattened sphere: their limits, their pieces, and their errors."""
+"""Empirical models of a flattened sphere: limits, branches, and errors."""
 
 import math
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Strength from hardness: in order with each other, in MPa, and loud outside the data."""
+"""Yield stress from hardness: consistency, units, and a warning outside the data."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies that friction heats under a ball."""
+"""Bodies below a ball, heated by friction."""
 
 import numpy as np
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frictional heat in the contact and the stress; heat factors."""
+"""Frictional heat in contact and stress; heat factors."""
 
 import math
 import pickle
@@ -197,7 +197,7 @@ class TestInstability:
             assert radius * w == pytest.approx(expected, rel=2e-2)
 
     def test_converges_through_negative_curvature(self):
-        """From a start so wide that the operator is indefinite on it."""
+        """An initial contact so wide that the operator is indefinite on it."""
         grid = sc.Grid(65, 65, 3e-3 / 65, 3e-3 / 65)
         heated = solver(grid, 0.2)
         wide = heated.solve(ball(grid), load=LOAD, initial_pressure=np.full((65, 65), 1e8))
@@ -232,9 +232,9 @@ class TestBadInput:
     @pytest.mark.parametrize(
         ("factor", "bodies", "text"),
         [
-            ((0.1, 0.0), {}, "heat.factor of body1 is 0.1, but the body has no thermal constants"),
-            (0.1, {"body2": COLD}, "heat.factor of body2 is 0.1, but the body has no thermal"),
-            ((0.1, 0.0), {"body1": sc.Material.rigid()}, "but the body is rigid"),
+            ((0.1, 0.0), {}, "heat.factor of body1 must be 0 without thermal constants, got 0.1"),
+            (0.1, {"body2": COLD}, "heat.factor of body2 must be 0 without thermal"),
+            ((0.1, 0.0), {"body1": sc.Material.rigid()}, "must be 0 because it is rigid"),
         ],
     )
     @pytest.mark.parametrize("kind", ["solver", "simulation"])
@@ -260,7 +260,7 @@ class TestBadInput:
 
     def test_an_approach_needs_the_reference(self):
         grid = grid_of(33)
-        with pytest.raises(ValueError, match=r"heat\.reference must be given with an approach"):
+        with pytest.raises(ValueError, match=r"heat\.reference is required under approach control"):
             solver(grid, 0.1).solve(ball(grid), approach=1e-6)
         moving = solver(grid, 0.1, velocity=(1.0, 0.0))
         assert moving.solve(ball(grid), approach=1e-5).converged
@@ -306,7 +306,7 @@ class TestFactors:
             )
             first, second = (hot.temperature(pressure, 0.0, body).max() for body in (1, 2))
             assert first == pytest.approx(second, rel=tolerance)
-        with pytest.raises(ValueError, match="body1 has no thermal constants"):
+        with pytest.raises(ValueError, match="body1 must have thermal constants"):
             sc.heat.partition(COLD, other, 1e-3)
         with pytest.raises(ValueError, match="velocity2 must be a finite number, got nan"):
             sc.heat.partition(WARM, other, 1e-3, 0.0, np.nan)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of past heat against the superposition in time of tables of one heated cell."""
+"""Fields of past heat against superposition in time of tables for one heated cell."""
 
 import numpy as np
 import pytest
@@ -75,7 +75,7 @@ def feed(past, steps):
 
 
 def worst_errors(past, reference, steps, ahead, depths):
-    """Of temperature, displacement and stress, each relative to its largest value."""
+    """Errors of temperature, displacement and stress, relative to their maxima."""
     wanted = [reference("temperature", steps, ahead, z)[0] for z in depths]
     error = np.abs(past.temperature(ahead, depths) - np.stack(wanted, axis=-1)).max()
     errors = [error / np.abs(wanted).max()]
@@ -258,7 +258,7 @@ def test_no_traction_at_the_surface(speed):
 
 
 def test_units_do_not_matter():
-    """The same body in millimetres and milliseconds."""
+    """The body in millimetres and milliseconds."""
     a, b = grid_of(), grid_of(dx=1e3 * DX, dy=1.25e3 * DX)
     steps = random_steps(a, [UNIT, 2 * UNIT])
     metres = feed(history(a), steps)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frictional heat marched in time: steps with a duration, against what is known at once."""
+"""Transient frictional heating with load history against closed solutions."""
 
 import re
 
@@ -242,7 +242,7 @@ class TestBadInput:
             ({"history": (1e-3, -1.0)}, "history must be a finite number > 0, got -1.0"),
             ({"history": (1.0, 1e-3)}, "with shortest <= longest"),
             ({"history": (1.0,)}, "history must be a pair"),
-            ({"history": (1e-3, 1.0), "time": 1.0}, "give history or time of heat, not both"),
+            ({"history": (1e-3, 1.0), "time": 1.0}, "history and time cannot be combined"),
         ],
     )
     def test_of_heat(self, settings, text):
@@ -271,12 +271,12 @@ class TestBadInput:
     @pytest.mark.parametrize(
         ("duration", "text"),
         [
-            (None, "duration must be given in a simulation with heat of a history"),
+            (None, "duration is required because heat.history is set"),
             (-1.0, "duration must be"),
             (0.0, "duration must be"),
             (np.nan, "duration must be"),
-            (1e300, "duration must be at most"),
-            (0.5 * STEP, "duration must be at least the shortest step of heat.history, 0.001 s"),
+            (1e300, "duration must be <="),
+            (0.5 * STEP, "duration must be >= the shortest step of heat.history, 0.001 s"),
         ],
     )
     def test_of_a_step(self, duration, text):
@@ -287,7 +287,7 @@ class TestBadInput:
         assert simulation.state.time == STEP
 
     def test_a_duration_without_history(self):
-        with pytest.raises(ValueError, match="duration needs a simulation with heat of a history"):
+        with pytest.raises(ValueError, match="duration requires heat with history"):
             at_once(None).step(load=LOAD, duration=1.0)
 
     def test_a_failed_step_leaves_everything(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frictional heat in elastic-plastic increments, and softening by it."""
+"""Frictional heat in elastic-plastic increments, and thermal softening."""
 
 import re
 
@@ -255,7 +255,7 @@ class TestSoftening:
         heated = simulation(grid, 0.02, body2=STEEL.with_softening(law))
         heated.step(load=1000.0)
         heated.save(tmp_path / "saved.h5")
-        with pytest.raises(sc.CheckpointError, match=r"body2 softens by .* give it again"):
+        with pytest.raises(sc.CheckpointError, match="body2 has the softening law"):
             sc.Simulation.load(tmp_path / "saved.h5")
         resumed = sc.Simulation.load(tmp_path / "saved.h5", softening=(None, law))
         a, b = heated.step(load=LOAD), resumed.step(load=LOAD)

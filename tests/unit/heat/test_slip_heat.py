@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frictional heat of bodies that stick and slip: the power of friction in an increment."""
+"""Frictional heat with partial slip: frictional power of an increment."""
 
 import copy
 
@@ -23,7 +23,7 @@ def simulation(body2=STEEL, friction=None, heat=None, **settings):
 
 
 def power_of(state):
-    """Of friction per area [W/m^2]."""
+    """Frictional power per area [W/m^2]."""
     return np.reshape(state._core.slip_power, GRID.surface_shape)
 
 
@@ -139,11 +139,17 @@ def test_copies_and_parts_of_increments_keep_the_heat(tmp_path):
         (lambda: sc.Heat(partition=0.5, history=(1e-3, 1.0)), "history must be None with part"),
         (lambda: simulation(friction=0.3), "heat.partition must be None with friction = 0.3"),
         (lambda: simulation(heat=sc.Heat(0.1)), "heat.factor must be 0 with friction"),
-        (lambda: simulation(sc.Material.elastic(210e9, 0.3)), "share of the heat of body2 is 0.6"),
-        (lambda: simulation().step(load=1.0), "duration must be given"),
+        (
+            lambda: simulation(sc.Material.elastic(210e9, 0.3)),
+            "without thermal constants, got 0.6",
+        ),
+        (lambda: simulation().step(load=1.0), "duration is required"),
         (lambda: simulation().step(load=1.0, duration=0.0), "duration"),
-        (lambda: simulation().step(load=1.0, duration=1.0, heat_factor=0.1), "heat_factor must be"),
-        (lambda: simulation().step(approach=1e-6, duration=1.0), "heat.reference must be given"),
+        (
+            lambda: simulation().step(load=1.0, duration=1.0, heat_factor=0.1),
+            "heat_factor cannot",
+        ),
+        (lambda: simulation().step(approach=1e-6, duration=1.0), "heat.reference is required"),
         (
             lambda: sc.ContactSolver(GRID, BALL, BALL, sc.Coulomb(0.3), heat=sc.Heat(partition=0)),
             "heat.partition must be None for a single contact",

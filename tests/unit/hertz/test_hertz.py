@@ -54,7 +54,7 @@ def test_point_from_load_approach_and_pressure_agree(R, E_star, load):
     ],
 )
 def test_contacts_beyond_the_range_of_numbers(R, E_star, given, value):
-    message = "gives a contact beyond the range of numbers: "
+    message = "must give finite contact dimensions > 0"
     with pytest.raises(ValueError, match=f"{given} {message}"):
         hertz.point(R, E_star, **{given: value})
     with pytest.raises(ValueError, match=f"{given} {message}"):

@@ -74,7 +74,7 @@ def test_elliptic_largest_shear_stress(ratio, shear):
 
 
 def test_an_elliptic_contact_is_compared_with_its_von_mises_stress():
-    """Of cells of a twelfth of the shorter semi-axis, whose centres do not meet the largest."""
+    """Maximum over cells of a twelfth of the shorter semi-axis, which miss the true one."""
     ball = sc.Material.elastic(210e9, 0.3)
     contact = hertz.elliptic(5e-3, 15e-3, hertz.effective_modulus(ball, ball), load=20.0)
     step = min(contact.a_x, contact.a_y) / 12

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of instruments: the reader, its reasons, units, profiles, points."""
+"""Instrument files: readers, reasons of refusal, units, profiles, points."""
 
 import gzip
 import hashlib
@@ -66,10 +66,10 @@ READ = {  # options, format, shape, size [m], span of the heights [m]
     "xyz-2.txt": ({"unit": "um", "undefined": "keep"}, "xyz", (4, 4), 4e-6, 1e-6),
 }
 ASKED = {
-    "csv-1.csv": 'unit must be given, e.g. unit="um": .* a profile, .* tells x in um only',
-    "matrix-5.txt": "dx must be given",
-    "xy-1.txt": "unit must be given, .* a profile, columns x and z .* tells none",
-    "xyz-1.txt": "unit must be given, .* points, columns x, y and z .* tells none",
+    "csv-1.csv": 'unit is required, e.g. unit="um": .* a profile, .* specifies only x in um',
+    "matrix-5.txt": "dx is required",
+    "xy-1.txt": "unit is required, .* a profile, columns x and z .* specifies none",
+    "xyz-1.txt": "unit is required, .* points, columns x, y and z .* specifies none",
 }
 
 
@@ -131,10 +131,10 @@ def test_the_reason_of_the_reader_is_told(tmp_path, given, reason):
 
 def test_reasons_are_sentences(tmp_path):
     (tmp_path / "s.sur").write_bytes(b"\x00\x01" * 500)
-    with pytest.raises(ValueError, match=r"knows; it does not begin as a file of .*SUR.* does"):
+    with pytest.raises(ValueError, match=r"; it does not begin like a .*SUR.* file"):
         measured.read(tmp_path / "s.sur")
     (tmp_path / "s.txt.gz").write_bytes(gzip.compress(b"1 2 3 4\n" * 4))
-    with pytest.raises(ValueError, match="packed with gzip: unpack it first"):
+    with pytest.raises(ValueError, match="compressed with gzip: unpack it first"):
         measured.read(tmp_path / "s.txt.gz")
     with pytest.raises(ValueError, match=r"cannot read heights from .*: no such file"):
         measured.read(tmp_path / "none.sur")
@@ -142,7 +142,7 @@ def test_reasons_are_sentences(tmp_path):
     def fails():
         raise IndexError("list index out of range")
 
-    with pytest.raises(instruments._Refused, match=r"IndexError: list.*damaged, or of a variant"):
+    with pytest.raises(instruments._Refused, match=r"IndexError: list.*damaged, or a variant"):
         instruments._tried(instruments.library("SurfaceTopography.IO"), fails)
 
 
@@ -151,7 +151,7 @@ def test_reasons_are_sentences(tmp_path):
     [
         ("nsm", ValueError, "format must be the name of a reader, got 'nsm': did you mean 'nms'"),
         ("quite another thing", ValueError, "one of al3d, array, asc"),
-        (3, TypeError, "format must be a text"),
+        (3, TypeError, "format must be a string"),
     ],
 )
 def test_format_is_a_known_reader(tmp_path, given, kind, message):
@@ -188,13 +188,13 @@ class TestColumns:
         assert found.is_profile
         np.testing.assert_allclose(found.heights[:, 0], self.z, atol=1e-18)
         assert found.dx == pytest.approx(1e-3 / 199)
-        with pytest.raises(ValueError, match=r"dx must not be given: .* a profile, columns x and"):
+        with pytest.raises(ValueError, match=r"dx must be None: .* a profile, columns x and"):
             measured.read(path, dx=5e-6)
-        with pytest.raises(ValueError, match="unit must be given"):
+        with pytest.raises(ValueError, match="unit is required"):
             measured.read(path)
 
     def test_rounded_positions_are_equal_steps(self, tmp_path):
-        """As a stylus writes them: 0.15625 um rounded to 0.1 um."""
+        """Positions as written by a stylus instrument: 0.15625 um rounded to 0.1 um."""
         x, z = 0.15625 * np.arange(200), np.random.default_rng(4).standard_normal(200)
         text = "\n".join(f"{a:.1f},{b:.5f},," for a, b in zip(x, z, strict=True))
         head = "Scan Parameters\nStylus,Radius: 2.5 um\n\nScan Data\n\nLateral um,Raw Micrometer,\n"
@@ -221,7 +221,7 @@ class TestColumns:
         table = np.column_stack([self.x, self.z])
         table[50, 0] = 0.0
         np.savetxt(tmp_path / "p.txt", table)
-        with pytest.raises(ValueError, match=r"must rise or fall .* turns at row 51; .*\"array\""):
+        with pytest.raises(ValueError, match=r"must increase or decr.* at row 51; .*\"array\""):
             measured.read(tmp_path / "p.txt", unit="m")
         x, y = np.meshgrid(np.arange(4.0), np.arange(5.0), indexing="ij")
         points = np.column_stack([x.ravel(), y.ravel(), x.ravel()])
@@ -249,7 +249,7 @@ class TestProfiles:
         return MeasuredSurface(-(x**2) / (2 * 1e-3), UM)
 
     def test_a_profile_is_pressed_in_plane_strain(self, profile):
-        """As the parabola that it samples, in one row of cells and in several."""
+        """Agreement with the sampled parabola, in one row of cells and in several."""
         bodies = sc.Material.rigid(), sc.Material.elastic(E=210e9, nu=0.3)
         for ny in (1, 4):
             grid = sc.Grid(60, ny, UM, UM, periodic="y")
@@ -293,7 +293,7 @@ class TestProfiles:
 
 @pytest.mark.parametrize("n", [15, 16])
 def test_a_period_of_any_number_of_samples(n):
-    """A wave: no step at its ends, wherever the origin lies; beyond, it goes on."""
+    """A wave has no step at its ends for any origin, and is periodic beyond them."""
     length, cells = 30e-6, 64
     at = (np.arange(n) - 0.5 * (n - 1)) * length / n
     wave = MeasuredSurface(np.cos(2 * np.pi * at / length)[:, None] * np.ones(5), length / n)
@@ -302,18 +302,22 @@ def test_a_period_of_any_number_of_samples(n):
         found = wave.on(grid, x, periodic="xy")
         exact = np.cos(2 * np.pi * (grid.x - x) / length)[:, None] + 0 * grid.y
         assert np.abs(found - exact).max() < 2 * (2 * np.pi / n) ** 4 / 384 * 2
-    with pytest.raises(ValueError, match=r"nx dx .* whole number of periods .* take dx = 3e-05/nx"):
+    with pytest.raises(ValueError, match=r"nx dx .* whole number of periods .* use dx = 3e-05/nx"):
         wave.on(sc.Grid(64, 8, UM, grid.dy, periodic="xy"), periodic="xy")
-    with pytest.raises(ValueError, match=r"got 15; .*MeasuredSurface\.on\(grid, periodic=\"x\"\)"):
+    with pytest.raises(ValueError, match=r"got 15: .*MeasuredSurface\.on\(grid, periodic=\"x\"\)"):
         sc.Grid(15, 8, UM, UM, periodic="x")
 
 
 @pytest.mark.parametrize(
     ("heights", "dx", "text"),
     [
-        (np.eye(4) * 1e-9, 0.3, r"span 1 nm over 1\.2 m × 1\.2 m: an area longer than 1 m"),
-        (np.eye(40) * 1e-6, 1e-7, "an rms slope of"),
-        (np.arange(8.0)[:, None] * 2e-6, 1e-6, "heights that span more than the length"),
+        (
+            np.eye(4) * 1e-9,
+            0.3,
+            r"1 nm over 1\.2 m × 1\.2 m, and its area is longer than 1 m",
+        ),
+        (np.eye(40) * 1e-6, 1e-7, "its rms slope is"),
+        (np.arange(8.0)[:, None] * 2e-6, 1e-6, "its height range exceeds its length"),
     ],
 )
 def test_sizes_that_cannot_be_are_told(tmp_path, heights, dx, text):

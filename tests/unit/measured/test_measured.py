@@ -19,7 +19,7 @@ with warnings.catch_warnings():
 
 
 def polynomial(x, y):
-    """Of second order along each axis, different along both [m, m]."""
+    """Second-order heights along each axis, with different coefficients [m, m]."""
     x, y = np.meshgrid(x, y, indexing="ij")
     return 1e-6 + 2e-3 * x - 1e-3 * y + 5.0 * x**2 - 3.0 * y**2 + 4.0 * x * y
 
@@ -87,15 +87,15 @@ def test_units_and_sizes_that_the_file_does_not_tell(tmp_path, rough):
     read = measured.read(tmp_path / "h.npy", dx=2e-6, dy=3e-6, unit="nm", detrend=None)
     np.testing.assert_allclose(read.heights, rough, rtol=1e-14)
     assert (read.dx, read.dy) == (pytest.approx(2e-6), pytest.approx(3e-6))
-    with pytest.raises(ValueError, match=r"dx must be given: .*h\.npy does not tell it"):
+    with pytest.raises(ValueError, match=r"dx is required, because .*h\.npy does not contain it"):
         measured.read(tmp_path / "h.npy")
     Topography(rough, (1.0, 1.0), unit="um").to_netcdf(str(tmp_path / "s.nc"))
-    with pytest.raises(ValueError, match=r"dx must not be given: .*s\.nc has its own"):
+    with pytest.raises(ValueError, match=r"dx must be None: .*s\.nc has its own"):
         measured.read(tmp_path / "s.nc", dx=1e-6)
-    with pytest.raises(ValueError, match="unit must not be given"):
+    with pytest.raises(ValueError, match="unit must be None"):
         measured.read(tmp_path / "s.nc", unit="nm")
     Topography(rough, (1.0, 1.0)).to_netcdf(str(tmp_path / "t.nc"))
-    with pytest.raises(ValueError, match="unit must be given"):
+    with pytest.raises(ValueError, match="unit is required"):
         measured.read(tmp_path / "t.nc")
 
 
@@ -113,7 +113,7 @@ def test_unreadable_files_are_named(tmp_path):
     with pytest.raises(ValueError, match=r"cannot read heights from .*missing\.sur"):
         measured.read(tmp_path / "missing.sur")
     (tmp_path / "bad.sur").write_bytes(b"\x00\x01" * 500)
-    with pytest.raises(ValueError, match="no format that SurfaceTopography knows"):
+    with pytest.raises(ValueError, match="no format supported by SurfaceTopography"):
         measured.read(tmp_path / "bad.sur")
 
 
@@ -135,7 +135,7 @@ def test_undefined_points(tmp_path, surface):
     holes[5, 7] = holes[0, 0] = np.nan
     raw = MeasuredSurface(holes, 2e-6, 3e-6)
     assert raw.undefined == 2
-    with pytest.raises(ValueError, match=r"2 measured points are undefined, .* index \(0, 0\)"):
+    with pytest.raises(ValueError, match=r"got 2 undefined points, .* index \(0, 0\)"):
         raw.on(make_grid(nx=4, ny=4, dx=1e-6, dy=1e-6))
     # the trend is that of the defined points: a polynomial is removed exactly all the same
     assert np.nanmax(np.abs(raw.detrended("curvature").heights)) < 1e-20
@@ -148,7 +148,7 @@ def test_undefined_points(tmp_path, surface):
     Topography(holes * 1e6, (80.0, 90.0), unit="um").to_netcdf(str(path))
     assert measured.read(path).attrs["filled_points"] == 2
     assert measured.read(path, undefined="keep").undefined == 2
-    with pytest.raises(ValueError, match=r"s\.nc: 2 points are undefined"):
+    with pytest.raises(ValueError, match=r"s\.nc must have no undefined points, got 2"):
         measured.read(path, undefined="error")
 
 
@@ -187,7 +187,7 @@ def test_average_is_the_mean_over_cells(rough):
 
 def test_too_small_a_surface(surface):
     grid = make_grid(nx=21, ny=5, dx=5e-6, dy=5e-6)
-    with pytest.raises(ValueError, match=r"reach from -5e-05 to 5e-05 m along x, .* give fill"):
+    with pytest.raises(ValueError, match=r"along x .* extend from -5e-05 to 5e-05 m: .* set fill"):
         surface.on(grid)
     with pytest.raises(ValueError, match="along y"):
         surface.on(make_grid(nx=3, ny=3, dx=1e-6, dy=1e-6), y=50e-6)
@@ -214,7 +214,7 @@ def test_relief_carries_all_rows(surface):
     np.testing.assert_allclose(same.heights, surface.heights, atol=1e-20)
     with pytest.raises(ValueError, match="along y"):
         surface.relief(sc.Grid(nx=8, ny=40, dx=2.5e-6, dy=2.5e-6))
-    with pytest.raises(ValueError, match=r"must hold a cell of the grid, 0\.001 m"):
+    with pytest.raises(ValueError, match=r"must be at least one cell of the grid long, 0\.001 m"):
         surface.relief(sc.Grid(nx=8, ny=8, dx=1e-3, dy=1e-6))
 
 
@@ -228,12 +228,12 @@ def test_mirrored(surface):
     [
         (lambda: MeasuredSurface(np.zeros((1, 3)), 1.0), r"each >= 2, .* profile, got \(1, 3\)"),
         (lambda: MeasuredSurface(0.0, 1.0), r"shape \(nx, ny\), .* got \(\)"),
-        (lambda: MeasuredSurface(np.full((2, 2), np.nan), 1.0), "defined somewhere"),
+        (lambda: MeasuredSurface(np.full((2, 2), np.nan), 1.0), "defined in at least one point"),
         (lambda: MeasuredSurface([[0, np.inf], [0, 0]], 1.0), "finite, or NaN"),
         (lambda: MeasuredSurface(np.zeros((2, 2)), 0.0), "dx must be a finite number > 0"),
         (lambda: MeasuredSurface(np.zeros((2, 2)), 1.0).detrended("x"), "trend must be one of"),
         (lambda: MeasuredSurface(np.zeros((2, 2)), 1.0).mirrored("z"), "axis must be one of"),
-        (lambda: measured.read("h.npy", dy=1.0), "dx must be given with dy"),
+        (lambda: measured.read("h.npy", dy=1.0), "dx is required with dy"),
         (lambda: measured.read("h.npy", detrend="no"), "detrend must be one of 'center', "),
         (lambda: measured.read("h.npy", undefined="no"), "undefined must be one of"),
     ],
@@ -323,7 +323,7 @@ def test_plain_files_with_samples_of_their_own(case_file, tmp_path):
             'detrend = "tilt"',
             r'surface\.detrend: must be one of "none", "center"',
         ),
-        ("nx = 16", "nx = 99", r"\[surface\] the cells reach .* along x"),
+        ("nx = 16", "nx = 99", r"\[surface\] grid must lie inside .* along x"),
         ('path = "s.nc"', 'path = "h.xlsx"', r"\[surface\] path: cannot read heights from .*xlsx"),
         ('detrend = "height"', "channel = 3", r"\[surface\] channel must be one of 0: 'Default'"),
     ],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The fast residual stress against the exact one, against itself in a wide box, and its algebra."""
+"""Fast residual stress against the exact one, a wider box, and algebraic identities."""
 
 import functools
 import itertools
@@ -44,7 +44,7 @@ def blob(cells, power=2, widths=(1.0, 1.0), depth=1.1):
 
 
 def padded(grid, strain, factor):
-    """The same strain in a box that is wider by a factor, and where it lies there."""
+    """The strain in a box that is wider by a factor, and its position in it."""
     nx, ny = (factor * n + n % 2 * (factor % 2 == 0) for n in (grid.nx, grid.ny))
     wide = sc.Grid(nx, ny, grid.dx, grid.dy, grid.nz, grid.dz)
     i, j = (nx - grid.nx) // 2, (ny - grid.ny) // 2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loading paths: end points exact, monotone, strict about their arguments."""
+"""Loading paths: exact end points, monotonicity, strict arguments."""
 
 import doctest
 import math
@@ -244,7 +244,7 @@ def test_ramp_and_hold_while_the_bodies_move():
         ({"distance": 0.0}, "distance must not be 0"),
         ({"distance": math.inf}, "distance must be a finite number, got inf"),
         ({"step": -0.5}, r"step must be a finite number > 0, got -0\.5"),
-        ({"step": 2.0}, r"step must be at most the distance, 1\.0, got 2\.0"),
+        ({"step": 2.0}, r"step must be <= the distance, 1\.0, got 2\.0"),
         ({"passes": 0}, "passes must be an integer >= 1, got 0"),
         ({"increments": 0}, "increments must be an integer >= 1, got 0"),
         ({"unload_increments": 0}, "unload_increments must be an integer >= 1, got 0"),
@@ -273,7 +273,7 @@ def test_examples_of_the_docstrings():
 
 
 def test_a_fretting_loop_closes():
-    """Under a constant load the shear comes back (Mindlin and Deresiewicz), exactly for nu = 0."""
+    """Under constant load the shear is periodic (Mindlin and Deresiewicz), exactly for nu = 0."""
     grid = sc.Grid(24, 24, 40e-6, 40e-6)
     body = sc.Material.elastic(210e9, 0.0)
     run = sc.Simulation(grid, body, body, sc.surfaces.paraboloid(grid, 7.5e-3), sc.Coulomb(0.3))
@@ -300,7 +300,7 @@ def test_a_tangential_path_comes_to_its_force():
     ]
     moved = paths.tangential(approach=1e-6, shift=(4e-6, 0.0), increments=4)
     assert moved == [{"approach": 1e-6, "shift": (1e-6, 0.0)}] * 4
-    with pytest.raises(ValueError, match="give one of force and shift"):
+    with pytest.raises(ValueError, match="exactly one of force and shift"):
         paths.tangential(load=1.0)
-    with pytest.raises(ValueError, match="start goes with force"):
+    with pytest.raises(ValueError, match="start must be 0 with shift"):
         paths.tangential(load=1.0, shift=(1e-6, 0.0), start=(1.0, 0.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Kinematic and combined hardening: of a point, of a bar, of one cell, and in a contact."""
+"""Kinematic and combined hardening at a point, in a bar, in one cell, and in a contact."""
 
 import re
 
@@ -174,8 +174,8 @@ class TestMaterial:
             ((np.inf,), ValueError, "modulus must be a finite number > 0 [Pa], got inf"),
             ((1e9, -1.0), ValueError, "recovery must be a finite number >= 0, got -1"),
             ((1e9, np.nan), ValueError, "recovery must be a finite number >= 0, got nan"),
-            (([1e9, 2e9], [1.0]), ValueError, "must be as many, at least one each, got 2 and 1"),
-            (([],), ValueError, "must be as many, at least one each, got 0 and 0"),
+            (([1e9, 2e9], [1.0]), ValueError, "must have equal lengths >= 1, got 2 and 1"),
+            (([],), ValueError, "must have equal lengths >= 1, got 0 and 0"),
             (([1e9] * 5,), ValueError, "number of backstresses must be from 1 to 4, got 5"),
             (("1e9",), TypeError, "modulus must be a number"),
             ((1e9, None), TypeError, "recovery must be a number, got None"),

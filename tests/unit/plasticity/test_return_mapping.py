@@ -40,7 +40,7 @@ def increment(law, trial, g):
 @example(excess=-12.0, g=0.0)
 @example(excess=4.0, g=0.0)
 def test_equation(law, excess, g):
-    """From 1e-12 of the yield stress above it to 1e4 times."""
+    """Trial stresses from 1e-12 of the yield stress above it to 1e4 times."""
     trial = LAWS[law].yield_stress(g) * (1 + 10**excess)
     d = increment(law, trial, g)
     assert d > 0

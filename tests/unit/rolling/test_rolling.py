@@ -153,7 +153,7 @@ def test_creepages_follow_from_forces(forces):
 
 
 def rollers(mu, pair, n=64, **options):
-    """In plane strain, of a radius of 25 mm together, under 16 kN/m."""
+    """Plane strain, with a combined radius of 25 mm, under 16 kN/m."""
     grid = sc.Grid(n, 1, 240e-6 / n, 1.0, periodic="y")
     return {
         "grid": grid, "body1": pair[0], "body2": pair[1], "friction": sc.Coulomb(mu),
@@ -213,7 +213,7 @@ def test_rollers_of_unlike_bodies_as_another_program_prints_them(across):
 @pytest.mark.parametrize("pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "unlike", "rigid"])
 @pytest.mark.parametrize("mu", [1e-4, 0.05, 0.6])
 def test_forces_are_found_wherever_the_search_begins(pair, mu):
-    """From nothing, and from where everything slides, up to the largest force and down to none."""
+    """Starts from zero and from full sliding, for forces from the maximum to zero."""
     scene, most = rollers(mu, pair), mu * 16e3
     sliding = sc.rolling.steady(**scene, creepage=(0.01, 0.0))
     assert not sliding.sticking.any()
@@ -257,14 +257,14 @@ def test_what_no_contact_can_do_is_told():
         roll(grid, gap, torque=1.0)
     with pytest.raises(ValueError, match="must be held by friction together"):
         roll(grid, gap, tangential_load=(0.9 * MU * LOAD, 0.0), torque=0.3)
-    with pytest.raises(ValueError, match="start must be a solution on the same cells"):
+    with pytest.raises(ValueError, match="start must be a solution with equal cells"):
         roll(grid, gap, creepage=(0.0, 0.0), start=roll(*wheel(20), creepage=(0.0, 0.0)))
     with pytest.raises(ValueError, match="creepage and tangential_load along x"):
         roll(grid, gap, creepage=(1e-3, 0.0), tangential_load=(0.1, None))
     for periodic, drive, message in (
         ("x", {"creepage": (0.0, 0.0)}, "must be '' or 'y'"),
-        ("y", {"creepage": (0.0, 0.0), "spin": 1.0}, "spin must be left out"),
-        ("y", {"torque": 0.0}, "torque must be left out"),
+        ("y", {"creepage": (0.0, 0.0), "spin": 1.0}, "spin must be None"),
+        ("y", {"torque": 0.0}, "torque must be None"),
     ):
         with pytest.raises(ValueError, match=message):
             roll(sc.Grid(24, 24, grid.dx, grid.dy, periodic=periodic), gap, **drive)
@@ -275,14 +275,17 @@ def test_what_no_contact_can_do_is_told():
     d = grid.dx
     for drive, message in (
         ({"advance": (0.4 * d, 0.4 * d)}, "whole number of cells"),
-        ({"advance": (3 * d, d)}, "differ by at most a cell"),
-        ({"advance": (9 * d, 9 * d)}, "which keeps it on the grid, got 9 cells"),
-        ({"advance": (1.01 * d, 0.99 * d), "tangential_load": (0.1, None)}, "same of both bodies"),
-        ({"advance": (d, d), "torque": 0.01}, "torque goes with"),
+        ({"advance": (3 * d, d)}, "differ by at most one cell"),
+        ({"advance": (9 * d, 9 * d)}, "so that it stays on the grid, got 9 cells"),
+        (
+            {"advance": (1.01 * d, 0.99 * d), "tangential_load": (0.1, None)},
+            "equal for both",
+        ),
+        ({"advance": (d, d), "torque": 0.01}, "torque with advance requires"),
     ):
         with pytest.raises(ValueError, match=message):
             solver.solve(gap, load=LOAD, previous=pressed, **drive)
-    with pytest.raises(ValueError, match="press first"):
+    with pytest.raises(ValueError, match="solve the normal contact"):
         solver.solve(gap, load=LOAD, advance=(d, d))
-    with pytest.raises(ValueError, match="advance must be left out"):
+    with pytest.raises(ValueError, match="advance is not supported in full sliding"):
         sc.ContactSolver(grid, BODY, BODY).solve(gap, load=LOAD, advance=(d, d))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction laws: what each bounds the shear by, what it refuses, and how it is kept."""
+"""Friction laws: shear bounds, refused arguments, and storage."""
 
 import copy
 import dataclasses

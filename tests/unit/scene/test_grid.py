@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The grid: where its points are, and what it refuses."""
+"""Grid: positions of its points, and refused arguments."""
 
 import math
 import pickle
@@ -56,7 +56,7 @@ def test_is_a_value():
         ({"dx": None}, TypeError, "dx must be a number, got None"),
         ({"dz": 0.0}, ValueError, "dz must be a finite number > 0 [m], got 0"),
         ({"dz": math.nan}, ValueError, "dz must be a finite number > 0 [m], got nan"),
-        ({"dz": None}, ValueError, "dz must be a finite number > 0 [m] when nz = 2, got None"),
+        ({"dz": None}, ValueError, "dz must be a finite number > 0 [m] with nz = 2, got None"),
     ],
 )
 def test_refused(changed, error, text):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""[shakedown] of a case file: the command prints and writes what Python computes."""
+"""[shakedown] of a case file: output of the command against results from Python."""
 
 import re
 

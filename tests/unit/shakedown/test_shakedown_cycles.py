@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What repeated cycles come to: against the limits of shakedown, and with and without jumps."""
+"""Long-term response to cycles against shakedown limits, with and without extrapolation."""
 
 import dataclasses
 import pickle
@@ -69,7 +69,7 @@ def test_rollers_above_the_limit_go_on_straining(cells):
 
 @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
 def test_hardening_that_moves_the_yield_surface_closes_what_ratchets():
-    """At 4.1 k with friction both are beyond their limits of elastic shakedown."""
+    """At 4.1 k with friction both contacts exceed their limits of elastic shakedown."""
     friction, ratio = 0.2, 4.1
     assert shakedown.line_kinematic(friction).ratio < ratio
     hard = SOFT.with_kinematic_hardening(0.2 * E)
@@ -83,7 +83,7 @@ def test_hardening_that_moves_the_yield_surface_closes_what_ratchets():
 
 
 def test_jumps_change_nothing_but_the_number_of_cycles():
-    """At the same number of cycles: within the stated error, with less than half the work."""
+    """Extrapolation agrees within the stated error, with less than half the work."""
     simulation, cycle = rollers(3.4, friction=0.2, cells=6)
     result = shakedown.run(simulation, cycle, progress=False)
     step_by_step, cycle = rollers(3.4, friction=0.2, cells=6)
@@ -173,7 +173,7 @@ def test_a_ball_that_rolls_over_a_track_and_is_brought_back():
     simulation, _ = ball(body)
     way = 80e-6
     steps = sc.paths.rolling(load=8.0, distance=way, step=20e-6, increments=1)
-    with pytest.raises(ValueError, match=r"end it with \{'load': 0.0, 'advance': \(8"):
+    with pytest.raises(ValueError, match=r"append \{'load': 0.0, 'advance': \(8"):
         shakedown.run(simulation, steps, progress=False)
     back = {"load": 0.0, "advance": (way, way)}
     result = shakedown.run(simulation, [*steps, back], progress=False, cycles=20)
@@ -209,7 +209,7 @@ def test_goes_on_after_an_interrupt_with_the_same_bits(tmp_path, monkeypatch):
 
 
 def test_says_when_it_is_not_clear():
-    with pytest.warns(shakedown.NotSteadyWarning, match="allow more than cycles = 3"):
+    with pytest.warns(shakedown.NotSteadyWarning, match="increase cycles = 3"):
         result = repeated(4.1, cells=8, cycles=3)
     assert result.verdict == "undecided"
     assert not result.shakes_down
@@ -218,7 +218,7 @@ def test_says_when_it_is_not_clear():
         last = shakedown.run(simulation, cycle, progress=False, cycles=4)
     np.testing.assert_array_equal(simulation.state.plastic_strain(), last.state.plastic_strain())
     rows = dict(result._rows())
-    assert rows["cycles"] == "3, 3 of them solved"
+    assert rows["cycles"] == "3, 3 of which solved"
     assert "verdict='undecided'" in repr(result)
 
 
@@ -230,7 +230,7 @@ def test_refuses():
     ):  # fmt: skip
         with pytest.raises(ValueError, match=text):
             shakedown.run(simulation, **{"cycle": cycle, "progress": False} | given)
-    with pytest.raises(ValueError, match="body that can yield"):
+    with pytest.raises(ValueError, match="must have an elastic-plastic body"):
         shakedown.run(ball(STEEL)[0], cycle, progress=False)
     with pytest.raises(TypeError, match="simulation must be"):
         shakedown.run(grid, cycle)
@@ -241,7 +241,7 @@ def test_refuses():
     # Fields of a grid that is too shallow do not show all that flows.
     shallow = sc.Grid(grid.nx, 1, grid.dx, grid.dy, nz=4, dz=grid.dx, periodic="xy")
     hidden = sc.Simulation(shallow, STEEL, SOFT, np.zeros(shallow.surface_shape))
-    with pytest.raises(ValueError, match="leave nz out"), pytest.warns(sc.GridTooSmallWarning):
+    with pytest.raises(ValueError, match="omit nz"), pytest.warns(sc.GridTooSmallWarning):
         shakedown.run(hidden, cycle, progress=False)
     with pytest.raises(ValueError, match="body must be"):
         repeated(3.0, cells=8).strain_per_cycle(1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Limits of shakedown, against published values and against optimisation without short cuts."""
+"""Shakedown limits against published values and unabridged optimisation."""
 
 import math
 
@@ -41,7 +41,7 @@ def asked(stress, criterion):
 @pytest.mark.parametrize("criterion", ["tresca", "von_mises"])
 @pytest.mark.parametrize(("friction", "nu"), [(0.0, 0.3), (0.25, 0.3), (0.4, 0.1), (0.5, 0.0)])
 def test_no_residual_stress_does_better_and_one_does_as_well(friction, nu, criterion):
-    """At its depth by a search over both residual stresses; elsewhere less is asked for."""
+    """Limit at its depth, by a search over both residual stresses; others require less."""
     limit = shakedown.line(friction, nu, criterion)
     for depth in (limit.depth, 0.0, 0.2, 0.5, 0.9):
         stress = CONTACT.stress(PASSING[::4], depth, nu, friction)
@@ -71,7 +71,7 @@ def test_hardening_that_moves_the_yield_surface_helps_where_friction_does_not_re
 
 @pytest.mark.parametrize("friction", [0.0, 0.2, 0.35])
 def test_a_circle_is_decided_in_its_middle(friction):
-    """Beside it no point of the path asks for more, by a search over all five components."""
+    """No other point of the path requires more, by a search over all five components."""
     limit = shakedown.point_kinematic(friction)
     for y, z in ((0.0, limit.depth), (0.15, 0.33), (0.2, 0.02), (0.4, 0.3), (0.6, 0.1)):
         stress = POINT.stress(PASSING[::4], y, z, 0.3, friction)
@@ -89,7 +89,7 @@ def test_a_circle_is_decided_in_its_middle(friction):
 
 @pytest.mark.parametrize("friction", [0.0, 0.25, 0.5])
 def test_a_circle_that_is_safe(friction):
-    """Below the bound sigma_xx alone makes the passage elastic, at every place across the way."""
+    """Below the bound, sigma_xx alone makes the passage elastic at every transverse position."""
     safe = shakedown.point_safe(friction)
     first = math.sqrt(3.0) * sc.critical.onset_sliding(1.0, 1.0, 0.3, 1.0, friction).C
     assert first < safe.ratio <= shakedown.point(friction).ratio * (1 + 1e-12)
@@ -152,4 +152,4 @@ def test_refuses():
     with pytest.raises(ValueError, match="k must be"):
         shakedown.elliptic(1e-60)
     assert dict(shakedown.line()._rows()) == {"p0/k": "4", "where": "0.5 half-widths deep"}
-    assert "p0/k, at most" in dict(shakedown.point()._rows())
+    assert "p0/k (upper bound)" in dict(shakedown.point()._rows())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A ball that rolls or slides, and the tracks it leaves."""
+"""A ball that rolls or slides, and its tracks."""
 
 import numpy as np
 
@@ -30,7 +30,7 @@ def ball(body1=CERAMIC, body2=STEEL, cells=None, shape=(RADIUS, RADIUS), **setti
 
 
 def assert_same_track(one, other, body=2, tol=1e-8):
-    """Where both have cells; where one has none the other has no plastic strain."""
+    """Compare common cells; elsewhere neither has plastic strain."""
     a, b = one.track(body, margin=0), other.track(body, margin=0)
     first, last = max(a.x[0], b.x[0]), min(a.x[-1], b.x[-1])
     inside = [(t.x > first - 1e-9) & (t.x < last + 1e-9) for t in (a, b)]

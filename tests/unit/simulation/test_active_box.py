@@ -94,7 +94,7 @@ class TestBox:
         assert close(print_, expected, 1e-10)
 
     def test_separate_asperities(self):
-        """Two bumps that yield one after the other."""
+        """Two bumps, of which one yields after the other."""
         grid = sc.Grid(81, 33, CELL, CELL, 24, CELL)
         bumps = [((grid.x[:, None] - x) ** 2 + grid.y**2) / (2 * RADIUS) + h
                  for x, h in ((-0.8e-3, 0.0), (0.8e-3, 6e-6))]  # fmt: skip

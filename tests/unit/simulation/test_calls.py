@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A step asks once what its setup knows: Python functions that an increment calls."""
+"""Number of Python calls in an increment: properties of the setup are computed once."""
 
 import sys
 import warnings

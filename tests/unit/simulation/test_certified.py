@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities between the cells are those of smooth fields, far closer than their cells are."""
+"""Quantities interpolated between cells are far closer to those of smooth fields."""
 
 import math
 
@@ -87,7 +87,7 @@ def test_fields_of_the_plastic_zone_hold_the_largest_of_the_grid(shift):
 
 
 def test_flow_at_the_surface_is_not_continued_beyond_the_yield_stress():
-    """A first layer that flows over one that hardly does: a parabola would go on rising."""
+    """The first layer yields and the second hardly does: a parabola would overshoot."""
     cell = 24e-6
     grid = sc.Grid(27, 27, cell, cell, dz=cell)
     steel = sc.Material.linear_hardening(210e9, 0.3, 1.2e9, 20e9)

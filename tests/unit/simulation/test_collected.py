@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What refers to itself through the core is collected all the same."""
+"""Objects that refer to themselves through the core are garbage-collected."""
 
 import copy
 import gc

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Given eigenstrain: Eshelby's values, equilibrium, contact and yield, checkpoints, refusals."""
+"""Prescribed eigenstrain: Eshelby's values, equilibrium, contact, yield, checkpoints, refusals."""
 
 import copy
 import itertools
@@ -244,7 +244,7 @@ def test_balance_tells_it_apart():
     assert found.residual == 0
     assert abs(found.missing) < abs(other.missing) + 0.02
     more = given(simulation).step(load=3.0)
-    with pytest.raises(ValueError, match="same eigenstrain"):
+    with pytest.raises(ValueError, match="equal eigenstrain"):
         sc.energy.balance(simulation, [*states, more])
 
 
@@ -274,9 +274,9 @@ REFUSED = {
     "in the grid, which has 20": ((MISFIT, (0, 19, 0), (5, 2, 2)), {}),
     "in the grid, which has 12": ((MISFIT, (0, 0, 11), (5, 2, 2)), {}),
     "first must be": ((MISFIT, (-1, 0, 0), (1, 1, 1)), {}),
-    "three whole numbers": ((MISFIT, (1, 0), (1, 1, 1)), {}),
+    "three integers": ((MISFIT, (1, 0), (1, 1, 1)), {}),
     "cells must be": ((MISFIT, (1, 0, 0), (1, 0, 1)), {}),
-    "together with cells": ((MISFIT,), {}),
+    "with cells =": ((MISFIT,), {}),
     "finite": ((np.full(6, math.nan), (0, 0, 0), (1, 1, 1)), {}),
     "shape": ((np.zeros((5, 2, 2, 2)),), {}),
     "grid must have dz": ((MISFIT, (0, 0, 0), (1, 1, 1)), {"grid": sc.Grid(24, 20, D, D)}),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Yield stress and residual stress over depth: closed forms, finite elements, other routes."""
+"""Depth profiles of yield and residual stress: closed forms, finite elements, other routes."""
 
 import copy
 import pickle
@@ -132,7 +132,7 @@ def rms(values):
 
 
 def test_a_hardened_case_under_residual_stress_is_that_of_finite_elements():
-    """At 16 cells per radius half of what finite elements and finer grids differ by."""
+    """At 16 cells per radius, half the difference between finite elements and finer grids."""
     case, a, cells, steps = fem.load("graded"), 1e-3, 16, 16
     z = np.linspace(0.0, 2 * a, 201)
     body = sc.Material.swift(E, NU, 700e6, 20.0, 0.1)
@@ -267,7 +267,7 @@ def ball(*bodies, **options):
 
 
 def test_the_work_of_a_contact_is_dissipated_or_stays():
-    """Of the stress of the start too, which plastic strain releases."""
+    """Residual energy includes the initial stress, which plastic strain releases."""
     sim = ball(RIGID, BODY, tol=1e-8)
     path = sc.paths.load_unload(load=1200.0, increments=16)
     states = [sim.state, *sim.run(path, progress=False)]
@@ -299,7 +299,7 @@ def test_going_on_from_what_was_kept_changes_no_digit(kept, tmp_path):
 
 
 def test_equal_bodies_share_what_unequal_ones_do_not():
-    """The body that is alike in all but its profile is another one."""
+    """Bodies that differ only in their profile are not identical."""
     strong = SOFT.with_yield_profile([0.0], [3.0])
     both = ball(BODY, BODY).step(load=1200.0)
     np.testing.assert_array_equal(*(both.equivalent_plastic_strain(body) for body in (1, 2)))
@@ -333,7 +333,7 @@ def test_kinematic_hardening_knows_of_it():
 @pytest.mark.parametrize("hot", ["past heat", "softening"])
 @pytest.mark.parametrize("nz", [0, 8])
 def test_a_weak_layer_below_a_heated_surface_is_found(hot, nz):
-    """Below the layers in which past heat is looked at, and where the surface softens."""
+    """Fields below the layers with past heat, and at the softened surface."""
     z, factor = [0.0, 100e-6, 105e-6, 160e-6, 165e-6], [2.0, 2.0, 0.6, 0.6, 2.0]
     body = SOFT.with_thermal(45.0, 12e-6, 12e-6).with_yield_profile(z, factor)
     body = body.with_residual_stress([0.0, 200e-6], [-3e8, 0.0])

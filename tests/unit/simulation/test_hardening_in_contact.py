@@ -56,7 +56,7 @@ def test_two_points_are_linear_hardening():
 
 
 def test_samples_of_swift_converge_at_second_order():
-    """In the volume of the print and in the sum of the strain."""
+    """Differences of the imprint volume and of the sum of the strain."""
     swift = sc.Material.swift(E, NU, 150e6, 3000.0, 0.25)
     errors = []
     for pieces in (8, 16, 32):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What more increments would change is estimated, stated in tables and warned of."""
+"""Errors due to increments are estimated, listed in tables and cause warnings."""
 
 import warnings
 
@@ -26,7 +26,7 @@ from samcontact.simulation.increment_paths import doubled, halved
 
 
 def silent(sim):
-    """Without estimates of its own."""
+    """Simulation without its own error estimates."""
     sim.monitor.checks_increments = False
     return sim
 
@@ -65,7 +65,7 @@ class TestWarning:
         assert warned(calls[1]) == []
 
     def test_of_steps_by_hand_that_add_up(self):
-        """At the first, fourth, sixteenth."""
+        """Errors are estimated at the first, fourth and sixteenth increment."""
         sim = ball(RIGID, PERFECT, 2000.0)
         texts = [warned(lambda s=s: sim.step(**s)) for s in pressed(2000.0, 4)]
         assert sum(map(len, texts)) == 1
@@ -126,7 +126,7 @@ def test_unknown_past_is_not_estimated():
 
 
 class State:
-    """What a path has reached."""
+    """Targets reached along a path."""
 
     def __init__(self, load, force=0.0):
         self.load, self.approach, self.torque = load, 1e-9 * load, 0.0
@@ -160,7 +160,7 @@ class TestPaths:
 
     @pytest.mark.parametrize("loads", [[0.1, 2.0], [0.1, 0.2, 0.3, 0.4, 5.0], [1.0, 2.0, 0.0]])
     def test_not_half_as_many_where_one_is_by_far_the_largest(self, loads):
-        """Joined with a small one, or not at all, it would tell nothing."""
+        """Merged with a small increment, or unmerged, a large increment gives no estimate."""
         path = [{"load": load} for load in loads]
         assert halved(path, [State(load) for load in loads], 0.0) is None
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic flow in layers and substrate at once: closed forms, limits, equilibrium."""
+"""Plastic flow in layers and substrate together: closed forms, limits, equilibrium."""
 
 import numpy as np
 import pytest
@@ -87,7 +87,7 @@ def homogeneous():
 @pytest.mark.parametrize(("apart", "tol"), [(0.0, 1e-9), (1e-12, 2e-5)])
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 def test_layers_that_hardly_differ_are_the_homogeneous_body(apart, tol, homogeneous):
-    """Images of layered bodies are found in another way, both to image_tol."""
+    """Images of layered bodies are found by another method, both to image_tol."""
     usual, other = flowing_steel(210e9), flowing_steel(210e9 * (1 + apart))
     layered = sc.Layered([(other, 6e-6), (usual, 9e-6), (other, 3e-6)], usual)
     _, expected = homogeneous
@@ -106,7 +106,7 @@ def test_layers_that_hardly_differ_are_the_homogeneous_body(apart, tol, homogene
 
 
 def forces_on_blocks(grid, stress):
-    """Down on, and along, what lies above each depth in the window: by its bottom and its sides."""
+    """Force on the part of the grid above each depth, through its bottom and its sides."""
     bottom = stress[2:5].sum(axis=(1, 2)) * grid.cell_area
     ends = [np.moveaxis(s, axis, 0) for s, axis in ((stress[4], 0), (stress[3], 1))]
     sides = np.zeros(stress.shape[-1])
@@ -188,7 +188,7 @@ def test_a_load_of_first_yield_is_not_found_for_several_laws():
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 def test_work_on_yielding_layers_is_found_again():
-    """It is elastic, residual, or dissipated by the flow of each law and by slip."""
+    """Work is stored elastically, stored as residual energy, or dissipated by flow and slip."""
     soft = COPPER.with_kinematic_hardening(5e9)
     body = sc.Layered([(NITRIDE.with_residual_stress([0.0], [-1e9]), 6e-6), (soft, 6e-6)], STEEL)
     grid = sc.Grid(26, 26, 4e-6, 4e-6, nz=20, dz=3e-6)

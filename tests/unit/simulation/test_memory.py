@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Memory of an elastic-plastic increment whose plastic zone fills the volume, all included."""
+"""Memory of an elastic-plastic increment with a plastic zone that fills the volume."""
 
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What moves with the bodies of a moving contact: relief, heat, and checkpoints of them."""
+"""Relief, heat and checkpoints of bodies that move through the contact."""
 
 import subprocess
 import sys
@@ -83,7 +83,7 @@ def test_past_heat_moves_with_the_material():
     assert surface[30] > 10 * surface[10]  # downstream
     with pytest.raises(ValueError, match="whole number of cells"):
         simulation.step(load=LOAD, duration=step, advance=(0.0, 0.5 * CELL))
-    with pytest.raises(ValueError, match="velocity times duration"):
+    with pytest.raises(ValueError, match="velocity x duration"):
         simulation.step(load=LOAD, duration=step, advance=(0.0, -CELL))
 
 
@@ -160,7 +160,7 @@ def test_a_checkpoint_keeps_the_relief(tmp_path):
 
 @pytest.mark.parametrize("body2", [STEEL, KINEMATIC], ids=["swift", "kinematic"])
 def test_a_track_can_be_gone_on_from_in_another_simulation(body2):
-    """Longer than the grid: it is set by rows that lie beside it."""
+    """A travel longer than the grid, set by rows outside it."""
     settings = {"tol": 1e-10, "residual_stress": "exact"}
     first = ball(body2=body2, **settings)
     there = 34

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A contact that moves over its bodies: the bodies' plastic strain moves through the grid."""
+"""A moving contact: the plastic strain of the bodies moves through the grid."""
 
 import numpy as np
 import pytest

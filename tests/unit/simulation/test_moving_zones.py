@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies that move through a rough contact take their zones with them and leave them behind."""
+"""Plastic subdomains move with their bodies through a rough contact, and remain in the wake."""
 
 import pytest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic flow goes as deep and as wide as it does, whatever layers and sides the grid has."""
+"""The extent of plastic flow is independent of the layers and sides of the grid."""
 
 import pickle
 

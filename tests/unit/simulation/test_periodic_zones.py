@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic strain in zones of rough surfaces that repeat themselves, across their ends too."""
+"""Plastic subdomains of rough periodic surfaces, also across the ends of the period."""
 
 import numpy as np
 import pytest

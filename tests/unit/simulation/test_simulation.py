@@ -45,14 +45,14 @@ class TestWorkDone:
         assert counters["contact_iterations"] == state.contact_iterations > 0
 
     def test_the_least_tol(self):
-        """The contact within is solved more tightly, but not beyond its own least tol."""
+        """The inner contact solve uses a tighter tolerance, but not below its minimum."""
         by_default, least = (
             simulation(STEEL, STEEL, tol=tol).step(load=LOAD) for tol in (1e-6, 1e-11)
         )
         assert_close(least.pressure, by_default.pressure, 1e-6)
 
     def test_no_plastic_solve_below_yield(self):
-        """What acts on plastic strain is only built at first yield."""
+        """Operators for plastic strain are built only at first yield."""
         sim = simulation()
         for part in (0.2, 0.5):
             state = sim.step(load=part * FIRST_YIELD**3 * LOAD)
@@ -121,7 +121,7 @@ class TestUnloading:
         assert print_.max() == print_[9, 10] > 0.02 * states[1].approach
 
     def test_earlier_states_stay(self, path):
-        """What a state tells does not depend on the steps that followed it."""
+        """A state does not depend on later steps."""
         sim, states = path
         again = simulation()
         for kept, part in zip(states, (0.6, 1.0, 0.5, 0.0), strict=False):
@@ -237,7 +237,7 @@ class TestPrescribedTractions:
         assert sim.counters["contact_solves"] == 0
 
     def test_contact_goes_on_from_them(self):
-        """Tractions that a contact gave, given back: the same state, and the same way on."""
+        """Prescribing the tractions of a contact gives an equal state and an equal continuation."""
         contact = simulation(image_tol=1e-6)
         prescribed = simulation(image_tol=1e-6)
         for part in (0.5, 1.0):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""States: their fields and numbers, and when small strain is left."""
+"""States: fields and scalars, and the limit of small strain."""
 
 import math
 import re

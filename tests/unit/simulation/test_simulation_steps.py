@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Increments that fail, are halved or refused, and their drivers: load, approach, paths."""
+"""Increments that fail, are halved or refused; drivers: load, approach, paths."""
 
 import math
 import re
@@ -34,7 +34,7 @@ class TestGridTooSmall:
 
     def test_fields_that_do_not_show_all_plastic_strain_are_told_once(self):
         sim = simulation(grid=self.shallow)
-        deep = r"body 2 lies .* deep, below nz dz = .*: it acts as all of it, .* leave nz out"
+        deep = r"body 2 extends to a depth of .*, below the output layers .*; omit nz"
         with pytest.warns(sc.GridTooSmallWarning, match=deep):
             state = sim.step(load=LOAD)
         assert state.equivalent_plastic_strain()[..., -1].any()
@@ -47,7 +47,7 @@ class TestGridTooSmall:
         pressure = np.full(self.narrow.surface_shape, 2.3e9)
         gap = np.zeros(self.narrow.surface_shape)
         sim = simulation(SOFT, STEEL, gap, self.narrow)
-        with pytest.warns(sc.GridTooSmallWarning, match="body 1 lies beside the grid along"):
+        with pytest.warns(sc.GridTooSmallWarning, match="body 1 extends outside the grid along"):
             narrow = sim.step(pressure=pressure)
         wide_grid = sc.Grid(13, 15, SIZE, SIZE, 12, SIZE)
         wide = simulation(SOFT, STEEL, np.zeros((13, 15)), wide_grid)
@@ -57,12 +57,12 @@ class TestGridTooSmall:
 
     def test_contact(self):
         gap = surfaces.paraboloid(self.narrow, RADIUS)
-        text = r"at load .* N the contact touches the border .* enlarge nx dx .*, or ask for"
+        text = r"at load .* N the contact reaches the edge .* enlarge nx dx .*, or "
         for body in (STEEL, SOFT):
             with pytest.raises(sc.GridTooSmallError, match=text):
                 simulation(STEEL, body, gap, self.narrow).step(load=LOAD)
         warned = simulation(STEEL, STEEL, gap, self.narrow, on_border="warn")
-        with pytest.warns(sc.GridTooSmallWarning, match="contact touches the border"):
+        with pytest.warns(sc.GridTooSmallWarning, match="contact reaches the edge"):
             assert warned.step(load=LOAD).load == LOAD
 
 
@@ -77,7 +77,7 @@ FAILURES = {
 
 
 class TestFailedStep:
-    """After any failure the state is that before it, bit by bit, and so is all that follows."""
+    """After any failure the previous state and later increments are unchanged bit by bit."""
 
     @pytest.fixture(scope="class")
     @staticmethod
@@ -145,7 +145,7 @@ class TestHalving:
         np.testing.assert_allclose(getattr(state, driver), goal, rtol=1e-12)
 
     def test_too_many_parts_tell_what_tolerance_can_be_had(self):
-        """With a tolerance of 1e-5 there are 41 parts; they go with its fourth root."""
+        """A tolerance of 1e-5 requires 41 parts; their number varies with its fourth root."""
         grid = sc.Grid(7, 7, 1e-5, 1e-5, 3, 1e-5)
         gap = surfaces.paraboloid(grid, 10e-3)
         soft = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)
@@ -273,7 +273,7 @@ class TestBadInput:
                 "shear must have shape (2, 19, 21), got (3, 19, 21)",
             ),
             ({"pressure": BALL, "shear": BALL * np.nan}, ValueError, "shear must be finite every"),
-            ({"load": 1.0, "shear": BALL}, ValueError, "shear goes with pressure, not with load"),
+            ({"load": 1.0, "shear": BALL}, ValueError, "shear cannot be combined with load"),
             ({"shear": BALL}, ValueError, "give exactly one of load, approach, pressure; got none"),
         ],
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies that stick and slip and yield: against elastic solutions, gross sliding and energy."""
+"""Elastic-plastic partial slip against elastic solutions, full sliding and energy."""
 
 import copy
 
@@ -176,7 +176,7 @@ def test_parts_of_an_increment_lead_to_its_end():
 
 
 def slid_surfaces(state):
-    """Of body 2 against body 1, elastic and by plastic strain."""
+    """Elastic and plastic displacement of body 2 relative to body 1."""
     solver = sc.ContactSolver(state.grid, BALL, STEEL, LAW)
     u1, u2 = (solver.displacement(state.pressure, state.shear, body)[:2] for body in (1, 2))
     return u2 - u1 + np.stack([state.residual_displacement(2, axis=axis) for axis in "xy"])
@@ -217,11 +217,15 @@ def test_rolling_over_a_rail_that_yields_comes_to_a_steady_force():
 @pytest.mark.parametrize(
     ("friction", "step", "text"),
     [
-        (0.3, {"load": 1.0, "shift": (0.0, 0.0)}, "shift must be left out"),
+        (0.3, {"load": 1.0, "shift": (0.0, 0.0)}, "shift is not supported in full sliding"),
         (LAW, {"load": 10.0, "tangential_load": (4.0, 0.0)}, "the largest that friction holds"),
         (LAW, {"load": 10.0, "shift": (1e-7, 0), "tangential_load": (1, None)}, "cannot both"),
-        (LAW, {"pressure": np.zeros(GRID.surface_shape)}, "shear must be given"),
-        (LAW, {"load": 10.0, "torque": 0.0, "advance": (36e-6, 36e-6)}, "torque must be left out"),
+        (LAW, {"pressure": np.zeros(GRID.surface_shape)}, "shear is required"),
+        (
+            LAW,
+            {"load": 10.0, "torque": 0.0, "advance": (36e-6, 36e-6)},
+            "torque cannot be",
+        ),
         (LAW, {"load": 10.0, "heat_factor": 1.0}, "heat"),
     ],
 )
@@ -312,7 +316,7 @@ def test_swapped_bodies_mirror_what_goes_far_apart():
 
 
 def per_cycle(cells, share, cycles=4):
-    """Of fretting under a force that is a share of the largest: strain and friction work."""
+    """Strain and friction work of fretting under a fraction of the maximum force."""
     size = 1e-3 / cells
     grid = sc.Grid(cells, cells, size, size, dz=size)
     body2 = sc.Material.perfect_plastic(210e9, 0.3, 1.2e9).with_kinematic_hardening(7e9)

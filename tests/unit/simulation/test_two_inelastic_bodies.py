@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two bodies that yield: identical ones, of which one is computed, and different ones."""
+"""Two elastic-plastic bodies: identical ones (one is computed), and different ones."""
 
 import h5py
 import numpy as np

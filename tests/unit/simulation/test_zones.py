@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contacts with plastic strain in many small zones are those with one box around all of it."""
+"""Plastic strain in several subdomains against a single box."""
 
 import pickle
 import warnings
@@ -48,7 +48,7 @@ PATH = (2, 3, 0.5)
 
 
 def both(*bodies, **options):
-    """The same contact in zones and in one box."""
+    """A contact solved with subdomains and with one box."""
     return [simulation(*bodies, zones=zones, **options) for zones in ("auto", "one")]
 
 
@@ -138,7 +138,7 @@ def test_iterations_are_counted_where_zones_grow():
 
 
 def test_a_spot_at_the_border_is_that_of_a_wider_grid():
-    """Its zone reaches beyond the window."""
+    """A contact whose subdomain extends beyond the grid."""
     beside, inside = 12, slice(12, -12)
     gap = rough_gap(bowl=0.0)  # periodic
     i, _ = np.unravel_index(np.argmin(gap), gap.shape)
@@ -279,7 +279,7 @@ def solved(request):
 
 
 def field_of_zones(state, body, name):
-    """On the grid, 0 beside the zones."""
+    """Field on the grid, 0 outside the subdomains."""
     found = np.zeros_like(getattr(state, name)(body))
     for zone in state.zones(body):
         place = []
@@ -320,7 +320,7 @@ def assert_shows(state, body):
 
 
 class TestOperators:
-    """Of zones, at the plastic cells of a rough contact, against those of one box around all."""
+    """Fields of subdomains at the plastic cells of a rough contact, against a single box."""
 
     def compared(self, solved, strain=0.0, pressure=0.0, shear=(0.0, 0.0)):
         """Stress, its reference, at the plastic cells; the surface displacements."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact areas are those of smooth outlines, and exact where the edge lies between two cells."""
+"""Contact areas against smooth outlines; exact if the edge lies between two cells."""
 
 import math
 
@@ -29,7 +29,7 @@ def wavy(cells, shift=0.0):
 
 
 def ball(cells, shift, aspect=1.0):
-    """Relative errors of the area of a ball: as it is told, and of counted cells."""
+    """Relative errors of the area of a ball, computed and by counting cells."""
     load, radius = 100.0, 5e-3
     hertz = sc.hertz.point(radius, sc.hertz.effective_modulus(STEEL, STEEL), load=load)
     dx, dy = 2 * hertz.a / cells, 2 * hertz.a / cells * aspect

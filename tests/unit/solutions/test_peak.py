@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The peak of a run is where the stress is largest, not where a constant load begins."""
+"""The peak of a run is at the maximum stress, not at the start of a constant load."""
 
 import numpy as np
 import pytest

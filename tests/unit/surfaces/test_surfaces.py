@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gaps at known points, statistics of generated roughness, and the errors."""
+"""Gaps at known points, statistics of generated roughness, and errors."""
 
 import math
 
@@ -105,10 +105,10 @@ def test_rough_self_affine_is_reproducible_and_periodic(grid):
     [
         (lambda g: surfaces.paraboloid(g, 0.0), r"Rx must be a number > 0 \(inf allowed\), got 0"),
         (lambda g: surfaces.paraboloid(g, 1.0, -2.0), "Ry must be .*got -2.0"),
-        (lambda g: surfaces.sphere(g, 0.012), r"R must be at least 0\.0141421, the reach .*0\.012"),
+        (lambda g: surfaces.sphere(g, 0.012), r"R must be >= 0\.0141421 to cover the grid.*0\.012"),
         (lambda g: surfaces.sphere(g, math.inf), "R must be a finite number > 0, got inf"),
         (lambda g: surfaces.cylinder(g, 1.0, axis="z"), "axis must be one of 'y', 'x', got 'z'"),
-        (lambda g: surfaces.cylinder(g, 0.009), "R must be at least 0.01"),
+        (lambda g: surfaces.cylinder(g, 0.009), "R must be >= 0.01"),
         (lambda g: surfaces.sinusoidal(g, -1.0, 1.0, 1.0), "amplitude must be .* >= 0, got -1.0"),
         (lambda g: surfaces.sinusoidal(g, 1.0, 1e-3, 1.0), "wavelength_x must be >= 0.002"),
         (lambda g: surfaces.from_heights(g, np.zeros((3, 3))), r"shape \(21, 11\), got \(3, 3\)"),
@@ -129,7 +129,7 @@ def test_rough_self_affine_is_reproducible_and_periodic(grid):
             lambda g: surfaces.rough_self_affine(
                 g, 1.0, 0.8, wavelength_min=8.001e-3, wavelength_max=8.002e-3, seed=0
             ),
-            "no wave of the grid",
+            "must enclose at least one",
         ),
     ],
 )

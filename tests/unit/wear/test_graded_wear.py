@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What has been worn off bares what lay below: profiles over depth move with the material."""
+"""Wear exposes deeper material: depth profiles move with the material."""
 
 import numpy as np
 import pytest
@@ -70,7 +70,7 @@ def test_equal_bodies_worn_apart_are_not_twins():
 
 
 def test_a_worn_case_does_not_renew_itself():
-    """Cycle after cycle the layer that was hard at first gets thinner."""
+    """The hard layer becomes thinner from cycle to cycle."""
     steel = sc.Material.swift(E, NU, 1735e6, 16.0, 0.067)
     grid = sc.Grid(29, 27, 5e-6, 5e-6, 28, 1.6e-6)
     z, factor = [0.0, 0.4e-6, 4e-6], [1.06, 1.04, 1.0]

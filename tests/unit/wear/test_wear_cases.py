@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files whose path is a cycle of wear, and what the command makes of them."""
+"""Case files with wear cycles, and the output of the command."""
 
 import numpy as np
 import pandas as pd

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear: depth of what is removed, smoothing of its border, and the strain that is left."""
+"""Wear: depth of removal, smoothing of its edge, and remaining plastic strain."""
 
 import math
 
@@ -36,7 +36,7 @@ def test_depth_of_an_exponential_converges():
 
 
 def test_depth_lies_between_the_two_layers():
-    """Where polynomials would overshoot: a plateau, and then a step."""
+    """A plateau followed by a step, where polynomials would overshoot."""
     field = np.array([5.0, 5.0, 5.0, 5.0, 0.0, 0.0, 0.0])[None, None, :]
     found = [wear.depth(field, 1.0, limit)[0, 0] for limit in (4.999, 2.5, 0.001)]
     assert 3.5 < found[0] < found[1] < found[2] < 4.5
@@ -66,7 +66,7 @@ def test_smoothing_keeps_the_volume(window, order):
 
 
 def test_smoothing_fits_a_polynomial_in_each_window():
-    """Against a least-squares fit of x^m y^n, m and n up to the order, about one cell."""
+    """Comparison with a least-squares fit of x^m y^n, m and n up to the order, about one cell."""
     given = 10 + RNG.uniform(0, 1, (15, 13))
     made = wear.smooth(given, (5, 7), 2)
     x, y = (a.ravel() for a in np.meshgrid(np.arange(-2, 3), np.arange(-3, 4), indexing="ij"))
@@ -131,7 +131,7 @@ def test_shifted_deviators_stay_deviators():
 
 
 def test_strain_to_the_bottom():
-    with pytest.raises(ValueError, match=r"the grid is too shallow: .* threshold = 0\.5"):
+    with pytest.raises(ValueError, match=r"grid must be deep enough: .* threshold = 0\.5"):
         wear.depth(np.ones((2, 2, 3)), 1e-6, 0.5)
 
 
@@ -145,7 +145,7 @@ def test_bad_fields():
 
 
 def test_a_gaussian_is_as_wide_in_any_cells():
-    """Of what one cell has lost: the volume, and the standard deviation in metres."""
+    """Volume and standard deviation in metres of the smoothed loss of one cell."""
     length = 7e-6
     for dx, dy in ((2e-6, 3e-6), (1e-6, 0.7e-6)):
         made = np.zeros((91, 131))
