@@ -56,13 +56,17 @@ void bind_errors(py::module_& m) {
   convergence_error.call_once_and_store_result([&] {
     const py::exception<ConvergenceError> type(m, "ConvergenceError", PyExc_RuntimeError);
     type.attr("__doc__") =
-        "An iteration did not reach its tolerance: .iterations, .residual; the state before stays.";
+        "Error of an iteration that did not reach its tolerance; see `iterations` and `residual`. "
+        "The "
+        "previous state is kept.";
     return py::object(type);
   });
   PYBIND11_CONSTINIT static py::gil_safe_call_once_and_store<py::object> too_small_error;
   too_small_error.call_once_and_store_result([&] {
     const py::exception<GridTooSmallError> type(m, "GridTooSmallError", PyExc_ValueError);
-    type.attr("__doc__") = "The contact reaches the border of the grid, across .axes: x, y or xy.";
+    type.attr("__doc__") =
+        "Error of a contact that reaches the edge of the grid; `axes` names the directions to "
+        "enlarge: x, y or xy.";
     type.attr("axes") = "";
     return py::object(type);
   });
@@ -71,8 +75,7 @@ void bind_errors(py::module_& m) {
     try {
       if (p) std::rethrow_exception(p);
     } catch (const std::bad_alloc&) {
-      PyErr_SetString(PyExc_MemoryError,
-                      "the system has no more memory: take fewer cells, or end other programs");
+      PyErr_SetString(PyExc_MemoryError, "out of memory: use fewer cells, or close other programs");
     } catch (const ConvergenceError& error) {
       const py::object& type = convergence_error.get_stored();
       py::object value = type(error.what());

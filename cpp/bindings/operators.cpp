@@ -93,7 +93,7 @@ std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& ela
     for (const auto& [i0, j0, nx, ny, nz] : boxes) {
       const bool inside = i0 >= 0 && j0 >= 0 && nx > 0 && ny > 0 && nz > 0 && nx <= grid.nx - i0 &&
                           ny <= grid.ny - j0 && nz <= grid.nz;
-      if (!inside) throw std::invalid_argument("a zone is empty or not in the grid");
+      if (!inside) throw std::invalid_argument("a zone must be non-empty and lie inside the grid");
       zones.push_back({i0, j0, nx, ny, nz});
     }
     operators::ZoneOperators operators(

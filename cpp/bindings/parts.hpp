@@ -54,7 +54,7 @@ void read_rows(const std::string& name, const py::object& kept, T& part) {
   const bool fits = rows.ndim() == 2 && rows.shape(1) == columns<T> &&
                     std::all_of(rows.data(), rows.data() + rows.size(),
                                 [](std::int64_t number) { return std::in_range<int>(number); });
-  if (!fits) throw std::invalid_argument(name + " are no rows of whole numbers");
+  if (!fits) throw std::invalid_argument(name + " must be rows of integers");
   part.resize(rows.shape(0));
   for (std::size_t n = 0; n < part.size(); ++n) {
     std::array<int, columns<T>> numbers;
@@ -138,8 +138,7 @@ class PartReader {
   /// Throws std::invalid_argument for what nothing asked for.
   void require_no_more() const {
     if (left_.empty()) return;
-    throw std::invalid_argument("no part is named " +
-                                py::str(*py::iter(left_)).cast<std::string>());
+    throw std::invalid_argument("unknown part: " + py::str(*py::iter(left_)).cast<std::string>());
   }
 
   template <class T>
@@ -166,7 +165,7 @@ class PartReader {
 
  private:
   static void require_finite(const std::string& name, bool holds) {
-    if (!holds) throw std::invalid_argument(name + " has values that are not finite");
+    if (!holds) throw std::invalid_argument(name + " must be finite");
   }
   template <class T>
   void read(const std::string& name, T& part) {
@@ -179,7 +178,7 @@ class PartReader {
           from_python(kept, part);
         }
       } catch (const py::cast_error&) {
-        throw std::invalid_argument(name + " is of another kind than it should be");
+        throw std::invalid_argument(name + " has the wrong type");
       }
     } else if constexpr (Sequence<T>) {
       part.clear();

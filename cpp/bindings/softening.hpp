@@ -21,7 +21,7 @@ inline simulation::Softening softening_law(const py::object& law, const Grid& gr
   return [known, grid](const Field& rise, const Box& box) {
     const py::gil_scoped_acquire gil;
     const py::object own = (*known)();
-    if (own.is_none()) throw std::logic_error("a law of softening must outlive its simulation");
+    if (own.is_none()) throw std::logic_error("the softening law must outlive its simulation");
     const py::array factor = own(volume_array(rise, box.grid(grid), box.nz));
     return to_field(factor.cast<Array>());
   };

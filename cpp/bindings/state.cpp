@@ -206,7 +206,7 @@ void bind_content(py::class_<State>& bound) {
       .def("__getattr__", [](const py::object& self, const std::string& name) -> py::object {
         PartWriter visit(name, self);
         describe(self.cast<const State&>(), visit);
-        if (!visit.found) throw py::attribute_error("no part of a state is named " + name);
+        if (!visit.found) throw py::attribute_error("unknown part of a state: " + name);
         return visit.content.attr("get")(name);
       });
 }

@@ -60,16 +60,17 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
                                          const FrictionLaw& friction,
                                          const operators::HeatingPair& heating) {
   if (bodies[0]->is_rigid() && bodies[1]->is_rigid()) {
-    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
+    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be deformable");
   }
   if (grid.period.is_on() && (heating[0].is_on() || heating[1].is_on())) {
-    throw std::invalid_argument("heat cannot enter periodic surfaces: it has no steady state");
+    throw std::invalid_argument(
+        "heating is not supported on periodic surfaces: no steady state exists");
   }
   operators::SurfaceInfluence influence;
   for (int b = 0; b < 2; ++b) {
     if (heating[b].is_on() && bodies[b]->is_rigid()) {
       throw std::invalid_argument("body " + std::to_string(b + 1) +
-                                  " is rigid: it has no thermal expansion, heat cannot enter it");
+                                  " is rigid and has no thermal expansion: it cannot be heated");
     }
     influence.add(bodies[b], friction.shear_over_pressure(b), heating[b]);
   }
@@ -89,40 +90,39 @@ void require_below_mean(const Grid& grid, const Field& gap, Given normal) {
   if (grid.period.x == 0 || grid.period.y == 0 || normal.is_force()) return;
   const double mean = ordered_sum(gap.size(), [&](std::size_t i) { return gap[i]; }) / gap.size();
   require(normal.value < mean, "approach",
-          "less than the mean of the gap, " + to_short_text(mean, 6) +
-              " m, at which periodic surfaces touch everywhere and any larger load is possible: "
-              "give the load",
-          normal.value);
+          "less than the mean gap, " + to_short_text(mean, 6) +
+              " m, at which periodic surfaces touch everywhere and any larger load is possible",
+          normal.value, "prescribe the load instead");
 }
 
 std::string border_complaint(const Grid& grid, const Field& repulsion, const std::string& what) {
   const auto [at_x, at_y] = border_repulsion(grid, repulsion);
   if (!in_contact(at_x) && !in_contact(at_y)) return {};
   const double most = *std::max_element(repulsion.begin(), repulsion.end());
-  const auto percent = [most](double p) { return to_short_text(100 * p / most) + " % "; };
+  const auto percent = [most](double p) { return to_short_text(100 * p / most) + " %"; };
   std::string where, what_helps;
   if (in_contact(at_x)) {
-    where = percent(at_x) + "at the sides across x";
+    where = percent(at_x) + " of the maximum at the edges normal to x";
     what_helps = "nx dx";
   }
   if (in_contact(at_y)) {
-    where += (where.empty() ? "" : ", ") + percent(at_y) + "at those across y";
+    where += where.empty() ? percent(at_y) + " of the maximum at the edges normal to y"
+                           : " and " + percent(at_y) + " at those normal to y";
     what_helps += what_helps.empty() ? "ny dy" : " and ny dy";
   }
   const auto touching = std::count_if(repulsion.begin(), repulsion.end(), in_contact);
   const double share = static_cast<double>(touching) / static_cast<double>(repulsion.size());
   const std::string cover =
-      share >= covered ? ", and covers " + to_short_text(100 * share) + " % of it" : "";
-  return "at " + what + " the contact touches the border of the grid (" +
+      share >= covered ? ", and covers " + to_short_text(100 * share) + " % of the grid" : "";
+  return "at " + what + " the contact reaches the edge of the grid (" +
          to_short_text(grid.nx * grid.dx, 4) + " m x " + to_short_text(grid.ny * grid.dy, 4) +
-         " m), with a pressure of " + where + " of the largest" + cover + ": enlarge " + what_helps;
+         " m), with a pressure of " + where + cover + ": enlarge " + what_helps;
 }
 
 GridTooSmallError too_small(const Grid& grid, const Field& repulsion,
                             const std::string& complaint) {
   const auto [at_x, at_y] = border_repulsion(grid, repulsion);
-  return {complaint + ", or ask for a warning with on_border=\"warn\"", in_contact(at_x),
-          in_contact(at_y)};
+  return {complaint + ", or set on_border=\"warn\"", in_contact(at_x), in_contact(at_y)};
 }
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
@@ -141,7 +141,7 @@ ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence
       heated_(influence.is_heated()),
       multilevel_(grid, influence) {
   if (heated_ && law_->attracts()) {
-    throw std::invalid_argument("heat cannot enter surfaces that attract each other");
+    throw std::invalid_argument("heating cannot be combined with attraction of the surfaces");
   }
 }
 
@@ -151,24 +151,23 @@ void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
   const bool grows = solution.negative_curvatures > 0;
   if (heated_ && !drive.normal.is_force() &&
       (finite ? is_unstable(solution.tractions.pressure) : grows)) {
-    throw ConvergenceError("the contact is thermoelastically unstable at " + describe(drive) +
-                               ": its heat raises the surfaces by more than its pressure lowers "
-                               "them, so that it grows by itself; give a load instead",
+    throw ConvergenceError("thermoelastic instability at " + describe(drive) +
+                               ": thermal expansion exceeds elastic compression, so the contact "
+                               "grows without bound; prescribe the load instead",
                            solution.iterations, solution.error);
   }
   if (!finite) {
-    throw ConvergenceError("contact did not converge at " + describe(drive) +
-                               ": the solution is beyond the range of numbers",
-                           solution.iterations, solution.error);
+    throw ConvergenceError(
+        "contact did not converge at " + describe(drive) + ": the solution is not finite",
+        solution.iterations, solution.error);
   }
   if (heated_ && !solution.converged && solution.negative_curvatures > 0) {
-    throw ConvergenceError("the contact may be thermoelastically unstable at " + describe(drive) +
-                               ": frictional heat makes the operator indefinite " +
+    throw ConvergenceError("possible thermoelastic instability at " + describe(drive) +
+                               ": frictional heating made the operator indefinite in " +
                                std::to_string(solution.negative_curvatures) +
-                               " times on the way; error " + to_short_text(solution.error) +
-                               " after " + std::to_string(solution.iterations) +
-                               " iterations, tol " + to_text(settings.tol) +
-                               ": take a smaller load, speed or friction",
+                               " iterations; error " + to_short_text(solution.error) + " after " +
+                               std::to_string(solution.iterations) + " iterations, tol " +
+                               to_text(settings.tol) + ": reduce the load, speed or friction",
                            solution.iterations, solution.error);
   }
   if (!solution.converged) {
@@ -176,7 +175,7 @@ void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
                                to_short_text(solution.error) + " after " +
                                std::to_string(solution.iterations) + " iterations, tol " +
                                to_text(settings.tol) +
-                               ": allow more max_iterations, a larger tol, or smaller cells",
+                               ": increase max_iterations or tol, or use smaller cells",
                            solution.iterations, solution.error);
   }
 }

@@ -35,7 +35,7 @@ constexpr double always_solved = 2;
 operators::SurfaceInfluence frictionless(const operators::SharedMedium& body1,
                                          const operators::SharedMedium& body2) {
   if (body1->is_rigid() && body2->is_rigid()) {
-    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
+    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be deformable");
   }
   operators::SurfaceInfluence influence;
   influence.add(body1);
@@ -289,25 +289,25 @@ void require_solved(const PartialSlipSolution& solution, Given normal,
                     const ContactSettings& settings, bool may_have_none) {
   const ShearSolution& shear = solution.tangential;
   if (!is_finite(solution.normal) || !all_finite(shear.shear) || !all_finite(shear.slip)) {
-    throw ConvergenceError("stick and slip did not converge at " + describe(Drive{normal}) +
-                               ": the solution is beyond the range of numbers",
+    throw ConvergenceError("partial slip did not converge at " + describe(Drive{normal}) +
+                               ": the solution is not finite",
                            solution.normal.iterations + shear.iterations, solution.normal.error);
   }
   if (solution.normal.converged) return;
-  std::string text = "stick and slip did not converge at " + describe(Drive{normal}) + ": ";
+  std::string text = "partial slip did not converge at " + describe(Drive{normal}) + ": ";
   if (shear.converged && solution.normal.error > settings.tol) {
-    text += "error of the pressure " + to_short_text(solution.normal.error);
+    text += "pressure error " + to_short_text(solution.normal.error);
   } else {
-    text += "error of the shear " + to_short_text(shear.error);
+    text += "shear error " + to_short_text(shear.error);
   }
   text += " after " + std::to_string(solution.sweeps) + " sweeps, tol " + to_text(settings.tol) +
-          "; reached: tangential_load = (" + to_short_text(shear.force[0], 6) + ", " +
+          "; reached tangential_load = (" + to_short_text(shear.force[0], 6) + ", " +
           to_short_text(shear.force[1], 6) + ") N, torque = " + to_short_text(shear.force[2], 6) +
-          " N m: take a smaller force or increment, or a larger tol";
+          " N m: reduce the force or increment, or increase tol";
   if (may_have_none) {
     text +=
-        "; bodies unlike with so much friction may have no solution, as cells at the edge can "
-        "neither stick nor part: take a friction of at most " +
+        "; dissimilar materials with this much friction may have no solution, because edge cells "
+        "can neither stick nor separate: use friction of at most " +
         to_text(always_solved) + " times the pressure";
   }
   throw ConvergenceError(text, solution.normal.iterations + shear.iterations,

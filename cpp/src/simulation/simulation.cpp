@@ -123,7 +123,7 @@ Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
       state_(scene_, settings.residual_stress) {
   if (!grid.has_volume() && (body1.is_plastic() || body2.is_plastic())) {
     throw std::invalid_argument(
-        "dz must be given for an inelastic body: its layers are as many as it needs");
+        "dz is required for an elastic-plastic body; the number of layers is chosen automatically");
   }
   scans({});
 }
@@ -151,7 +151,7 @@ void Simulation::check(const Target& target) const {
   }
   if (scene_->contact_law->attracts()) {
     throw std::invalid_argument(
-        "pressure cannot be given for bodies that attract each other: no contact is solved then");
+        "pressure cannot be prescribed for surfaces with attraction: no contact would be solved");
   }
   contact::require_surface(target.tractions.pressure, scene_->grid, "pressure");
   for (const Field* shear : {&target.tractions.shear_x, &target.tractions.shear_y}) {
@@ -197,10 +197,10 @@ State Simulation::heated_by_slip(Target target) {
     anderson.next(power, change);
     for (double& q : power) q = std::max(q, 0.0);
   }
-  throw ConvergenceError("slip and the heat that it makes did not settle at " + describe(target) +
-                             ": relative change " + to_short_text(error) + " after " +
-                             std::to_string(most_heatings) +
-                             " solves: take a longer duration or a smaller increment",
+  throw ConvergenceError("coupled slip and frictional heating did not converge at " +
+                             describe(target) + ": relative change " + to_short_text(error) +
+                             " after " + std::to_string(most_heatings) +
+                             " solves: use a longer duration or a smaller increment",
                          most_heatings, error);
 }
 
@@ -223,7 +223,7 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
   const Grid grid = whole.grid(scene_->grid);
   if (!scene_->bodies[body].is_plastic()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
-                                " is not inelastic: it has no plastic strain to set");
+                                " is not elastic-plastic: its plastic strain cannot be set");
   }
   const std::size_t cells = grid.volume_size();
   require_field(strain, 6 * cells, "strain", shape_text({6, grid.nx, grid.ny, grid.nz}));
@@ -274,7 +274,7 @@ void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& 
   const bool inside = Box::surface(grid).contains({box.i0, box.j0, box.nx, box.ny, 1}) && k0 >= 0 &&
                       box.nz > 0 && (grid.nz == 0 || down.nz <= grid.nz);
   if (!inside || box.empty() || has_no_end(down, grid)) {
-    throw std::invalid_argument("the box of an eigenstrain must lie in the grid");
+    throw std::invalid_argument("the box of an eigenstrain must lie inside the grid");
   }
   require_field(strain, 6 * box.volume_size(), "strain", shape_text({6, box.nx, box.ny, box.nz}));
   Eigenstrains sum = state_.eigenstrain;

@@ -258,7 +258,7 @@ def test_a_table_is_a_value():
             [0.0, 0.1],
             [1e9],
             ValueError,
-            "number of values in stress must be that of plastic_strain",
+            "number of values in stress must be the number of values in plastic_strain",
         ),
         ([1e-3, 0.1], [1e9, 2e9], ValueError, "plastic_strain[0] must be 0, the strain at first y"),
         (
@@ -272,7 +272,7 @@ def test_a_table_is_a_value():
             [0.0, 0.1, 0.1],
             [1e9, 2e9, 3e9],
             ValueError,
-            "plastic_strain[2] must be > plastic_strain[1] = 0.1, so that each strain has one",
+            "plastic_strain[2] must be > plastic_strain[1] = 0.1, got 0.1: specify one stress",
         ),
         ([0.0, 0.2, 0.1], [1e9, 2e9, 3e9], ValueError, "plastic_strain[2] must be > plastic_strai"),
         (

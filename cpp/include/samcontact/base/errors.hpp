@@ -39,7 +39,8 @@ std::string to_text(double value);
 std::string to_short_text(double value, int digits = 3);
 
 /// Throws std::invalid_argument "NAME must be ALLOWED, got VALUE" unless `condition` holds.
-void require(bool condition, const std::string& name, const std::string& allowed, double value);
+void require(bool condition, const std::string& name, const std::string& allowed, double value,
+             const std::string& remedy = {});
 
 /// Throws unless 1e-75 <= value <= 1e75: squares and products must be numbers.
 void require_moderate(const std::string& name, double value, const std::string& unit);

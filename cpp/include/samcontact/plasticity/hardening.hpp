@@ -123,8 +123,9 @@ struct Line {
 
 /// Points of a curve, straight between them and constant beyond the last.
 struct Tabulated {
-  static constexpr auto name = "tabulated",
-                        says = "Points of a curve, straight between them, constant beyond.";
+  static constexpr auto
+      name = "tabulated",
+      says = "Points of a measured curve: piecewise linear, constant beyond the last.";
   static constexpr std::size_t most = 4096;  // points, which attributes of HDF5 files can hold
   std::vector<double> plastic_strain, stress;
   std::vector<double> slopes = {}, works = {};  // from a point on, up to it; made of the others

@@ -30,10 +30,10 @@ Attraction::Attraction(const ContactLaw& law, const Grid& grid,
 Given Attraction::normal(const Given& normal) const {
   if (pull_.empty() || !normal.is_force()) return normal;
   const double repulsion = normal.value + force_;
-  require(repulsion >= -rounding_share * force_, "load",
-          "at least " + to_short_text(-force_, 6) +
-              " N, the largest tension that the contact law bears",
-          normal.value);
+  require(
+      repulsion >= -rounding_share * force_, "load",
+      "at least " + to_short_text(-force_, 6) + " N, the maximum tensile force of the contact law",
+      normal.value);
   return Given::force(repulsion > rounding_share * force_ ? repulsion : 0.0);
 }
 

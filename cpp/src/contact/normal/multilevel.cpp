@@ -309,7 +309,7 @@ Solution Multilevel::solve_beside_ends(const Field& initial_gap, Given normal, F
     }
     if (!touches) return solution;
   }
-  throw ConvergenceError("the contact reaches into cells without a body, where the gap is infinite",
+  throw ConvergenceError("the contact extends into cells without a body (infinite gap)",
                          max_iterations, INFINITY);
 }
 

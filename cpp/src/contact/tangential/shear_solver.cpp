@@ -263,7 +263,8 @@ std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box, int
   }
   const double more = static_cast<double>(box.surface_size()) -
                       static_cast<double>(kept ? kept->box().surface_size() : 0);
-  require_memory(more * (margin > 0 ? rolling_bytes : stick_slip_bytes), "stick and slip");
+  require_memory(more * (margin > 0 ? rolling_bytes : stick_slip_bytes),
+                 "the partial-slip solution");
   kept.reset();  // the two together may not fit
   const Grid grid = Box{0, 0, box.nx, box.ny, 0}.grid(grid_);
   kept = std::make_shared<const Level>(grid, margin, influence_);

@@ -33,10 +33,11 @@ HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic
   const double diffused = std::sqrt(thermal.diffusivity * settings.shortest);
   const double cell = std::max(grid.dx, grid.dy);
   require(diffused >= least_diffused * cell, "shortest (of heat_history)",
-          "long enough for heat to diffuse over " + to_short_text(least_diffused) + " of a cell, " +
+          "at least " +
               to_short_text(cell * cell * least_diffused * least_diffused / thermal.diffusivity) +
-              " s with cells of " + to_short_text(cell) + " m and a diffusivity of " +
-              to_short_text(thermal.diffusivity) + " m^2/s",
+              " s, the time in which heat diffuses over " + to_short_text(least_diffused) +
+              " of a cell (cells of " + to_short_text(cell) + " m, diffusivity " +
+              to_short_text(thermal.diffusivity) + " m^2/s)",
           settings.shortest);
   plan_ = std::make_shared<const HeatPlan>(grid, thermal, elastic, speed_x, speed_y, settings);
   near_.assign(plan_->near.rates().size() * grid.surface_size(), 0.0);
@@ -165,7 +166,7 @@ void HeatHistory::set_state(std::span<const double> state) {
   const int generations = plan_->modes.generations();
   if (state.size() !=
       1 + plane + near_.size() + 2 * levels + 2 * plan_->modes.size() * generations) {
-    throw std::invalid_argument("the state of the heat belongs to another history");
+    throw std::invalid_argument("the heat state belongs to a different heat history");
   }
   const double* from = state.data() + 1;
   const auto take = [&](auto to, std::size_t count) {

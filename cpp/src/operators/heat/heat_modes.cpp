@@ -232,8 +232,8 @@ void HeatModes::require_memory_of(const HeatLevel& level, double scale) const {
   // An increment has those of the state before and of its own.
   const double amplitudes = 2.0 * sizeof(Complex) * (generations() + 1);
   require_memory(modes * (sizeof(HeatMode) + 0.5 * nodes * amplitudes),
-                 "the heat of the past, followed from steps of " +
-                     to_short_text(resolution_.shortest) + " dx^2/diffusivity on,");
+                 "the heat history, resolved down to time steps of " +
+                     to_short_text(resolution_.shortest) + " dx^2/diffusivity,");
 }
 
 /// s = scale sinh(theta): integrands have their poles at s = +-i w, w >= scale, where the imaginary

@@ -80,9 +80,8 @@ class HalfSpace : public Medium {
     if (settings.method == ResidualMethod::exact) {
       if (grid.period.is_on()) {
         throw std::invalid_argument(
-            "residual_stress must be \"fast\" on a periodic grid, got \"exact\": there are no "
-            "closed "
-            "forms for its lattice sums");
+            "residual_stress must be \"fast\" on a periodic grid, got \"exact\": the exact kernels "
+            "have no closed-form lattice sums");
       }
       return std::make_unique<CuboidResidualStress>(grid, transform, elastic_);
     }

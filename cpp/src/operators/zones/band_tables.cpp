@@ -260,7 +260,7 @@ Field BandTables::joined_far_tables(const Split& split, const KernelOffsets& off
   const int kept = nodes_in(middle_.reach(), bands_.far_spacing);
   const auto [nx, ny] = offsets;
   const std::size_t plane = static_cast<std::size_t>(nx) * ny;
-  if (what == What::heat) throw std::logic_error("heat on a surface whose ends are joined");
+  if (what == What::heat) throw std::logic_error("heating of a periodic surface");
   Field out = what == What::stress
                   ? repeated_->stress(traction, at, tensor)
                   : repeated_->residual_displacement(axis_along(traction), static_cast<int>(at));

@@ -215,10 +215,10 @@ void Division::refuse(const std::string& parts) const {
   // The length of parts goes with the fourth root of the tolerance.
   const double enough = settings_.increment_tol / std::pow(done_, 4);
   const bool known = short_parts_ >= most_parts && enough < 1.0;
-  throw std::invalid_argument("increment_tol " + to_text(settings_.increment_tol) + " asks for " +
-                              parts + " of the increment to " + describe(target_) +
-                              ": take smaller increments or a larger tolerance" +
-                              (known ? ", about " + to_short_text(enough) : ""));
+  throw std::invalid_argument("increment_tol = " + to_text(settings_.increment_tol) +
+                              " would require " + parts + " of the increment to " +
+                              describe(target_) + ": use smaller increments, or increment_tol " +
+                              (known ? ">= " + to_short_text(enough) : "larger than this"));
 }
 
 State Division::walk() {
@@ -230,7 +230,7 @@ State Division::walk() {
       std::optional<State> next = next_part(goal, factor);
       if (!next) {
         length = factor * (goal - done_);
-        if (length < least) refuse("parts smaller than " + to_text(least));
+        if (length < least) refuse("sub-increments smaller than " + to_text(least));
         continue;
       }
       add_part(moment_, *next);
@@ -240,7 +240,7 @@ State Division::walk() {
       done_ = goal;
       if (factor < 2.0) ++short_parts_;  // the tolerance keeps them short, not convergence
       if (short_parts_ >= most_parts && done_ < 1.0)
-        refuse("more than " + std::to_string(most_parts) + " parts");
+        refuse("more than " + std::to_string(most_parts) + " sub-increments");
     } catch (const ConvergenceError&) {
       length = 0.5 * (goal - done_);
       ++counters_.halvings;

@@ -110,12 +110,12 @@ class FixedPoint {
 
  private:
   ConvergenceError not_converged() const {
-    return {"the plastic increment to " + describe(target_) + " did not converge in " +
-                std::to_string(settings_.max_iterations) + " iterations: relative change " +
-                to_short_text(residual_) + ", yield excess " + to_short_text(result_.excess) +
-                ", tol " + to_text(settings_.tol) +
-                "; take smaller increments, residual_stress = \"fast\", more "
-                "max_iterations or a larger tol",
+    return {"plastic strain did not converge at " + describe(target_) + ": relative change " +
+                to_short_text(residual_) + ", yield violation " + to_short_text(result_.excess) +
+                " after " + std::to_string(settings_.max_iterations) + " iterations, tol " +
+                to_text(settings_.tol) +
+                ": use smaller increments, residual_stress = \"fast\", or a larger max_iterations "
+                "or tol",
             settings_.max_iterations, residual_};
   }
 

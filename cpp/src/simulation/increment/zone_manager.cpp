@@ -65,9 +65,10 @@ void ZoneManager::set_zones(PlasticBody& body, const Zones& zones, bool split) {
 
 std::invalid_argument ZoneManager::flows_as_a_whole(const PlasticBody& body) const {
   return std::invalid_argument(
-      "at " + describe(task_.target) + " plastic flow of body " + std::to_string(body.index() + 1) +
-      " has no end: the half-space yields as a whole, or farther than three widths of the grid. "
-      "Take a smaller load, or a wider grid");
+      "at " + describe(task_.target) + " the plastic zone of body " +
+      std::to_string(body.index() + 1) +
+      " is unbounded (whole half-space, or beyond three grid widths): reduce the load or widen the "
+      "grid");
 }
 
 /// Its whole box; empty before there is one.

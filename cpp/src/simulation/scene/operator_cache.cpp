@@ -20,7 +20,7 @@ constexpr std::size_t large_box = 1'000'000;
 
 void require_volume(const Grid& grid, const Media& media, int body) {
   if (!grid.has_volume()) {
-    throw std::invalid_argument("the grid has no dz: fields below the surface need layers");
+    throw std::invalid_argument("the grid has no dz: fields below the surface require layers");
   }
   if (media[body]->is_rigid()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +

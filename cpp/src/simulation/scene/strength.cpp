@@ -59,7 +59,7 @@ Strength::Strength(const plasticity::Body& body, const Grid& grid, const Relief&
   if (variation.depth.empty()) return;
   const double deepest = variation.depth.back();
   require(!(dz > 0) || deepest <= most_layers * dz,
-          "the deepest z of a yield profile or residual stress, or of layers,",
+          "the maximum depth of a yield profile, residual stress or layers",
           "at most " + to_text(most_layers * dz) + " m, " + to_text(most_layers) + " layers of dz",
           deepest);
   for (std::size_t n = 1; n < variation.depth.size(); ++n) {

@@ -83,10 +83,10 @@ void require_followed(const Eigenstrains& strains, const Scene& scene, const Tra
         scene.friction.sticks() ? travel[0] == travel[1] : travel[b] == std::round(travel[b]);
     if (!strains[b] || follows) continue;
     throw std::invalid_argument(
-        "an eigenstrain moves with a body by whole cells only where no body can yield or has a "
-        "relief, and with stick and slip by the same way of both: take such an advance, or give "
-        "body " +
-        std::to_string(b + 1) + " a relief of zeros");
+        "without an elastic-plastic body or a relief, a body with an eigenstrain must advance by "
+        "whole cells, and under partial slip both bodies by equal distances: change advance, or "
+        "set a relief of zeros for body " +
+        std::to_string(b + 1));
   }
 }
 

@@ -21,7 +21,7 @@ namespace samcontact::contact {
 /// Body 1 slides over body 2 towards +x everywhere: the shear is mu p, and is not solved for.
 struct GrossSliding {
   static constexpr auto name = "gross_sliding",
-                        says = "Gross sliding along x, with the shear mu p.";
+                        says = "Full sliding along x with the shear stress mu p.";
   static constexpr bool sticks = false;
   double coefficient;
 
@@ -36,7 +36,7 @@ struct GrossSliding {
 
 /// At most mu p.
 struct Coulomb {
-  static constexpr auto name = "coulomb", says = "Coulomb's law: the shear is at most mu p.";
+  static constexpr auto name = "coulomb", says = "Coulomb friction: shear stress of at most mu p.";
   static constexpr bool sticks = true;
   double coefficient;
 
@@ -51,7 +51,8 @@ struct Coulomb {
 
 /// At most k, at any pressure.
 struct Tresca {
-  static constexpr auto name = "tresca", says = "A shear of at most k, at any pressure.";
+  static constexpr auto name = "tresca",
+                        says = "Tresca friction: shear stress of at most k at any pressure.";
   static constexpr bool sticks = true;
   double limit;
 
@@ -66,7 +67,9 @@ struct Tresca {
 
 /// At most mu p, and at most k.
 struct CappedCoulomb {
-  static constexpr auto name = "capped_coulomb", says = "A shear of at most mu p, and at most k.";
+  static constexpr auto name = "capped_coulomb",
+                        says =
+                            "Capped Coulomb friction: shear stress of at most mu p and at most k.";
   static constexpr bool sticks = true;
   double coefficient, limit;
 

@@ -27,7 +27,7 @@ class VolumeMedium : public Medium {
 
  private:
   [[noreturn]] static void fail() {
-    throw std::logic_error("a medium knows its volume only, and not all of that");
+    throw std::logic_error("this medium has coefficients of some volume operators only");
   }
 };
 
