@@ -27,13 +27,13 @@ void check_signals() {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
-/// Raises MemoryError when there is less.
+/// Raises MemoryError if less memory is available.
 void check_memory(double bytes, const std::string& what) {
   const py::gil_scoped_acquire gil;
   py::module_::import("samcontact._util.memory").attr("require")(what, bytes);
 }
 
-/// The core works on in a child that was forked between, or during, calls of it.
+/// Keeps the core usable in a child process forked between or during its calls.
 void prepare_for_forks() {
   const auto lock = [] {
     fft::lock_plans();

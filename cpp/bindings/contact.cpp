@@ -67,7 +67,7 @@ py::array_t<bool> flags_array(const std::vector<unsigned char>& flags, const Gri
   return array;
 }
 
-/// Fields of a StickSlipSolution, without the totals of increments before.
+/// Fields of a StickSlipSolution, without the totals of earlier increments.
 py::dict to_python(contact::PartialSlipSolution solution,
                    const contact::PartialSlipContact& contact) {
   auto& [normal, tangential, sweeps] = solution;
@@ -131,7 +131,7 @@ py::dict roll(const contact::PartialSlipContact& contact, const Array& gap, bool
   return to_python(std::move(solution), contact);
 }
 
-/// Shear s_x on body 2 that goes with a pressure; None without friction.
+/// Shear s_x on body 2 that follows from a pressure; None without friction.
 py::object shear(const ContactSolver& solver, const Array& pressure) {
   Field along_x = solver.friction().tractions(to_field(pressure)).shear_x;
   if (along_x.empty()) return py::none();

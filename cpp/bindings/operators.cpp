@@ -33,7 +33,7 @@ py::array residual_stress(const Grid& grid, const Array& strain, const Elastic& 
   return tensor_array(std::move(stress), grid, grid.nz);
 }
 
-/// Along x, y or z: axis 0, 1 or 2.
+/// Axis 0, 1 or 2: along x, y or z.
 py::array residual_displacement(const Grid& grid, const Array& strain, double nu, int axis) {
   const Field field = to_field(strain);
   Field out(grid.surface_size());
@@ -47,7 +47,7 @@ py::array residual_displacement(const Grid& grid, const Array& strain, double nu
   return surface_array(std::move(out), grid);
 }
 
-/// Along x, y or z: axis 0, 1 or 2.
+/// axis: 0, 1 or 2 along x, y or z.
 py::array surface_displacement(const Grid& grid, const Stack& body, const Array& pressure,
                                const py::object& shear_x, const py::object& shear_y, int axis) {
   const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
@@ -74,8 +74,8 @@ py::array surface_stress(const Grid& grid, const Stack& body, const operators::H
   return tensor_array(std::move(out), grid, static_cast<py::ssize_t>(z.size()));
 }
 
-/// By zones (i0, j0, nx, ny, nz): stress there, 0 elsewhere, of a strain and of tractions on body
-/// 2, and displacement [axis][i][j] of the strain.
+/// Stress in zones (i0, j0, nx, ny, nz), 0 elsewhere, due to a strain and to tractions on body 2,
+/// and displacement [axis][i][j] due to the strain, by the operators of zones.
 std::pair<py::array, py::array> zone_fields(const Grid& grid, const Elastic& elastic,
                                             const std::vector<std::array<int, 5>>& boxes,
                                             const Array& strain, const py::object& pressure,
@@ -147,7 +147,7 @@ namespace {
 
 using operators::HeatHistory;
 
-/// Knows the shapes that the core does not.
+/// Heat history with the shapes of its arrays, which the core does not know.
 struct BoundHistory {
   Grid grid;
   HeatHistory history;

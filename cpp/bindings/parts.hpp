@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Described parts of the core's data as a dictionary of numbers, arrays and dictionaries, and back.
+// Conversion of described data of the core to a dictionary of numbers, arrays and dictionaries, and
+// back.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -25,10 +26,10 @@ namespace samcontact::bindings {
 
 namespace py = pybind11;
 
-/// A field or list, which becomes an array of one dimension.
+/// Field or list, converted to an array of one dimension.
 template <class T>
 concept Sequence = requires(T part) { part.resize(0); };
-/// One of some whole numbers each, which becomes an array of two.
+/// List of records of a few integers, converted to an array of two dimensions.
 template <class T>
 concept Rows = Sequence<T> && (std::is_same_v<typename T::value_type, Box> ||
                                std::is_same_v<typename T::value_type, simulation::Cell>);
@@ -47,7 +48,7 @@ py::array_t<std::int64_t> rows_of(const T& part) {
   return rows;
 }
 
-/// Throws std::invalid_argument unless each row has as many numbers as it should, in range.
+/// Throws std::invalid_argument unless each row has the right number of integers, in range.
 template <Rows T>
 void read_rows(const std::string& name, const py::object& kept, T& part) {
   const auto rows = kept.cast<py::array_t<std::int64_t, py::array::c_style>>();
@@ -73,11 +74,10 @@ py::array_t<typename T::value_type> array_of(const T& part, const py::object& ow
   return view;
 }
 
-/// Visits what is described, and takes all of it or the part of one name. Empty sequences are left
-/// out.
+/// Visitor that stores all described parts, or the part of one name. Empty sequences are omitted.
 class PartWriter {
  public:
-  /// owner: Python's object of what is visited, of whose sequences views are taken; None: copies.
+  /// owner: Python object that owns the visited data, for views of its sequences; None: copies.
   explicit PartWriter(std::string only = {}, py::object owner = py::none())
       : only_(std::move(only)), owner_(std::move(owner)) {}
 
@@ -98,7 +98,7 @@ class PartWriter {
   }
 
   py::dict content;
-  bool found = false;  // whether there is a part of the name
+  bool found = false;  // whether a part with the name exists
 
  private:
   bool wants(const std::string& name) {
@@ -129,13 +129,13 @@ class PartWriter {
   py::object owner_;
 };
 
-/// The reverse: fills what it visits. Throws std::invalid_argument for a part that is missing or of
-/// another kind, and for numbers that are not finite.
+/// Visitor that fills the described parts. Throws std::invalid_argument for a part that is missing
+/// or has the wrong type, and for numbers that are not finite.
 class PartReader {
  public:
   explicit PartReader(const py::dict& content) : left_(content.attr("copy")()) {}
 
-  /// Throws std::invalid_argument for what nothing asked for.
+  /// Throws std::invalid_argument if an unknown part is left.
   void require_no_more() const {
     if (left_.empty()) return;
     throw std::invalid_argument("unknown part: " + py::str(*py::iter(left_)).cast<std::string>());
@@ -205,7 +205,7 @@ class PartReader {
     }
   }
 
-  py::dict left_;  // what has not been read yet
+  py::dict left_;  // parts that have not been read yet
 };
 
 }  // namespace samcontact::bindings

@@ -19,7 +19,7 @@ using simulation::Simulation;
 using simulation::State;
 using simulation::Target;
 
-/// Each None or (heights (rows, ny), first row, whether periodic, what is worn off or None).
+/// Each None or (heights (rows, ny), first row, whether periodic, worn depth or None).
 simulation::Reliefs to_reliefs(const std::array<py::object, 2>& given) {
   simulation::Reliefs reliefs;
   for (int b = 0; b < 2; ++b) {

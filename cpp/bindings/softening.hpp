@@ -9,11 +9,11 @@
 
 namespace samcontact::bindings {
 
-/// A Python function of the rise of temperature (nx, ny, nz), called with the GIL. A law may refer
-/// to its simulation, and Python's garbage collector does not see what the core owns: Python's
-/// simulation owns the law, and the core has a weak reference.
+/// Python function of the temperature rise (nx, ny, nz), called with the GIL. A law may refer to
+/// its simulation, and Python's garbage collector cannot see references held by the core: Python's
+/// simulation therefore owns the law, and the core has a weak reference.
 inline simulation::Softening softening_law(const py::object& law, const Grid& grid) {
-  // The last owner may let go of it on any thread.
+  // The last owner may release it on any thread.
   const std::shared_ptr<py::weakref> known(new py::weakref(law), [](py::weakref* p) {
     const py::gil_scoped_acquire gil;
     std::default_delete<py::weakref>()(p);

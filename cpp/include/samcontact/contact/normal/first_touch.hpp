@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cells that touch for the first time within an increment: what they slip in touch.
+// Newly contacting cells of an increment: the part of the slip that occurs after first contact.
 #pragma once
 
 #include "samcontact/base/grid.hpp"
@@ -7,25 +7,26 @@
 
 namespace samcontact::contact {
 
-/// Sliding under a wave of shear across its direction over that along it: 1/(1 - nu).
+/// Ratio of the tangential displacements under Fourier modes of shear across and along their
+/// wavevector: 1/(1 - nu) [-].
 double crosswise_compliance(const Grid& grid, const operators::TangentialInfluence& influence);
 
-/// Increment of a contact that grows.
+/// Increment in which the contact grows.
 struct Growth {
-  const Field& before;    // pressure [i][j]
-  const Field& pressure;  // at its end
-  const Field& gap;       // before [m]
-  double closer;          // by which the bodies approach [m], > 0
-  /// The rigid motion where it is given, and what it is at most for its shear [m].
+  const Field& before;    // pressure [i][j] before the increment
+  const Field& pressure;  // pressure at its end
+  const Field& gap;       // gap before the increment [m]
+  double closer;          // increment of the approach [m], > 0
+  /// Rigid tangential motion if it is prescribed, and its upper limit for the shear [m].
   double slid, most_slid;
 };
 
-/// Symmetric matrices [xx, xy, yy][i][j]: what cells slip of a rigid motion while they touch, as if
-/// displaced over the whole increment. Rigid bodies that approach steadily close a gap after its
-/// share of the increment; elastic displacement changes what they close and what they slip before
-/// in one proportion across the edge of the contact and in another along it, those of a round
-/// contact as it grows. Motions beyond what shear displaces do not change that. Empty where nothing
-/// touches for the first time.
+/// Symmetric matrices [xx, xy, yy][i][j]: the part of a rigid motion that cells slip while they
+/// touch, relative to the whole increment. Rigid bodies that approach at constant speed close a gap
+/// after the corresponding fraction of the increment. Elastic displacement changes the closed gap
+/// and the previous slip by one factor across the edge of the contact and by another along it:
+/// those of a growing round contact. Motions larger than the elastic displacement due to shear do
+/// not change these factors. Empty if no cell comes into contact.
 Field slip_in_touch(const Grid& grid, const Growth& growth, double crosswise);
 
 }  // namespace samcontact::contact

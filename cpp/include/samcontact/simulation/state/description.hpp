@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is kept of a state, told once: all that later increments and its fields depend on, by name.
+// Named parts of a state that later increments and its fields depend on, described in one place for
+// checkpoints and bindings.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@
 
 namespace samcontact::simulation {
 
-/// A plastic history in plain fields, of its zones.
+/// Plastic history as plain fields over its zones.
 struct PlasticRecord {
   fft::Symmetry symmetry{};
   operators::Tensor tensor{};
@@ -26,21 +27,22 @@ struct PlasticRecord {
 };
 
 PlasticRecord record(const PlasticState& history);
-/// The reverse, of a body with some backstresses. Throws std::invalid_argument for what does not
-/// fit the grid.
+/// Plastic history of a record, for a body with the given number of backstresses. Throws
+/// std::invalid_argument for a record that does not match the grid.
 std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Grid& grid,
                                            std::size_t backstresses);
 
-/// Throws std::invalid_argument unless the parts of a state fit each other and its scene.
+/// Throws std::invalid_argument unless the parts of a state match each other and its grid and
+/// bodies.
 void require_consistent(const State& state);
 
 template <class Part, class Of>
 concept Is = std::same_as<std::remove_const_t<Part>, Of>;
 
-// `visit` is called with name and reference of each part: a number, some numbers, an enumeration, a
-// field, or what is described itself. visit.maybe_nan is the same for a number that may be NaN.
-// visit.made has a part that is never changed once made, null without: how it becomes a plain one,
-// and how it is made of that.
+// `visit` is called with the name and a reference of each part: a number, an array of numbers, an
+// enumeration, a field, or a described object. visit.maybe_nan is its counterpart for a number that
+// may be NaN. visit.made has an immutable part, or null, with the functions that convert it to a
+// plain part and back.
 
 template <Is<Counters> C, class Visitor>
 void describe(C& c, Visitor& visit) {
