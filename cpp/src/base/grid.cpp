@@ -14,7 +14,8 @@ void require_size(const char* name, double value) {
   require_moderate(name, value, "[m]");
 }
 
-/// Lattice sums of cells that are much longer than the period across take long, and mean nothing.
+/// Lattice sums of cells that are much longer than the period in the other direction are slow and
+/// meaningless.
 constexpr double longest_cell = 8.0;
 
 void require_short(const char* name, double cell, const char* of, double period) {

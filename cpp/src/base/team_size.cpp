@@ -8,9 +8,10 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A thread that waited for more than this part of a window has no processor of its own.
+/// A thread that waited for more than this fraction of an interval has no processor of its own.
 constexpr double late_share = 0.2;
-/// Tries take at most one part in so many of the time: so much is lost on a machine that is busy.
+/// Trials take at most the fraction 1 / share_of_tries of the time, which is the loss on a busy
+/// machine.
 constexpr int share_of_tries = 20;
 constexpr milliseconds shortest_pause{200}, longest_pause{5000};
 

@@ -16,18 +16,19 @@ namespace samcontact::contact {
 namespace {
 
 constexpr int max_coupling_iterations = 200;
-// Shear that turns by 90 degrees from round to round grows beyond mu beta = 1 of the bodies, though
-// the scene has a solution for any mu: from this contraction on rounds are accelerated.
+// With dissimilar materials, shear that rotates by 90 degrees from iteration to iteration grows
+// beyond mu beta = 1, although a solution exists for any mu: from this contraction factor on, the
+// iterations are accelerated.
 constexpr double slow_contraction = 0.5;
 constexpr int coupling_depth = 12;
-/// A contact over so much of the grid has no shape that a larger one would hold.
+/// Fraction of the grid in contact above which no larger grid would contain the contact.
 constexpr double covered = 0.9;
 
 bool is_zero(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
 }
 
-/// Largest repulsion on the sides of the grid across x and across y.
+/// Largest repulsion in the outermost cells of the grid, at the edges normal to x and to y.
 std::array<double, 2> border_repulsion(const Grid& grid, const Field& repulsion) {
   std::array<double, 2> largest{};
   const auto at = [&](int i, int j) {
@@ -77,7 +78,7 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
   return influence;
 }
 
-/// The coupling to try next, in place of what came of `tried`.
+/// Next estimate of the coupling, from the result for `tried`.
 void accelerate(Anderson& anderson, Field& tried, Field& coupling) {
   for (std::size_t i = 0; i < tried.size(); ++i) coupling[i] -= tried[i];
   anderson.next(tried, std::move(coupling));
@@ -245,14 +246,14 @@ Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pres
     if (!solution.converged) break;
     std::swap(previous, coupling);
     update_coupling(solution.tractions.pressure);
-    // The gap with the updated coupling; its scale is the elastic displacement in the contact.
+    // Gap with the updated coupling; its scale is the elastic displacement in the contact.
     double scale = 0.0;
     for (std::size_t i = 0; i < gap.size(); ++i) {
       scale = std::max(scale, std::fabs(solution.gap[i] + solution.motion.approach - lagged[i]));
     }
     const double change =
         change_in_contact(coupling, previous, solution.tractions.pressure, load_driven);
-    // Surfaces that are apart may be so because of shear that is gone.
+    // The surfaces may be separated by shear that no longer exists.
     const bool parted = solution.load == 0 && !is_zero(previous);
     const double error = parted ? 1.0 : scale > 0 ? change / scale : 0.0;
     slow = slow || (n > 0 && error > slow_contraction * outer_error);
@@ -260,7 +261,7 @@ Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pres
     solution.error += outer_error;
     for (std::size_t i = 0; i < gap.size(); ++i) solution.gap[i] += coupling[i] - previous[i];
     if (load_driven) {
-      // The part of the change that is uniform over the contact moves the bodies.
+      // The part of the change that is uniform over the contact is a rigid-body motion.
       const double shift = contact_mean(solution.tractions.pressure, solution.gap);
       for (double& g : solution.gap) g -= shift;
       solution.motion.approach += shift;

@@ -16,20 +16,21 @@ namespace samcontact::contact {
 namespace {
 
 constexpr int most_sweeps = 100, most_steps = 100;
-/// Sweeps remembered: cells change sides between them, which makes the older ones useless.
+/// Number of sweeps used by the acceleration: cells change sides between sweeps, which makes older
+/// ones useless.
 constexpr int anderson_depth = 4;
-/// What is solved within a sweep: of the error that the last one left, and in the first.
+/// Tolerance within a sweep: relative to the error of the previous sweep, and in the first sweep.
 constexpr double inner_share = 0.1, loosest = 1e-2;
-/// Of the tolerance: the last sweep stays within it.
+/// Factor of the tolerance, so that the last sweep stays within it.
 constexpr double safety = 0.5;
 /// e_t is relative to the stiffness of the whole contact, and the shear of single cells is off by
-/// up to 25 times as much: tolerances below `fine`, but for rounding, are met with this share of
-/// them.
+/// up to 25 times as much: tolerances below `fine`, except those near rounding, are multiplied by
+/// this factor.
 constexpr double shear_share = 0.5, fine = 1e-6, rounding = 1e-12;
-/// A shear of this share of its bound is on it.
+/// A shear of at least this fraction of its bound is on it.
 constexpr double on_circle = 1 - 1e-9;
-/// Friction of unlike bodies beyond which an increment may have no solution. A cell whose shear
-/// lifts it is pulled where it sticks, and overlaps where it is free.
+/// Friction ratio of dissimilar materials above which an increment may have no solution: a cell
+/// whose shear lifts it is in tension if it sticks, and interpenetrates if it is free.
 constexpr double always_solved = 2;
 
 operators::SurfaceInfluence frictionless(const operators::SharedMedium& body1,
@@ -67,7 +68,7 @@ PartialSlipContact::PartialSlipContact(const Grid& grid, const operators::Shared
   assert(friction.sticks());
 }
 
-/// One increment.
+/// Solution of one increment.
 class PartialSlipContact::Sweeps {
  public:
   Sweeps(const PartialSlipContact& contact, const Field& gap, Given normal,
@@ -90,8 +91,8 @@ class PartialSlipContact::Sweeps {
     raise(before.shear, raised_);
   }
 
-  /// Bodies that act on each other do so through raised_, which is iterated until it is what the
-  /// shear raises.
+  /// Coupled bodies interact through raised_, which is iterated until it equals the displacement
+  /// due to the shear.
   PartialSlipSolution run(Field pressure, const PartialSlipStart& start) {
     s_.tangential.shear = start.shear;
     s_.tangential.sticking = start.sticking;
@@ -117,7 +118,7 @@ class PartialSlipContact::Sweeps {
   }
 
  private:
-  /// Pressure under what shear raises.
+  /// Solves for the pressure at the present normal displacement due to shear.
   void press(Field pressure, double tol) {
     Field gap = gap_;
     if (!raised_.empty()) add_scaled(1.0, raised_, gap);
@@ -131,7 +132,7 @@ class PartialSlipContact::Sweeps {
                  rolls_ ? rolling_motions : increment_motions);
   }
 
-  /// What a displacement loses from the cell ahead, per way.
+  /// Replaces a displacement by its decrease from the next cell ahead, per distance rolled.
   void lose_on_the_way(Field& displacement) const {
     const std::size_t row = contact_.grid_.ny;
     for (std::size_t at = 0; at < 2 * n_; ++at) {
@@ -141,7 +142,7 @@ class PartialSlipContact::Sweeps {
     }
   }
 
-  /// Shear under the present pressure.
+  /// Solves for the shear under the present pressure.
   void slide(double tol) {
     const Field& p = s_.normal.tractions.pressure;
     Field free_slip = before_.free_slip;
@@ -177,7 +178,7 @@ class PartialSlipContact::Sweeps {
     s_.tangential.work += before.work;
   }
 
-  /// That of the history, where it slipped with the bound of now; empty: none.
+  /// Shear of the history, scaled to the present bound in cells that slipped; empty: none.
   Field shear_before() const {
     if (before_.pressure.empty() || !(longest(before_.shear) > 0)) return {};
     Field shear = before_.shear;
@@ -194,13 +195,13 @@ class PartialSlipContact::Sweeps {
     return shear;
   }
 
-  /// What cells slip in touch where some touch for the first time; empty where there are none, and
-  /// before the first contact: it is pressed, then sheared.
+  /// Part of a rigid motion that newly contacting cells slip; empty if there are none, and before
+  /// the first contact, for which the normal load is applied first.
   Field in_touch() {
     const double closer = s_.normal.motion.approach - before_.approach;
     if (before_.pressure.empty() || before_.has_moved || !(closer > 0)) return {};
     if (gap_before_.empty()) gap_before_ = find_gap_before();
-    // Shear in this proportion to the pressure slides round contacts so far.
+    // Slip of round contacts so far, for a shear with this ratio to the pressure.
     const double ratio = contact_.friction_.ratio(mean_pressure());
     const double most = 0.5 * (1 + contact_.crosswise_) * ratio * closer;
     return slip_in_touch(
@@ -209,7 +210,7 @@ class PartialSlipContact::Sweeps {
         contact_.crosswise_);
   }
 
-  /// Of the contact [m^2].
+  /// Contact area [m^2].
   double area() const {
     const Field& p = s_.normal.tractions.pressure;
     const auto cells = std::count_if(p.begin(), p.end(), in_contact);
@@ -220,7 +221,7 @@ class PartialSlipContact::Sweeps {
     return contact > 0 ? s_.normal.load / contact : 0.0;
   }
 
-  /// The largest given slip, about [m].
+  /// Approximate maximum of the prescribed slip [m].
   double given_motion() const {
     const auto given = [this](int k) {
       return tangential_[k].is_force() ? 0.0 : tangential_[k].value;
@@ -229,7 +230,7 @@ class PartialSlipContact::Sweeps {
     return std::hypot(given(0), given(1)) + 0.5 * size * std::fabs(given(2));
   }
 
-  /// Of the undeformed surfaces as they are now.
+  /// Gap of the present undeformed surfaces under the previous tractions.
   Field find_gap_before() {
     Field gap(n_), raised(n_, 0.0);
     contact_.normal_.displacement().apply(before_.pressure.data(), gap.data(), work_);
@@ -244,8 +245,8 @@ class PartialSlipContact::Sweeps {
     contact_.coupling_.normal(shear.data(), raised.data(), work_);
   }
 
-  /// Gap and error of the pressure under the shear found; returns by how much that raises the
-  /// surfaces beyond raised_.
+  /// Updates gap and pressure error for the present shear; returns the normal displacement due to
+  /// the shear in excess of raised_.
   Field lift_gap() {
     Solution& s = s_.normal;
     const Field& p = s.tractions.pressure;
@@ -253,7 +254,7 @@ class PartialSlipContact::Sweeps {
     raise(s_.tangential.shear, change);
     add_scaled(-1.0, raised_, change);
     for (std::size_t i = 0; i < n_; ++i) {
-      // Nothing is known of the displacement where there is no body.
+      // The displacement is unknown in cells without a body.
       if (std::isinf(gap_[i])) continue;
       displacement[i] = s.gap[i] - gap_[i] - raised_[i] + s.motion.approach;
     }
@@ -275,8 +276,8 @@ class PartialSlipContact::Sweeps {
   const ContactSettings& settings_;
   const bool rolls_;
   const std::size_t n_;
-  Field raised_;       // B s, as it is taken to be; empty where it is zero
-  Field gap_before_;   // empty: not known
+  Field raised_;       // assumed B s; empty if it is zero
+  Field gap_before_;   // empty: unknown
   Field slid_before_;  // B' p of the history
   SlidBefore slid_by_shear_;
   ComplexField work_;
@@ -378,7 +379,7 @@ PartialSlipSolution PartialSlipContact::roll(const Field& gap, Given normal,
   PartialSlipStart begin = start;
   begin.pressure = attraction.repulsion(std::move(begin.pressure));
   begin.pressure.resize(gap.size(), 0.0);
-  // No shear to start from: coarser boxes first.
+  // Without an initial shear, start from coarser boxes.
   if (!begin.shear.empty() && !(longest(begin.shear) > 0)) begin.shear.clear();
   Sweeps sweeps(*this, attraction.gap(), repelling, creepage, none, settings, true);
   return finished(sweeps.run(begin.pressure, begin), normal, attraction, settings);

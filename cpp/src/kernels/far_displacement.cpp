@@ -12,7 +12,7 @@ namespace {
 
 constexpr int orders = FarDisplacement::orders;
 
-/// Sizes of the rectangle from which on the tenth moment is below the last digit.
+/// Distance, in sizes of the rectangle, beyond which the tenth moment is below rounding.
 constexpr double far = 24.0;
 
 double binomial(int n, int k) {
@@ -21,7 +21,7 @@ double binomial(int n, int k) {
   return value;
 }
 
-/// Mean of x^n over a segment of that length about 0.
+/// Mean of x^n over a segment of length `length` about 0.
 double mean_power(double length, int n) {
   return n % 2 ? 0.0 : std::pow(0.5 * length, n) / (n + 1);
 }

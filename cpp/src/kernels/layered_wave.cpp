@@ -26,7 +26,7 @@ WaveDecay WaveDecay::at(double y) {
 
 WaveDecay WaveDecay::mean(double y0, double y1) {
   const double h = y1 - y0;
-  // Means over a cell far thinner than the wave is long are those at its middle.
+  // Means over a cell much thinner than the wavelength equal the values at its middle.
   if (h < 1e-4) {
     const double y = 0.5 * (y0 + y1), e = std::exp(-y), bend = h * h / 24;
     return {e * (1 + bend), e * (y + bend * (y - 2))};
@@ -51,11 +51,11 @@ LayeredWave::LayeredWave(const Stack& stack) : on_rigid_(stack.substrate.is_rigi
 
 void LayeredWave::set_wavenumber(double q) {
   q_ = q;
-  Matrix below = Matrix::Zero();  // displacement over traction at the top of what lies below
+  Matrix below = Matrix::Zero();  // displacement over traction at the top of the material below
   double across = 0.0;
   for (std::size_t n = layers_.size(); n-- > 0;) {
     Layer& own = layers_[n];
-    Matrix reflected = Matrix::Zero();  // the wave from the bottom over that from the top
+    Matrix reflected = Matrix::Zero();  // ratio of the mode from the bottom to that from the top
     double across_reflected = 0.0;
     if (std::isfinite(own.thickness)) {
       const double y = q * own.thickness, e = std::exp(-y);
@@ -97,11 +97,12 @@ LayeredWave::Amplitudes LayeredWave::amplitudes(int layer, Vector traction, doub
   }
 }
 
-/// 1 along the wave, 2 across.
+/// 1 along the wavevector, 2 across.
 struct LayeredWave::Turned {
   double s11 = 0.0, s22 = 0.0, s33 = 0.0, s13 = 0.0, s12 = 0.0, s23 = 0.0;
 
-  /// Of waves that decay downwards (sign 1) or upwards (-1): P and F in the plane, and one across.
+  /// Modes that decay downwards (sign 1) or upwards (-1): P and F in the plane of the wavevector,
+  /// and one across.
   void add(const Vector& amplitude, double across, const WaveDecay& decay, double nu, double sign) {
     const double P = amplitude[0], F = amplitude[1];
     const double plain = P * decay.e + F * decay.ye;

@@ -33,7 +33,8 @@ void LinearHardening::prepare(const Elastic& elastic) {
 double Swift::work(double g) const {
   // s^(n+1) (1 - (C/s)^(n+1)) with s = C + 1e6 g, without cancellation where g is small
   const double power = n + 1, s = C + micro * g;
-  const double part = std::min(micro * g / s, 1 - 0x1p-53);  // 1: C is nothing beside the strain
+  const double part =
+      std::min(micro * g / s, 1 - 0x1p-53);  // 1: C is negligible compared with the strain
   const double grown = -std::expm1(power * std::log1p(-part));
   return B * std::pow(s, n) * (s * grown / (micro * power));
 }

@@ -30,8 +30,8 @@ void require_depths(const OverDepth& profile, const std::string& name, const std
   }
 }
 
-/// Both are straight between their depths, and von Mises stress is convex: the depths of either
-/// decide.
+/// Both are piecewise linear in depth, and von Mises stress is convex: checks at the depths of both
+/// suffice.
 void require_below_yield(const Material& material) {
   if (!material.initial_stress || !material.is_plastic()) return;
   const InitialStress& stress = *material.initial_stress;

@@ -35,8 +35,8 @@ std::string shape_text(std::initializer_list<int> extents) {
   return shape + ")";
 }
 
-/// Throws std::invalid_argument unless there is one deviator for each law, within its limit.
-/// materials: numbers of those of the cells; empty: there is one.
+/// Throws std::invalid_argument unless there is one deviator for each backstress, within its limit.
+/// materials: indices of the materials of the cells; empty: a single one.
 void check_backstress(const plasticity::Body& body, const std::vector<std::uint16_t>& materials,
                       const Field& backstress, const Grid& grid) {
   const std::size_t cells = grid.volume_size();
@@ -63,11 +63,12 @@ void check_backstress(const plasticity::Body& body, const std::vector<std::uint1
   }
 }
 
-/// Fields of a history in a box: strain of six components, and what is there of the others.
+/// Fields of a history in a box: strain with six components, and equivalent strain and backstress
+/// if given.
 struct GivenHistory {
   const Box& box;
   const Field &strain, &equivalent, &backstress;
-  std::size_t terms;  // of the body's backstresses
+  std::size_t terms;  // number of backstresses of the body
 };
 
 PlasticRecord record_of(const GivenHistory& given, const Box& box, operators::Tensor tensor) {
@@ -92,12 +93,14 @@ PlasticRecord record_of(const GivenHistory& given, const Box& box, operators::Te
   return record;
 }
 
-/// Solves of an increment with heat of slip, and iterates remembered between them.
+/// Maximum number of solves of an increment with heat due to slip, and number of iterates used by
+/// their acceleration.
 constexpr int most_heatings = 20, anderson_depth = 4;
-/// What the heat may differ from that of the slip, in tolerances; and what is none [W/m^2].
+/// Allowed relative difference between the heat and that of the slip, in units of the tolerance;
+/// and power that counts as zero [W/m^2].
 constexpr double power_share = 10.0, smallest_power = 1e-200;
 
-/// Of friction per area, by work per area in a time [i][j] [W/m^2].
+/// Friction power per area from the work per area in a time [i][j] [W/m^2].
 Field power_of(const Field& work, double duration, std::size_t cells) {
   Field power(cells, 0.0);
   for (std::size_t i = 0; i < work.size(); ++i) power[i] = std::max(work[i], 0.0) / duration;
@@ -236,7 +239,7 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
     const auto materials = scene_->strength(body, state_.travel).materials(whole);
     check_backstress(scene_->bodies[body], materials, backstress, grid);
   }
-  // The box of all cells with a history.
+  // Box of all cells with a history.
   Box box;
   double largest = 0.0, trace = 0.0;
   for (std::size_t n = 0; n < cells; ++n) {
@@ -256,7 +259,7 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
     state_.plastic[body] = nullptr;
     return;
   }
-  // Plastic strain has no trace but for rounding.
+  // Plastic strain has no trace except for rounding.
   const auto tensor =
       trace <= 1e-12 * largest ? operators::Tensor::deviator : operators::Tensor::full;
   const std::size_t terms = scene_->bodies[body].backstresses();

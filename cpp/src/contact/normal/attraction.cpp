@@ -10,7 +10,7 @@
 namespace samcontact::contact {
 namespace {
 
-/// Of the largest tension: a load this close to it is it.
+/// Relative to the maximum tensile force: a load this close to it counts as equal.
 constexpr double rounding_share = 1e-12;
 
 }  // namespace

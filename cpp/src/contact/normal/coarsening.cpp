@@ -12,7 +12,7 @@ namespace {
 
 int half(int n) { return (n + 1) / 2; }
 
-/// The other coarse cell that fine cell i interpolates from, besides i/2, which has 3/4.
+/// Second coarse cell from which fine cell i is interpolated; the first is i/2, with weight 3/4.
 int neighbour(int i, int n) { return std::clamp(i / 2 + (i % 2 == 0 ? -1 : 1), 0, half(n) - 1); }
 
 }  // namespace

@@ -8,10 +8,12 @@
 namespace samcontact::contact {
 namespace {
 
-/// A window pays when it has less than this share of the cells: it costs kernels of its own.
+/// A smaller rectangle is used if it has less than this fraction of the cells, because it needs
+/// kernels of its own.
 constexpr double worthwhile_share = 0.8;
 constexpr int smallest_side = 64;
-/// Margins in shares of the window: ample, and where that does not pay slim ones.
+/// Margins as fractions of the rectangle (1/8, 1/64): the smaller one if the larger one saves too
+/// little.
 constexpr int ample = 8, slim = 64;
 
 /// Widens a range of cells to at least `least`, and to a multiple of 8 within [0, n).
@@ -21,7 +23,7 @@ void widen(int n, int least, int& start, int& length) {
   length = wide;
 }
 
-/// Of a side with a margin to both ends.
+/// Length of a side with a margin at both ends.
 int side_of_window(int length, int share) {
   return std::max(length + 2 * (4 + length / share), smallest_side);
 }

@@ -15,7 +15,7 @@
 namespace samcontact::contact {
 namespace {
 
-/// A force this close to the largest has no definite motion.
+/// The motion is not determined by a force this close to the friction limit, relative to it.
 constexpr double least_margin = 1e-8;
 
 double force_of(const Given& given) { return given.is_force() ? given.value : 0.0; }
@@ -23,8 +23,8 @@ double force_of(const Given& given) { return given.is_force() ? given.value : 0.
 constexpr const char* beyond =
     ", the friction limit (full sliding, in which the force does not determine the motion)";
 
-/// Throws where forces that friction holds each are too much together: some motion takes more power
-/// of them than friction turns into heat.
+/// Throws std::invalid_argument if forces that are below the friction limits individually exceed
+/// them together: for some motion their power is larger than the friction power.
 void require_held_together(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
                            const FrictionLaw& friction) {
   const std::vector<double> xs = grid.x(), ys = grid.y();

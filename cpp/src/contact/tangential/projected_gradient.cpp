@@ -12,14 +12,14 @@ namespace samcontact::contact {
 namespace {
 
 constexpr int power_steps = 8;
-/// Power iteration ends below the largest eigenvalue.
+/// Factor of the result of the power iteration, which ends below the largest eigenvalue.
 constexpr double safety = 1.2;
 constexpr int most_projection_steps = 60, most_lengths = 60;
-/// A length is taken where this share of the forces' power is left, on either side.
+/// A step length is accepted if this fraction of the power of the forces remains, on either side.
 constexpr double too_short = 0.5, too_long = 0.1;
 constexpr double projection_tol = 1e-14;
-/// Of all force that the bounds allow: as far as the present multipliers may be wrong where all
-/// cells are at their bound.
+/// Relative to the total force that the bounds permit: bounds the error of the present multipliers
+/// if all cells are at their bound.
 constexpr double regularisation = 1e-12;
 
 using Vector = Eigen::VectorXd;
@@ -29,7 +29,7 @@ Field moved_by(const ShearProblem& problem, const Vector& c, Field v) {
   return v;
 }
 
-/// v + sum of c_k direction_k, cut at the bounds, and the forces that it misses.
+/// v + sum of c_k direction_k, cut at the bounds, and the missing forces.
 struct Trial {
   Field shear;
   Vector missing;
@@ -44,7 +44,7 @@ Trial trial_of(const ShearProblem& problem, const Field& v, const Vector& c) {
   return trial;
 }
 
-/// How forces answer to the multipliers: cut cells only turn.
+/// Derivative of the forces with respect to the multipliers: cut cells only rotate.
 Eigen::MatrixXd stiffness_of(const ShearProblem& problem, const Field& v, const Vector& c) {
   const int count = static_cast<int>(c.size());
   const std::size_t m = problem.size();
@@ -90,14 +90,14 @@ double longest_motion(const ShearProblem& problem, const Vector& c) {
   return std::max(longest(moved_by(problem, c, Field(2 * problem.size(), 0.0))), 1e-300);
 }
 
-/// As far as takes every cell across its bound: where all are cut there is no other measure.
+/// Step that takes every cell across its bound: the only available scale if all cells are cut.
 double across(const ShearProblem& problem, const Field& v, const Vector& c) {
   return 2 * (longest(moved_by(problem, c, v)) +
               *std::max_element(problem.bound.begin(), problem.bound.end()));
 }
 
-/// Goes along a step to where what is missing has hardly a part along it: of a convex function the
-/// slope only grows. False where that is nowhere.
+/// Advances along a step until the missing forces have almost no component along it: the slope of a
+/// convex function only increases. False if there is no such point.
 bool advance(const ShearProblem& problem, const Field& v, const Vector& step, Vector& c,
              Trial& trial) {
   const double first = trial.missing.dot(step);
@@ -139,7 +139,8 @@ bool project(const ShearProblem& problem, Field& v, std::vector<double>& multipl
   for (int n = 0; n < most_projection_steps && scaled(trial.missing) > projection_tol; ++n) {
     Vector step = stiffness_of(problem, v, c).fullPivLu().solve(trial.missing);
     step *= std::min(1.0, across(problem, v, c) / longest_motion(problem, step));
-    if (!advance(problem, v, step, c, trial)) break;  // rounding, or impossible forces
+    if (!advance(problem, v, step, c, trial))
+      break;  // rounding, or forces above the friction limit
   }
   for (int k = 0; k < count; ++k) multipliers[k] = c[k];
   v = std::move(trial.shear);
@@ -160,7 +161,7 @@ void projected_gradient(const ShearProblem& problem, ShearApplier& operators, do
     Field next = at;
     for (std::size_t i = 0; i < 2 * m; ++i) next[i] += step * (problem.free_slip[i] - u[i]);
     project(problem, next, multipliers);
-    // The part of the step that leads back ends the momentum.
+    // The momentum ends if the step has a component backwards.
     double turned = 0.0;
     for (std::size_t i = 0; i < 2 * m; ++i) {
       turned += (at[i] - next[i]) * (next[i] - result.shear[i]);

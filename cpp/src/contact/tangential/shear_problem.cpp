@@ -10,7 +10,8 @@
 namespace samcontact::contact {
 namespace {
 
-/// Of the displacement of one cell under its own shear: less is none.
+/// Relative to the displacement of one cell due to its own shear: smaller displacements count as
+/// zero.
 constexpr double rounding = 1e-8;
 
 }  // namespace

@@ -18,17 +18,17 @@
 namespace samcontact::contact {
 namespace {
 
-/// Boxes are halved while their shorter side keeps this many cells.
+/// Boxes are halved while their shorter side keeps this number of cells.
 constexpr int coarsest_side = 16;
-/// Finer cells change which of them slip: by a share of the shear that falls with their size.
+/// Finer cells change the set of slipping cells: the change of shear decreases with the cell size.
 double coarse_tol(const Grid& box) { return std::min(1e-3, 0.06 / std::max(box.nx, box.ny)); }
 constexpr int coarse_steps = 30;
-constexpr double stick_slip_bytes = 700, rolling_bytes = 1100;  // a cell of its box, as measured
+constexpr double stick_slip_bytes = 700, rolling_bytes = 1100;  // per cell of the box, measured
 
-/// Field over all cells of a box, and vectors [2][i][j] there.
+/// Fields over all cells of a box, and vectors [2][i][j] there.
 struct BoxTask {
   Field pressure, free_slip;
-  Field in_touch;  // three of them, empty: none
+  Field in_touch;  // three components; empty: none
   double x0, y0;   // of the first cell
   bool rolls;
 };
@@ -39,7 +39,7 @@ struct BoxStart {
   std::vector<double> motion;
 };
 
-/// The components of a vector field, or of one of symmetric matrices.
+/// Applies a change to each component of a vector field, or of a field of symmetric matrices.
 template <class Change>
 Field by_component(const Field& field, const Change& change, int components = 2) {
   const auto n = static_cast<std::ptrdiff_t>(field.size()) / components;
@@ -53,7 +53,7 @@ Field by_component(const Field& field, const Change& change, int components = 2)
 
 }  // namespace
 
-/// The operators of one box size, which have some rows of cells more ahead.
+/// Operators of one box size, with some additional rows of cells ahead.
 class ShearSolver::Level {
  public:
   Level(const Grid& box, int margin, const operators::TangentialInfluence& influence)
@@ -85,7 +85,7 @@ class ShearSolver::Level {
   std::size_t operator_size() const { return with_margin(box_, margin_).surface_size(); }
   ShearProblem problem_of(const BoxTask& task, const FrictionLaw& friction,
                           const TangentialDrive& drive) const;
-  /// Makes it that of rolling by one cell.
+  /// Turns the problem into that of rolling by one cell.
   void let_roll(ShearProblem& problem) const;
   double stiffness_of(const Field& pressure) const;
   BoxStart coarse_start(const BoxTask& task, const FrictionLaw& friction,
@@ -95,11 +95,11 @@ class ShearSolver::Level {
   int margin_;
   ShearOperators operators_;
   std::unique_ptr<Level> coarser_;
-  bool floats_;  // where all of the box touches
+  bool floats_;  // if the whole box is in contact
 };
 
-/// Of the slip that a shear in proportion to the pressure makes; on the coarsest box, since it is
-/// but a scale.
+/// Scale of the slip due to a shear proportional to the pressure; on the coarsest box, which is
+/// sufficient for a scale.
 double ShearSolver::Level::stiffness_of(const Field& pressure) const {
   if (coarser_) return coarser_->stiffness_of(coarsened(box_, pressure));
   const double most = *std::max_element(pressure.begin(), pressure.end());
@@ -158,10 +158,10 @@ void ShearSolver::Level::let_roll(ShearProblem& problem) const {
   problem.carried = static_cast<std::size_t>(box_.ny);
   for (double& slip : problem.free_slip) slip *= box_.dx;
   if (problem.cells.empty()) return;
-  // What a whole contact slips while it goes through one, it slips by cells.
+  // Slip during a passage through the whole contact is divided by its length in cells.
   const auto rows = problem.cells.back() / box_.ny - problem.cells.front() / box_.ny + 1;
   problem.stiffness *= 0.5 * static_cast<double>(rows);
-  // A unit motion slips by a cell while the contact rolls by one; moments are about the origin.
+  // Slip per cell rolled due to a unit motion; moments are about the origin.
   const std::size_t m = problem.size();
   for (ShearProblem::Mode& mode : problem.modes) {
     mode.own_arms = mode.direction;
@@ -187,7 +187,7 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, const FrictionLaw
   Answer answer = coarser_->solve(coarse, friction, drive, {},
                                   std::max(coarse_tol(coarser_->box()), tol), coarse_steps);
   operations += answer.operations;
-  // The ratio to the pressure is what is smooth, and tells slip at the edge.
+  // The ratio of shear to pressure is smooth, and indicates slip at the edge.
   const Grid& grid = coarser_->box();
   const std::size_t n = grid.surface_size(), m = answer.cells.size();
   Field ratio(2 * n, 0.0), slips(n, 0.0);
@@ -265,7 +265,7 @@ std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box, int
                       static_cast<double>(kept ? kept->box().surface_size() : 0);
   require_memory(more * (margin > 0 ? rolling_bytes : stick_slip_bytes),
                  "the partial-slip solution");
-  kept.reset();  // the two together may not fit
+  kept.reset();  // both together may exceed the memory
   const Grid grid = Box{0, 0, box.nx, box.ny, 0}.grid(grid_);
   kept = std::make_shared<const Level>(grid, margin, influence_);
   return kept;
@@ -273,7 +273,7 @@ std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box, int
 
 namespace {
 
-/// Shear, slip and what sticks, from the cells of contact of a box to the grid.
+/// Copies shear, slip and stick state from the cells in contact of a box to the grid.
 void unpack(const ShearResult& result, const std::vector<std::size_t>& cells, const Box& box,
             const Grid& grid, ShearSolution& solution) {
   const std::size_t n = grid.surface_size(), m = cells.size();
@@ -294,7 +294,7 @@ Field over(const Grid& grid, const Box& box, const Field& field) {
   return values;
 }
 
-/// What there is without contact, or friction.
+/// Solution without contact or friction.
 ShearSolution without_shear(const Grid& grid, const TangentialDrive& drive) {
   const std::size_t n = grid.surface_size();
   ShearSolution solution;
@@ -348,7 +348,7 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
     level_of_box->operators().displacement.apply(slid.displacement.data(), slid.displacement.data(),
                                                  work);
   }
-  // What the surfaces slid against each other so far, they did not slip.
+  // Relative displacement due to the previous shear is not slip.
   if (!slid.displacement.empty()) add_scaled(1.0, slid.displacement, part.free_slip);
   const Level::Answer answer = level_of_box->solve(
       part, task.friction, task.drive, start_in(box, grid_, task, shear, motion), tol, most_steps);

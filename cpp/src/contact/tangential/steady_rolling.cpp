@@ -16,10 +16,10 @@
 namespace samcontact::contact {
 namespace {
 
-/// What a linear solve gains, and the vectors that it keeps at most.
+/// Error reduction of a linear solve, and the maximum number of vectors it stores.
 constexpr double linear_gain = 1e-2;
 constexpr int most_linear_steps = 60;
-/// Of contact lengths, at steps of 4, 2 and 1 cells.
+/// Distance rolled, in contact lengths, with steps of 4, 2 and 1 cells.
 constexpr double rolled_lengths = 1.0;
 constexpr double marching_tol = 1e-4;
 constexpr int marching_steps = 50;
@@ -45,7 +45,7 @@ class SteadyRolling : public SlipIteration {
     r_.error = natural_residual(problem_, r_.shear, r_.slip);
   }
 
-  /// By half of the stiffness of a cell: sets that change less settle.
+  /// With half of the stiffness of a cell: sets that change less settle.
   void choose_sets() override { change_sides(0.5 / self_influence_); }
 
   const ShearProblem::Mode& mode(int k) const { return problem_.modes[k]; }
@@ -61,7 +61,7 @@ class SteadyRolling : public SlipIteration {
   const int modes_;
 };
 
-/// (1 - T)^-1, nothing being displaced ahead of the contact.
+/// (1 - T)^-1, with zero displacement ahead of the contact.
 void SteadyRolling::sum_from_ahead(Field& v) {
   const std::size_t width = problem_.carried;
   std::fill(ahead_.begin(), ahead_.end(), 0.0);
@@ -72,8 +72,8 @@ void SteadyRolling::sum_from_ahead(Field& v) {
   }
 }
 
-/// Sticking cells: the inverse of each wave, then the sum from the leading edge, since (1 - T) C is
-/// of order zero. Slipping ones: their diagonal.
+/// Sticking cells: inverse of each Fourier mode, then the sum from the leading edge, since (1 - T)
+/// C is of order zero. Slipping cells: inverse of the diagonal.
 void SteadyRolling::precondition(const Field& r, Field& z) {
   z = r;
   for (std::size_t i = 0; i < m_; ++i) {
@@ -96,7 +96,7 @@ void SteadyRolling::step(double) {
   slip_beyond_bound();
 }
 
-/// The shear of the cells that are free whose slip is this.
+/// Shear of the free cells for the given slip.
 Field SteadyRolling::solved(Field right) {
   Field change;
   project_free(right);
@@ -106,7 +106,7 @@ Field SteadyRolling::solved(Field right) {
   return change;
 }
 
-/// Adds to a change of the shear what goes with the motions that bring the forces to their values.
+/// Adds the change of shear due to the motions for which the forces have their prescribed values.
 void SteadyRolling::meet_forces(Field& change) {
   std::vector<Field> shears;
   shears.reserve(modes_);
@@ -134,8 +134,8 @@ void SteadyRolling::fall_back(double) {
   slip_beyond_bound();
 }
 
-/// Increments of a history, until nothing changes: what an increment leaves is carried, and is slip
-/// or shear of the next.
+/// Increments of a rolling history until the solution is steady: each increment transports the
+/// shear of the previous one.
 void SteadyRolling::roll_by(int cells, int times) {
   ShearProblem increment = problem_, carrying = problem_;
   increment.carried = 0;

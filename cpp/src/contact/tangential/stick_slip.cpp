@@ -16,20 +16,22 @@
 namespace samcontact::contact {
 namespace {
 
-/// More slipping cells turning back than this share are a reversal: all cells stick first, since
-/// partial releases from a contact that slips everywhere do not settle.
+/// If a larger fraction of slipping cells reverses, all cells stick first: partial releases from
+/// full sliding do not settle.
 constexpr double reversal_share = 0.05;
-/// What the inner iteration is asked to gain at least and at most.
+/// Minimum and maximum error reduction of the inner iteration.
 constexpr double least_gain = 0.1, most_gain = 1e-3;
 constexpr int most_inner_steps = 14;
-/// Inner steps end when sticking cells exceed their bound by this many times the residual, but for
-/// outer steps that gain little: a few cells that change sides would hold up all others.
+/// Inner steps end when sticking cells exceed their bound by this multiple of the residual, except
+/// in outer steps that gain little: a few cells that change sides would delay all others.
 constexpr double patience = 3.0;
-/// The first time, and each time twice as many: in the end they converge by themselves.
+/// Steps of the first fallback; each further one has twice as many, so that the method finally
+/// converges by the fallback alone.
 constexpr int fallback_steps = 60, most_doublings = 5;
-/// Forces missed by more than this share of the bound are left to the linear solve.
+/// If forces are missed by a larger fraction of the bound, the correction is left to the linear
+/// solve.
 constexpr double largest_correction = 0.2;
-/// Slipping cells resist what is not so nearly across their shear.
+/// Slipping cells resist motions that deviate from the normal of their shear by more than this.
 constexpr double across = 1e-8;
 
 class StickSlip : public SlipIteration {
@@ -47,7 +49,7 @@ class StickSlip : public SlipIteration {
  private:
   const Field& direction(int k) const { return problem_.modes[k].direction; }
   double missing(int k) const { return problem_.modes[k].missing(r_.shear); }
-  /// Slipping cells, and forces, of the start.
+  /// Slipping cells and forces of the start.
   void begin() {
     const bool told = !r_.slipping.empty();
     if (!told) take_slipping();
@@ -76,7 +78,7 @@ class StickSlip : public SlipIteration {
     if (back > reversal_share * slipping) std::fill(r_.slipping.begin(), r_.slipping.end(), 0);
   }
 
-  /// Of directions on the cells that are free, and their products.
+  /// Directions restricted to the free cells, and their products.
   struct Projected {
     std::vector<Field> directions;
     Eigen::MatrixXd products;
@@ -101,8 +103,8 @@ class StickSlip : public SlipIteration {
     return true;
   }
 
-  /// Brings the forces to their values with a rigid change of the shear on sticking cells, which
-  /// slip where it takes them beyond their bound.
+  /// Corrects the forces by a uniform or rotational change of the shear on sticking cells, which
+  /// slip if it takes them beyond their bound.
   void meet_forces() {
     for (int n = 0; n < 4 && modes_ > 0; ++n) {
       Eigen::VectorXd miss(modes_);
@@ -171,14 +173,13 @@ class StickSlip : public SlipIteration {
 
   const int modes_;
   Field u_;
-  bool u_is_known_ = false;  // that of the present shear
+  bool u_is_known_ = false;  // whether u_ belongs to the present shear
   Field share_;              // of each cell
   double bound_scale_;
 };
 
-/// Where no cell resists a uniform shear, that of sticking cells would grow without an end: all
-/// slip instead, in the direction of their mean slip and of the forces. False where some cell
-/// resists.
+/// If no cell resists a uniform shear, that of sticking cells would grow without bound: all cells
+/// slip instead, in the direction of their mean slip and of the forces. False if some cell resists.
 bool StickSlip::slide_as_a_whole(double tol) {
   const double most = ordered_sum(m_, [&](std::size_t i) { return problem_.bound[i]; });
   if (!problem_.floats || !std::isfinite(most)) return false;

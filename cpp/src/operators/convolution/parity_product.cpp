@@ -9,8 +9,8 @@
 namespace samcontact::operators {
 namespace {
 
-/// out += scale quarter in, complex numbers interleaved, and the same times -i; quarters go up or
-/// down from the one given.
+/// out += scale quarter in, complex numbers interleaved, and the product times -i; quarters in
+/// ascending or descending order from the given one.
 SAMCONTACT_MULTIVERSION
 void add_product(const double* quarter, double scale, const double* in, double* out, int count) {
   for (std::ptrdiff_t k = 0; k < count; ++k) {

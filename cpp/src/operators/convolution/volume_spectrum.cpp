@@ -11,7 +11,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// The planes of one layer; those of two components lie `step` apart.
+/// Planes of one layer; those of consecutive components are `step` apart.
 std::vector<VolumeTransform::Plane> planes_of(const double* tensor, std::size_t step,
                                               VolumeSpectrum& spectrum, int layer) {
   std::vector<VolumeTransform::Plane> planes;

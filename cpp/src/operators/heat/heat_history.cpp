@@ -12,7 +12,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// How far heat must diffuse in the shortest step, in cells.
+/// Minimum diffusion length in the shortest step [cells].
 constexpr double least_diffused = 0.02;
 
 }  // namespace
@@ -29,7 +29,7 @@ HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic
           "in [1e-10, 1e-2]", settings.tolerance);
   require(std::isfinite(speed_x) && std::isfinite(speed_y), "speed", "finite",
           std::hypot(speed_x, speed_y));
-  // Else wavenumbers far beyond those of the cells are followed: time and memory without bounds.
+  // Otherwise wavenumbers far beyond those of the cells are needed: time and memory without bounds.
   const double diffused = std::sqrt(thermal.diffusivity * settings.shortest);
   const double cell = std::max(grid.dx, grid.dy);
   require(diffused >= least_diffused * cell, "shortest (of heat_history)",
@@ -75,11 +75,11 @@ void HeatHistory::age_near(double x, Field& fields) const {
   }
 }
 
-/// Lets a level age by the newest flux's duration, and adds that flux.
+/// Ages a level by the duration of the newest flux, and adds that flux.
 void HeatHistory::absorb(const HeatLevel& level, std::size_t number, std::size_t first_mode) {
   const int generations = plan_->modes.generations();
   double left = plan_->aged(duration_);
-  // What is older than all generations is dropped at once.
+  // Heat older than all generations is dropped at once.
   const double kept = std::min(left, generations * level.generation);
   const auto age = [&](double x) {
     const Decay decay(level, x);

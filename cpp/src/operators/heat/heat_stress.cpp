@@ -7,9 +7,9 @@
 namespace samcontact::operators {
 namespace {
 
-/// Numbers in the tables of all layers beyond which they are computed anew for each box.
+/// Maximum size of the tables of all layers; larger ones are computed again for each box.
 constexpr double most_kept = 64e6;
-/// Of a volume without bottom.
+/// Assumed number of layers if it is not limited.
 constexpr int usual_layers = 64;
 
 ParityParts cropped(const ParityParts& from, int from_nx, const KernelOffsets& offsets) {

@@ -80,7 +80,7 @@ class LayeredHalfSpace : public Medium {
   }
 
  private:
-  /// Whether what is there neither deforms nor has a stress that is known.
+  /// Whether the material at a depth is rigid, without deformation and known stress.
   bool is_rigid_at(double z) const { return stack_.elastic(stack_.layer_at(z)).is_rigid(); }
 
   Stack stack_;

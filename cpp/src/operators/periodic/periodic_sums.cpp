@@ -7,10 +7,10 @@
 namespace samcontact::operators {
 namespace {
 
-/// Of the grids of one contact: the finest, coarser ones, and their boxes.
+/// Number of cached tables: grids of one contact, the finest, coarser ones, and their boxes.
 constexpr std::size_t most_tables = 8;
 
-/// An offset in a period, and whether it is the mirror image of the one meant; period 0: none.
+/// Offset in a period, and whether it is the mirror image of the given one; period 0: not periodic.
 struct Folded {
   int offset;
   bool mirrored = false;
@@ -22,7 +22,7 @@ struct Folded {
   }
 };
 
-/// A table of one component on offsets that are folded into `columns` of them.
+/// Table of one component from offsets folded into `columns` columns.
 void unfold(const double* table, int columns, const Period& period, const CellOffsets& offsets,
             const kernels::Parity& parity, double* out) {
   for (const int j : offsets.y) {

@@ -20,7 +20,7 @@ constexpr int matrix = 6 * width;  // [in][out]
 using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = double;
 
 /// sum += matrices applied to the strain of one row of sources in y. The matrix of the first source
-/// is given, that of the next lies `step` doubles further.
+/// is given; the next ones are `step` doubles apart.
 SAMCONTACT_MULTIVERSION
 void add_row(const double* first, std::ptrdiff_t step, const double* strain, int count,
              Lanes* sum) {
@@ -68,20 +68,21 @@ void subtract_plane(const double* nodes, int nx, int ny, const double* along_x, 
   }
 }
 
-/// By how much the error falls with each coarse cell over half a period.
+/// Factor by which the error decreases with each coarse cell over half a period.
 constexpr double rate = 2.6;
 
-/// Coarse cells over half a period for a tolerance. Measured on boxes full of strain: the error is
-/// 10^-(1 + 0.42 cells) of the largest stress.
+/// Number of coarse cells over half a period for a tolerance. Measured on boxes full of strain: the
+/// error is 10^-(1 + 0.42 cells) of the largest stress.
 int cells_over_period(double tol) {
   return std::max(static_cast<int>(std::ceil((-std::log10(tol) - 1.0) / 0.42)), 2);
 }
 
-/// Of waves, in units of the tolerance.
+/// Truncation of the Fourier modes, in units of the tolerance.
 constexpr double neglected = 0.03;
 
-/// Over an axis whose length is `ratio` half periods, where `cells` are needed over one. Over a
-/// shorter axis polynomials converge faster: by `rate` and the ratio with each cell.
+/// Number of coarse cells over an axis whose length is `ratio` half periods, if `cells` are needed
+/// over one. Over a shorter axis polynomials converge faster: by `rate` and the ratio with each
+/// cell.
 int cells_over_depth(double ratio, int cells) {
   const double needed = ratio < 1 ? cells / (1 - std::log(ratio) / std::log(rate)) : cells * ratio;
   return std::clamp(static_cast<int>(std::ceil(needed)), 1, 4 * cells);
@@ -127,7 +128,7 @@ ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double exte
     points.row(a) = row;
   }
   // Cells w with sum_a w_a mean_a(T) = T(x_i) d / cell for every polynomial T; and the values at
-  // x_i of the polynomials that are 1 at one cell's centre and 0 at the others'.
+  // x_i of the polynomials that are 1 at the centre of one cell and 0 at the others.
   const auto moments = cell_means.transpose().partialPivLu();
   const auto interpolants = points.transpose().partialPivLu();
   for (int i = 0; i < fine; ++i) {

@@ -10,10 +10,10 @@
 namespace samcontact::operators::layers {
 namespace {
 
-/// Keeps the wave of wavenumber 0, which has no amplitude, from a division by 0.
+/// Avoids a division by 0 for the wavenumber 0, which has no amplitude.
 constexpr double tiny = 1e-30;
 
-/// The wave that the sums over all cells of a layer, as seen from the next one, send out of it.
+/// Mode that leaves a layer, from the sums over all its cells as received by the next layer.
 SAMCONTACT_INLINE Wave left_by(const Mode& mode, const Constants& k, const Sums& r) {
   const Lanes step = r.d - r.c;
   const Lanes w = mode[thickness] * (r.w - step) + mode[leaving_shift] * step;
@@ -21,7 +21,7 @@ SAMCONTACT_INLINE Wave left_by(const Mode& mode, const Constants& k, const Sums&
   return {{-g * ((1 - k.kappa) * (r.c + r.d) + k.kappa * w), -g * k.kappa * step}, -g * r.o};
 }
 
-/// Sums over cells that would send a wave into a layer.
+/// Sums over cells that are equivalent to a mode entering a layer.
 SAMCONTACT_INLINE Sums that_send(const Mode& mode, const Constants& k, const Wave& wave) {
   const Lanes over = 1.0 / (mode[leaving] + tiny);
   Sums r;
@@ -33,7 +33,7 @@ SAMCONTACT_INLINE Sums that_send(const Mode& mode, const Constants& k, const Wav
   return r;
 }
 
-/// One block and all that its sweep works on.
+/// One block and the data of its sweep.
 template <int parts>
 struct Block {
   const SweptStack& stack;
@@ -50,8 +50,8 @@ struct Block {
     return {row + static_cast<std::ptrdiff_t>(layer.mode) * step, step};
   }
 
-  /// Eigenstress of the cells of a layer, and the wave that leaves it at its top. Of the layer
-  /// without end also the integrals over the cells below, as nothing comes back from there.
+  /// Eigenstress of the cells of a layer, and the mode that leaves it at its top. For the infinite
+  /// layer also the integrals over the cells below, as nothing returns from there.
   SAMCONTACT_INLINE void rise(int n) const {
     const auto& layer = stack.layers()[n];
     const Mode at = mode(layer);
@@ -81,7 +81,7 @@ struct Block {
     }
   }
 
-  /// The wave that leaves a layer at its bottom.
+  /// Mode that leaves a layer at its bottom.
   SAMCONTACT_INLINE void sink(int n) const {
     const auto& layer = stack.layers()[n];
     const Mode at = mode(layer);
@@ -98,7 +98,7 @@ struct Block {
     }
   }
 
-  /// The integrals over what lies below each cell of a layer, with the wave from its bottom.
+  /// Integrals over the material below each cell of a layer, with the mode from its bottom.
   SAMCONTACT_INLINE void integrate_below(int n) const {
     const auto& layer = stack.layers()[n];
     const Mode at = mode(layer);
@@ -116,7 +116,7 @@ struct Block {
     }
   }
 
-  /// Downwards: the integrals over what lies above, with the wave from the layer's top, and the
+  /// Downwards: integrals over the material above, with the mode from the top of the layer, and the
   /// stress.
   SAMCONTACT_INLINE void finish(int n, const Target& target) const {
     const auto& layer = stack.layers()[n];

@@ -10,10 +10,10 @@
 namespace samcontact::operators::layers {
 namespace {
 
-/// How far from a face of cells an interface may lie, in layers of cells.
+/// Allowed distance of an interface from a boundary between cells, in layers of cells.
 constexpr double off_face = 1e-6;
 
-/// Those of one thickness of cells.
+/// Coefficients for one thickness of cells.
 void fill_coefficients(double kx, double ky, double h, double weight, double* mode, int step) {
   const double q = std::hypot(kx, ky), x = q * h;
   const auto set = [&](Coefficient c, double value) {

@@ -8,8 +8,8 @@
 namespace samcontact::operators {
 namespace {
 
-/// Coarse cells along a box; eight of them fit into the shortest distance across the seam of
-/// periods longer than it by an eighth.
+/// Number of coarse cells along a box; eight of them fit into the shortest distance across the seam
+/// of periods longer than it by an eighth.
 constexpr int coarse_count = 64;
 
 int coarse_factor(int cells) { return std::max(2, cells / coarse_count); }
@@ -38,7 +38,7 @@ CoarseGrid::CoarseGrid(int nx, int ny)
 void CoarseGrid::gather(const double* field, double* coarse) const {
   const int nx = x_.cells, ny = y_.cells, cx = x_.coarse_cells(), cy = y_.coarse_cells();
   Field rows(static_cast<std::size_t>(nx) * cy);
-  // Threads gather, each row for itself, so that no sum depends on their number.
+  // Each thread gathers whole rows, so that no sum depends on the number of threads.
 #pragma omp parallel if (static_cast<std::ptrdiff_t>(nx) * ny >= worth_threads_cells)
   {
 #pragma omp for schedule(static)

@@ -12,7 +12,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// Rows of a table [j][i] to those of a wider quarter.
+/// Copies rows of a table [j][i] to those of a wider quarter.
 template <class Put>
 void for_rows(const double* table, const KernelOffsets& of, double* quarter, int hx,
               const Put& put) {
@@ -65,7 +65,7 @@ void TractionStress::prepare(Traction traction, const TractionStress* shallower)
   if (heat_ && traction == Traction::pressure) {
     heat.resize(first);
     const KernelOffsets offsets(grid_, transform_->mx(), transform_->my());
-    // Not in parallel: a table asks whether to stop, and may throw.
+    // Not in parallel: the computation of a table checks for an interrupt, and may throw.
     for (int k = first; k < layers(); ++k) {
       heat.push_back(parts_of(heat_->at(depths_[k], grid_, offsets), tensor_));
     }
@@ -88,7 +88,7 @@ Field TractionStress::build(Part part, const std::vector<std::vector<ParityParts
   const auto build_at = [&](int k) {
     build(part, k, heat.empty() ? std::vector<ParityParts>{} : heat[k], spectrum, built);
   };
-  if (layers() - first == 1) {  // within which threads share the work
+  if (layers() - first == 1) {  // threads share the work inside
     build_at(first);
     return built;
   }

@@ -15,17 +15,18 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Low pass, 1 at q = 0 and gone at a part of the highest wavenumber of nodes `factor` cells apart:
-/// a step smoothed by a Gaussian, even in q, so that the rest is of short range.
+/// Low-pass filter, 1 at q = 0 and negligible at a fraction of the highest wavenumber of nodes
+/// `factor` cells apart: a step smoothed by a Gaussian, even in q, so that the remainder has a
+/// short range.
 double low_pass(double q, int factor, double gone_at, double sharpness) {
   const double gone = gone_at * pi / factor, a = sharpness, b = 2 * a / gone;
   return (std::erf(a + b * q) + std::erf(a - b * q)) / (2 * std::erf(a));
 }
 
-/// Of some offsets in cells from 0 on, those between nodes.
+/// Number of nodes within a number of cells.
 int nodes_in(int cells, int spacing) { return (cells + spacing - 1) / spacing; }
 
-/// Puts the inside [j][i] of a square into a table.
+/// Copies the inner part [j][i] of a square into a table.
 void replace(const Field& inside, int cells, double* table, int width) {
   for (int j = 0; j < cells; ++j) {
     std::copy_n(inside.data() + static_cast<std::ptrdiff_t>(j) * cells, cells,
@@ -107,8 +108,8 @@ std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const
   return kept_.emplace(key, std::move(split)).first->second;
 }
 
-/// Divides tables [component][j][i] at nodes 0..nx - 1, 0..ny - 1 by what the window of a band
-/// makes of their waves. mx, my: period.
+/// Divides tables [component][j][i] at nodes 0..nx - 1, 0..ny - 1 by the factors of their Fourier
+/// modes due to the window of a band. mx, my: period.
 void BandTables::sharpen(Band band, const KernelOffsets& offsets, int mx, int my,
                          const Parities& parities, Field& tables) const {
   const auto [nx, ny] = offsets;
@@ -219,7 +220,7 @@ Field BandTables::far_tables(const Split& split, const KernelOffsets& offsets,
       std::copy_n(split.far.data() + (c * kept + j) * kept, inner,
                   table + static_cast<std::size_t>(j) * nx);
     }
-    // The last offsets occur to empty nodes only.
+    // The last offsets occur between empty nodes only.
     for (int j = 0; j < ny; ++j) {
       for (int i = 0; i < nx; ++i) {
         const auto fades = [this](int n, int count) {

@@ -8,7 +8,7 @@
 
 namespace samcontact::operators {
 
-/// Numbers that are 0, of one thread: what it has once taken stays with it.
+/// Zero-initialised numbers of one thread, kept between calls.
 double* of_zeros(std::size_t count) {
   static thread_local Field buffer;
   if (buffer.size() < count) buffer.resize(count);
@@ -16,7 +16,7 @@ double* of_zeros(std::size_t count) {
   return buffer.data();
 }
 
-/// The nodes of a band, with the strain's spectrum.
+/// Nodes of a band, with the spectrum of the strain.
 struct LowBands::Lattice {
   NodePlanes planes;
   ZoneTables::Operators operators;

@@ -13,7 +13,7 @@ Grid nodes_of(const Grid& cells, int step) {
   return nodes;
 }
 
-/// The cells that act, of nodes whose axes may be exchanged.
+/// Acting cells of nodes whose axes may be exchanged.
 Grid turned_if(bool turned, const Grid& cells) { return turned ? exchanged(cells) : cells; }
 
 }  // namespace

@@ -12,12 +12,12 @@
 namespace samcontact::operators {
 namespace {
 
-/// The problem is ill-conditioned by design: what it cannot tell is smooth.
+/// The problem is ill-conditioned by design: the undetermined part is smooth.
 constexpr double least_value = 1e-7;
-/// Where a table begins to fade out and is gone, in widths of the square.
+/// Distances at which a table begins to fade out and ends, in widths of the square.
 constexpr int fades_from = 2, gone_at = 6;
 
-/// What a coarse lattice holds, by the distance in cells.
+/// Low-pass filter of a coarse lattice, by the distance in cells.
 Eigen::VectorXd low_pass(int factor, int count, double clear_band) {
   constexpr int points = 4096;
   const double highest = std::numbers::pi / factor;
@@ -55,7 +55,7 @@ SmoothContinuation::Axis SmoothContinuation::make_axis(int cells, int reach, dou
     return d == 0 ? cut / std::numbers::pi : std::sin(cut * d) / (std::numbers::pi * d);
   };
   const double sign = odd ? -1.0 : 1.0;
-  // Of the pair at +-n: its value at n where it is normalised, and how often it occurs.
+  // Pair at +-n: its normalised value at n, and its multiplicity.
   const auto unit = [&](int n) { return n == 0 ? (odd ? 0.0 : 1.0) : std::sqrt(0.5); };
   Axis axis{{}, {}, Eigen::MatrixXd(cells, reach), Eigen::VectorXd(cells), {}};
   Eigen::MatrixXd sines(cells, cells);

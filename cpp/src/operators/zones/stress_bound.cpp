@@ -12,7 +12,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// Depths whose spectra are taken together.
+/// Number of depths whose spectra are computed together.
 constexpr std::size_t together = 8;
 constexpr int parts = 5;
 
@@ -27,13 +27,13 @@ void put_von_mises(const double* s, std::size_t plane, double* out) {
   for (std::size_t n = 0; n < plane; ++n) out[n] = von_mises(s + n, plane);
 }
 
-/// Adds the von Mises stress of a table [component][j][i], as it is at each offset.
+/// Adds the von Mises stress of a table [component][j][i] at each offset.
 void add_norm(const Field& table, Field& sum) {
   for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += von_mises(table.data() + n, sum.size());
 }
 
-/// Von Mises stress of what a unit traction does near its cell [j][i]: of all that is even or odd
-/// alike, and the sum of these.
+/// Von Mises stress near a cell due to a unit traction on it [j][i]: of components with equal
+/// parities together, and the sum over parities.
 Field near_norm(const ZoneTables& tables, Traction kind, double depth, const Grid& around,
                 const KernelOffsets& offsets) {
   Field table = tables.medium(Band::near)->stress(kind, around, offsets, depth, Tensor::deviator);
@@ -56,7 +56,7 @@ Field near_norm(const ZoneTables& tables, Traction kind, double depth, const Gri
 }
 
 NodePlanes middle_planes(const ZoneTables& tables) {
-  // The corners of the last blocks lie one cell further.
+  // The corners of the last blocks are one cell further.
   Box cells = Box::surface(tables.grid());
   cells.nx += tables.split().middle_spacing;
   cells.ny += tables.split().middle_spacing;
@@ -66,7 +66,7 @@ NodePlanes middle_planes(const ZoneTables& tables) {
 }  // namespace
 
 struct StressBound::Group {
-  int first;  // number of its first depth
+  int first;  // index of its first depth
   std::vector<double> depths;
   bool has_middle;
   TractionStress middle, far;

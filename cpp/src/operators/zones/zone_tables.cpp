@@ -9,10 +9,10 @@
 namespace samcontact::operators {
 namespace {
 
-/// Tables have so many layers, times a whole number: they outlast zones that grow.
+/// Tables have a multiple of this number of layers, so that they can be reused for zones that grow.
 constexpr int layers_at_once = 8;
 
-/// The node of a period that one is.
+/// Index of a node within its period.
 int folded(int node, int period) { return ((node % period) + period) % period; }
 
 }  // namespace
@@ -140,7 +140,7 @@ ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {
   if (!place) {
     const VolumeOptions options{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_,
                                 heat(band)};
-    // Those of fewer layers come just before.
+    // Tables of fewer layers come just before.
     Operators shallower;
     if (at != kept_.begin()) {
       const auto& [key, of_key] = *std::prev(at);
@@ -173,7 +173,7 @@ Field ZoneTables::borrow(std::size_t count) const {
     field = std::move(*found);
     spare_.erase(found);
   } else {
-    // They are too small for what zones have become, which go on growing a little.
+    // They are too small for the present zones, which continue to grow slightly.
     spare_.clear();
     field.reserve(count + count / 4);
   }

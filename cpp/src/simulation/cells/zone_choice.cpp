@@ -15,15 +15,15 @@ namespace {
 
 using operators::Band;
 
-/// Points of a transform over those of a plane.
+/// Ratio of the points of a transform to those of a plane.
 double padding(bool joined) { return joined ? 1.0 : 4.0; }
 
-/// Cells around what must be in a zone, and below it.
+/// Margin around the required cells of a zone, and below them [cells].
 constexpr int margin = 1;
 
 bool meet(const Box& a, const Box& b) { return !a.intersected(b).empty(); }
 
-/// The parts of a box beside another, whose layers do not matter: whole rows in x, or in y.
+/// Parts of a box outside another one, whose layers do not matter: whole rows in x, or in y.
 std::vector<Box> beside(const Box& box, const Box& other, bool rows_in_x) {
   const Box common = box.intersected(other);
   const int i1 = box.i0 + box.nx, j1 = box.j0 + box.ny;
@@ -43,7 +43,7 @@ std::vector<Box> beside(const Box& box, const Box& other, bool rows_in_x) {
   return parts;
 }
 
-/// The smallest box around what others do not hold of one.
+/// Smallest box around the cells of a box that no zone contains.
 Box left_over(const Box& box, const std::vector<Box>& zones) {
   std::vector<Box> parts{box};
   for (const Box& zone : zones) {
@@ -58,12 +58,12 @@ Box left_over(const Box& box, const std::vector<Box>& zones) {
   return around(parts);
 }
 
-/// Unites and cuts boxes to zones that cost least.
+/// Merging and cutting of boxes to the zones of least cost.
 class Merging {
  public:
   explicit Merging(const operators::BandSplit& split) : split_(split) {}
 
-  /// Of a zone that stands alone.
+  /// Cost of an isolated zone.
   double cost(const Box& zone) const { return cost(std::vector{zone}); }
   double cost(const std::vector<Box>& zones) const {
     return std::accumulate(zones.begin(), zones.end(), 0.0, [&](double sum, const Box& zone) {
@@ -74,15 +74,15 @@ class Merging {
     });
   }
   void unite(std::vector<Box>& boxes) const;
-  /// The same cells in disjoint boxes.
+  /// Disjoint boxes with the same cells.
   std::vector<Box> made_disjoint(const std::vector<Box>& boxes) const;
 
  private:
-  /// The cheapest way to hold the cells of two boxes that meet without uniting them: one of them as
-  /// deep as both need, and what the other has beside it.
+  /// Cheapest way to cover two overlapping boxes without merging them: one of them as deep as both
+  /// require, and the part of the other outside it.
   std::vector<Box> parted(const Box& a, const Box& b) const;
-  /// Whether two of the boxes cost less as one. One that would meet others is only made of two that
-  /// meet: else it might be cut into the two again.
+  /// Whether two of the boxes cost less as one. A merged box that would overlap others is made only
+  /// from two that overlap: otherwise it might be cut into these two again.
   bool better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) const;
 
   const operators::BandSplit& split_;
@@ -145,7 +145,7 @@ std::vector<Box> Merging::made_disjoint(const std::vector<Box>& boxes) const {
   return zones;
 }
 
-/// The box around all columns that hang together with one, which are crossed out.
+/// Box around all columns connected to one column; the columns are removed.
 Box taken_out(Columns& columns, int i, int j) {
   const Box& window = columns.window;
   Box box;

@@ -64,7 +64,8 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
   } else {
     contact::ContactSettings settings;
     settings.tol = tol;
-    // An iterate may be larger than the solution: the border is checked once, at the end.
+    // The contact of an iterate may be larger than that of the solution: the edge of the grid is
+    // checked once, at the end.
     settings.on_border = contact::OnBorder::warn;
     if (slip_.is_on()) {
       solution = slip_.solve(gap, tractions_.pressure, settings);

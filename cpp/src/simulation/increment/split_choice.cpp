@@ -9,14 +9,15 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Of the work of one box, that of zones must be less than this part.
+/// Zones are used if their work is less than this fraction of that of one box.
 constexpr double worth = 0.7;
-/// Where nothing is padded, rings and what zones do one by one count for more.
+/// On periodic surfaces nothing is padded, so that margins and the work done zone by zone count for
+/// more.
 constexpr double worth_joined = 0.45;
-/// Of bodies that move: each increment needs new zones, and once what lies outside of them.
+/// Moving bodies need new zones in each increment, and once the effect of the strain outside them.
 constexpr double worth_moving = 0.4;
 
-/// As deep as some cells.
+/// Columns down to some cells.
 Columns columns_of(const std::vector<Cell>& cells) {
   Columns columns;
   for (const auto& [i, j, k] : cells) columns.window = columns.window.united({i, j, 1, 1, 1});
@@ -55,7 +56,7 @@ bool SplitChoice::is_worthwhile(const PlasticBody& body, const std::vector<Box>&
       cost_of_zones(boxes, Box::surface(task_.scene().grid), task_.scene().split, joined);
   const Box window = window_of(tractions_, task_.scene().grid), all = around(boxes);
   if (task_.from.travel != Travel{} && !window.empty()) {
-    // One box leaves behind what does not flow.
+    // One box does not include strain outside the present plastic flow.
     const Box needed = choice_.in_grid_or({}, window.united({0, 0, 0, 0, all.nz}));
     return cost <
            worth_moving * cost_of_box(choice_.fitted(choice_.with_margin(needed), {}), joined);

@@ -11,17 +11,16 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Material that past flow left at the yield stress creeps when it is unloaded, far from the
-/// contact too: flow below this part of the largest strain does not make a box grow beyond the
-/// grid.
+/// Material that past flow left at the yield stress creeps during unloading, far from the contact
+/// too: flow below this fraction of the largest strain does not make a box grow beyond the grid.
 constexpr double negligible_flow = 1e-4;
 
-/// The relative change from which on pressures hardly reach further.
+/// Relative change below which the extent of the pressure hardly changes.
 constexpr double settles = 0.05;
-/// Cells by which a zone grows where its rim flows.
+/// Cells by which a zone grows if its outermost cells have plastic flow.
 constexpr int growth = 2;
 
-/// Whether zones hold all neighbours of a cell.
+/// Whether zones contain all neighbours of a cell.
 bool holds_around(const Zones& zones, const Cell& cell, const Period& period) {
   const auto within = [](int n, int length) { return length > 0 ? (n + length) % length : n; };
   for (int i = cell.i - 1; i <= cell.i + 1; ++i) {
@@ -71,7 +70,7 @@ std::invalid_argument ZoneManager::flows_as_a_whole(const PlasticBody& body) con
       "grid");
 }
 
-/// Its whole box; empty before there is one.
+/// Whole box around its zones; empty if there are none.
 Box ZoneManager::whole_or_none(const PlasticBody& body) const {
   return body.zones().empty() ? Box{} : choice_.whole(body.zones().around());
 }
@@ -97,14 +96,14 @@ bool ZoneManager::fit(const Field& gap) {
     Box needed = now;
     if (!scanned_) {
       const YieldScan& scan = *task_.scans[body.index()];
-      // The load of a given approach comes out of the solution.
+      // Under approach control the load is a result.
       if (!task_.target.is_approach() && body.search().yields_everywhere(body.tractions(), scan))
         throw flows_as_a_whole(body);
       const Box near = body.search().near_yield(body.tractions(), scan, sources_);
       if (!near.empty()) needed = choice_.in_grid_or(now, needed.united(choice_.with_margin(near)));
     }
     if (needed.empty()) continue;
-    // The stress is that of the tractions over the box: it must hold all of them.
+    // The stress is that of the tractions over the box: it must contain all of them.
     needed = needed.united(window);
     if (touches) needed = needed.united(body.surface().seen());
     if (body.zones().count() == 1 && now.contains(needed)) continue;

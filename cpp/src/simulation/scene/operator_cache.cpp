@@ -11,9 +11,10 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Two bodies with a box each and one for what lies outside of it, and fields on demand.
+/// Number of kept operators: two bodies with one box each and one for the strain outside it, and
+/// fields on demand.
 constexpr std::size_t most_kept = 6;
-/// Cells beyond which the operators of a box that was outgrown are not kept.
+/// Number of cells above which the operators of a box that has become too small are released.
 constexpr std::size_t large_box = 1'000'000;
 
 }  // namespace

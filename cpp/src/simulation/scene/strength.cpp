@@ -12,20 +12,20 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Layers that can be counted.
+/// Maximum number of layers.
 constexpr double most_layers = 1e6;
-/// A change of strength that asks for a look of its own, a part of the yield stress; at most so
-/// many looks.
+/// Change of strength, relative to the yield stress, that requires a check at an additional depth;
+/// maximum number of such depths.
 constexpr double smallest_step = 0.05, most_steps = 40.0;
 
-/// What bears less than this part of what lies above is weak.
+/// A layer is weak if its strength is less than this fraction of that above.
 constexpr double weak = 0.9;
 
 double von_mises(const std::array<double, 3>& s) {
   return std::sqrt(3 * second_invariant(s[0], s[1], 0.0, 0.0, s[2]));
 }
 
-/// What bears any pressure [Pa].
+/// Stands for unlimited pressure [Pa].
 constexpr double any_pressure = 1e30;
 
 /// Depths at which a profile of a material has a kink, and both sides of interfaces.
@@ -85,7 +85,7 @@ Strength::Strength(const plasticity::Body& body, const Grid& grid, const Relief&
 
 double Strength::change(double above, double below) const {
   const plasticity::Material& material = body_.at(above);
-  // Both sides of an interface are looked at, and what does not yield is not.
+  // Both sides of an interface are checked; elastic material is not.
   if (&body_.at(below) != &material || !material.is_plastic()) return 0.0;
   const double one = material.yield_factor(above), two = material.yield_factor(below);
   const double change = std::fabs(two - one) / std::max(one, two);
@@ -156,7 +156,7 @@ Field Strength::factor(const Box& box) const {
   for (int n = 0; n < body_.count(); ++n) graded |= body_.material(n).yield_profile.has_value();
   if (!graded) return {};
   Field out(box.volume_size());
-  // Whole layers are alike.
+  // Cells of one layer have equal values.
   double known = -1.0, value = 0.0;
   for_cells(box, [&](std::size_t n, double z) {
     if (z != known) value = body_.at(z).yield_factor(known = z);
@@ -198,7 +198,7 @@ std::vector<LayerLimit> Strength::limits(const std::vector<LayerRange>& ranges, 
     }
     const double factor = part * softening;
     LayerLimit limit{factor * yield_stress_at(z), start_at(z)};
-    // Worn cells are as strong as deeper ones; far down they are alike.
+    // Worn cells have the strength of deeper ones; at large depths all are equal.
     for (int k = first; k < last; ++k) {
       auto other = start_at(mid_depth(k));
       for (int c = 0; c < 3; ++c) other[c] = part * (other[c] - limit.start[c]);

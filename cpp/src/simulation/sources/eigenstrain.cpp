@@ -15,7 +15,7 @@ namespace {
 
 using operators::Tensor;
 
-/// The components of a tensor, from all six of a stress.
+/// Components of a tensor, from all six of a stress.
 Field components_of(const Field& stress, Tensor tensor) {
   if (tensor == Tensor::full) return stress;
   const std::size_t cells = stress.size() / 6;
@@ -30,7 +30,7 @@ Field components_of(const Field& stress, Tensor tensor) {
   return out;
 }
 
-/// The box of all cells of a region whose stress [6][k][i][j] is beyond the limits of its layers.
+/// Box of all cells of a region whose stress [6][k][i][j] exceeds the limits of its layers.
 Box cells_beyond(const Field& stress, const Box& region, const std::vector<LayerLimit>& limits) {
   const Field s = components_of(stress, Tensor::deviator);
   const std::size_t cells = region.volume_size();
@@ -49,7 +49,7 @@ Box cells_beyond(const Field& stress, const Box& region, const std::vector<Layer
   return found;
 }
 
-/// Whether a box ends where a region does, but for the ends of the grid.
+/// Whether a box reaches the end of a region, other than at the ends of the grid.
 bool reaches_end(const Box& box, const Box& region, const Grid& grid) {
   const int i1 = region.i0 + region.nx, j1 = region.j0 + region.ny;
   return (box.i0 == region.i0 && region.i0 > 0) || (box.j0 == region.j0 && region.j0 > 0) ||

@@ -12,7 +12,7 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Cells from the start of a body's way.
+/// Maximum distance from the origin of a body [cells].
 constexpr int farthest = 1 << 30;
 constexpr auto no_fit = "the arrays of a plastic history do not match its zones";
 
@@ -24,7 +24,7 @@ bool is_one_of(fft::Symmetry symmetry) {
   return symmetry >= fft::Symmetry::none && symmetry <= fft::Symmetry::xy;
 }
 
-/// Whether it is one, in cells that can be counted.
+/// Whether it is a valid box, within the range of cell indices.
 bool is_box(const Box& box, const Grid& grid) {
   const auto counted = [](int first, int count) {
     return std::abs(static_cast<long>(first)) < farthest && count >= 0 && count < farthest;

@@ -15,7 +15,7 @@ namespace samcontact::simulation {
 
 namespace {
 
-/// Sets the start of bodies that attract each other: apart, just before they touch.
+/// Initial state of surfaces with attraction: separated, just before contact.
 void part(State& state) {
   const Scene& scene = state.scene();
   const Field pull = contact::attraction(*scene.contact_law, scene.initial_gap);

@@ -7,7 +7,7 @@
 namespace samcontact::simulation {
 namespace {
 
-/// How many cells more there are before the first one, as many as behind the last.
+/// Number of cells added before the first one, equal to that added after the last.
 int cells_before(int from, int to) {
   if (to < from || (to - from) % 2 != 0) {
     throw std::invalid_argument(

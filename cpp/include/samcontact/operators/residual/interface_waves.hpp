@@ -38,7 +38,7 @@ struct Matrix {
 
 /// Tractions and displacements of modes at y = 0, downwards and upwards.
 struct Sides {
-  double half;  // ratio of the shear modulus of the first layer to that of this layer
+  double half;  // half of the ratio of the shear modulus of the first layer to that of this layer
   double nu;
 
   SAMCONTACT_INLINE static Pair traction_down(const Pair& v) { return {v.p - v.f, v.p}; }
