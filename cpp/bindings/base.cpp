@@ -46,7 +46,7 @@ void prepare_for_forks() {
   const auto unlock_in_child = [] {
     unlock_memory();
     fft::unlock_plans();
-    lose_team();
+    reset_team();
   };
   if (pthread_atfork(lock, unlock, unlock_in_child) != 0) throw std::bad_alloc();
 }
@@ -107,9 +107,10 @@ void bind_base(py::module_& m) {
       .def_property_readonly("above_low", [](const LawParameter& p) { return p.allowed.above_low; })
       .def_property_readonly("infinite", [](const LawParameter& p) { return p.allowed.infinite; });
   py::class_<Grid>(m, "Grid")
-      .def(py::init(
-               [](int nx, int ny, double dx, double dy, int nz, double dz, bool along_x,
-                  bool along_y) { return Grid(nx, ny, dx, dy, nz, dz).joined(along_x, along_y); }),
+      .def(py::init([](int nx, int ny, double dx, double dy, int nz, double dz, bool along_x,
+                       bool along_y) {
+             return Grid(nx, ny, dx, dy, nz, dz).made_periodic(along_x, along_y);
+           }),
            py::arg("nx"), py::arg("ny"), py::arg("dx"), py::arg("dy"), py::arg("nz"), py::arg("dz"),
            py::arg("along_x") = false, py::arg("along_y") = false)
       .def_readonly("nx", &Grid::nx)

@@ -42,7 +42,7 @@ py::dict to_python(contact::Solution solution, const Grid& grid, const contact::
   result["operator_applications"] = solution.operator_applications;
   result["work"] = solution.work;
   result["converged"] = solution.converged;
-  result["border_complaint"] = solution.border_complaint;
+  result["border_complaint"] = solution.edge_warning;
   return result;
 }
 

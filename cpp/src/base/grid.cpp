@@ -43,7 +43,7 @@ Grid::Grid(int nx_, int ny_, double dx_, double dy_, int nz_, double dz_)
   if (nz > 0 || dz != 0) require_size("dz", dz);
 }
 
-Grid Grid::joined(bool along_x, bool along_y) const {
+Grid Grid::made_periodic(bool along_x, bool along_y) const {
   const auto require_even = [](const char* name, int cells) {
     require(cells == 1 || cells % 2 == 0, name, "even, or 1, along a periodic direction", cells);
   };

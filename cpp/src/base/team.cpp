@@ -37,7 +37,7 @@ bool keeps_number() {
 }
 
 /// More threads, as by a typing error in OMP_NUM_THREADS, would only wait for each other.
-int most_threads() { return std::min(8 * omp_get_num_procs(), omp_get_thread_limit()); }
+int max_threads() { return std::min(8 * omp_get_num_procs(), omp_get_thread_limit()); }
 
 #ifdef __linux__
 
@@ -74,7 +74,7 @@ class Watch {
   void enter() {
     if (depth_++ > 0) return;
     given_ = omp_get_max_threads();
-    const int most = lost_ ? 1 : std::clamp(given_, 1, most_threads());
+    const int most = lost_ ? 1 : std::clamp(given_, 1, max_threads());
     if (most != size_.most()) size_ = TeamSize(most);
     omp_set_num_threads(size_.size());
     began_ += Clock::now() - left_;  // an interval counts the time inside teams only
@@ -154,7 +154,7 @@ Watch& watch() {
 Team::Team() { watch().enter(); }
 Team::~Team() { watch().leave(); }
 void adjust_team() { watch().adjust(); }
-void lose_team() { watch().lose(); }
+void reset_team() { watch().lose(); }
 
 }  // namespace samcontact
 
@@ -165,7 +165,7 @@ namespace samcontact {
 Team::Team() = default;
 Team::~Team() = default;
 void adjust_team() {}
-void lose_team() {}
+void reset_team() {}
 
 }  // namespace samcontact
 

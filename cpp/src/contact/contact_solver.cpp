@@ -29,7 +29,7 @@ bool is_zero(const Field& field) {
 }
 
 /// Largest repulsion in the outermost cells of the grid, at the edges normal to x and to y.
-std::array<double, 2> border_repulsion(const Grid& grid, const Field& repulsion) {
+std::array<double, 2> edge_repulsion(const Grid& grid, const Field& repulsion) {
   std::array<double, 2> largest{};
   const auto at = [&](int i, int j) {
     return repulsion[static_cast<std::size_t>(i) * grid.ny + j];
@@ -96,8 +96,8 @@ void require_below_mean(const Grid& grid, const Field& gap, Given normal) {
           normal.value, "prescribe the load instead");
 }
 
-std::string border_complaint(const Grid& grid, const Field& repulsion, const std::string& what) {
-  const auto [at_x, at_y] = border_repulsion(grid, repulsion);
+std::string edge_warning(const Grid& grid, const Field& repulsion, const std::string& what) {
+  const auto [at_x, at_y] = edge_repulsion(grid, repulsion);
   if (!in_contact(at_x) && !in_contact(at_y)) return {};
   const double most = *std::max_element(repulsion.begin(), repulsion.end());
   const auto percent = [most](double p) { return to_short_text(100 * p / most) + " %"; };
@@ -120,10 +120,9 @@ std::string border_complaint(const Grid& grid, const Field& repulsion, const std
          " m), with a pressure of " + where + cover + ": enlarge " + what_helps;
 }
 
-GridTooSmallError too_small(const Grid& grid, const Field& repulsion,
-                            const std::string& complaint) {
-  const auto [at_x, at_y] = border_repulsion(grid, repulsion);
-  return {complaint + ", or set on_border=\"warn\"", in_contact(at_x), in_contact(at_y)};
+GridTooSmallError too_small(const Grid& grid, const Field& repulsion, const std::string& warning) {
+  const auto [at_x, at_y] = edge_repulsion(grid, repulsion);
+  return {warning + ", or set on_border=\"warn\"", in_contact(at_x), in_contact(at_y)};
 }
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
@@ -200,9 +199,9 @@ Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field&
                           : multilevel_.solve(attraction.gap(), normal, std::move(repulsion),
                                               settings.tol, settings.max_iterations);
   require_solved(solution, drive, settings);
-  solution.border_complaint = border_complaint(grid_, solution.tractions.pressure, describe(drive));
-  if (!solution.border_complaint.empty() && settings.on_border == OnBorder::error) {
-    throw too_small(grid_, solution.tractions.pressure, solution.border_complaint);
+  solution.edge_warning = edge_warning(grid_, solution.tractions.pressure, describe(drive));
+  if (!solution.edge_warning.empty() && settings.on_border == OnBorder::error) {
+    throw too_small(grid_, solution.tractions.pressure, solution.edge_warning);
   }
   solution.tractions = friction_.tractions(std::move(solution.tractions.pressure));
   return attraction.with_attraction(std::move(solution), drive.normal);

@@ -9,24 +9,24 @@
 #include <vector>
 
 #include "samcontact/contact/iteration/anderson.hpp"
-#include "samcontact/contact/normal/first_touch.hpp"
+#include "samcontact/contact/normal/first_contact.hpp"
 #include "samcontact/contact/tangential/held_forces.hpp"
 
 namespace samcontact::contact {
 namespace {
 
-constexpr int most_sweeps = 100, most_steps = 100;
+constexpr int max_sweeps = 100, max_steps = 100;
 /// Number of sweeps used by the acceleration: cells change sides between sweeps, which makes older
 /// ones useless.
 constexpr int anderson_depth = 4;
 /// Tolerance within a sweep: relative to the error of the previous sweep, and in the first sweep.
-constexpr double inner_share = 0.1, loosest = 1e-2;
+constexpr double inner_tol_ratio = 0.1, loosest = 1e-2;
 /// Factor of the tolerance, so that the last sweep stays within it.
 constexpr double safety = 0.5;
 /// e_t is relative to the stiffness of the whole contact, and the shear of single cells is off by
 /// up to 25 times as much: tolerances below `fine`, except those near rounding, are multiplied by
 /// this factor.
-constexpr double shear_share = 0.5, fine = 1e-6, rounding = 1e-12;
+constexpr double shear_tol_ratio = 0.5, fine = 1e-6, rounding = 1e-12;
 /// A shear of at least this fraction of its bound is on it.
 constexpr double on_circle = 1 - 1e-9;
 /// Friction ratio of dissimilar materials above which an increment may have no solution: a cell
@@ -86,8 +86,8 @@ class PartialSlipContact::Sweeps {
     if (!contact_.is_coupled()) return;
     raised_.resize(n_, 0.0);
     if (before.pressure.empty()) return;
-    slid_before_.resize(2 * n_);
-    contact_.coupling_.tangential(before.pressure.data(), slid_before_.data(), work_);
+    displaced_before_.resize(2 * n_);
+    contact_.coupling_.tangential(before.pressure.data(), displaced_before_.data(), work_);
     raise(before.shear, raised_);
   }
 
@@ -103,14 +103,14 @@ class PartialSlipContact::Sweeps {
     Anderson anderson(anderson_depth);
     double tol = coupled ? std::max(loosest, safety * full) : full;
     for (;; ++s_.sweeps) {
-      press(std::move(pressure), tol);
+      solve_pressure(std::move(pressure), tol);
       if (!s_.normal.converged) return std::move(s_);
-      slide(coupled || rolls_ || full > fine ? tol : std::max(shear_share * full, least));
-      const Field change = coupled ? lift_gap() : Field{};
+      solve_shear(coupled || rolls_ || full > fine ? tol : std::max(shear_tol_ratio * full, least));
+      const Field change = coupled ? update_gap() : Field{};
       s_.normal.converged = std::max(s_.normal.error, s_.tangential.error) <= full;
       if (s_.normal.converged || !coupled) break;
-      if (!s_.tangential.converged || s_.sweeps >= most_sweeps) break;
-      tol = std::max(inner_share * s_.normal.error, safety * full);
+      if (!s_.tangential.converged || s_.sweeps >= max_sweeps) break;
+      tol = std::max(inner_tol_ratio * s_.normal.error, safety * full);
       anderson.next(raised_, change);
       pressure = s_.normal.tractions.pressure;
     }
@@ -119,7 +119,7 @@ class PartialSlipContact::Sweeps {
 
  private:
   /// Solves for the pressure at the present normal displacement due to shear.
-  void press(Field pressure, double tol) {
+  void solve_pressure(Field pressure, double tol) {
     Field gap = gap_;
     if (!raised_.empty()) add_scaled(1.0, raised_, gap);
     const Solution before = std::move(s_.normal);
@@ -133,7 +133,7 @@ class PartialSlipContact::Sweeps {
   }
 
   /// Replaces a displacement by its decrease from the next cell ahead, per distance rolled.
-  void lose_on_the_way(Field& displacement) const {
+  void difference_per_distance(Field& displacement) const {
     const std::size_t row = contact_.grid_.ny;
     for (std::size_t at = 0; at < 2 * n_; ++at) {
       const bool is_last = at % n_ + row >= n_;
@@ -143,7 +143,7 @@ class PartialSlipContact::Sweeps {
   }
 
   /// Solves for the shear under the present pressure.
-  void slide(double tol) {
+  void solve_shear(double tol) {
     const Field& p = s_.normal.tractions.pressure;
     Field free_slip = before_.free_slip;
     if (contact_.is_coupled()) {
@@ -151,16 +151,16 @@ class PartialSlipContact::Sweeps {
       contact_.coupling_.tangential(p.data(), slid.data(), work_);
       free_slip.resize(2 * n_, 0.0);
       for (std::size_t i = 0; i < 2 * n_; ++i) {
-        free_slip[i] += (slid_before_.empty() ? 0.0 : slid_before_[i]) - slid[i];
+        free_slip[i] += (displaced_before_.empty() ? 0.0 : displaced_before_[i]) - slid[i];
       }
-      if (rolls_) lose_on_the_way(free_slip);
+      if (rolls_) difference_per_distance(free_slip);
     }
-    const Field touching = in_touch();
+    const Field touching = contact_part();
     const bool first = s_.tangential.shear.empty();
     const Field start = first ? shear_before() : std::move(s_.tangential.shear);
     const std::vector<unsigned char> sticking = std::move(s_.tangential.sticking);
     const ShearSolution before = std::move(s_.tangential);
-    const bool told = !sticking.empty();
+    const bool has_sticking = !sticking.empty();
     const ShearTask task{p,
                          contact_.friction_,
                          before_.shear,
@@ -168,9 +168,9 @@ class PartialSlipContact::Sweeps {
                          tangential_,
                          &slid_by_shear_,
                          touching.empty() ? nullptr : &touching,
-                         told ? &sticking : nullptr,
+                         has_sticking ? &sticking : nullptr,
                          rolls_};
-    s_.tangential = contact_.shear_.solve(task, start, before.motion, tol, most_steps);
+    s_.tangential = contact_.shear_.solve(task, start, before.motion, tol, max_steps);
     s_.tangential.steps += before.steps;
     s_.tangential.iterations += before.iterations;
     s_.tangential.fallbacks += before.fallbacks;
@@ -197,14 +197,14 @@ class PartialSlipContact::Sweeps {
 
   /// Part of a rigid motion that newly contacting cells slip; empty if there are none, and before
   /// the first contact, for which the normal load is applied first.
-  Field in_touch() {
+  Field contact_part() {
     const double closer = s_.normal.motion.approach - before_.approach;
     if (before_.pressure.empty() || before_.has_moved || !(closer > 0)) return {};
     if (gap_before_.empty()) gap_before_ = find_gap_before();
     // Slip of round contacts so far, for a shear with this ratio to the pressure.
     const double ratio = contact_.friction_.ratio(mean_pressure());
     const double most = 0.5 * (1 + contact_.crosswise_) * ratio * closer;
-    return slip_in_touch(
+    return slip_after_contact(
         contact_.grid_,
         {before_.pressure, s_.normal.tractions.pressure, gap_before_, closer, given_motion(), most},
         contact_.crosswise_);
@@ -247,7 +247,7 @@ class PartialSlipContact::Sweeps {
 
   /// Updates gap and pressure error for the present shear; returns the normal displacement due to
   /// the shear in excess of raised_.
-  Field lift_gap() {
+  Field update_gap() {
     Solution& s = s_.normal;
     const Field& p = s.tractions.pressure;
     Field change(n_), displacement(n_, 0.0);
@@ -276,10 +276,10 @@ class PartialSlipContact::Sweeps {
   const ContactSettings& settings_;
   const bool rolls_;
   const std::size_t n_;
-  Field raised_;       // assumed B s; empty if it is zero
-  Field gap_before_;   // empty: unknown
-  Field slid_before_;  // B' p of the history
-  SlidBefore slid_by_shear_;
+  Field raised_;            // assumed B s; empty if it is zero
+  Field gap_before_;        // empty: unknown
+  Field displaced_before_;  // B' p of the history
+  PreviousDisplacement slid_by_shear_;
   ComplexField work_;
   PartialSlipSolution s_;
 };
@@ -334,10 +334,9 @@ PartialSlipSolution PartialSlipContact::finished(PartialSlipSolution solution, G
                                                  const ContactSettings& settings) const {
   require_solved(solution, normal, settings, is_coupled() && friction_.ratio(0.0) > always_solved);
   Solution& pressed = solution.normal;
-  pressed.border_complaint =
-      border_complaint(grid_, pressed.tractions.pressure, describe(Drive{normal}));
-  if (!pressed.border_complaint.empty() && settings.on_border == OnBorder::error) {
-    throw too_small(grid_, pressed.tractions.pressure, pressed.border_complaint);
+  pressed.edge_warning = edge_warning(grid_, pressed.tractions.pressure, describe(Drive{normal}));
+  if (!pressed.edge_warning.empty() && settings.on_border == OnBorder::error) {
+    throw too_small(grid_, pressed.tractions.pressure, pressed.edge_warning);
   }
   pressed = attraction.with_attraction(std::move(pressed), normal);
   return solution;

@@ -25,7 +25,7 @@ constexpr double spacing = pi / 16;
 /// Relative to the largest amplitude: a plane whose value is lower than the best by less than this
 /// may have a better one in its neighbourhood.
 constexpr double margin = 0.08;
-constexpr int most_starts = 8;  // no two of them neighbours
+constexpr int max_starts = 8;  // no two of them neighbours
 const double neighbours = std::cos(0.8 * spacing), same = std::cos(0.01);
 constexpr double rounding = 1e-10;  // of the largest amplitude
 
@@ -136,14 +136,14 @@ class Starts {
     for (const Found& one : found()) {
       if (are_near(one.normal, normal, neighbours)) return one.value < value;
     }
-    return count_ < most_starts || found_[most_starts - 1].value < value;
+    return count_ < max_starts || found_[max_starts - 1].value < value;
   }
 
   void offer(const Found& one) {
     if (!wants(one.normal, one.value)) return;
     int at = 0;
     while (at < count_ && !are_near(found_[at].normal, one.normal, neighbours)) ++at;
-    if (at == count_ && count_ < most_starts) ++count_;
+    if (at == count_ && count_ < max_starts) ++count_;
     at = std::min(at, count_ - 1);
     found_[at] = one;
     for (; at > 0 && found_[at].value > found_[at - 1].value; --at) {
@@ -152,7 +152,7 @@ class Starts {
   }
 
  private:
-  std::array<Found, most_starts> found_{};
+  std::array<Found, max_starts> found_{};
   int count_ = 0;
 };
 
@@ -291,7 +291,7 @@ class Search {
   double* work_;
   Law law_;
   double scale_ = 0.0;
-  std::array<Vector, most_starts> tops_{};
+  std::array<Vector, max_starts> tops_{};
   int count_ = 0;
   // of the last plane
   double normal_ = 0.0, radius_ = 0.0, square_ = 0.0;

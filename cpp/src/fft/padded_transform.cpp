@@ -44,7 +44,7 @@ PaddedTransform::PaddedTransform(int nx, int ny, int mx, int my)
 void PaddedTransform::forward(const double* plane, Complex* spectrum, std::size_t stride,
                               Threads threads) const {
   const int h = mh();
-#pragma omp parallel if (threads == Threads::many && spectrum_size() >= worth_threads_cells)
+#pragma omp parallel if (threads == Threads::many && spectrum_size() >= min_parallel_cells)
   {
     rows_.forward(plane, nx_, spectrum, stride);
     ComplexField padded(mx_);
@@ -62,7 +62,7 @@ void PaddedTransform::filter(const double* planes, int inputs, const Product& pr
   const std::size_t pitch = pitch_of(nx_), size = mh() * pitch,
                     plane = static_cast<std::size_t>(nx_) * ny_;
   work.resize(std::max(inputs, outputs) * size);
-#pragma omp parallel if (spectrum_size() >= worth_threads_cells)
+#pragma omp parallel if (spectrum_size() >= min_parallel_cells)
   {
     for (int c = 0; c < inputs; ++c) {
       rows_.forward(planes + c * plane, nx_, work.data() + c * size, pitch);
@@ -91,7 +91,7 @@ void PaddedTransform::filter(const double* planes, int inputs, const Product& pr
 void PaddedTransform::inverse(Complex* spectrum, double* plane, std::size_t stride,
                               Threads threads) const {
   const int h = mh();
-#pragma omp parallel if (threads == Threads::many && spectrum_size() >= worth_threads_cells)
+#pragma omp parallel if (threads == Threads::many && spectrum_size() >= min_parallel_cells)
   {
     ComplexField line(mx_);
 #pragma omp for schedule(static)

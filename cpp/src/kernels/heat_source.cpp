@@ -43,7 +43,7 @@ void check_heat_arguments(const HeatSource& source, const HeatPoints& points, do
   const double extent =
       std::max({std::fabs(points.x.front()), std::fabs(points.x.back()),
                 std::fabs(points.y.front()), std::fabs(points.y.back()), source.a, source.b});
-  require(source.speed() * extent <= max_heat_way, "speed times extent", "<= 1e7",
+  require(source.speed() * extent <= max_heat_path, "speed times extent", "<= 1e7",
           source.speed() * extent);
 }
 

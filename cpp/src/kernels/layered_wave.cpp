@@ -98,7 +98,7 @@ LayeredWave::Amplitudes LayeredWave::amplitudes(int layer, Vector traction, doub
 }
 
 /// 1 along the wavevector, 2 across.
-struct LayeredWave::Turned {
+struct LayeredWave::Rotated {
   double s11 = 0.0, s22 = 0.0, s33 = 0.0, s13 = 0.0, s12 = 0.0, s23 = 0.0;
 
   /// Modes that decay downwards (sign 1) or upwards (-1): P and F in the plane of the wavevector,
@@ -115,10 +115,10 @@ struct LayeredWave::Turned {
   }
 };
 
-LayeredWave::Turned LayeredWave::turned(int layer, const Decays& decays, const Vector& traction,
-                                        double across) const {
+LayeredWave::Rotated LayeredWave::rotated(int layer, const Decays& decays, const Vector& traction,
+                                          double across) const {
   const Amplitudes waves = amplitudes(layer, traction, across);
-  Turned stress;
+  Rotated stress;
   stress.add(waves.a, waves.across_a, decays.down, layers_[layer].nu, 1.0);
   stress.add(waves.b, waves.across_b, decays.up, layers_[layer].nu, -1.0);
   return stress;
@@ -137,14 +137,14 @@ LayeredWave::Decays LayeredWave::mean(int layer, double z0, double z1) const {
 }
 
 Stress LayeredWave::under_pressure(int layer, const Decays& decays, double cos, double sin) const {
-  const Turned s = turned(layer, decays, {0.0, -1.0}, 0.0);
+  const Rotated s = rotated(layer, decays, {0.0, -1.0}, 0.0);
   const double cc = cos * cos, ss = sin * sin;
   return {cc * s.s11 + ss * s.s22,     ss * s.s11 + cc * s.s22, s.s33, sin * s.s13, cos * s.s13,
           -cos * sin * (s.s11 - s.s22)};
 }
 
 Stress LayeredWave::under_shear_x(int layer, const Decays& decays, double cos, double sin) const {
-  const Turned s = turned(layer, decays, {1.0, 0.0}, 1.0);
+  const Rotated s = rotated(layer, decays, {1.0, 0.0}, 1.0);
   const double cc = cos * cos, ss = sin * sin;
   return {cos * (cc * s.s11 + ss * s.s22 + 2 * ss * s.s12),
           cos * (ss * s.s11 + cc * s.s22 - 2 * ss * s.s12),

@@ -119,11 +119,12 @@ std::vector<LawDescription> Hardening::descriptions() {
   std::vector<LawDescription> all;
   for_each_law<Laws>([&](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
-    LawDescription told{Law::name, Law::says, !std::is_same_v<Law, NoYield>, {}};
+    LawDescription description{Law::name, Law::says, !std::is_same_v<Law, NoYield>, {}};
     Law::parameters(law, [&](const char* name, const auto& value, const Allowed& allowed) {
-      told.parameters.push_back({name, allowed, !std::is_same_v<decltype(value), const double&>});
+      description.parameters.push_back(
+          {name, allowed, !std::is_same_v<decltype(value), const double&>});
     });
-    all.push_back(std::move(told));
+    all.push_back(std::move(description));
   });
   return all;
 }

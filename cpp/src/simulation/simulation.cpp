@@ -95,10 +95,10 @@ PlasticRecord record_of(const GivenHistory& given, const Box& box, operators::Te
 
 /// Maximum number of solves of an increment with heat due to slip, and number of iterates used by
 /// their acceleration.
-constexpr int most_heatings = 20, anderson_depth = 4;
+constexpr int max_heat_solves = 20, anderson_depth = 4;
 /// Allowed relative difference between the heat and that of the slip, in units of the tolerance;
 /// and power that counts as zero [W/m^2].
-constexpr double power_share = 10.0, smallest_power = 1e-200;
+constexpr double power_tol_ratio = 10.0, smallest_power = 1e-200;
 
 /// Friction power per area from the work per area in a time [i][j] [W/m^2].
 Field power_of(const Field& work, double duration, std::size_t cells) {
@@ -116,12 +116,12 @@ double total(const Field& power) {
 Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
                        const plasticity::Body& body2, Field initial_gap,
                        const contact::FrictionLaw& friction, const Settings& settings,
-                       const HeatMarch& march, Reliefs reliefs,
+                       const TransientHeating& transient_heating, Reliefs reliefs,
                        contact::SharedContactLaw contact_law)
     : scene_((contact::require_gap(initial_gap, grid, "gap"),
               std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
-                                      settings.image_tol, march, settings.reach, std::move(reliefs),
-                                      settings.split, std::move(contact_law)))),
+                                      settings.image_tol, transient_heating, settings.reach,
+                                      std::move(reliefs), settings.split, std::move(contact_law)))),
       settings_(settings),
       state_(scene_, settings.residual_stress) {
   if (!grid.has_volume() && (body1.is_plastic() || body2.is_plastic())) {
@@ -162,11 +162,11 @@ void Simulation::check(const Target& target) const {
   }
 }
 
-std::vector<std::string> Simulation::border_complaints(const State& reached,
-                                                       const Target& target) const {
+std::vector<std::string> Simulation::edge_warnings(const State& reached,
+                                                   const Target& target) const {
   if (target.is_prescribed()) return {};
   const Field repulsion = simulation::repulsion(reached);
-  std::string what = contact::border_complaint(scene_->grid, repulsion, describe(target));
+  std::string what = contact::edge_warning(scene_->grid, repulsion, describe(target));
   if (what.empty()) return {};
   if (settings_.on_border == contact::OnBorder::error) {
     throw contact::too_small(scene_->grid, repulsion, what);
@@ -174,7 +174,7 @@ std::vector<std::string> Simulation::border_complaints(const State& reached,
   return {std::move(what)};
 }
 
-State Simulation::reached(const Target& target) {
+State Simulation::end_state(const Target& target) {
   const auto scans_of = [this](const auto& heating) -> const Scans& { return scans(heating); };
   return Division(state_, target, settings_, counters_, scans_of).walk();
 }
@@ -188,23 +188,23 @@ State Simulation::heated_by_slip(Target target) {
   power.resize(grid.surface_size(), 0.0);
   contact::Anderson anderson(anderson_depth);
   double error = 1.0;
-  for (int n = 0; n < most_heatings; ++n) {
+  for (int n = 0; n < max_heat_solves; ++n) {
     target.past_symmetry = common(moving, symmetry_of(power, grid));
-    State state = reached(target);
+    State state = end_state(target);
     Field change = power_of(state.slip_work, duration, power.size());
     const double all = total(change);
     contact::add_scaled(-1.0, power, change);
     const double changed = total(change);
     error = changed > 0 ? changed / std::max(all, smallest_power) : 0.0;
-    if (error <= power_share * settings_.tol) return state;
+    if (error <= power_tol_ratio * settings_.tol) return state;
     anderson.next(power, change);
     for (double& q : power) q = std::max(q, 0.0);
   }
   throw ConvergenceError("coupled slip and frictional heating did not converge at " +
                              describe(target) + ": relative change " + to_short_text(error) +
-                             " after " + std::to_string(most_heatings) +
+                             " after " + std::to_string(max_heat_solves) +
                              " solves: use a longer duration or a smaller increment",
-                         most_heatings, error);
+                         max_heat_solves, error);
 }
 
 const State& Simulation::step(const Target& target) {
@@ -214,9 +214,9 @@ const State& Simulation::step(const Target& target) {
   const auto& [pressure, shear_x, shear_y] = target.tractions;
   if (shear_x.empty() && shear_y.empty()) whole.tractions = scene_->friction.tractions(pressure);
   const bool slip_heats = whole.heating[0].is_of_slip() || whole.heating[1].is_of_slip();
-  State reached = slip_heats ? heated_by_slip(std::move(whole)) : this->reached(whole);
+  State reached = slip_heats ? heated_by_slip(std::move(whole)) : end_state(whole);
   reached.contact_iterations = static_cast<int>(counters_.contact_iterations - contact_before);
-  reached.warnings = border_complaints(reached, target);
+  reached.warnings = edge_warnings(reached, target);
   state_ = std::move(reached);
   return state_;
 }
@@ -264,7 +264,7 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
       trace <= 1e-12 * largest ? operators::Tensor::deviator : operators::Tensor::full;
   const std::size_t terms = scene_->bodies[body].backstresses();
   const auto record = record_of({whole, strain, equivalent, backstress, terms}, box, tensor);
-  state_.plastic[body] = remade(record, scene_->grid, terms);
+  state_.plastic[body] = from_record(record, scene_->grid, terms);
   const Grid& window = scene_->grid;
   state_.flow_boxes[body] = {box.intersected({0, 0, window.nx, window.ny, box.nz})};
 }
@@ -276,7 +276,7 @@ void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& 
   down.nz += k0;
   const bool inside = Box::surface(grid).contains({box.i0, box.j0, box.nx, box.ny, 1}) && k0 >= 0 &&
                       box.nz > 0 && (grid.nz == 0 || down.nz <= grid.nz);
-  if (!inside || box.empty() || has_no_end(down, grid)) {
+  if (!inside || box.empty() || is_unbounded(down, grid)) {
     throw std::invalid_argument("the box of an eigenstrain must lie inside the grid");
   }
   require_field(strain, 6 * box.volume_size(), "strain", shape_text({6, box.nx, box.ny, box.nz}));

@@ -43,7 +43,7 @@ template <class Pick>
 Box bounding_box(const Grid& grid, const Pick& pick) {
   int i0 = grid.nx, i1 = -1, j0 = grid.ny, j1 = -1;
 #pragma omp parallel for schedule(static) reduction(min : i0, j0) reduction( \
-        max : i1, j1) if (static_cast<std::ptrdiff_t>(grid.nx) * grid.ny >= worth_threads_cells)
+        max : i1, j1) if (static_cast<std::ptrdiff_t>(grid.nx) * grid.ny >= min_parallel_cells)
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
       if (!pick(static_cast<std::size_t>(i) * grid.ny + j)) continue;

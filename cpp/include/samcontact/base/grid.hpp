@@ -35,7 +35,7 @@ struct Grid {
   /// Copy that is periodic along x, y or both. Throws std::invalid_argument unless the number of
   /// cells along each periodic direction is even or 1, there is more than one cell in all, and
   /// cells are at most eight times as long as the period in the other direction.
-  Grid joined(bool along_x, bool along_y) const;
+  Grid made_periodic(bool along_x, bool along_y) const;
   /// Whether each period is an even number of cells `factor` times as long.
   bool can_be_coarsened(int factor = 2) const;
 

@@ -28,7 +28,7 @@ struct Stack {
   bool operator==(const Stack&) const = default;
 
   /// Equivalent stack in which adjacent layers of identical material are merged.
-  Stack joined() const;
+  Stack merged() const;
   /// Depth of the bottom of the last layer [m].
   double thickness() const;
   /// Index of the layer at a depth, from the surface down; the number of layers stands for the

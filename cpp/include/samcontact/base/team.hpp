@@ -25,7 +25,7 @@ void adjust_team();
 
 /// Called in the child after a fork: the threads of OpenMP do not exist there, and OpenMP would
 /// wait for them forever. From then on loops of this thread have one thread.
-void lose_team();
+void reset_team();
 
 /// Next number of threads, chosen from the time that each present thread waited for a processor.
 class TeamSize {

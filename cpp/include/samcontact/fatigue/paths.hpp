@@ -34,7 +34,8 @@ void for_each_path(const std::array<Paths, N>& given, std::size_t work, const Ta
     check_interrupt();
     const std::size_t end = std::min(first + between, cells);
     const std::ptrdiff_t groups = (end - first + together - 1) / together;
-#pragma omp parallel if (static_cast<double>((end - first) * moments) * per_number > worth_threads)
+#pragma omp parallel if (static_cast<double>((end - first) * moments) * per_number > \
+                             min_parallel_operations)
     {
       Field paths(N * together * path), rows(work * row);
 #pragma omp for schedule(dynamic, 8)

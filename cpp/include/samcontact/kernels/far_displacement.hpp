@@ -16,7 +16,7 @@ class FarDisplacement {
   FarDisplacement(double width, double length);
 
   /// Distance from which the expansion is valid.
-  double begin() const { return begin_; }
+  double valid_from() const { return valid_from_; }
 
   /// out[i] at the points (x[i], y).
   void evaluate(const double* x, double y, std::size_t count, double* out) const;
@@ -26,7 +26,7 @@ class FarDisplacement {
   using Factors = std::array<std::array<double, orders + 1>, orders + 1>;
 
  private:
-  double area_, begin_;
+  double area_, valid_from_;
   Factors factors_{};
 };
 

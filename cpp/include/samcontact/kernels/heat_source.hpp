@@ -31,7 +31,7 @@ struct HeatPoints {
 bool nothing_yet(const HeatSource& source);
 
 /// Maximum of speed times extent of the points: the work grows with it.
-constexpr double max_heat_way = 1e7;
+constexpr double max_heat_path = 1e7;
 
 /// Throws std::invalid_argument unless sizes and points are as stated, `heated` is infinite or in
 /// [0, 1e60 a^2], the speed is zero or >= 1e-60/a and within max_heat_path, the depth is finite and

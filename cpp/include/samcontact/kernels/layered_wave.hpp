@@ -79,8 +79,8 @@ class LayeredWave {
   /// Amplitudes for tractions (T, N) and T_2 on the surface.
   Amplitudes amplitudes(int layer, Vector traction, double across) const;
   /// Stress in the frame of the wavevector.
-  struct Turned;
-  Turned turned(int layer, const Decays& decays, const Vector& traction, double across) const;
+  struct Rotated;
+  Rotated rotated(int layer, const Decays& decays, const Vector& traction, double across) const;
 
   std::vector<Layer> layers_;
   bool on_rigid_;

@@ -23,7 +23,7 @@ class Simulation {
   /// layers.
   Simulation(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
              Field initial_gap, const contact::FrictionLaw& friction, const Settings& settings,
-             const HeatMarch& march = {}, Reliefs reliefs = {},
+             const TransientHeating& transient_heating = {}, Reliefs reliefs = {},
              contact::SharedContactLaw contact_law = contact::hard_contact());
 
   /// Solves one increment; halves it if the fixed-point iteration does not converge. The current
@@ -56,11 +56,11 @@ class Simulation {
   /// Yield scans with the heating of a target.
   const Scans& scans(const operators::HeatingPair& heating);
   /// State at the end of an increment to a target.
-  State reached(const Target& target);
+  State end_state(const Target& target);
   /// State with heat due to slip: repeated until the heat of the slip equals the heat used in the
   /// solution.
   State heated_by_slip(Target target);
-  std::vector<std::string> border_complaints(const State& reached, const Target& target) const;
+  std::vector<std::string> edge_warnings(const State& reached, const Target& target) const;
 
   std::shared_ptr<const Scene> scene_;
   Scans scans_;

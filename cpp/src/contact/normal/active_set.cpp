@@ -19,12 +19,12 @@ namespace {
 /// time.
 constexpr double initial_patience = 3.0;
 constexpr double patience_loss = 0.3;
-constexpr int most_steps_on_a_set = 10;
+constexpr int max_steps_per_set = 10;
 /// This number of steps without halving the residual indicates rounding.
-constexpr int most_steps_in_vain = 20;
+constexpr int max_stalled_steps = 20;
 /// Cells are released only if the last change dropped a smaller fraction of cells: releasing while
 /// many drop can cycle.
-constexpr double calm_share = 0.01;
+constexpr double calm_fraction = 0.01;
 
 class ActiveSet {
  public:
@@ -93,7 +93,7 @@ class ActiveSet {
   /// Selects the cells with pressure and, once few cells drop, those with interpenetration. Returns
   /// their number.
   std::size_t choose_working_set(const Survey& cells) {
-    const bool release = dropped_ <= calm_share * cells.working;
+    const bool release = dropped_ <= calm_fraction * cells.working;
     for_each_cell(std::ssize(states_), [&](std::ptrdiff_t i) {
       states_[i] = states_[i] == working || (release && states_[i] != idle);
     });
@@ -163,17 +163,17 @@ class ActiveSet {
       if (in_vain == 0) lowest_residual = residual_;
       const bool violated = violation_ > 0.5 * tol;
       if (residual_ < 0.5 * tol || iterations_ >= max_iterations ||
-          (violated && (violation_ > patience_ * residual_ || step >= most_steps_on_a_set))) {
+          (violated && (violation_ > patience_ * residual_ || step >= max_steps_per_set))) {
         return true;
       }
-      if (in_vain == most_steps_in_vain) return false;
+      if (in_vain == max_stalled_steps) return false;
     }
   }
 
   void drop_tension() {
     dropped_ = 0;
     const std::ptrdiff_t n = std::ssize(p_);
-#pragma omp parallel for schedule(static) reduction(+ : dropped_) if (n >= worth_threads_cells)
+#pragma omp parallel for schedule(static) reduction(+ : dropped_) if (n >= min_parallel_cells)
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       dropped_ += p_[i] < 0;
       p_[i] = std::max(p_[i], 0.0);

@@ -11,7 +11,7 @@ namespace samcontact::contact {
 namespace {
 
 /// Relative to the maximum tensile force: a load this close to it counts as equal.
-constexpr double rounding_share = 1e-12;
+constexpr double rounding_fraction = 1e-12;
 
 }  // namespace
 
@@ -31,10 +31,10 @@ Given Attraction::normal(const Given& normal) const {
   if (pull_.empty() || !normal.is_force()) return normal;
   const double repulsion = normal.value + force_;
   require(
-      repulsion >= -rounding_share * force_, "load",
+      repulsion >= -rounding_fraction * force_, "load",
       "at least " + to_short_text(-force_, 6) + " N, the maximum tensile force of the contact law",
       normal.value);
-  return Given::force(repulsion > rounding_share * force_ ? repulsion : 0.0);
+  return Given::force(repulsion > rounding_fraction * force_ ? repulsion : 0.0);
 }
 
 Field Attraction::repulsion(Field pressure) const {

@@ -31,21 +31,21 @@ constexpr double coarse_tol = 1e-3;
 constexpr double first_gain = 1e-3, gain = 1e-2;
 /// The last round aims below tol, so that the exact operator confirms it.
 constexpr double safety = 0.5;
-constexpr int most_steps_a_round = 300;
+constexpr int max_steps_per_round = 300;
 /// Consecutive rounds that fail to halve the error before the method without preconditioner takes
 /// over.
 constexpr int patience = 2;
 /// Accumulated rounding error of the load in the steps of a round, relative to the load. If the
 /// displacement has no mean, nothing restrains the mean pressure, and steps along nearly solved
 /// directions are long.
-constexpr double most_off = 1e-12;
+constexpr double max_load_error = 1e-12;
 /// Rounding error of a gap, and of a displacement relative to that of the longest wave.
 constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
 
 /// Gap assigned to cells without a body, relative to the largest closed gap; larger in each further
 /// attempt.
 constexpr double far_off = 4, further_off = 64;
-constexpr int most_tries = 4;
+constexpr int max_attempts = 4;
 
 bool is_zero(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
@@ -110,7 +110,7 @@ class Rounds {
     evaluate();
     if (solution_.error > tol) {
       choose_box();
-      round(true, tol, std::min(max_iterations, most_steps_a_round));
+      round(true, tol, std::min(max_iterations, max_steps_per_round));
     }
     return std::move(solution_);
   }
@@ -127,7 +127,7 @@ class Rounds {
       stalled = grown || solution_.error < 0.5 * last_error ? 0 : stalled + 1;
       if (stalled == patience) break;
       round(std::isinf(last_error), tol,
-            std::min(max_iterations - solution_.iterations, most_steps_a_round));
+            std::min(max_iterations - solution_.iterations, max_steps_per_round));
     }
     return plain(tol, max_iterations);
   }
@@ -150,7 +150,7 @@ class Rounds {
     Field& p = solution_.tractions.pressure;
     const double sum = normal_.value / grid_.cell_area();
     const double present = ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
-    if (std::fabs(present - sum) > most_off * sum) scale_to_sum(p, sum);
+    if (std::fabs(present - sum) > max_load_error * sum) scale_to_sum(p, sum);
   }
 
   /// Part of a surface field over the box.
@@ -300,7 +300,7 @@ Solution Multilevel::solve_beside_ends(const Field& initial_gap, Given normal, F
                                                 normal.value / finest_->grid().cell_area()
                                           : std::max(0.0, normal.value - lowest);
   double beyond = far_off * (closed + (highest - lowest));
-  for (int n = 0; n < most_tries; ++n, beyond *= further_off) {
+  for (int n = 0; n < max_attempts; ++n, beyond *= further_off) {
     Field gap = initial_gap;
     for (double& g : gap) g = std::isinf(g) ? highest + beyond : g;
     Solution solution = finest_->solve(gap, normal, pressure, tol, max_iterations);

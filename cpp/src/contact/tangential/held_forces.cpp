@@ -16,7 +16,7 @@ namespace samcontact::contact {
 namespace {
 
 /// The motion is not determined by a force this close to the friction limit, relative to it.
-constexpr double least_margin = 1e-8;
+constexpr double min_margin = 1e-8;
 
 double force_of(const Given& given) { return given.is_force() ? given.value : 0.0; }
 
@@ -37,7 +37,7 @@ void require_held_together(const Grid& grid, const TangentialDrive& drive, const
   const std::size_t m = problem.size();
   if (m == 0) return;
   problem.smallest_shear =
-      smallest_share * *std::max_element(problem.bound.begin(), problem.bound.end());
+      smallest_fraction * *std::max_element(problem.bound.begin(), problem.bound.end());
   for (int k = 0; k < 3; ++k) {
     if (!drive[k].is_force()) continue;
     Field direction(2 * m, 0.0);
@@ -68,7 +68,7 @@ void require_held_together(const Grid& grid, const TangentialDrive& drive, const
 
 void require_shorter(const TangentialDrive& drive, double most, const MotionNames& motions) {
   const double force = std::hypot(force_of(drive[0]), force_of(drive[1]));
-  require(force == 0 || force < most * (1 - least_margin), "tangential_load",
+  require(force == 0 || force < most * (1 - min_margin), "tangential_load",
           "less than " + to_short_text(most, 6) + " N" + beyond, force,
           std::string("prescribe ") + motions.along + " instead");
 }
@@ -87,7 +87,7 @@ void require_held(const Grid& grid, const TangentialDrive& drive, const Field& p
   const LargestForces most = largest_forces(grid, pressure, friction);
   require_shorter(drive, most.along, motions);
   const double torque = force_of(drive[2]);
-  require(torque == 0 || std::fabs(torque) < most.torque * (1 - least_margin), "torque",
+  require(torque == 0 || std::fabs(torque) < most.torque * (1 - min_margin), "torque",
           "less in magnitude than " + to_short_text(most.torque, 6) + " N m" + beyond, torque,
           std::string("prescribe ") + motions.turn + " instead");
   const bool pulled = force_of(drive[0]) != 0 || force_of(drive[1]) != 0;

@@ -14,7 +14,7 @@ namespace {
 constexpr int power_steps = 8;
 /// Factor of the result of the power iteration, which ends below the largest eigenvalue.
 constexpr double safety = 1.2;
-constexpr int most_projection_steps = 60, most_lengths = 60;
+constexpr int max_projection_steps = 60, max_lengths = 60;
 /// A step length is accepted if this fraction of the power of the forces remains, on either side.
 constexpr double too_short = 0.5, too_long = 0.1;
 constexpr double projection_tol = 1e-14;
@@ -103,7 +103,7 @@ bool advance(const ShearProblem& problem, const Field& v, const Vector& step, Ve
   const double first = trial.missing.dot(step);
   if (!(first > 0)) return false;
   double shortest = 0.0, furthest = INFINITY, length = 1.0;
-  for (int n = 0; n < most_lengths; ++n) {
+  for (int n = 0; n < max_lengths; ++n) {
     Trial next = trial_of(problem, v, c + length * step);
     const double left = next.missing.dot(step);
     if (left <= too_short * first && left >= -too_long * first) {
@@ -136,7 +136,7 @@ bool project(const ShearProblem& problem, Field& v, std::vector<double>& multipl
     }
     return sum;
   };
-  for (int n = 0; n < most_projection_steps && scaled(trial.missing) > projection_tol; ++n) {
+  for (int n = 0; n < max_projection_steps && scaled(trial.missing) > projection_tol; ++n) {
     Vector step = stiffness_of(problem, v, c).fullPivLu().solve(trial.missing);
     step *= std::min(1.0, across(problem, v, c) / longest_motion(problem, step));
     if (!advance(problem, v, step, c, trial))
@@ -148,31 +148,31 @@ bool project(const ShearProblem& problem, Field& v, std::vector<double>& multipl
 }
 
 void projected_gradient(const ShearProblem& problem, ShearApplier& operators, double tol,
-                        int most_steps, ShearResult& result) {
+                        int max_steps, ShearResult& result) {
   const std::size_t m = problem.size();
   const double step = 1 / largest_eigenvalue(problem, operators);
   Field at = result.shear, u(2 * m);
   std::vector<double> multipliers(problem.modes.size());
   for (std::size_t k = 0; k < multipliers.size(); ++k) multipliers[k] = step * result.motion[k];
   double momentum = 1.0;
-  for (int n = 0; n < most_steps; ++n) {
+  for (int n = 0; n < max_steps; ++n) {
     check_interrupt();
     operators.displacement(at, u);
     Field next = at;
     for (std::size_t i = 0; i < 2 * m; ++i) next[i] += step * (problem.free_slip[i] - u[i]);
     project(problem, next, multipliers);
     // The momentum ends if the step has a component backwards.
-    double turned = 0.0;
+    double rotated = 0.0;
     for (std::size_t i = 0; i < 2 * m; ++i) {
-      turned += (at[i] - next[i]) * (next[i] - result.shear[i]);
+      rotated += (at[i] - next[i]) * (next[i] - result.shear[i]);
     }
-    if (turned > 0) momentum = 1.0;
+    if (rotated > 0) momentum = 1.0;
     const double grown = 0.5 * (1 + std::sqrt(1 + 4 * momentum * momentum));
-    const double share = turned > 0 ? 0.0 : (momentum - 1) / grown;
+    const double share = rotated > 0 ? 0.0 : (momentum - 1) / grown;
     for (std::size_t i = 0; i < 2 * m; ++i) at[i] = next[i] + share * (next[i] - result.shear[i]);
     result.shear = std::move(next);
     momentum = grown;
-    if (n % 10 != 9 && n + 1 < most_steps) continue;
+    if (n % 10 != 9 && n + 1 < max_steps) continue;
     operators.displacement(result.shear, u);
     for (std::size_t i = 0; i < 2 * m; ++i) result.slip[i] = problem.free_slip[i] - u[i];
     for (std::size_t k = 0; k < multipliers.size(); ++k) {

@@ -12,8 +12,8 @@
 #include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/normal/coarsening.hpp"
 #include "samcontact/contact/normal/window.hpp"
+#include "samcontact/contact/tangential/partial_slip.hpp"
 #include "samcontact/contact/tangential/steady_rolling.hpp"
-#include "samcontact/contact/tangential/stick_slip.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -23,13 +23,13 @@ constexpr int coarsest_side = 16;
 /// Finer cells change the set of slipping cells: the change of shear decreases with the cell size.
 double coarse_tol(const Grid& box) { return std::min(1e-3, 0.06 / std::max(box.nx, box.ny)); }
 constexpr int coarse_steps = 30;
-constexpr double stick_slip_bytes = 700, rolling_bytes = 1100;  // per cell of the box, measured
+constexpr double partial_slip_bytes = 700, rolling_bytes = 1100;  // per cell of the box, measured
 
 /// Fields over all cells of a box, and vectors [2][i][j] there.
 struct BoxTask {
   Field pressure, free_slip;
-  Field in_touch;  // three components; empty: none
-  double x0, y0;   // of the first cell
+  Field contact_part;  // three components; empty: none
+  double x0, y0;       // of the first cell
   bool rolls;
 };
 
@@ -75,7 +75,7 @@ class ShearSolver::Level {
     double operations = 0.0;
   };
   Answer solve(const BoxTask& task, const FrictionLaw& friction, const TangentialDrive& drive,
-               BoxStart start, double tol, int most_steps) const;
+               BoxStart start, double tol, int max_steps) const;
 
  private:
   static Grid with_margin(Grid box, int margin) {
@@ -133,14 +133,15 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, const FrictionL
     directions[2][m + c] =
         task.x0 + (static_cast<double>(i) + (task.rolls ? spin_lead : 0.0)) * box_.dx;
   }
-  for (std::size_t from = 0; from < task.in_touch.size(); from += task.pressure.size()) {
-    for (const std::size_t at : problem.cells) problem.in_touch.push_back(task.in_touch[from + at]);
+  for (std::size_t from = 0; from < task.contact_part.size(); from += task.pressure.size()) {
+    for (const std::size_t at : problem.cells)
+      problem.contact_part.push_back(task.contact_part[from + at]);
   }
   for (int k = 0; k < 3; ++k) {
     if (drive[k].is_force()) {
       problem.modes.push_back({std::move(directions[k]), drive[k].value / box_.cell_area(), k});
     } else {
-      keep_in_touch(problem, directions[k]);
+      apply_contact_part(problem, directions[k]);
       add_scaled(drive[k].value, directions[k], problem.free_slip);
     }
   }
@@ -149,7 +150,7 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, const FrictionL
   const double pressure = largest_of(m, [&](std::size_t c) { return problem.bound[c]; });
   problem.bound = friction.bound(std::move(problem.bound));
   const double bound = largest_of(m, [&](std::size_t c) { return problem.bound[c]; });
-  problem.smallest_shear = smallest_share * std::min(bound, pressure);
+  problem.smallest_shear = smallest_fraction * std::min(bound, pressure);
   if (task.rolls) let_roll(problem);
   return problem;
 }
@@ -178,12 +179,13 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, const FrictionLaw
                                           const TangentialDrive& drive, double tol,
                                           double& operations) const {
   const auto coarsen = [&](const Field& field) { return coarsened(box_, field); };
-  const BoxTask coarse{coarsen(task.pressure),
-                       by_component(task.free_slip, coarsen),
-                       task.in_touch.empty() ? Field{} : by_component(task.in_touch, coarsen, 3),
-                       task.x0 + 0.5 * box_.dx,
-                       task.y0 + 0.5 * box_.dy,
-                       task.rolls};
+  const BoxTask coarse{
+      coarsen(task.pressure),
+      by_component(task.free_slip, coarsen),
+      task.contact_part.empty() ? Field{} : by_component(task.contact_part, coarsen, 3),
+      task.x0 + 0.5 * box_.dx,
+      task.y0 + 0.5 * box_.dy,
+      task.rolls};
   Answer answer = coarser_->solve(coarse, friction, drive, {},
                                   std::max(coarse_tol(coarser_->box()), tol), coarse_steps);
   operations += answer.operations;
@@ -213,7 +215,7 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, const FrictionLaw
 ShearSolver::Level::Answer ShearSolver::Level::solve(const BoxTask& task,
                                                      const FrictionLaw& friction,
                                                      const TangentialDrive& drive, BoxStart start,
-                                                     double tol, int most_steps) const {
+                                                     double tol, int max_steps) const {
   Answer answer;
   if (start.shear.empty() && coarser_) {
     start = coarse_start(task, friction, drive, tol, answer.operations);
@@ -230,8 +232,8 @@ ShearSolver::Level::Answer ShearSolver::Level::solve(const BoxTask& task,
     }
   }
   ShearApplier applier(problem);
-  const auto iterate = task.rolls ? solve_steady_rolling : solve_stick_slip;
-  answer.result = iterate(problem, applier, std::move(begin), tol, most_steps);
+  const auto iterate = task.rolls ? solve_steady_rolling : solve_partial_slip;
+  answer.result = iterate(problem, applier, std::move(begin), tol, max_steps);
   if (task.rolls) {
     for (double& slip : answer.result.slip) slip /= box_.dx;
   }
@@ -263,7 +265,7 @@ std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box, int
   }
   const double more = static_cast<double>(box.surface_size()) -
                       static_cast<double>(kept ? kept->box().surface_size() : 0);
-  require_memory(more * (margin > 0 ? rolling_bytes : stick_slip_bytes),
+  require_memory(more * (margin > 0 ? rolling_bytes : partial_slip_bytes),
                  "the partial-slip solution");
   kept.reset();  // both together may exceed the memory
   const Grid grid = Box{0, 0, box.nx, box.ny, 0}.grid(grid_);
@@ -325,7 +327,7 @@ BoxStart start_in(const Box& box, const Grid& grid, const ShearTask& task, const
 
 ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
                                  const std::array<double, 3>& motion, double tol,
-                                 int most_steps) const {
+                                 int max_steps) const {
   ShearSolution solution = without_shear(grid_, task.drive);
   const bool touches = std::any_of(task.pressure.begin(), task.pressure.end(), in_contact);
   if (!touches || task.friction.is_frictionless()) return solution;
@@ -334,13 +336,13 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   const auto boxed = [&](const Field& field) { return over(grid_, box, field); };
   BoxTask part{boxed(task.pressure),
                Field(2 * box.surface_size(), 0.0),
-               task.in_touch != nullptr ? by_component(*task.in_touch, boxed, 3) : Field{},
+               task.contact_part != nullptr ? by_component(*task.contact_part, boxed, 3) : Field{},
                grid_.x()[box.i0],
                grid_.y()[box.j0],
                task.rolls};
   if (!task.free_slip.empty()) part.free_slip = by_component(task.free_slip, boxed);
-  SlidBefore own;
-  SlidBefore& slid = task.slid != nullptr ? *task.slid : own;
+  PreviousDisplacement own;
+  PreviousDisplacement& slid = task.slid != nullptr ? *task.slid : own;
   const bool known = slid.box == box && !slid.displacement.empty();
   if (!task.previous_shear.empty() && !known) {
     ComplexField work;
@@ -351,7 +353,7 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   // Relative displacement due to the previous shear is not slip.
   if (!slid.displacement.empty()) add_scaled(1.0, slid.displacement, part.free_slip);
   const Level::Answer answer = level_of_box->solve(
-      part, task.friction, task.drive, start_in(box, grid_, task, shear, motion), tol, most_steps);
+      part, task.friction, task.drive, start_in(box, grid_, task, shear, motion), tol, max_steps);
   const ShearResult& result = answer.result;
   unpack(result, answer.cells, box, grid_, solution);
   for (int k = 0, mode = 0; k < 3; ++k) {

@@ -35,7 +35,7 @@ SlipIteration::SlipIteration(const ShearProblem& problem, ShearApplier& operator
   cut_to_bound(problem.bound, r_.shear);
 }
 
-ShearResult SlipIteration::run(double tol, int most_steps) {
+ShearResult SlipIteration::run(double tol, int max_steps) {
   double best = INFINITY, lowest = INFINITY;
   Field best_shear;
   std::vector<double> best_motion;
@@ -43,7 +43,7 @@ ShearResult SlipIteration::run(double tol, int most_steps) {
     check_interrupt();
     evaluate();
     r_.converged = r_.error <= tol;
-    if (r_.converged || r_.steps >= most_steps) break;
+    if (r_.converged || r_.steps >= max_steps) break;
     if (r_.error < lowest) {
       lowest = r_.error;
       best_shear = r_.shear;

@@ -10,19 +10,19 @@
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/contact/iteration/gmres.hpp"
+#include "samcontact/contact/tangential/partial_slip.hpp"
 #include "samcontact/contact/tangential/slip_iteration.hpp"
-#include "samcontact/contact/tangential/stick_slip.hpp"
 
 namespace samcontact::contact {
 namespace {
 
 /// Error reduction of a linear solve, and the maximum number of vectors it stores.
 constexpr double linear_gain = 1e-2;
-constexpr int most_linear_steps = 60;
+constexpr int max_linear_steps = 60;
 /// Distance rolled, in contact lengths, with steps of 4, 2 and 1 cells.
 constexpr double rolled_lengths = 1.0;
-constexpr double marching_tol = 1e-4;
-constexpr int marching_steps = 50;
+constexpr double transient_tol = 1e-4;
+constexpr int transient_steps = 50;
 
 class SteadyRolling : public SlipIteration {
  public:
@@ -102,7 +102,7 @@ Field SteadyRolling::solved(Field right) {
   project_free(right);
   r_.iterations += gmres([&](const Field& v, Field& out) { apply(v, out); },
                          [&](const Field& v, Field& out) { precondition(v, out); }, right,
-                         linear_gain, most_linear_steps, change);
+                         linear_gain, max_linear_steps, change);
   return change;
 }
 
@@ -156,11 +156,11 @@ void SteadyRolling::roll_by(int cells, int times) {
       increment.free_slip[i] = cells * problem_.free_slip[i] + now[i] - moved[i];
     }
     Field before = r_.shear;
-    ShearResult next = solve_stick_slip(increment, own, {std::move(r_.shear), {}, r_.motion},
-                                        marching_tol, marching_steps);
+    ShearResult next = solve_partial_slip(increment, own, {std::move(r_.shear), {}, r_.motion},
+                                          transient_tol, transient_steps);
     add_scaled(-1.0, next.shear, before);
     const bool is_steady =
-        longest(before) <= marching_tol * shear_scale(problem_, next.shear, next.slip);
+        longest(before) <= transient_tol * shear_scale(problem_, next.shear, next.slip);
     r_.shear = std::move(next.shear);
     r_.motion = std::move(next.motion);
     if (is_steady) break;
@@ -172,8 +172,8 @@ void SteadyRolling::roll_by(int cells, int times) {
 }  // namespace
 
 ShearResult solve_steady_rolling(const ShearProblem& problem, ShearApplier& operators,
-                                 ShearStart start, double tol, int most_steps) {
-  ShearResult result = SteadyRolling(problem, operators, std::move(start)).run(tol, most_steps);
+                                 ShearStart start, double tol, int max_steps) {
+  ShearResult result = SteadyRolling(problem, operators, std::move(start)).run(tol, max_steps);
   result.energy_gap = std::numeric_limits<double>::quiet_NaN();
   return result;
 }

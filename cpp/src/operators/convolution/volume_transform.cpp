@@ -15,12 +15,12 @@ ComplexField& plane_buffer() {
 
 }  // namespace
 
-VolumeTransform::VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx, int least_my)
+VolumeTransform::VolumeTransform(const Grid& grid, Symmetry symmetry, int min_mx, int min_my)
     : nx_(grid.nx),
       ny_(grid.ny),
       symmetry_(symmetry),
-      whole_(nx_, ny_, fft::convolution_size(nx_, grid.period.x, least_mx),
-             fft::convolution_size(ny_, grid.period.y, least_my)),
+      whole_(nx_, ny_, fft::convolution_size(nx_, grid.period.x, min_mx),
+             fft::convolution_size(ny_, grid.period.y, min_my)),
       mx_(whole_.mx()),
       my_(whole_.my()) {
   if (symmetry != Symmetry::none) {

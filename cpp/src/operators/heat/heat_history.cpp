@@ -13,7 +13,7 @@ namespace samcontact::operators {
 namespace {
 
 /// Minimum diffusion length in the shortest step [cells].
-constexpr double least_diffused = 0.02;
+constexpr double min_diffusion_length = 0.02;
 
 }  // namespace
 
@@ -32,10 +32,11 @@ HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic
   // Otherwise wavenumbers far beyond those of the cells are needed: time and memory without bounds.
   const double diffused = std::sqrt(thermal.diffusivity * settings.shortest);
   const double cell = std::max(grid.dx, grid.dy);
-  require(diffused >= least_diffused * cell, "shortest (of heat_history)",
+  require(diffused >= min_diffusion_length * cell, "shortest (of heat_history)",
           "at least " +
-              to_short_text(cell * cell * least_diffused * least_diffused / thermal.diffusivity) +
-              " s, the time in which heat diffuses over " + to_short_text(least_diffused) +
+              to_short_text(cell * cell * min_diffusion_length * min_diffusion_length /
+                            thermal.diffusivity) +
+              " s, the time in which heat diffuses over " + to_short_text(min_diffusion_length) +
               " of a cell (cells of " + to_short_text(cell) + " m, diffusivity " +
               to_short_text(thermal.diffusivity) + " m^2/s)",
           settings.shortest);

@@ -141,8 +141,8 @@ kernels::Stress stress_of(const kernels::LayeredWave& wave, Traction traction, i
                           const Decays& decays, double c, double s) {
   if (traction == Traction::pressure) return wave.under_pressure(layer, decays, c, s);
   if (traction == Traction::shear_x) return wave.under_shear_x(layer, decays, c, s);
-  const auto turned = wave.under_shear_x(layer, decays, s, c);
-  return {turned[1], turned[0], turned[2], turned[4], turned[3], turned[5]};
+  const auto rotated = wave.under_shear_x(layer, decays, s, c);
+  return {rotated[1], rotated[0], rotated[2], rotated[4], rotated[3], rotated[5]};
 }
 
 }  // namespace

@@ -23,13 +23,13 @@ Field pressure_sums(const CellOffsets& offsets, double aspect) {
   const std::vector<double>&x = metres.x, &y = metres.y;
   const kernels::FarDisplacement far(1.0, aspect);
   Field sums(x.size() * y.size());
-#pragma omp parallel for schedule(dynamic) if (500.0 * sums.size() > worth_threads)
+#pragma omp parallel for schedule(dynamic) if (500.0 * sums.size() > min_parallel_operations)
   for (std::ptrdiff_t j = 0; j < std::ssize(y); ++j) {
     double* row = sums.data() + j * x.size();
     far.evaluate(x.data(), y[j], x.size(), row);
-    if (y[j] >= far.begin()) continue;
+    if (y[j] >= far.valid_from()) continue;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      if (x[i] >= far.begin()) continue;
+      if (x[i] >= far.valid_from()) continue;
       row[i] = kernels::corner_sum_2d<1>(x[i], y[j], 0.5, 0.5 * aspect, [](double s, double t) {
         return std::array{kernels::pressure_displacement(s, t)};
       })[0];
@@ -43,7 +43,7 @@ constexpr std::array<std::size_t, 6> exchanged_full{1, 0, 2, 4, 3, 5},
     exchanged_deviator{1, 0, 3, 2, 4, 5};
 
 /// Components xx, yy, zz, yz, xz, xy with x and y exchanged.
-std::array<double, 6> turned(const std::array<double, 6>& s) {
+std::array<double, 6> rotated(const std::array<double, 6>& s) {
   return {s[1], s[0], s[2], s[4], s[3], s[5]};
 }
 
@@ -118,14 +118,14 @@ kernels::Stress select(kernels::Stress s, Tensor tensor) {
 kernels::Stress wave_stress(Traction traction, double kx, double ky, double z, double nu) {
   if (traction == Traction::pressure) return kernels::pressure_wave_stress(kx, ky, z, nu);
   if (traction == Traction::shear_x) return kernels::shear_wave_stress(kx, ky, z, nu);
-  return turned(kernels::shear_wave_stress(ky, kx, z, nu));
+  return rotated(kernels::shear_wave_stress(ky, kx, z, nu));
 }
 
 kernels::Stress wave_mean(Traction traction, double kx, double ky, double z0, double z1,
                           double nu) {
   if (traction == Traction::pressure) return kernels::pressure_wave_mean(kx, ky, z0, z1, nu);
   if (traction == Traction::shear_x) return kernels::shear_wave_mean(kx, ky, z0, z1, nu);
-  return turned(kernels::shear_wave_mean(ky, kx, z0, z1, nu));
+  return rotated(kernels::shear_wave_mean(ky, kx, z0, z1, nu));
 }
 
 Field selected(Field six, Tensor tensor) {
@@ -212,7 +212,7 @@ CellInfluence compliance_of_cell(const Elastic& elastic, Traction traction, Axis
 kernels::Stress stress_corner(Traction traction, double x, double y, double z, double nu) {
   if (traction == Traction::pressure) return kernels::pressure_stress(x, y, z, nu);
   if (traction == Traction::shear_x) return kernels::shear_stress(x, y, z, nu);
-  return turned(kernels::shear_stress(y, x, z, nu));
+  return rotated(kernels::shear_stress(y, x, z, nu));
 }
 
 Field cell_stress(double nu, Traction traction, const Grid& grid, const CellOffsets& offsets,
@@ -246,7 +246,7 @@ CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, dou
 std::array<double, 6> residual_corner(Axis axis, double x, double y, double z, double nu) {
   if (axis == Axis::z) return kernels::eigenstrain_displacement(x, y, z, nu);
   if (axis == Axis::x) return kernels::eigenstrain_side_displacement(x, y, z, nu);
-  return turned(kernels::eigenstrain_side_displacement(y, x, z, nu));
+  return rotated(kernels::eigenstrain_side_displacement(y, x, z, nu));
 }
 
 Field cell_residual_displacement(double nu, Axis axis, const Grid& grid, const CellOffsets& offsets,

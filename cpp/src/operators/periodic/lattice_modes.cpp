@@ -50,9 +50,9 @@ void LatticeModes::add_lattice(const LatticeAxis& x, const LatticeAxis& y,
   for (int n = x.period > 0 ? 0 : 1; n <= ny; ++n) {
     for (int m = n == 0 ? 1 : 0; m <= nx; ++m) {
       const double k_x = 2 * pi * m / period_x, k_y = 2 * pi * n / y.period;
-      const double twins = (m > 0 ? 2.0 : 1.0) * (n > 0 ? 2.0 : 1.0);
+      const double multiplicity = (m > 0 ? 2.0 : 1.0) * (n > 0 ? 2.0 : 1.0);
       push(k_x, k_y,
-           twins / (period_x * y.period) * window.at(std::hypot(k_x, k_y) / q1) *
+           multiplicity / (period_x * y.period) * window.at(std::hypot(k_x, k_y) / q1) *
                of_cell(k_x, x.length) * of_cell(k_y, y.length));
     }
   }

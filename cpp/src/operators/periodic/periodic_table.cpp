@@ -87,7 +87,9 @@ Field PeriodicTable::near_sum(const CellInfluence& influence) const {
 namespace {
 
 /// Number of cells of a period at this offset or at its mirror image.
-double twins(int offset, int period) { return offset == 0 || 2 * offset == period ? 1.0 : 2.0; }
+double multiplicity(int offset, int period) {
+  return offset == 0 || 2 * offset == period ? 1.0 : 2.0;
+}
 
 }  // namespace
 
@@ -106,7 +108,7 @@ Field PeriodicTable::strips(const CellInfluence& influence) const {
     if (influence.parities[c].odd_x || influence.parities[c].odd_y) continue;
     double total = 0.0;
     for (std::size_t i = 0; i < nx; ++i) {
-      total += twins(static_cast<int>(i), period_.x) * values[i];
+      total += multiplicity(static_cast<int>(i), period_.x) * values[i];
     }
     const double shift = (influence.uniform[c] - total) / period_.x;
     for (std::size_t i = 0; i < nx; ++i) values[i] += shift;
@@ -133,10 +135,10 @@ Field PeriodicTable::sum(const CellInfluence& influence) const {
     for (std::size_t i = 0; i < nx; ++i) {
       double row = 0.0;
       for (std::size_t j = 0; j < ny && i < near; ++j) {
-        row += twins(static_cast<int>(j), period_.y) * to[j * nx + i];
+        row += multiplicity(static_cast<int>(j), period_.y) * to[j * nx + i];
       }
       if (square) {
-        total += twins(static_cast<int>(i), period_.x) * row;
+        total += multiplicity(static_cast<int>(i), period_.x) * row;
         continue;
       }
       const double shift = (rows[c * nx + i] - row) / period_.y;

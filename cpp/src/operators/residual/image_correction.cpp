@@ -171,7 +171,7 @@ ImageCorrection::ImageCorrection(const Grid& grid, const VolumeTransform& transf
   build_layers(grid, body, tol);
 }
 
-ImageCorrection::Axis ImageCorrection::joined(const std::vector<Axis>& layers) {
+ImageCorrection::Axis ImageCorrection::stacked(const std::vector<Axis>& layers) {
   Axis all;
   for (const Axis& axis : layers) {
     all.fine += axis.fine;
@@ -206,7 +206,7 @@ void ImageCorrection::build_layers(const Grid& grid, const Stack& body, double t
     layer.cells = coarse;
     layer.cell = depth / coarse;
   }
-  z_ = joined(axes);
+  z_ = stacked(axes);
   const layers::SweptStack stack(layers, body.substrate.is_rigid());
   influence_ = image_influence(stack, {x_.cell, x_.coarse, period_x_},
                                {y_.cell, y_.coarse, period_y_}, neglected * tol);
@@ -219,7 +219,8 @@ Field ImageCorrection::coarse_strain(Tensor tensor, const double* strain) const 
   const std::size_t plane = static_cast<std::size_t>(x_.fine) * y_.fine;
   const int coarse_plane = cx * cy;
   Field layers(static_cast<std::size_t>(parts) * nz * coarse_plane, 0.0);
-#pragma omp parallel for schedule(static) if (2.0 * parts * nz * cy * plane > worth_threads)
+#pragma omp parallel for schedule(static) if (2.0 * parts * nz * cy * plane > \
+                                                  min_parallel_operations)
   for (int ck = 0; ck < parts * nz; ++ck) {
     const auto parity = kernels::component_parity(places[ck / nz]);
     plane_moments(strain + ck * plane, x_.fine, y_.fine, x_.moments[parity.odd_x].data(), cx,
@@ -251,7 +252,7 @@ Field ImageCorrection::coarse_stress(const Field& strain) const {
   const int wide = 2 * cx - 1, offsets = wide * (2 * cy - 1);
   Field stress(strain.size(), 0.0);
 #pragma omp parallel for schedule(static) if (12.0 * strain.size() * strain.size() / 6 > \
-                                                  worth_threads)
+                                                  min_parallel_operations)
   for (int target = 0; target < cz * cx; ++target) {
     const int z = target / cx, x = target % cx;
     for (int y = 0; y < cy; ++y) {

@@ -27,8 +27,8 @@ kernels::Parity pair_parity(int in, int out) {
 
 /// Factor of sines and cosines for a mode in the rotated frame, where 13 and 23 contain i.
 double pair_sign(int in, int out) {
-  const auto turned = [](int component) { return component == 3 || component == 4; };
-  if (turned(in) != turned(out)) return turned(in) ? -1.0 : 1.0;
+  const auto rotated = [](int component) { return component == 3 || component == 4; };
+  if (rotated(in) != rotated(out)) return rotated(in) ? -1.0 : 1.0;
   const auto [odd_x, odd_y, odd_z] = pair_parity(in, out);
   return odd_x && odd_y ? -1.0 : 1.0;
 }

@@ -109,7 +109,7 @@ LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
 
 void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
   const layers::Layout layout = make_layout(spectrum), block = block_layout(layout, spectrum.parts);
-#pragma omp parallel if (per_number * spectrum.data.size() > worth_threads)
+#pragma omp parallel if (per_number * spectrum.data.size() > min_parallel_operations)
   {
     const FlushDenormals flush;
     layers::Scratch scratch(stack_, spectrum.parts);

@@ -42,7 +42,7 @@ struct Block {
   const double* row;
   int step;
   const double* values;
-  Turned* turned;
+  Rotated* rotated;
   Sums* below;
   LayerWaves* waves;
 
@@ -65,12 +65,12 @@ struct Block {
         sums[p].recede(at[decay]);
       }
       if (!used[k]) {
-        for (int p = 0; p < parts; ++p) turned[k * parts + p] = Turned{};
+        for (int p = 0; p < parts; ++p) rotated[k * parts + p] = Rotated{};
         continue;
       }
       load<parts>(layout, values, k, v);
       for (int p = 0; p < parts; ++p) {
-        Turned& t = turned[k * parts + p];
+        Rotated& t = rotated[k * parts + p];
         eigenstress(at, constants, v[p], t);
         sums[p].add(t, -1.0);
       }
@@ -89,7 +89,7 @@ struct Block {
     for (int k = layer.first; k < layer.last; ++k) {
       for (int p = 0; p < parts; ++p) {
         sums[p].recede(at[decay]);
-        if (k < layout.nz) sums[p].add(turned[k * parts + p], 1.0);
+        if (k < layout.nz) sums[p].add(rotated[k * parts + p], 1.0);
       }
     }
     const Constants constants(layer);
@@ -111,7 +111,7 @@ struct Block {
       for (int p = 0; p < parts; ++p) {
         if (k < layout.nz) below[k * parts + p] = sums[p].integrals(at);
         sums[p].recede(at[decay]);
-        if (k < layout.nz) sums[p].add(turned[k * parts + p], -1.0);
+        if (k < layout.nz) sums[p].add(rotated[k * parts + p], -1.0);
       }
     }
   }
@@ -129,13 +129,13 @@ struct Block {
     }
     for (int k = layer.first; k < std::min(layer.last, layout.nz); ++k) {
       for (int p = 0; p < parts; ++p) {
-        const Turned& t = turned[k * parts + p];
+        const Rotated& t = rotated[k * parts + p];
         Sums up = above[p].integrals(at), down = below[k * parts + p];
         up.add_own(at, t, 1.0);
         down.add_own(at, t, -1.0);
-        Turned stress;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled at once
+        Rotated stress;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled at once
         infinite_space(constants, up, down, t, stress);
-        turn_back(at, stress, layout.deviator, v[p]);
+        rotate_back(at, stress, layout.deviator, v[p]);
         above[p].recede(at[decay]);
         above[p].add(t, 1.0);
       }
@@ -178,7 +178,7 @@ constexpr std::size_t numbers = sizeof(T) / sizeof(double);
 
 Scratch::Scratch(const SweptStack& stack, int parts) {
   const auto cells = static_cast<std::size_t>(stack.cells()), layers = stack.layers().size();
-  turned.resize(cells * parts * numbers<Turned>);
+  rotated.resize(cells * parts * numbers<Rotated>);
   below.resize(cells * parts * numbers<Sums>);
   interfaces.resize(layers * numbers<Interfaces>);
   waves.resize(layers * parts * numbers<LayerWaves>);
@@ -187,15 +187,15 @@ Scratch::Scratch(const SweptStack& stack, int parts) {
 void sweep(const SweptStack& stack, int parts, const Layout& layout, const char* used,
            const double* row, int step, const double* values, const Target& target,
            Scratch& scratch) {
-  auto* turned = reinterpret_cast<Turned*>(scratch.turned.data());
+  auto* rotated = reinterpret_cast<Rotated*>(scratch.rotated.data());
   auto* below = reinterpret_cast<Sums*>(scratch.below.data());
   auto* interfaces = reinterpret_cast<Interfaces*>(scratch.interfaces.data());
   auto* waves = reinterpret_cast<LayerWaves*>(scratch.waves.data());
   if (parts == 2) {
-    sweep_complex({stack, layout, used, row, step, values, turned, below, waves}, interfaces,
+    sweep_complex({stack, layout, used, row, step, values, rotated, below, waves}, interfaces,
                   target);
   } else {
-    sweep_real({stack, layout, used, row, step, values, turned, below, waves}, interfaces, target);
+    sweep_real({stack, layout, used, row, step, values, rotated, below, waves}, interfaces, target);
   }
 }
 

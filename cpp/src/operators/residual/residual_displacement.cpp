@@ -100,7 +100,7 @@ void ResidualDisplacement::apply(const VolumeSpectrum& strain, double* displacem
   const int hx = strain.mx / 2 + 1;
   const auto places = components(tensor_);
   Field sum(strain.mh * strain.row_size());
-#pragma omp parallel for schedule(static) if (2.0 * strain.data.size() > worth_threads)
+#pragma omp parallel for schedule(static) if (2.0 * strain.data.size() > min_parallel_operations)
   for (int ky = 0; ky < strain.mh; ++ky) {
     double* out = sum.data() + ky * strain.row_size();
     for (int c = 0; c < strain.components; ++c) {

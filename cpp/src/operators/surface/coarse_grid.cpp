@@ -39,7 +39,7 @@ void CoarseGrid::gather(const double* field, double* coarse) const {
   const int nx = x_.cells, ny = y_.cells, cx = x_.coarse_cells(), cy = y_.coarse_cells();
   Field rows(static_cast<std::size_t>(nx) * cy);
   // Each thread gathers whole rows, so that no sum depends on the number of threads.
-#pragma omp parallel if (static_cast<std::ptrdiff_t>(nx) * ny >= worth_threads_cells)
+#pragma omp parallel if (static_cast<std::ptrdiff_t>(nx) * ny >= min_parallel_cells)
   {
 #pragma omp for schedule(static)
     for (int i = 0; i < nx; ++i) {
@@ -70,7 +70,7 @@ void CoarseGrid::gather(const double* field, double* coarse) const {
 
 void CoarseGrid::add(const double* coarse, double* field) const {
   const int nx = x_.cells, ny = y_.cells, cy = y_.coarse_cells();
-#pragma omp parallel if (static_cast<std::ptrdiff_t>(nx) * ny >= worth_threads_cells)
+#pragma omp parallel if (static_cast<std::ptrdiff_t>(nx) * ny >= min_parallel_cells)
   {
     Field row(cy);
 #pragma omp for schedule(static)

@@ -136,7 +136,7 @@ void TractionStress::add(Part part, kernels::Parity input, const Field& traction
   const Field& spectra = spectra_[static_cast<int>(part)];
   const int hx = out.mx / 2 + 1;
   const auto places = components(tensor_);
-#pragma omp parallel for schedule(static) if (2.0 * out.data.size() > worth_threads)
+#pragma omp parallel for schedule(static) if (2.0 * out.data.size() > min_parallel_operations)
   for (int ky = 0; ky < out.mh; ++ky) {
     const double* in = traction.data() + ky * transform_->row_size();
     for (int c = 0; c < out.components; ++c) {

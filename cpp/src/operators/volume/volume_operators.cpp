@@ -106,7 +106,7 @@ void VolumeOperators::for_each_layer(
     release_shallower();
   }
   const std::size_t layer_size = count(options_.tensor) * transform_.plane_size();
-#pragma omp parallel if (per_number * layer_size * grid_.nz > worth_threads)
+#pragma omp parallel if (per_number * layer_size * grid_.nz > min_parallel_operations)
   {
     Field layer(layer_size);
 #pragma omp for schedule(dynamic)

@@ -18,8 +18,8 @@ constexpr double pi = std::numbers::pi;
 /// Low-pass filter, 1 at q = 0 and negligible at a fraction of the highest wavenumber of nodes
 /// `factor` cells apart: a step smoothed by a Gaussian, even in q, so that the remainder has a
 /// short range.
-double low_pass(double q, int factor, double gone_at, double sharpness) {
-  const double gone = gone_at * pi / factor, a = sharpness, b = 2 * a / gone;
+double low_pass(double q, int factor, double cutoff_fraction, double sharpness) {
+  const double cutoff = cutoff_fraction * pi / factor, a = sharpness, b = 2 * a / cutoff;
   return (std::erf(a + b * q) + std::erf(a - b * q)) / (2 * std::erf(a));
 }
 
@@ -46,7 +46,7 @@ double BandTables::window_gain(Band band, double k) const {
 double BandTables::share(Band band, double kx, double ky) const {
   const double q = std::hypot(kx, ky);
   const auto pass = [&](int spacing, double sharpness) {
-    return low_pass(q, spacing, bands_.gone_at, sharpness);
+    return low_pass(q, spacing, bands_.cutoff_fraction, sharpness);
   };
   const double middle = pass(bands_.middle_spacing, bands_.middle_sharpness);
   const double far = pass(bands_.far_spacing, bands_.far_sharpness);
@@ -119,7 +119,7 @@ void BandTables::sharpen(Band band, const KernelOffsets& offsets, int mx, int my
     Field factor(count);
     for (int n = 0; n < count; ++n) {
       const double part = static_cast<double>(n) / (count - 1);
-      const double above = (part - bands_.clear_band) / (1 - bands_.clear_band);
+      const double above = (part - bands_.passband_fraction) / (1 - bands_.passband_fraction);
       factor[n] = rising(1 - above) / window_gain(band, part * pi / bands_.spacing(band));
     }
     return factor;
@@ -151,7 +151,7 @@ Field BandTables::tables(Band band, const Key& key, const KernelOffsets& offsets
                          const Parities& parities, const Exact& exact) const {
   const auto parts = split(key, parities, exact);
   if (band == Band::far) {
-    return repeated_ ? joined_far_tables(*parts, offsets, parities, key)
+    return repeated_ ? periodic_far_tables(*parts, offsets, parities, key)
                      : far_tables(*parts, offsets, parities, exact);
   }
   const Field& from = band == Band::near ? parts->near : parts->middle;
@@ -255,8 +255,8 @@ void BandTables::compare(const Parities& parities, const Field& whole, Split& sp
   }
 }
 
-Field BandTables::joined_far_tables(const Split& split, const KernelOffsets& offsets,
-                                    const Parities& parities, const Key& key) const {
+Field BandTables::periodic_far_tables(const Split& split, const KernelOffsets& offsets,
+                                      const Parities& parities, const Key& key) const {
   const auto [what, traction, at, tensor] = key;
   const int kept = nodes_in(middle_.reach(), bands_.far_spacing);
   const auto [nx, ny] = offsets;

@@ -101,7 +101,7 @@ void LowBands::spread_layer(int k, const Field& strain) {
   const std::size_t plane = planes.plane_size();
   Field folded;
   const double* nodes = sheets;
-  if (planes.is_joined()) {
+  if (planes.is_periodic()) {
     folded.assign(parts * plane, 0.0);
     for (int c = 0; c < parts; ++c) planes.fold(sheets + c * sheet, folded.data() + c * plane);
     nodes = folded.data();

@@ -57,7 +57,7 @@ ZoneOperators::~ZoneOperators() = default;
 
 void ZoneOperators::find_neighbours() {
   shifts_ = {{0, 0}};
-  for (int x = -1; x <= 1 && tables_->is_joined(); ++x) {
+  for (int x = -1; x <= 1 && tables_->is_periodic(); ++x) {
     for (int y = -1; y <= 1; ++y) {
       if (x != 0 || y != 0) shifts_.push_back({x * grid_.nx, y * grid_.ny});
     }
@@ -71,11 +71,11 @@ void ZoneOperators::find_neighbours() {
 
 void ZoneOperators::add_ring(int number) {
   const Box& zone = zones_[number];
-  const double fades_from = tables_->split().ring_fades_from;
+  const double fades_from = tables_->split().margin_fade_fraction;
   std::vector<Box> boxes;
   boxes.reserve(neighbours_.size());
   for (const Neighbour& neighbour : neighbours_) boxes.push_back(neighbour.box);
-  Box box = with_ring(zone, boxes, tables_->split());
+  Box box = zone_with_margin(zone, boxes, tables_->split());
   const int x0 = zone.i0 - box.i0, x1 = box.nx - zone.nx - x0;
   const int y0 = zone.j0 - box.j0, y1 = box.ny - zone.ny - y0;
   std::vector<int> inside;

@@ -8,7 +8,7 @@ namespace samcontact::simulation {
 
 using operators::Axis;
 
-void BodySurface::open(Field& gap) {
+void BodySurface::add_displacement_to(Field& gap) {
   rim_displacement_ = 0.0;
   const Field& lift = outside_.displacement[static_cast<int>(Axis::z)];
   if (!lift.empty()) {
@@ -59,17 +59,17 @@ std::span<const Axis> BodySurface::axes() const {
 void BodySurface::begin(ZoneVolume* volume, bool split, const Field& before) {
   volume_ = volume;
   split_ = split;
-  slid_before_ = {};
+  displaced_before_ = {};
   if (before.empty() || volume_ == nullptr) return;
   volume_->transform(before, axes());
   for (const Axis axis : {Axis::x, Axis::y}) {
-    Field& u = slid_before_[static_cast<int>(axis)];
+    Field& u = displaced_before_[static_cast<int>(axis)];
     u.resize(volume_->surface().surface_size());
     volume_->displacement(axis, u.data());
   }
 }
 
-void BodySurface::slide(Field& free_slip) const {
+void BodySurface::add_tangential_displacement_to(Field& free_slip) const {
   if (!strained_ || axes().size() == 1) return;
   const Box& surface = volume_->surface();
   Field u(surface.surface_size());
@@ -77,7 +77,7 @@ void BodySurface::slide(Field& free_slip) const {
     const int a = static_cast<int>(axis);
     volume_->displacement(axis, u.data());
     // The displacement due to strain outside the zones is unchanged in the increment.
-    const Field& before = slid_before_[a];
+    const Field& before = displaced_before_[a];
     for (std::size_t i = 0; i < before.size(); ++i) u[i] -= before[i];
     add_displacement(surface, u, axis, -operators::shear_sign(body_),
                      free_slip.data() + a * scene_.grid.surface_size());

@@ -137,7 +137,7 @@ void PlasticBody::transform(bool active) {
   if (strained_) volume_->transform(strain_, surface_.axes());
 }
 
-void PlasticBody::meet(const operators::Tractions& tractions) {
+void PlasticBody::set_tractions(const operators::Tractions& tractions) {
   tractions_ = &tractions;
   if (offset_ != 0) seen_ = seen_from_body(tractions, scene_.grid, offset_);
 }
@@ -161,18 +161,18 @@ void PlasticBody::activate(std::uint32_t cell, const plasticity::Tensor& deviato
 
 double PlasticBody::find_stress(ActiveCells& active) {
   const CellHistory::Limits limits = cells_.first_limits();
-  std::vector<std::vector<Seen>> seen;  // by zone and layer
-  for (const Box& box : zones().boxes()) seen.emplace_back(box.nz);
+  std::vector<std::vector<LayerCheck>> checked;  // by zone and layer
+  for (const Box& box : zones().boxes()) checked.emplace_back(box.nz);
   const auto look = [&](std::size_t zone, int k, const double* layer) {
     const Field sum = with_given_stress(zone, k, layer);
     const std::size_t plane = zones().boxes()[zone].surface_size();
-    seen[zone][k] = look_at_layer(zones().first(zone) + k * plane, plane,
-                                  sum.empty() ? layer : sum.data(), limits, active);
+    checked[zone][k] = check_layer(zones().first(zone) + k * plane, plane,
+                                   sum.empty() ? layer : sum.data(), limits, active);
   };
   volume_->for_each_layer(strained_, strain_, tractions(), operators::shear_sign(index_), look);
   double largest = 0.0;
-  for (const auto& layers : seen) {
-    for (const Seen& layer : layers) {
+  for (const auto& layers : checked) {
+    for (const LayerCheck& layer : layers) {
       largest = std::max(largest, layer.largest);
       for (const auto& [cell, deviator] : layer.yielding) activate(cell, deviator, active);
     }
@@ -193,13 +193,14 @@ Field PlasticBody::with_given_stress(std::size_t zone, int k, const double* laye
   return sum;
 }
 
-PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plane,
-                                             const double* layer, const CellHistory::Limits& limits,
-                                             ActiveCells& active) const {
+PlasticBody::LayerCheck PlasticBody::check_layer(std::size_t first, std::size_t plane,
+                                                 const double* layer,
+                                                 const CellHistory::Limits& limits,
+                                                 ActiveCells& active) const {
   const bool deviator = tensor_ == Tensor::deviator, kinematic = cells_.has_backstress();
   const double* s[6];
   for (int c = 0; c < 6; ++c) s[c] = layer + (deviator ? (c < 3 ? c : c - 1) : c) * plane;
-  Seen seen;
+  LayerCheck checked;
   double highest = 0.0;
   for (std::size_t i = 0; i < plane; ++i) {
     const std::size_t cell = first + i;
@@ -226,11 +227,11 @@ PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plan
     if (number >= 0) {
       active.stress[number] = t;
     } else {
-      seen.yielding.emplace_back(static_cast<std::uint32_t>(cell), t);
+      checked.yielding.emplace_back(static_cast<std::uint32_t>(cell), t);
     }
   }
-  seen.largest = highest;
-  return seen;
+  checked.largest = highest;
+  return checked;
 }
 
 std::shared_ptr<const PlasticState> PlasticBody::finish() {

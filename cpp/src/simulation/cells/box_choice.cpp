@@ -11,7 +11,7 @@ namespace {
 /// Margin around the required cells of a box [cells].
 constexpr int margin = 2;
 /// Maximum size of a box, in grid widths,
-constexpr int most_widths = 3;
+constexpr int max_widths = 3;
 /// or in cells, for long cells: a single row with its margins is five rows wide.
 constexpr int always_allowed = 16;
 
@@ -105,8 +105,8 @@ Box BoxChoice::stored(Box box) const {
   return box;
 }
 
-bool has_no_end(const Box& box, const Grid& grid) {
-  const double width = most_widths * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
+bool is_unbounded(const Box& box, const Grid& grid) {
+  const double width = max_widths * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
   const double depth = std::max(width, 2 * grid.nz * grid.dz);
   const Box all = box.united(Box::surface(grid));
   const auto too_far = [](int cells, double length, double most) {

@@ -73,7 +73,7 @@ operators::Tractions seen_from_body(const operators::Tractions& tractions, const
 namespace {
 
 /// Gap at row x of a column in which the bodies end.
-double beside_end(const Field& gap, const Grid& grid, double x, int j) {
+double next_to_end(const Field& gap, const Grid& grid, double x, int j) {
   const auto at = [&](int row) { return gap[static_cast<std::size_t>(row) * grid.ny + j]; };
   const double inside = std::clamp(x, 0.0, grid.nx - 1.0);
   const double nearest = at(static_cast<int>(std::lround(inside)));
@@ -108,7 +108,7 @@ Field shifted_gap(const Field& gap, const Grid& grid, double shift) {
     }
     // A row without a body yields infinities of both signs, or NaN.
     for (int j = 0; j < grid.ny; ++j) {
-      if (!std::isfinite(to[j])) to[j] = beside_end(gap, grid, x, j);
+      if (!std::isfinite(to[j])) to[j] = next_to_end(gap, grid, x, j);
     }
   }
   return out;

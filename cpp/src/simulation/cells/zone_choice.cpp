@@ -16,7 +16,7 @@ namespace {
 using operators::Band;
 
 /// Ratio of the points of a transform to those of a plane.
-double padding(bool joined) { return joined ? 1.0 : 4.0; }
+double padding(bool periodic) { return periodic ? 1.0 : 4.0; }
 
 /// Margin around the required cells of a zone, and below them [cells].
 constexpr int margin = 1;
@@ -67,7 +67,7 @@ class Merging {
   double cost(const Box& zone) const { return cost(std::vector{zone}); }
   double cost(const std::vector<Box>& zones) const {
     return std::accumulate(zones.begin(), zones.end(), 0.0, [&](double sum, const Box& zone) {
-      const Box box = operators::with_ring(zone, zones, split_);
+      const Box box = operators::zone_with_margin(zone, zones, split_);
       const double plane =
           static_cast<double>(fft::fast_plane_size(box.nx)) * fft::fast_plane_size(box.ny);
       return sum + plane * zone.nz;
@@ -221,23 +221,23 @@ std::vector<Box> merged(const std::vector<Box>& boxes, const operators::BandSpli
 }
 
 double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
-                     const operators::BandSplit& split, bool joined) {
+                     const operators::BandSplit& split, bool periodic) {
   const Merging merging(split);
   Box all = surface;
   for (const Box& zone : zones) all = all.united(zone);
   const auto nodes = [&](int cells, Band band, int more) {
-    return static_cast<double>(cells) / split.spacing(band) + (joined ? 0 : more);
+    return static_cast<double>(cells) / split.spacing(band) + (periodic ? 0 : more);
   };
   const auto planes = [&](Band band, int more) {
     return nodes(all.nx, band, more) * nodes(all.ny, band, more);
   };
   const double middle = planes(Band::middle, 2 * split.window_width);
   const double far = planes(Band::far, 2 * split.window_width + split.fading_nodes);
-  return merging.cost(zones) + (middle + padding(joined) * far) * all.nz;
+  return merging.cost(zones) + (middle + padding(periodic) * far) * all.nz;
 }
 
-double cost_of_box(const Box& box, bool joined) {
-  return padding(joined) * box.nx * box.ny * box.nz;
+double cost_of_box(const Box& box, bool periodic) {
+  return padding(periodic) * box.nx * box.ny * box.nz;
 }
 
 }  // namespace samcontact::simulation

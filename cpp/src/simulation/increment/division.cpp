@@ -133,7 +133,7 @@ void add_part(const State& earlier, State& state) {
 
 /// Maximum number of sub-increments that the tolerance may require: each is solved three or four
 /// times.
-constexpr int most_parts = 64;
+constexpr int max_parts = 64;
 
 }  // namespace
 
@@ -157,7 +157,7 @@ Target Division::part_of(const State& from, double start, double end) const {
   for (auto& given : part.tangential) {
     if (!given.is_force()) given.value *= 1.0 - start;
   }
-  if (!from.scene().march.is_on()) return part;
+  if (!from.scene().transient_heating.is_on()) return part;
   part.duration *= end - start;
   for (auto& heat : part.heating) heat.age = part.duration;
   part.past = from.heat_so_far();
@@ -180,7 +180,7 @@ State Division::increment(const State& from, const Target& part) {
 State Division::solve(const State& from, double start, double end) {
   const Target part = part_of(from, start, end);
   State state = increment(moved_to(from, end), part);
-  if (from.scene().march.is_on()) state.time = from.time + part.duration;
+  if (from.scene().transient_heating.is_on()) state.time = from.time + part.duration;
   return state;
 }
 
@@ -215,7 +215,7 @@ std::optional<State> Division::next_part(double end, double& factor) {
 void Division::refuse(const std::string& parts) const {
   // The length of sub-increments is proportional to the fourth root of the tolerance.
   const double enough = settings_.increment_tol / std::pow(done_, 4);
-  const bool known = short_parts_ >= most_parts && enough < 1.0;
+  const bool known = short_parts_ >= max_parts && enough < 1.0;
   throw std::invalid_argument("increment_tol = " + to_text(settings_.increment_tol) +
                               " would require " + parts + " of the increment to " +
                               describe(target_) + ": use smaller increments, or increment_tol " +
@@ -240,8 +240,8 @@ State Division::walk() {
       length = std::min(factor * (goal - done_), 1.0 - goal);
       done_ = goal;
       if (factor < 2.0) ++short_parts_;  // limited by the tolerance, not by convergence
-      if (short_parts_ >= most_parts && done_ < 1.0)
-        refuse("more than " + std::to_string(most_parts) + " sub-increments");
+      if (short_parts_ >= max_parts && done_ < 1.0)
+        refuse("more than " + std::to_string(max_parts) + " sub-increments");
     } catch (const ConvergenceError&) {
       length = 0.5 * (goal - done_);
       ++counters_.halvings;

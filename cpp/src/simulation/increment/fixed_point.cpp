@@ -23,7 +23,7 @@ using contact::norm;
 constexpr int anderson_depth = 8, depth_of_many = 3;
 constexpr std::size_t many = 2'000'000;
 /// Tolerance of the contact relative to that of the plastic fixed-point iteration.
-constexpr double contact_share = 1e-2;
+constexpr double contact_tol_ratio = 1e-2;
 /// Largest and smallest tolerance of a contact solve inside the fixed-point iteration.
 constexpr double loosest = 1e-6, tightest = 1e-12;
 /// Plastic strain increments below this fraction of the strain at yield are not resolved further:
@@ -33,7 +33,7 @@ constexpr double negligible = 1e-2;
 /// for an elastic increment.
 constexpr double safe_headroom = 1e-3;
 /// A residual this much larger than the best one indicates that the acceleration diverges.
-constexpr double astray = 10.0;
+constexpr double divergence_factor = 10.0;
 
 bool any(const Field& field) {
   return std::any_of(field.begin(), field.end(), [](double v) { return v != 0; });
@@ -48,7 +48,7 @@ class FixedPoint {
         settings_(task.settings),
         counters_(task.counters),
         problem_(task),
-        elastic_tol_(std::max(contact_share * settings_.tol, tightest)),
+        elastic_tol_(std::max(contact_tol_ratio * settings_.tol, tightest)),
         contact_tol_(problem_.has_plastic_body() ? loosest : elastic_tol_) {}
 
   State solve() {
@@ -64,8 +64,8 @@ class FixedPoint {
     if (settings_.on_border == contact::OnBorder::error && !target_.is_prescribed()) {
       const contact::Solution& contact = result_.contact;
       const Field repulsion = contact::repulsion(law_, contact.tractions.pressure, contact.gap);
-      const auto complaint = contact::border_complaint(grid_, repulsion, describe(target_));
-      if (!complaint.empty()) throw contact::too_small(grid_, repulsion, complaint);
+      const auto warning = contact::edge_warning(grid_, repulsion, describe(target_));
+      if (!warning.empty()) throw contact::too_small(grid_, repulsion, warning);
     }
     if (problem_.has_plastic_body()) ++counters_.yield_checks;
     if (!any(mapped_) && contact_tol_ > elastic_tol_) {
@@ -87,7 +87,7 @@ class FixedPoint {
     for (int n = 1; n <= settings_.max_iterations; ++n) {
       check_interrupt();
       if (!std::exchange(restarted, false)) advance();
-      result_.grown = problem_.zones().look_beyond(residual_) || result_.grown;
+      result_.grown = problem_.zones().grow_when_settled(residual_) || result_.grown;
       const double finest = contact_tolerance(settings_.tol);
       // Cells outside a box that has grown may flow too: check them before accepting.
       if (!result_.grown && residual_ <= settings_.tol && result_.excess <= settings_.tol) {
@@ -126,7 +126,7 @@ class FixedPoint {
   /// contact tolerance must be.
   double contact_tolerance(double residual) const {
     const double share = std::clamp(result_.overshoot, negligible, 1.0);
-    return std::clamp(contact_share * share * residual, tightest, loosest);
+    return std::clamp(contact_tol_ratio * share * residual, tightest, loosest);
   }
 
   /// mapped = G(x).
@@ -157,7 +157,7 @@ class FixedPoint {
     // Vectors of unknowns are most of the memory of large contacts: f replaces G(x).
     Field f = std::move(mapped_);
     for (std::size_t i = 0; i < f.size(); ++i) f[i] -= x_[i];
-    if (change_ > astray * best_) {
+    if (change_ > divergence_factor * best_) {
       // Restart from the best point with a damped plain step.
       anderson_.reset();
       const std::size_t n = x_.size();

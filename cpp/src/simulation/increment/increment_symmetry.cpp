@@ -26,7 +26,7 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
   return symmetry;
 }
 
-bool has_twins(const IncrementTask& task, const Sources& sources) {
+bool bodies_are_mirror_images(const IncrementTask& task, const Sources& sources) {
   const auto& [upper, lower] = task.scene().bodies;
   if (!upper.is_plastic() || upper != lower || task.scene().friction.slides() ||
       !is_free_of_shear(task))

@@ -13,14 +13,14 @@ namespace samcontact::simulation {
 namespace {
 
 /// Mean travel of both bodies in the increment [m].
-double way_of(const State& state) {
+double mean_travel(const State& state) {
   return 0.5 * (state.advance[0] + state.advance[1]) * state.scene().grid.dx;
 }
 
 /// If the travel of a body differs from that of the tractions by this much, its displacement is
 /// transported by its own travel [cells]: below, the difference between the two is slip times a
 /// strain.
-constexpr double least_apart = 0.5;
+constexpr double min_travel_difference = 0.5;
 /// Tractions that have moved by more grid lengths cause no displacement in the grid.
 constexpr double farthest = 2.0;
 
@@ -90,17 +90,17 @@ Field displaced_otherwise(const Scene& scene, int body, const operators::Tractio
 
 /// Slip due to the difference between the travel of the bodies [cells] and the whole cells by which
 /// the tractions move; empty: none.
-Field slip_of_ways(const Scene& scene, const operators::Tractions& tractions, const Travel& ways,
-                   int cells) {
+Field slip_of_travel(const Scene& scene, const operators::Tractions& tractions,
+                     const Travel& travel, int cells) {
   const bool cut = is_cut(tractions.pressure, scene.grid, cells);
   Field slip;
   for (int b = 0; b < 2; ++b) {
-    const bool apart = std::fabs(ways[b] - cells) >= least_apart;
+    const bool apart = std::fabs(travel[b] - cells) >= min_travel_difference;
     if (scene.media[b]->is_rigid() || !(cut || apart)) continue;
     slip.resize(2 * scene.grid.surface_size(), 0.0);
     // Previous displacement of body 2 is not slip in the opposite direction.
     contact::add_scaled(operators::shear_sign(b),
-                        displaced_otherwise(scene, b, tractions, ways[b], cells), slip);
+                        displaced_otherwise(scene, b, tractions, travel[b], cells), slip);
   }
   return slip;
 }
@@ -129,8 +129,8 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
     before.shear = shear_vectors(carried);
     // Fractions of a cell move the grid, not the surface of the body that it follows.
     const double own = task.scene().followed() < 0 ? 0.5 * (by[0] + by[1]) : by[followed];
-    const Travel ways{by[0] - own + cells, by[1] - own + cells};
-    before.free_slip = slip_of_ways(task.scene(), task.from.tractions, ways, cells);
+    const Travel travel{by[0] - own + cells, by[1] - own + cells};
+    before.free_slip = slip_of_travel(task.scene(), task.from.tractions, travel, cells);
   }
   before.shear.resize(2 * grid.surface_size(), 0.0);
   return before;
@@ -145,7 +145,7 @@ contact::TangentialDrive tangential_drive(const IncrementTask& task) {
   }
   // Slip due to rotation is evaluated at the mean positions of particles during the increment.
   if (!drive[1].is_force())
-    drive[1].value -= contact::spin_lead * way_of(task.from) * drive[2].value;
+    drive[1].value -= contact::spin_lead * mean_travel(task.from) * drive[2].value;
   return drive;
 }
 
@@ -207,7 +207,7 @@ void SlipHistory::remember(const operators::Tractions& tractions, State& state) 
   }
   const auto& motion = shear_.motion;
   state.motion[0] += motion[0];
-  state.motion[1] += motion[1] + contact::spin_lead * way_of(task_.from) * motion[2];
+  state.motion[1] += motion[1] + contact::spin_lead * mean_travel(task_.from) * motion[2];
   state.motion[2] += motion[2];
   state.friction_work += shear_.friction_work;
   state.shear_symmetry = common(state.shear_symmetry, symmetry_of(tangential_drive(task_)));

@@ -13,9 +13,9 @@ double StartGuess::part_of_last_motion() const {
   if (!last || by == Travel{} || last->symmetry != symmetry_) return 0.0;
   const int main = std::fabs(last->advance[0]) > std::fabs(last->advance[1]) ? 0 : 1;
   const double ratio = by[main] / last->advance[main];
-  const bool same_way =
+  const bool same_direction =
       std::fabs(by[1 - main] - ratio * last->advance[1 - main]) <= 1e-6 * std::fabs(by[main]);
-  if (!same_way || !(ratio > 0 && ratio <= 2)) return 0.0;
+  if (!same_direction || !(ratio > 0 && ratio <= 2)) return 0.0;
   const auto near = [](double a, double b) { return std::fabs(a - b) <= 0.05 * std::fabs(b); };
   const double normal = task_.target.drive.normal.value;
   if (task_.target.is_load() && !near(normal, task_.from.load)) return 0.0;
@@ -69,7 +69,7 @@ void StartGuess::remember(const std::vector<PlasticBody>& bodies, const ActiveCe
   state.last_flow = nullptr;
   const bool stands = task_.from.advance == Travel{};
   if (stands && task_.target.is_prescribed()) return;
-  auto flow = std::make_shared<Flow>();
+  auto flow = std::make_shared<PlasticIncrementGuess>();
   flow->symmetry = symmetry_;
   flow->advance = task_.from.advance;
   flow->load = state.load - task_.from.load;

@@ -50,7 +50,7 @@ Media media_of(const plasticity::Body& body1, const plasticity::Body& body2) {
 
 Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
              Field initial_gap_, const contact::FrictionLaw& friction_, double image_tol,
-             const HeatMarch& march_, int reach_, Reliefs reliefs_,
+             const TransientHeating& transient_heating_, int reach_, Reliefs reliefs_,
              const operators::BandSplit& split_, contact::SharedContactLaw contact_law_)
     : grid(grid_),
       bodies{body1, body2},
@@ -61,7 +61,7 @@ Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity:
       partial_slip(friction.sticks() ? std::make_unique<const contact::PartialSlipContact>(
                                            grid_, media[0], media[1], friction, contact_law)
                                      : nullptr),
-      march(march_),
+      transient_heating(transient_heating_),
       reach(reach_),
       split((require_valid(split_), split_)),
       reliefs(std::move(reliefs_)),
@@ -74,10 +74,10 @@ Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity:
 
 int Scene::followed() const {
   // Without plastic strain or relief all positions on a body are equivalent.
-  const auto remembers = [this](int body) {
+  const auto has_history = [this](int body) {
     return bodies[body].is_plastic() || !reliefs[body].heights.empty();
   };
-  return remembers(1) ? 1 : remembers(0) ? 0 : -1;
+  return has_history(1) ? 1 : has_history(0) ? 0 : -1;
 }
 
 Placement Scene::placement(const Travel& travel) const {
@@ -146,9 +146,10 @@ Strength Scene::strength(int body, const Travel& travel) const {
 
 operators::HeatHistory Scene::heat_history(int body, const operators::Heating& heating) const {
   return heat_of(*media[body])
-      ->history(
-          grid, heating,
-          {.shortest = march.shortest, .longest = march.longest, .in_depth = grid.has_volume()});
+      ->history(grid, heating,
+                {.shortest = transient_heating.shortest,
+                 .longest = transient_heating.longest,
+                 .in_depth = grid.has_volume()});
 }
 
 Box Scene::volume_below(const Field& repulsion) const {

@@ -121,7 +121,7 @@ Box Eigenstrain::box_beyond(int body, const Strength& strength, double softening
     for (int k = 0; k < region.nz; ++k) layers.push_back({k, k, k + 1});
     const Box found = cells_beyond(stress_of(*strains_[body], scene_, body, method_, region),
                                    region, strength.limits(layers, softening, share, share));
-    if (!reaches_end(found, region, grid) || has_no_end(region, grid)) return found;
+    if (!reaches_end(found, region, grid) || is_unbounded(region, grid)) return found;
   }
 }
 

@@ -40,7 +40,7 @@ bool is_consistent(const BoxField& field, const Grid& grid) {
   return is_box(field.box, grid) && field.values.size() == field.box.volume_size();
 }
 
-void require_consistent(const Flow& flow) {
+void require_consistent(const PlasticIncrementGuess& flow) {
   bool fits = is_one_of(flow.symmetry) && std::isfinite(flow.load) && std::isfinite(flow.approach);
   for (const auto& body : flow.bodies) {
     const std::size_t n = body.cells.size();
@@ -67,8 +67,8 @@ PlasticRecord record(const PlasticState& history) {
           std::move(fields.backstress)};
 }
 
-std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Grid& grid,
-                                           std::size_t backstresses) {
+std::shared_ptr<const PlasticState> from_record(const PlasticRecord& record, const Grid& grid,
+                                                std::size_t backstresses) {
   const auto& [symmetry, tensor, origin, box, zones, strain, equivalent, backstress] = record;
   require_that(is_one_of(symmetry), "mirrored must be 0, 1 or 2");
   require_that(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator,
@@ -78,7 +78,7 @@ std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Gr
   }
   const Box part = stored_part(grid, symmetry);
   require_that(is_box(box, grid) && !box.empty() && box.nz > 0 &&
-                   !has_no_end({0, 0, 1, 1, box.nz}, grid) &&
+                   !is_unbounded({0, 0, 1, 1, box.nz}, grid) &&
                    (symmetry == fft::Symmetry::none || box.j0 == part.j0) &&
                    (symmetry != fft::Symmetry::xy || box.i0 == part.i0),
                "the box of a plastic history does not match the grid");
@@ -117,7 +117,7 @@ void require_consistent(const State& state) {
   require_that(is_one_of(state.past_symmetry), "past_symmetry must be 0, 1 or 2");
   for (int b = 0; b < 2; ++b) {
     for (const Box& box : state.flow_boxes[b]) {
-      require_that(is_box(box, grid) && !box.empty() && !has_no_end(box, grid),
+      require_that(is_box(box, grid) && !box.empty() && !is_unbounded(box, grid),
                    "the boxes of plastic flow are empty or too far from the grid");
     }
     require_that(are_disjoint(state.flow_boxes[b]), "the boxes of plastic flow overlap");

@@ -44,11 +44,11 @@ State State::widened(std::shared_ptr<const Scene> to) const {
     for (Box& box : state.flow_boxes[b]) box = box.moved(i, j);
   }
   if (last_flow) {
-    Flow flow = *last_flow;
+    PlasticIncrementGuess flow = *last_flow;
     for (auto& body : flow.bodies) {
       for (Cell& cell : body.cells) cell = {cell.i + i, cell.j + j, cell.k};
     }
-    state.last_flow = std::make_shared<const Flow>(std::move(flow));
+    state.last_flow = std::make_shared<const PlasticIncrementGuess>(std::move(flow));
   }
   state.scene_ = std::move(to);
   return state;

@@ -12,10 +12,10 @@ namespace samcontact::contact {
 /// out = image of v under a linear map.
 using LinearMap = std::function<void(const Field& v, Field& out)>;
 
-/// Solves A x = b approximately: until the residual is below gain times |b|, or after most_steps
+/// Solves A x = b approximately: until the residual is below gain times |b|, or after max_steps
 /// steps, each of which stores one vector. Starts from zero. The preconditioner must be linear too.
 /// Returns the number of steps.
 int gmres(const LinearMap& apply, const LinearMap& precondition, const Field& b, double gain,
-          int most_steps, Field& x);
+          int max_steps, Field& x);
 
 }  // namespace samcontact::contact

@@ -19,7 +19,7 @@
 namespace samcontact::contact {
 
 /// Body 1 slides over body 2 towards +x everywhere: the shear is mu p and is not an unknown.
-struct GrossSliding {
+struct FullSliding {
   static constexpr auto name = "gross_sliding",
                         says = "Full sliding along x with the shear stress mu p.";
   static constexpr bool sticks = false;
@@ -31,7 +31,7 @@ struct GrossSliding {
   }
   double bound(double pressure) const { return coefficient * pressure; }
   double ratio(double) const { return coefficient; }
-  bool operator==(const GrossSliding&) const = default;
+  bool operator==(const FullSliding&) const = default;
 };
 
 /// Shear of at most mu p.
@@ -95,7 +95,7 @@ struct FrictionDescription {
 /// One of the laws, with checked parameters.
 class FrictionLaw {
  public:
-  using Laws = std::variant<GrossSliding, Coulomb, Tresca, CappedCoulomb>;
+  using Laws = std::variant<FullSliding, Coulomb, Tresca, CappedCoulomb>;
   using Values = std::map<std::string, double>;
 
   /// Throws std::invalid_argument with the name of the parameter, its value and the allowed range.

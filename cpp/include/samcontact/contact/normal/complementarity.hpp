@@ -36,7 +36,7 @@ struct Solution {
   /// frictional heat.
   int negative_curvatures = 0;
   /// Message that names the edges of the grid reached by the contact and the remedy; empty: none.
-  std::string border_complaint;
+  std::string edge_warning;
 };
 
 bool all_finite(const Field& field);

@@ -14,10 +14,10 @@ namespace samcontact::contact {
 /// they start from `multipliers`. False if no shear has the prescribed forces.
 bool project(const ShearProblem& problem, Field& v, std::vector<double>& multipliers);
 
-/// At most most_steps steps from a shear, or until the natural residual is below tol (Beck &
+/// At most max_steps steps from a shear, or until the natural residual is below tol (Beck &
 /// Teboulle 2009, doi:10.1137/080716542, restarted if the descent reverses). The step length is
 /// safe: the largest eigenvalue of C is bounded by power iteration.
 void projected_gradient(const ShearProblem& problem, ShearApplier& operators, double tol,
-                        int most_steps, ShearResult& result);
+                        int max_steps, ShearResult& result);
 
 }  // namespace samcontact::contact

@@ -13,7 +13,7 @@
 namespace samcontact::contact {
 
 /// Shear below this fraction of the largest pressure, or of the largest bound, counts as zero.
-constexpr double smallest_share = 1e-12;
+constexpr double smallest_fraction = 1e-12;
 
 /// Vectors are [component][cell] on the cells in contact.
 ///
@@ -48,7 +48,7 @@ struct ShearProblem {
   std::vector<Mode> modes;
   /// Part of the slip due to a rigid motion that occurs in contact, for each cell: a symmetric
   /// matrix, [xx, xy, yy][cell]; empty: all of it.
-  Field in_touch;
+  Field contact_part;
   /// Scale of shear per scale of slip of the contact [Pa/m].
   double stiffness = 0.0;
   /// Shear below this counts as zero [Pa].
@@ -107,7 +107,7 @@ double longest(const Field& v);
 /// y += factor x.
 void add_scaled(double factor, const Field& x, Field& y);
 /// Multiplies the slip due to a rigid motion by the part that occurs in contact.
-void keep_in_touch(const ShearProblem& problem, Field& slip);
+void apply_contact_part(const ShearProblem& problem, Field& slip);
 /// Adds the slip due to a motion of a mode.
 void add_motion(const ShearProblem& problem, std::size_t mode, double motion, Field& slip);
 /// Shortens each vector that is longer than its bound.

@@ -26,7 +26,7 @@ TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
 
 /// Tangential displacement due to the shear before an increment, in a box, for several solves of
 /// the increment.
-struct SlidBefore {
+struct PreviousDisplacement {
   Box box;
   Field displacement;  // [2][i][j] [m]
 };
@@ -42,10 +42,10 @@ struct ShearTask {
   const Field& free_slip;
   /// Motions of this increment [m, m, rad], or total forces at its end [N, N, N m].
   TangentialDrive drive = held;
-  SlidBefore* slid = nullptr;  // owned by a caller with several solves
+  PreviousDisplacement* slid = nullptr;  // owned by a caller with several solves
   /// [xx, xy, yy][i][j] Part of the slip due to the rigid motion that occurs in contact; null: all
   /// of it.
-  const Field* in_touch = nullptr;
+  const Field* contact_part = nullptr;
   /// Sticking cells [i][j] of the start; null: cells below their bound.
   const std::vector<unsigned char>* sticking = nullptr;
   /// Whether the contact is in steady rolling towards +x. Motions, free_slip, slip and
@@ -82,7 +82,7 @@ class ShearSolver {
   /// is empty. If the iteration ends above tol, converged is false. The forces must be below the
   /// friction limit.
   ShearSolution solve(const ShearTask& task, const Field& shear,
-                      const std::array<double, 3>& motion, double tol, int most_steps) const;
+                      const std::array<double, 3>& motion, double tol, int max_steps) const;
 
  private:
   class Level;

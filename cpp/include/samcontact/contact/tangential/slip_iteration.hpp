@@ -25,8 +25,8 @@ class SlipIteration {
   SlipIteration& operator=(SlipIteration&&) = delete;
 
   /// Iterates until the natural residual is below tol; if steps gain little, a fallback is used.
-  /// converged is false after most_steps.
-  ShearResult run(double tol, int most_steps);
+  /// converged is false after max_steps.
+  ShearResult run(double tol, int max_steps);
 
  protected:
   /// self_influence: magnitude of the displacement of a cell under its own unit shear [m/Pa].

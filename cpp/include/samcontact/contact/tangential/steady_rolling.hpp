@@ -12,9 +12,9 @@ namespace samcontact::contact {
 /// unchanged. The problem has `carried` equal to one row of cells; rows run along +x. Semismooth
 /// Newton, including the motions of prescribed forces; if the error does not fall, the contact is
 /// rolled by steps of 4, 2 and 1 cells until it is steady, for which the box of the operators has
-/// `rolling_margin` rows of cells ahead. Returns converged = false after most_steps.
+/// `rolling_margin` rows of cells ahead. Returns converged = false after max_steps.
 ShearResult solve_steady_rolling(const ShearProblem& problem, ShearApplier& operators,
-                                 ShearStart start, double tol, int most_steps);
+                                 ShearStart start, double tol, int max_steps);
 
 constexpr int rolling_margin = 4;
 

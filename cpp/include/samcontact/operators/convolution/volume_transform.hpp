@@ -18,7 +18,7 @@ class VolumeTransform {
  public:
   /// For the whole planes of a grid, even if only a part is stored; padded sizes are at least the
   /// given ones.
-  VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx = 0, int least_my = 0);
+  VolumeTransform(const Grid& grid, Symmetry symmetry, int min_mx = 0, int min_my = 0);
 
   Symmetry symmetry() const { return symmetry_; }
   /// Stored cells of a plane.

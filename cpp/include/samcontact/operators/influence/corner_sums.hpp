@@ -36,7 +36,7 @@ Field values_at(const std::vector<int>& at_x, const std::vector<int>& at_y, doub
   Field values(N * size);
   // action(place, x, y, place of the equal value with x and y exchanged, or -1)
   const auto for_rows = [&](const auto& action) {
-#pragma omp parallel for schedule(dynamic) if (100.0 * size > worth_threads)
+#pragma omp parallel for schedule(dynamic) if (100.0 * size > min_parallel_operations)
     for (std::ptrdiff_t row = 0; row < std::ssize(at_y); ++row) {
       const std::ptrdiff_t i = symmetric ? place_in(at_x, at_y[row]) : -1;
       for (std::size_t n = 0; n < at_x.size(); ++n) {
@@ -80,7 +80,7 @@ Field corner_sums(const CellOffsets& offsets, double aspect, int count, const Co
   const auto from_x = lower_edges(offsets.x, at_x), from_y = lower_edges(offsets.y, at_y);
   Field sums(count * from_x.size() * from_y.size());
   const std::ptrdiff_t rows = count * std::ssize(from_y);
-#pragma omp parallel for schedule(static) if (10.0 * sums.size() > worth_threads)
+#pragma omp parallel for schedule(static) if (10.0 * sums.size() > min_parallel_operations)
   for (std::ptrdiff_t row = 0; row < rows; ++row) {
     const std::size_t c = row / from_y.size(), j = from_y[row % from_y.size()];
     const double* lower = corners.data() + c * corners_size + j * at_x.size();

@@ -43,7 +43,7 @@ class ImageCorrection : public Images {
                         bool means);
 
   /// Axis over adjacent layers.
-  static Axis joined(const std::vector<Axis>& layers);
+  static Axis stacked(const std::vector<Axis>& layers);
   /// Also builds the axis along z.
   void build_layers(const Grid& grid, const Stack& body, double tol);
   Field coarse_strain(Tensor tensor, const double* strain) const;

@@ -33,7 +33,7 @@ struct Target {
 /// Work space of a sweep.
 struct Scratch {
   Scratch(const SweptStack& stack, int parts);
-  Field turned, below;      // [layer of cells][part]
+  Field rotated, below;     // [layer of cells][part]
   Field interfaces, waves;  // [layer of the body], with [part]
 };
 

@@ -39,13 +39,13 @@ struct Constants {
 
 /// Symmetric tensor in the frame of the wavevector (1 along it, 2 across), with 13 and 23
 /// multiplied by i: all components are then real.
-struct Turned {
+struct Rotated {
   Lanes t11, t22, t33, t12, t13, t23;
 };
 
 /// v: xx, yy, zz, yz, xz, xy of the strain.
 SAMCONTACT_INLINE void eigenstress(const Mode& mode, const Constants& k, const Lanes* v,
-                                   Turned& t) {
+                                   Rotated& t) {
   const Lanes c = mode[direction_x], s = mode[direction_y];
   const Lanes twice_mu = k.twice_mu * mode[share];
   const Lanes trace = k.lame * mode[share] * (v[0] + v[1] + v[2]);
@@ -60,7 +60,7 @@ SAMCONTACT_INLINE void eigenstress(const Mode& mode, const Constants& k, const L
 }
 
 /// Rotates back to xx, yy, zz, yz, xz, xy.
-SAMCONTACT_INLINE void turn_back(const Mode& mode, const Turned& t, bool deviator, Lanes* v) {
+SAMCONTACT_INLINE void rotate_back(const Mode& mode, const Rotated& t, bool deviator, Lanes* v) {
   const Lanes c = mode[direction_x], s = mode[direction_y];
   const Lanes ax = c * t.t11 - s * t.t12, ay = c * t.t12 - s * t.t22;
   const Lanes bx = s * t.t11 + c * t.t12, by = s * t.t12 + c * t.t22;
@@ -90,7 +90,7 @@ struct Sums {
     w += d - c;
   }
   /// Adds a cell next to the receiver, above it (sign 1) or below (-1).
-  SAMCONTACT_INLINE void add(const Turned& t, double sign) {
+  SAMCONTACT_INLINE void add(const Rotated& t, double sign) {
     c += t.t11 + sign * t.t13;
     d += t.t33 - sign * t.t13;
     w += t.t33 - t.t11 - 2 * sign * t.t13;
@@ -108,7 +108,7 @@ struct Sums {
     return i;
   }
   /// Adds the half of the receiving cell itself on this side.
-  SAMCONTACT_INLINE void add_own(const Mode& mode, const Turned& t, double sign) {
+  SAMCONTACT_INLINE void add_own(const Mode& mode, const Rotated& t, double sign) {
     const Lanes g0 = mode[own], g1 = mode[own_linear];
     c += g0 * (t.t11 + sign * t.t13);
     d += g0 * (t.t33 - sign * t.t13);
@@ -119,7 +119,7 @@ struct Sums {
 
 /// Stress of the infinite space from the integrals above and below, eq. (26).
 SAMCONTACT_INLINE void infinite_space(const Constants& k, const Sums& above, const Sums& below,
-                                      const Turned& t, Turned& s) {
+                                      const Rotated& t, Rotated& s) {
   const Lanes c = above.c + below.c, d = above.d + below.d;
   const Lanes trace = k.ratio * (d - c - t.t33);
   const Lanes bulk = k.kappa * (above.w + below.w - c - d);

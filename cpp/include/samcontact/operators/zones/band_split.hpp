@@ -18,23 +18,23 @@ struct BandSplit {
   double middle_sharpness = 1.6, far_sharpness = 1.5;
   /// Filter of a lattice as fractions of its highest wavenumber: cutoff of the band of residual
   /// stress, and end of the passband in which tables are represented exactly.
-  double gone_at = 0.9, clear_band = 0.8;
+  double cutoff_fraction = 0.9, passband_fraction = 0.8;
   /// Number of nodes of the spreading window: 4, 6, 8 or 10.
   int window_width = 6;
   /// Margin around a zone with other zones nearby [cells]; near_range for an isolated zone. Beyond
   /// it the near band is 1e-2 of its value at its range.
-  int wide_ring = 10;
+  int wide_margin = 10;
   /// Fraction of the margin beyond which the strain in it fades out.
-  double ring_fades_from = 0.75;
+  double margin_fade_fraction = 0.75;
   /// Number of nodes between the ends of the middle plane, and number of nodes at the end of the
   /// far lattice that must stay empty, where its tables fade out.
-  int middle_ring = 10, fading_nodes = 6;
+  int middle_gap = 10, fading_nodes = 6;
   /// Depths below which strain has no surface displacement by the near and middle bands [cells].
-  double near_moves = 12.0, middle_moves = 30.0;
+  double near_displacement_depth = 12.0, middle_displacement_depth = 30.0;
   /// Depths below which tractions cause no stress by the near and middle bands [cells].
-  double near_stressed = 18.0, middle_stressed = 60.0;
+  double near_stress_depth = 18.0, middle_stress_depth = 60.0;
   /// Depths below which the bound of the stress due to tractions omits these bands [cells].
-  double near_bound = 10.0, middle_bound = 28.0;
+  double near_bound_depth = 10.0, middle_bound_depth = 28.0;
 
   /// Spacing of the nodes of a band [cells].
   int spacing(Band band) const {

@@ -25,8 +25,10 @@ class BandTables {
         cells_(cells),
         bands_(bands),
         window_(bands.window_width),
-        near_(bands.middle_spacing, bands.near_range, bands.clear_band, bands.middle_spacing),
-        middle_(bands.far_spacing, bands.middle_range, bands.clear_band, bands.middle_spacing) {
+        near_(bands.middle_spacing, bands.near_range, bands.passband_fraction,
+              bands.middle_spacing),
+        middle_(bands.far_spacing, bands.middle_range, bands.passband_fraction,
+                bands.middle_spacing) {
     cells_.period = {};
     if (cells.period.is_on())
       repeated_ = std::make_unique<RepeatedCells>(medium_, cells, bands.far_spacing);
@@ -43,11 +45,11 @@ class BandTables {
   /// Number of layers in which strain has a surface displacement by a band: below, it has decreased
   /// to 1e-4.
   int strained_layers(Band band, const Grid& grid) const {
-    return layers(band, grid, bands_.near_moves, bands_.middle_moves);
+    return layers(band, grid, bands_.near_displacement_depth, bands_.middle_displacement_depth);
   }
   /// Number of layers in which tractions cause stress by a band: below, it has decreased to 1e-5.
   int stressed_layers(Band band, const Grid& grid) const {
-    return layers(band, grid, bands_.near_stressed, bands_.middle_stressed);
+    return layers(band, grid, bands_.near_stress_depth, bands_.middle_stress_depth);
   }
 
   /// Stress [component][j][i] at nodes 0..offsets - 1 of the band.
@@ -103,8 +105,8 @@ class BandTables {
                const Exact& exact) const;
   Field far_tables(const Split& split, const KernelOffsets& offsets, const Parities& parities,
                    const Exact& exact) const;
-  Field joined_far_tables(const Split& split, const KernelOffsets& offsets,
-                          const Parities& parities, const Key& key) const;
+  Field periodic_far_tables(const Split& split, const KernelOffsets& offsets,
+                            const Parities& parities, const Key& key) const;
   void compare(const Parities& parities, const Field& whole, Split& split) const;
   void sharpen(Band band, const KernelOffsets& offsets, int mx, int my, const Parities& parities,
                Field& tables) const;

@@ -20,7 +20,7 @@ namespace samcontact::operators {
 class SmoothContinuation {
  public:
   /// step: of rest().
-  SmoothContinuation(int factor, int cells, double clear_band, int step);
+  SmoothContinuation(int factor, int cells, double passband_fraction, int step);
 
   int cells() const { return cells_; }
   /// Offsets 0..reach() - 1 of a table are used: beyond, it is smooth.

@@ -19,14 +19,14 @@ namespace samcontact::operators {
 
 /// Zone with the margin in which strain of other zones acts on it through the near band: wider at
 /// sides with other zones nearby, because the truncated part is next to equally strong strain.
-Box with_ring(const Box& zone, const std::vector<Box>& zones, const BandSplit& split);
+Box zone_with_margin(const Box& zone, const std::vector<Box>& zones, const BandSplit& split);
 
-/// Planes of the nodes of a band. On a periodic surface their ends are joined: spreading and
+/// Planes of the nodes of a band. On a periodic surface their ends are periodic: spreading and
 /// gathering then use a sheet that extends beyond the ends; otherwise the sheet is the plane.
 class NodePlanes {
  public:
-  /// lattice: of the operators on the planes. joined: whether the ends are joined.
-  NodePlanes(NodeSpread nodes, const Grid& lattice, bool joined);
+  /// lattice: of the operators on the planes. periodic: whether the ends are periodic.
+  NodePlanes(NodeSpread nodes, const Grid& lattice, bool periodic);
 
   const NodeSpread& nodes() const { return nodes_; }
   const Grid& lattice() const { return lattice_; }
@@ -37,8 +37,8 @@ class NodePlanes {
   /// Nodes of a plane that a coarser lattice uses, in rows of pitch() numbers.
   Box own() const;
   int pitch() const { return lattice_.ny; }
-  bool is_joined() const { return joined_; }
-  /// Adds a sheet to the plane, including the parts beyond joined ends.
+  bool is_periodic() const { return periodic_; }
+  /// Adds a sheet to the plane, including the parts beyond periodic ends.
   void fold(const double* sheet, double* plane) const;
   /// Sheet of a plane, in `room` if they differ.
   const double* sheet_of(const double* plane, Field& room) const;
@@ -50,7 +50,7 @@ class NodePlanes {
  private:
   NodeSpread nodes_;
   Grid lattice_;
-  bool joined_;
+  bool periodic_;
   Box sheet_;
 };
 
@@ -79,7 +79,7 @@ class ZoneTables {
   const std::shared_ptr<const HeatStress>& heat(Band band) const {
     return heat_[static_cast<int>(band)];
   }
-  bool is_joined() const { return grid_.period.is_on(); }
+  bool is_periodic() const { return grid_.period.is_on(); }
   /// Planes of the middle nodes of the cells of a box, and of the far nodes of these; with the
   /// given number of layers.
   NodePlanes middle_planes(const Box& cells, int layers) const;

@@ -38,10 +38,10 @@ class BodySurface {
   /// Cells of the body of which the grid contains at least parts.
   Box seen() const;
   /// Adds the normal displacement due to plastic strain to the gap.
-  void open(Field& gap);
+  void add_displacement_to(Field& gap);
   /// Adds the slip of body 1 relative to body 2 due to the plastic strain of this increment
   /// [2][i][j].
-  void slide(Field& free_slip) const;
+  void add_tangential_displacement_to(Field& free_slip) const;
   /// Whether residual displacement could close the gap in cells where it is not known, if no
   /// displacement exceeds `reach` [m].
   bool may_touch_outside(const Field& gap, double reach) const;
@@ -62,7 +62,7 @@ class BodySurface {
   bool split_ = false, strained_ = false;
   OutsideStrain outside_;
   double rim_displacement_ = 0.0;
-  std::array<Field, 2> slid_before_;  // along x and y, in the known cells; empty: none
+  std::array<Field, 2> displaced_before_;  // along x and y, in the known cells; empty: none
 };
 
 }  // namespace samcontact::simulation

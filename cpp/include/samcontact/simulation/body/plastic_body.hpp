@@ -52,7 +52,7 @@ class PlasticBody {
   /// Transforms the strain. active: whether the increment has unknowns.
   void transform(bool active);
   /// Sets the tractions of the increment, which must outlive this object.
-  void meet(const operators::Tractions& tractions);
+  void set_tractions(const operators::Tractions& tractions);
   /// Tractions on the body, on its own cells.
   const operators::Tractions& tractions() const { return offset_ != 0 ? seen_ : *tractions_; }
 
@@ -66,13 +66,13 @@ class PlasticBody {
  private:
   /// Result of the yield check of a layer: inactive cells that yield, and the maximum of the
   /// squared von Mises stress over its limit for the other inactive cells.
-  struct Seen {
+  struct LayerCheck {
     std::vector<std::pair<std::uint32_t, plasticity::Tensor>> yielding;
     double largest = 0.0;
   };
   /// first: index of its first cell; plane: its number of cells.
-  Seen look_at_layer(std::size_t first, std::size_t plane, const double* layer,
-                     const CellHistory::Limits& limits, ActiveCells& active) const;
+  LayerCheck check_layer(std::size_t first, std::size_t plane, const double* layer,
+                         const CellHistory::Limits& limits, ActiveCells& active) const;
   /// Adds all other stress of a layer.
   Field with_given_stress(std::size_t zone, int k, const double* layer) const;
 

@@ -37,6 +37,6 @@ class BoxChoice {
 
 /// Whether a whole box extends so far from the grid that only an unbounded plastic zone explains
 /// it.
-bool has_no_end(const Box& box, const Grid& grid);
+bool is_unbounded(const Box& box, const Grid& grid);
 
 }  // namespace samcontact::simulation

@@ -11,6 +11,6 @@ namespace samcontact::simulation {
 fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions& tractions,
                           const Sources& sources);
 /// Whether the two bodies are mirror images: equal materials, histories and loads.
-bool has_twins(const IncrementTask& task, const Sources& sources);
+bool bodies_are_mirror_images(const IncrementTask& task, const Sources& sources);
 
 }  // namespace samcontact::simulation

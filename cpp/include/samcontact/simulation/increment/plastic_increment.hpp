@@ -72,7 +72,7 @@ class PlasticIncrement {
   const Sources sources_;
   SlipHistory slip_;
   const fft::Symmetry symmetry_;
-  const bool twins_;  // whether one body is solved for both
+  const bool mirror_images_;  // whether one body is solved for both
   StartGuess guess_;
   std::vector<PlasticBody> bodies_;  // elastic-plastic bodies
   ActiveCells active_;

@@ -39,7 +39,7 @@ class ZoneManager {
   bool grow_beyond();
   /// Check for yield outside the zones, once, when the relative change indicates that the pressure
   /// has nearly converged: growing then does not cost an evaluation.
-  bool look_beyond(double residual);
+  bool grow_when_settled(double residual);
 
  private:
   void set_zones(PlasticBody& body, const Zones& zones, bool split = false);
@@ -51,12 +51,12 @@ class ZoneManager {
   bool grow_zones(PlasticBody& body, std::vector<Box> more);
   /// Boxes that the zones must contain in addition because of plastic flow in their outermost
   /// cells.
-  std::vector<Box> rims_that_flow(std::size_t b) const;
+  std::vector<Box> rims_with_flow(std::size_t b) const;
   /// Grows the zones for cells outside that yield.
   bool grow_for_yield(PlasticBody& body);
   /// Whole box around the zones of a body; empty if there are none.
   Box whole_or_none(const PlasticBody& body) const;
-  std::invalid_argument flows_as_a_whole(const PlasticBody& body) const;
+  std::invalid_argument unbounded_zone_error(const PlasticBody& body) const;
   /// Whether a body may be in contact where its residual displacement is not known.
   bool may_touch_outside(const Field& gap) const;
   /// Stored box that elastic-plastic body number b needs because of plastic flow in the outermost
@@ -71,7 +71,7 @@ class ZoneManager {
   const Sources& sources_;
   std::vector<PlasticBody>& bodies_;
   ActiveCells& active_;
-  bool scanned_ = false, looked_ = false;
+  bool scanned_ = false, checked_outside_ = false;
 };
 
 }  // namespace samcontact::simulation

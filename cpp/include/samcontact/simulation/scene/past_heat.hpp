@@ -11,7 +11,7 @@
 namespace samcontact::simulation {
 
 /// Settings of transient heating with load history.
-struct HeatMarch {
+struct TransientHeating {
   /// Shortest time step, and longest time over which heat is followed [s]; 0: no transient heating.
   double shortest = 0.0, longest = 0.0;
   bool is_on() const { return shortest > 0; }

@@ -22,7 +22,8 @@ class Scene {
   /// reach: distance beyond the grid along x within which plastic strain acts [cells].
   Scene(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
         Field initial_gap, const contact::FrictionLaw& friction, double image_tol,
-        const HeatMarch& march, int reach, Reliefs reliefs, const operators::BandSplit& split = {},
+        const TransientHeating& transient_heating, int reach, Reliefs reliefs,
+        const operators::BandSplit& split = {},
         contact::SharedContactLaw contact_law = contact::hard_contact());
 
   const Grid grid;
@@ -32,7 +33,7 @@ class Scene {
   const contact::SharedContactLaw contact_law;
   const contact::FrictionLaw friction;
   const std::unique_ptr<const contact::PartialSlipContact> partial_slip;  // null in full sliding
-  const HeatMarch march;
+  const TransientHeating transient_heating;
   const int reach;
   const operators::BandSplit split;  // band decomposition of zones
   /// Whether the grid permits small zones.

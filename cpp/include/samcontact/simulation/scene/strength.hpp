@@ -55,10 +55,10 @@ class Strength {
   void add_stress(const Box& box, operators::Tensor tensor, Field& sum) const;
 
   /// Lower bounds of the strength of the layers of each range, as a fraction `share` of their yield
-  /// stress, or `share_of_weak` if they are much weaker than the layers above: a cell whose stress
+  /// stress, or `weak_share` if they are much weaker than the layers above: a cell whose stress
   /// is within the bound yields in no layer of the range. softening: factor of the yield stress.
   std::vector<LayerLimit> limits(const std::vector<LayerRange>& ranges, double softening,
-                                 double share, double share_of_weak) const;
+                                 double share, double weak_share) const;
 
  private:
   /// Initial yield stress [Pa]; infinite in elastic materials.
@@ -70,7 +70,7 @@ class Strength {
   double change(double above, double below) const;
   /// Approximate pressure above which the axis yields [Pa]: compressive stress along the surface
   /// raises it.
-  double bearing_at(double z) const;
+  double yield_pressure_at(double z) const;
   bool is_weak_at(double z) const;
   /// Deviator of the initial stress: xx, yy, xy [Pa].
   std::array<double, 3> start_at(double z) const;
@@ -89,7 +89,7 @@ class Strength {
   /// Sum of all changes from the surface down, relative to the yield stress; empty: the strength is
   /// constant.
   std::optional<OverDepth> variation_;
-  OverDepth most_above_;  // maximum of bearing_at() down to a depth, at kinks
+  OverDepth max_above_;  // maximum of yield_pressure_at() down to a depth, at kinks
 };
 
 }  // namespace samcontact::simulation

@@ -19,11 +19,11 @@ namespace samcontact::simulation {
 /// weaker than those above.
 struct YieldLimit {
   const Strength& strength;
-  double softening, share, share_of_weak;
+  double softening, share, weak_share;
   operators::DeviatorAt past{};  // stress in addition to that due to tractions; empty: 0
 
   std::vector<LayerLimit> of(const std::vector<LayerRange>& ranges) const {
-    return strength.limits(ranges, softening, share, share_of_weak);
+    return strength.limits(ranges, softening, share, weak_share);
   }
 };
 

@@ -29,8 +29,8 @@ struct PlasticRecord {
 PlasticRecord record(const PlasticState& history);
 /// Plastic history of a record, for a body with the given number of backstresses. Throws
 /// std::invalid_argument for a record that does not match the grid.
-std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Grid& grid,
-                                           std::size_t backstresses);
+std::shared_ptr<const PlasticState> from_record(const PlasticRecord& record, const Grid& grid,
+                                                std::size_t backstresses);
 
 /// Throws std::invalid_argument unless the parts of a state match each other and its grid and
 /// bodies.
@@ -72,7 +72,7 @@ void describe(F& f, Visitor& visit) {
   visit("values", f.values);
 }
 
-template <Is<Flow> F, class Visitor>
+template <Is<PlasticIncrementGuess> F, class Visitor>
 void describe(F& f, Visitor& visit) {
   visit("mirrored", f.symmetry);
   visit("advance", f.advance);
@@ -118,10 +118,10 @@ void describe(S& s, Visitor& visit) {
     visit("flow_boxes" + number, s.flow_boxes[b]);
     visit.made("softening" + number, s.softening[b], as_it_is, copied);
     visit.made("history" + number, s.plastic[b], record, [&](const PlasticRecord& plain) {
-      return remade(plain, s.scene().grid, s.scene().bodies[b].backstresses());
+      return from_record(plain, s.scene().grid, s.scene().bodies[b].backstresses());
     });
     visit.made("eigenstrain" + number, s.eigenstrain[b], record,
-               [&](const PlasticRecord& plain) { return remade(plain, s.scene().grid, 0); });
+               [&](const PlasticRecord& plain) { return from_record(plain, s.scene().grid, 0); });
     visit.made(
         "past" + number, s.past[b], [](const operators::HeatHistory& heat) { return heat.state(); },
         [&](const std::vector<double>& numbers) {

@@ -17,7 +17,7 @@ namespace samcontact::simulation {
 
 /// Plastic strain increment, as an estimate for the next increment of a motion; also of a
 /// stationary load with plastic flow in many zones.
-struct Flow {
+struct PlasticIncrementGuess {
   fft::Symmetry symmetry = fft::Symmetry::none;
   Travel advance{};
   double load = 0.0, approach = 0.0;  // changes in the increment
@@ -26,7 +26,7 @@ struct Flow {
     Field strain;  // [cell][component], like the unknowns of the increment
   };
   std::array<Body, 2> bodies;
-  bool operator==(const Flow&) const = default;
+  bool operator==(const PlasticIncrementGuess&) const = default;
 };
 
 /// Number of layers of a volume field; empty: the number chosen by the state.
@@ -67,7 +67,7 @@ class State {
   std::array<std::shared_ptr<const PlasticState>, 2> met{};
   /// Disjoint whole boxes in which the plastic strain was last solved for.
   std::array<std::vector<Box>, 2> flow_boxes;
-  std::shared_ptr<const Flow> last_flow;  // null: no useful estimate
+  std::shared_ptr<const PlasticIncrementGuess> last_flow;  // null: no useful estimate
 
   bool converged = true;
   int plastic_iterations = 0, contact_iterations = 0, substeps = 0;

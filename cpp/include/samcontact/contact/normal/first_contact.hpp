@@ -18,7 +18,7 @@ struct Growth {
   const Field& gap;       // gap before the increment [m]
   double closer;          // increment of the approach [m], > 0
   /// Rigid tangential motion if it is prescribed, and its upper limit for the shear [m].
-  double slid, most_slid;
+  double slid, max_slid;
 };
 
 /// Symmetric matrices [xx, xy, yy][i][j]: the part of a rigid motion that cells slip while they
@@ -27,6 +27,6 @@ struct Growth {
 /// and the previous slip by one factor across the edge of the contact and by another along it:
 /// those of a growing round contact. Motions larger than the elastic displacement due to shear do
 /// not change these factors. Empty if no cell comes into contact.
-Field slip_in_touch(const Grid& grid, const Growth& growth, double crosswise);
+Field slip_after_contact(const Grid& grid, const Growth& growth, double crosswise);
 
 }  // namespace samcontact::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samcontact/contact/normal/first_touch.hpp"
+#include "samcontact/contact/normal/first_contact.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ std::vector<std::size_t> new_cells(const Growth& growth) {
 
 /// For each of them, the fraction of cells that touched before in a round contact that reaches it.
 /// Cells that are mirror images have gaps that differ by rounding: they are reached together.
-std::vector<double> touched_before(const Growth& growth, const std::vector<std::size_t>& cells) {
+std::vector<double> touching_fraction(const Growth& growth, const std::vector<std::size_t>& cells) {
   const auto before =
       static_cast<double>(std::count_if(growth.before.begin(), growth.before.end(), in_contact));
   std::vector<double> shares;
@@ -86,15 +86,15 @@ double crosswise_compliance(const Grid& grid, const operators::TangentialInfluen
   return at(far, 0) / at(0, far);
 }
 
-Field slip_in_touch(const Grid& grid, const Growth& growth, double crosswise) {
+Field slip_after_contact(const Grid& grid, const Growth& growth, double crosswise) {
   const std::vector<std::size_t> cells = new_cells(growth);
   if (cells.empty()) return {};
   const std::size_t n = growth.gap.size();
   Field parts(3 * n, 1.0);
   std::fill_n(parts.begin() + static_cast<std::ptrdiff_t>(n), n, 0.0);
-  const double sheared = growth.slid > growth.most_slid ? growth.most_slid / growth.slid : 1.0;
+  const double sheared = growth.slid > growth.max_slid ? growth.max_slid / growth.slid : 1.0;
   const double twist = sheared * 2 * (crosswise - 1) / (crosswise + 1);
-  const std::vector<double> before = touched_before(growth, cells);
+  const std::vector<double> before = touching_fraction(growth, cells);
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const std::size_t i = cells[c];
     const double share = std::min(growth.gap[i] / growth.closer, 1.0);

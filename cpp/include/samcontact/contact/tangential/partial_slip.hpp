@@ -9,8 +9,8 @@
 namespace samcontact::contact {
 
 /// Solves until the natural residual is below tol. If the sets do not settle, projected gradients,
-/// which always descend, are used. Returns converged = false after most_steps.
-ShearResult solve_stick_slip(const ShearProblem& problem, ShearApplier& operators, ShearStart start,
-                             double tol, int most_steps);
+/// which always descend, are used. Returns converged = false after max_steps.
+ShearResult solve_partial_slip(const ShearProblem& problem, ShearApplier& operators,
+                               ShearStart start, double tol, int max_steps);
 
 }  // namespace samcontact::contact
