@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Run of one of the hottest kernels on fixed data, whose instructions guard.py counts.
 //
-//
 //   samcontact_instructions            names of the kernels
 //   samcontact_instructions KERNEL N   prepares the data of the kernel and runs it N times; the
 //                                      count for N = 0 is that of everything but the kernel

@@ -13,7 +13,7 @@ namespace {
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<InterruptCheck> installed_check{nullptr};
 
-// Of each thread.
+// Separate for each thread.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 thread_local int uninterrupted = 0;
 

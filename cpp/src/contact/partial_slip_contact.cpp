@@ -155,7 +155,7 @@ class PartialSlipContact::Sweeps {
       }
       if (rolls_) difference_per_distance(free_slip);
     }
-    const Field touching = contact_part();
+    const Field touching = slip_part();
     const bool first = s_.tangential.shear.empty();
     const Field start = first ? shear_before() : std::move(s_.tangential.shear);
     const std::vector<unsigned char> sticking = std::move(s_.tangential.sticking);
@@ -197,7 +197,7 @@ class PartialSlipContact::Sweeps {
 
   /// Part of a rigid motion that newly contacting cells slip; empty if there are none, and before
   /// the first contact, for which the normal load is applied first.
-  Field contact_part() {
+  Field slip_part() {
     const double closer = s_.normal.motion.approach - before_.approach;
     if (before_.pressure.empty() || before_.has_moved || !(closer > 0)) return {};
     if (gap_before_.empty()) gap_before_ = find_gap_before();

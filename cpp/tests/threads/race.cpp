@@ -2,7 +2,6 @@
 // Cases for the thread sanitizer: a sum to which threads add without synchronisation, and loops
 // separated by OpenMP barriers.
 //
-//
 //   samcontact_race          the loops only
 //   samcontact_race --race   the sum as well
 #include <cstdio>

@@ -41,7 +41,7 @@ class Simulation {
   /// grid, a grid without layers, a rigid body, or values that are not finite.
   void add_eigenstrain(int body, const Box& box, int k0, const Field& strain);
 
-  /// Continues from a saved state of the same scene.
+  /// Continues from a saved state of an equal setup.
   void restore(const State& state, const Counters& counters);
 
   const State& state() const { return state_; }

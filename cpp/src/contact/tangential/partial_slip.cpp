@@ -135,7 +135,7 @@ class PartialSlipIteration : public SlipIteration {
     take_normals();
     if (modes_ > 0) {
       const Projected set = projected([&](Field& v) {
-        apply_contact_part(problem_, v);
+        apply_slip_part(problem_, v);
         project_free(v);
       });
       if (decides(set, decisive)) {

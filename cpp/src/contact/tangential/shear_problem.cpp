@@ -83,8 +83,8 @@ void add_scaled(double factor, const Field& x, Field& y) {
   for_each_cell(std::ssize(y), [&](std::size_t i) { y[i] += factor * x[i]; });
 }
 
-void apply_contact_part(const ShearProblem& problem, Field& slip) {
-  const Field& share = problem.contact_part;
+void apply_slip_part(const ShearProblem& problem, Field& slip) {
+  const Field& share = problem.slip_part;
   const std::size_t m = share.size() / 3;
   for_each_cell(m, [&](std::size_t i) {
     const double x = slip[i], y = slip[m + i];
@@ -94,9 +94,9 @@ void apply_contact_part(const ShearProblem& problem, Field& slip) {
 }
 
 void add_motion(const ShearProblem& problem, std::size_t mode, double motion, Field& slip) {
-  if (problem.contact_part.empty()) return add_scaled(motion, problem.modes[mode].direction, slip);
+  if (problem.slip_part.empty()) return add_scaled(motion, problem.modes[mode].direction, slip);
   Field moved = problem.modes[mode].direction;
-  apply_contact_part(problem, moved);
+  apply_slip_part(problem, moved);
   add_scaled(motion, moved, slip);
 }
 

@@ -28,8 +28,8 @@ constexpr double partial_slip_bytes = 700, rolling_bytes = 1100;  // per cell of
 /// Fields over all cells of a box, and vectors [2][i][j] there.
 struct BoxTask {
   Field pressure, free_slip;
-  Field contact_part;  // three components; empty: none
-  double x0, y0;       // of the first cell
+  Field slip_part;  // three components; empty: none
+  double x0, y0;    // of the first cell
   bool rolls;
 };
 
@@ -98,8 +98,7 @@ class ShearSolver::Level {
   bool floats_;  // if the whole box is in contact
 };
 
-/// Scale of the slip due to a shear proportional to the pressure; on the coarsest box, which is
-/// sufficient for a scale.
+/// Scale of the slip due to a shear proportional to the pressure, from the coarsest box.
 double ShearSolver::Level::stiffness_of(const Field& pressure) const {
   if (coarser_) return coarser_->stiffness_of(coarsened(box_, pressure));
   const double most = *std::max_element(pressure.begin(), pressure.end());
@@ -133,15 +132,15 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, const FrictionL
     directions[2][m + c] =
         task.x0 + (static_cast<double>(i) + (task.rolls ? spin_lead : 0.0)) * box_.dx;
   }
-  for (std::size_t from = 0; from < task.contact_part.size(); from += task.pressure.size()) {
+  for (std::size_t from = 0; from < task.slip_part.size(); from += task.pressure.size()) {
     for (const std::size_t at : problem.cells)
-      problem.contact_part.push_back(task.contact_part[from + at]);
+      problem.slip_part.push_back(task.slip_part[from + at]);
   }
   for (int k = 0; k < 3; ++k) {
     if (drive[k].is_force()) {
       problem.modes.push_back({std::move(directions[k]), drive[k].value / box_.cell_area(), k});
     } else {
-      apply_contact_part(problem, directions[k]);
+      apply_slip_part(problem, directions[k]);
       add_scaled(drive[k].value, directions[k], problem.free_slip);
     }
   }
@@ -179,13 +178,12 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, const FrictionLaw
                                           const TangentialDrive& drive, double tol,
                                           double& operations) const {
   const auto coarsen = [&](const Field& field) { return coarsened(box_, field); };
-  const BoxTask coarse{
-      coarsen(task.pressure),
-      by_component(task.free_slip, coarsen),
-      task.contact_part.empty() ? Field{} : by_component(task.contact_part, coarsen, 3),
-      task.x0 + 0.5 * box_.dx,
-      task.y0 + 0.5 * box_.dy,
-      task.rolls};
+  const BoxTask coarse{coarsen(task.pressure),
+                       by_component(task.free_slip, coarsen),
+                       task.slip_part.empty() ? Field{} : by_component(task.slip_part, coarsen, 3),
+                       task.x0 + 0.5 * box_.dx,
+                       task.y0 + 0.5 * box_.dy,
+                       task.rolls};
   Answer answer = coarser_->solve(coarse, friction, drive, {},
                                   std::max(coarse_tol(coarser_->box()), tol), coarse_steps);
   operations += answer.operations;
@@ -265,8 +263,7 @@ std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box, int
   }
   const double more = static_cast<double>(box.surface_size()) -
                       static_cast<double>(kept ? kept->box().surface_size() : 0);
-  require_memory(more * (margin > 0 ? rolling_bytes : partial_slip_bytes),
-                 "the partial-slip solution");
+  require_memory(more * (margin > 0 ? rolling_bytes : partial_slip_bytes), "partial slip");
   kept.reset();  // both together may exceed the memory
   const Grid grid = Box{0, 0, box.nx, box.ny, 0}.grid(grid_);
   kept = std::make_shared<const Level>(grid, margin, influence_);
@@ -336,7 +333,7 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   const auto boxed = [&](const Field& field) { return over(grid_, box, field); };
   BoxTask part{boxed(task.pressure),
                Field(2 * box.surface_size(), 0.0),
-               task.contact_part != nullptr ? by_component(*task.contact_part, boxed, 3) : Field{},
+               task.slip_part != nullptr ? by_component(*task.slip_part, boxed, 3) : Field{},
                grid_.x()[box.i0],
                grid_.y()[box.j0],
                task.rolls};

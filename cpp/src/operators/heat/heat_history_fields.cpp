@@ -95,7 +95,7 @@ class HeatHistory::LevelSum {
     store(block, slopes, depths, profiles.slope);
   }
 
-  /// Of the modes of a block, [s][mode, real and imaginary], and those over k^2.
+  /// Amplitudes of the modes of a block, [s][mode, real and imaginary], and amplitudes over k^2.
   void amplitudes(const HeatBlock& block, RealMatrix& c, RealMatrix& over) const {
     for (std::size_t j = 0; j < block.nodes; ++j) {
       const std::size_t row = block.offset + j * block.count;

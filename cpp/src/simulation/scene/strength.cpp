@@ -18,7 +18,7 @@ constexpr double max_layers = 1e6;
 /// maximum number of such depths.
 constexpr double smallest_step = 0.05, max_steps = 40.0;
 
-/// A layer is weak_ratio if its strength is less than this fraction of that above.
+/// A layer is weak if its strength is less than this fraction of that above.
 constexpr double weak_ratio = 0.9;
 
 double von_mises(const std::array<double, 3>& s) {

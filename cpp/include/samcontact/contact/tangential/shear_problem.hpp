@@ -17,7 +17,6 @@ constexpr double smallest_fraction = 1e-12;
 
 /// Vectors are [component][cell] on the cells in contact.
 ///
-///
 ///   min 1/2 s'C s - s'b   over |s_i| <= bound_i,  direction_k's = target_k
 ///
 /// The slip w = b + sum of motion_k direction_k - C s is minus the gradient, and the motions are
@@ -48,7 +47,7 @@ struct ShearProblem {
   std::vector<Mode> modes;
   /// Part of the slip due to a rigid motion that occurs in contact, for each cell: a symmetric
   /// matrix, [xx, xy, yy][cell]; empty: all of it.
-  Field contact_part;
+  Field slip_part;
   /// Scale of shear per scale of slip of the contact [Pa/m].
   double stiffness = 0.0;
   /// Shear below this counts as zero [Pa].
@@ -107,7 +106,7 @@ double longest(const Field& v);
 /// y += factor x.
 void add_scaled(double factor, const Field& x, Field& y);
 /// Multiplies the slip due to a rigid motion by the part that occurs in contact.
-void apply_contact_part(const ShearProblem& problem, Field& slip);
+void apply_slip_part(const ShearProblem& problem, Field& slip);
 /// Adds the slip due to a motion of a mode.
 void add_motion(const ShearProblem& problem, std::size_t mode, double motion, Field& slip);
 /// Shortens each vector that is longer than its bound.

@@ -45,7 +45,7 @@ struct ShearTask {
   PreviousDisplacement* slid = nullptr;  // owned by a caller with several solves
   /// [xx, xy, yy][i][j] Part of the slip due to the rigid motion that occurs in contact; null: all
   /// of it.
-  const Field* contact_part = nullptr;
+  const Field* slip_part = nullptr;
   /// Sticking cells [i][j] of the start; null: cells below their bound.
   const std::vector<unsigned char>* sticking = nullptr;
   /// Whether the contact is in steady rolling towards +x. Motions, free_slip, slip and

@@ -21,11 +21,11 @@ namespace samcontact::operators {
 /// sides with other zones nearby, because the truncated part is next to equally strong strain.
 Box zone_with_margin(const Box& zone, const std::vector<Box>& zones, const BandSplit& split);
 
-/// Planes of the nodes of a band. On a periodic surface their ends are periodic: spreading and
+/// Planes of the nodes of a band. On a periodic surface their ends are joined: spreading and
 /// gathering then use a sheet that extends beyond the ends; otherwise the sheet is the plane.
 class NodePlanes {
  public:
-  /// lattice: of the operators on the planes. periodic: whether the ends are periodic.
+  /// lattice: of the operators on the planes. periodic: whether the ends are joined.
   NodePlanes(NodeSpread nodes, const Grid& lattice, bool periodic);
 
   const NodeSpread& nodes() const { return nodes_; }
@@ -38,7 +38,7 @@ class NodePlanes {
   Box own() const;
   int pitch() const { return lattice_.ny; }
   bool is_periodic() const { return periodic_; }
-  /// Adds a sheet to the plane, including the parts beyond periodic ends.
+  /// Adds a sheet to the plane, including the parts beyond joined ends.
   void fold(const double* sheet, double* plane) const;
   /// Sheet of a plane, in `room` if they differ.
   const double* sheet_of(const double* plane, Field& room) const;
