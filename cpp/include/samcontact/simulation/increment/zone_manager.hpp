@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plastic zones of the bodies in an increment: where plastic strain is solved for, and how the
-// zones grow.
+// Plastic subdomains (zones) of the bodies in an increment: where plastic strain is solved for, and
+// how the zones grow.
 #pragma once
 
 #include <stdexcept>
