@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs one of the hottest kernels on fixed data, for guard.py to count its instructions.
+// Run of one of the hottest kernels on fixed data, whose instructions guard.py counts.
 //
 //   samcontact_instructions            names of the kernels
-//   samcontact_instructions KERNEL N   prepares the kernel's data and runs it N times; the count
-//                                      for N = 0 is that of everything but the kernel
+//   samcontact_instructions KERNEL N   prepares the data of the kernel and runs it N times; the
+//                                      count for N = 0 is that of everything but the kernel
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -25,7 +25,7 @@ namespace {
 double number(std::size_t n) { return std::sin(1.7 * static_cast<double>(n) + 0.3); }
 
 /// Prepares the data and returns one run of the kernel; the run returns a number that depends on
-/// its results, so that no compiler leaves it out.
+/// its results, so that no compiler omits it.
 using Prepare = std::function<double()> (*)();
 
 const Grid box(64, 64, 1e-6, 1e-6, 32, 1e-6);
@@ -47,7 +47,7 @@ std::function<double()> layer_sweep() {
   };
 }
 
-/// 100 000 cells of AISI 52100 about half of which yield.
+/// 100 000 cells of AISI 52100, about half of which yield.
 std::function<double()> radial_return() {
   constexpr std::size_t cells = 100'000;
   const auto steel =
@@ -80,7 +80,7 @@ std::function<double()> transforms(operators::Symmetry symmetry) {
   return [data]() {
     operators::forward(data->transform, data->field.data(), data->spectrum);
     operators::inverse(data->transform, data->spectrum, data->field.data());
-    // Back to the size it had: the transform is not normalised.
+    // Scales back to the original size: the transform is not normalised.
     const double unit = 1.0 / (data->transform.mx() * data->transform.my());
     for (double& value : data->field) value *= unit;
     return data->field[data->field.size() / 2];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one door for arrays between NumPy and the core.
+// Conversion of arrays between NumPy and the core.
 #pragma once
 
 #include <pybind11/numpy.h>

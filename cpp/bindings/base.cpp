@@ -29,13 +29,13 @@ void check_signals() {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
-/// Raises MemoryError when there is less.
+/// Raises MemoryError if less memory is available.
 void check_memory(double bytes, const std::string& what) {
   const py::gil_scoped_acquire gil;
   py::module_::import("samcontact._util.memory").attr("require")(what, bytes);
 }
 
-/// The core works on in a child that was forked between, or during, calls of it.
+/// Keeps the core usable in a child process forked between or during its calls.
 void prepare_for_forks() {
   const auto lock = [] {
     fft::lock_plans();
@@ -48,7 +48,7 @@ void prepare_for_forks() {
   const auto unlock_in_child = [] {
     unlock_memory();
     fft::unlock_plans();
-    lose_team();
+    reset_team();
   };
   if (pthread_atfork(lock, unlock, unlock_in_child) != 0) throw std::bad_alloc();
 }
@@ -58,7 +58,8 @@ void bind_errors(py::module_& m) {
   convergence_error.call_once_and_store_result([&] {
     const py::exception<ConvergenceError> type(m, "ConvergenceError", PyExc_RuntimeError);
     type.attr("__doc__") =
-        "An iteration did not reach its tolerance: .iterations, .residual; the state before stays.";
+        "Error of an iteration that did not reach its tolerance; see `iterations` and `residual`. "
+        "The previous state is kept.";
     type.attr("iterations") = 0;
     type.attr("residual") = 0.0;
     return py::object(type);
@@ -66,7 +67,9 @@ void bind_errors(py::module_& m) {
   PYBIND11_CONSTINIT static py::gil_safe_call_once_and_store<py::object> too_small_error;
   too_small_error.call_once_and_store_result([&] {
     const py::exception<GridTooSmallError> type(m, "GridTooSmallError", PyExc_ValueError);
-    type.attr("__doc__") = "The contact reaches the border of the grid, across .axes: x, y or xy.";
+    type.attr("__doc__") =
+        "Error of a contact that reaches the edge of the grid; `axes` names the directions to "
+        "enlarge: x, y or xy.";
     type.attr("axes") = "";
     return py::object(type);
   });
@@ -75,8 +78,7 @@ void bind_errors(py::module_& m) {
     try {
       if (p) std::rethrow_exception(p);
     } catch (const std::bad_alloc&) {
-      PyErr_SetString(PyExc_MemoryError,
-                      "the system has no more memory: take fewer cells, or end other programs");
+      PyErr_SetString(PyExc_MemoryError, "out of memory: use fewer cells, or close other programs");
     } catch (const ConvergenceError& error) {
       const py::object& type = convergence_error.get_stored();
       py::object value = type(error.what());
@@ -111,9 +113,10 @@ void bind_base(py::module_& m) {
         return p.allowed.infinite;
       });
   py::class_<Grid>(m, "Grid")
-      .def(py::init(
-               [](int nx, int ny, double dx, double dy, int nz, double dz, bool along_x,
-                  bool along_y) { return Grid(nx, ny, dx, dy, nz, dz).joined(along_x, along_y); }),
+      .def(py::init([](int nx, int ny, double dx, double dy, int nz, double dz, bool along_x,
+                       bool along_y) {
+             return Grid(nx, ny, dx, dy, nz, dz).made_periodic(along_x, along_y);
+           }),
            py::arg("nx"), py::arg("ny"), py::arg("dx"), py::arg("dy"), py::arg("nz"), py::arg("dz"),
            py::arg("along_x") = false, py::arg("along_y") = false)
       .def_readonly("nx", &Grid::nx)

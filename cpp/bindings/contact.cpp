@@ -44,7 +44,7 @@ Content to_python(contact::Solution solution, const Grid& grid, const contact::C
   result["operator_applications"] = solution.operator_applications;
   result["work"] = solution.work;
   result["converged"] = solution.converged;
-  result["border_complaint"] = solution.border_complaint;
+  result["border_complaint"] = solution.edge_warning;
   return result;
 }
 
@@ -69,7 +69,7 @@ py::array_t<bool> flags_array(const std::vector<unsigned char>& flags, const Gri
   return array;
 }
 
-/// Fields of a StickSlipSolution, without the totals of increments before.
+/// Fields of a StickSlipSolution, without the totals of earlier increments.
 Content to_python(contact::PartialSlipSolution solution,
                   const contact::PartialSlipContact& contact) {
   auto& [normal, tangential, sweeps] = solution;
@@ -133,7 +133,7 @@ Content roll(const contact::PartialSlipContact& contact, const Array& gap, bool 
   return to_python(std::move(solution), contact);
 }
 
-/// Shear s_x on body 2 that goes with a pressure; None without friction.
+/// Shear s_x on body 2 that follows from a pressure; None without friction.
 std::optional<Values> shear(const ContactSolver& solver, const Array& pressure) {
   Field along_x = solver.friction().tractions(to_field(pressure)).shear_x;
   if (along_x.empty()) return {};

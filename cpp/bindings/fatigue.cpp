@@ -12,7 +12,7 @@ namespace {
 
 namespace f = samcontact::fatigue;
 
-/// Of an array (moments, 6, cells), which the Python layer has checked.
+/// Paths of an array (moments, 6, cells), whose shape the Python layer has checked.
 f::Paths to_paths(const Array& stress) {
   return {stress.data(), static_cast<std::size_t>(stress.shape(0)),
           static_cast<std::size_t>(stress.shape(2))};

@@ -36,7 +36,7 @@ Values evaluate(const Array& X, const F& f) {
   return out;
 }
 
-/// A table of a heat source in units of its width 2 a; `table(source, points, unit)`.
+/// Table of a heat source in units of its width 2 a; `table(source, points, unit)`.
 template <class Table>
 Values heat_table(const Array& x, const Array& y, double a, double b, double heated,
                   std::pair<double, double> speed, int components, double scale,
@@ -134,7 +134,7 @@ void bind_heat(py::module_& m) {
       py::arg("heated"), py::arg("speed"), py::arg("tol"));
 }
 
-/// Axes and tractions are 0, 1, 2 along x, y, z; that along z is the pressure.
+/// Axes and tractions are 0, 1, 2 along x, y, z; the traction along z is the pressure.
 operators::Axis axis_of(int axis) { return static_cast<operators::Axis>(axis); }
 
 void bind_tractions(py::module_& m) {
@@ -212,8 +212,8 @@ void bind_eigenstrain(py::module_& m) {
 
 }  // namespace
 
-// Flat arrays of equal length in, (N, points) out; lengths are scaled by the source's width so that
-// logarithms of lengths cost no digits.
+// Flat arrays of equal length in, (N, points) out; lengths are scaled by the width of the source so
+// that logarithms of lengths cost no digits.
 void bind_kernels(py::module_& parent) {
   auto m = parent.def_submodule("kernels");
   bind_tractions(m);

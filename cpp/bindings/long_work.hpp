@@ -7,7 +7,7 @@
 
 namespace samcontact::bindings {
 
-/// While it lives, other Python threads run, and loops have as many threads as find a processor.
+/// Releases the GIL while it exists, and limits loops to as many threads as find a free processor.
 class LongWork {
   const pybind11::gil_scoped_release release_;
   const Team team_;

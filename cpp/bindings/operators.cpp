@@ -33,7 +33,7 @@ Values residual_stress(const Grid& grid, const Array& strain, const Elastic& ela
   return tensor_array(std::move(stress), grid, grid.nz);
 }
 
-/// Along x, y or z: axis 0, 1 or 2.
+/// Axis 0, 1 or 2: along x, y or z.
 Values residual_displacement(const Grid& grid, const Array& strain, double nu, int axis) {
   const Field field = to_field(strain);
   Field out(grid.surface_size());
@@ -47,7 +47,7 @@ Values residual_displacement(const Grid& grid, const Array& strain, double nu, i
   return surface_array(std::move(out), grid);
 }
 
-/// Along x, y or z: axis 0, 1 or 2.
+/// axis: 0, 1 or 2 along x, y or z.
 Values surface_displacement(const Grid& grid, const Stack& body, const Array& pressure,
                             const MaybeArray& shear_x, const MaybeArray& shear_y, int axis) {
   const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
@@ -74,8 +74,8 @@ Values surface_stress(const Grid& grid, const Stack& body, const operators::Heat
   return tensor_array(std::move(out), grid, static_cast<py::ssize_t>(z.size()));
 }
 
-/// By zones (i0, j0, nx, ny, nz): stress there, 0 elsewhere, of a strain and of tractions on body
-/// 2, and displacement [axis][i][j] of the strain.
+/// Stress in zones (i0, j0, nx, ny, nz), 0 elsewhere, due to a strain and to tractions on body 2,
+/// and displacement [axis][i][j] due to the strain, by the operators of zones.
 std::pair<Values, Values> zone_fields(const Grid& grid, const Elastic& elastic,
                                       const std::vector<std::array<int, 5>>& boxes,
                                       const Array& strain, const MaybeArray& pressure,
@@ -93,7 +93,7 @@ std::pair<Values, Values> zone_fields(const Grid& grid, const Elastic& elastic,
     for (const auto& [i0, j0, nx, ny, nz] : boxes) {
       const bool inside = i0 >= 0 && j0 >= 0 && nx > 0 && ny > 0 && nz > 0 && nx <= grid.nx - i0 &&
                           ny <= grid.ny - j0 && nz <= grid.nz;
-      if (!inside) throw std::invalid_argument("a zone is empty or not in the grid");
+      if (!inside) throw std::invalid_argument("a zone must be non-empty and lie inside the grid");
       zones.push_back({i0, j0, nx, ny, nz});
     }
     operators::ZoneOperators operators(
@@ -147,7 +147,7 @@ namespace {
 
 using operators::HeatHistory;
 
-/// Knows the shapes that the core does not.
+/// Heat history with the shapes of its arrays, which the core does not know.
 struct BoundHistory {
   Grid grid;
   HeatHistory history;

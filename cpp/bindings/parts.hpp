@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Described parts of the core's data as a dictionary of numbers, arrays and dictionaries, and back.
+// Conversion of described data of the core to a dictionary of numbers, arrays and dictionaries, and
+// back.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -26,10 +27,10 @@ namespace samcontact::bindings {
 
 namespace py = pybind11;
 
-/// A field or list, which becomes an array of one dimension.
+/// Field or list, converted to an array of one dimension.
 template <class T>
 concept Sequence = requires(T part) { part.resize(0); };
-/// One of some whole numbers each, which becomes an array of two.
+/// List of records of a few integers, converted to an array of two dimensions.
 template <class T>
 concept Rows = Sequence<T> && (std::is_same_v<typename T::value_type, Box> ||
                                std::is_same_v<typename T::value_type, simulation::Cell>);
@@ -48,14 +49,14 @@ py::array_t<std::int64_t> rows_of(const T& part) {
   return rows;
 }
 
-/// Throws std::invalid_argument unless each row has as many numbers as it should, in range.
+/// Throws std::invalid_argument unless each row has the right number of integers, in range.
 template <Rows T>
 void read_rows(const std::string& name, const py::object& kept, T& part) {
   const auto rows = kept.cast<py::array_t<std::int64_t, py::array::c_style>>();
   const bool fits = rows.ndim() == 2 && rows.shape(1) == columns<T> &&
                     std::all_of(rows.data(), rows.data() + rows.size(),
                                 [](std::int64_t number) { return std::in_range<int>(number); });
-  if (!fits) throw std::invalid_argument(name + " are no rows of whole numbers");
+  if (!fits) throw std::invalid_argument(name + " must be rows of integers");
   part.resize(rows.shape(0));
   for (std::size_t n = 0; n < part.size(); ++n) {
     std::array<int, columns<T>> numbers;
@@ -74,11 +75,10 @@ py::array_t<typename T::value_type> array_of(const T& part, const py::object& ow
   return view;
 }
 
-/// Visits what is described, and takes all of it or the part of one name. Empty sequences are left
-/// out.
+/// Visitor that stores all described parts, or the part of one name. Empty sequences are omitted.
 class PartWriter {
  public:
-  /// owner: Python's object of what is visited, of whose sequences views are taken; None: copies.
+  /// owner: Python object that owns the visited data, for views of its sequences; None: copies.
   explicit PartWriter(std::string only = {}, py::object owner = py::none())
       : only_(std::move(only)), owner_(std::move(owner)) {}
 
@@ -126,17 +126,16 @@ class PartWriter {
   py::object owner_;
 };
 
-/// The reverse: fills what it visits. Throws std::invalid_argument for a part that is missing or of
-/// another kind, and for numbers that are not finite.
+/// Visitor that fills the described parts. Throws std::invalid_argument for a part that is missing
+/// or has the wrong type, and for numbers that are not finite.
 class PartReader {
  public:
   explicit PartReader(const py::dict& content) : left_(content.attr("copy")()) {}
 
-  /// Throws std::invalid_argument for what nothing asked for.
+  /// Throws std::invalid_argument if an unknown part is left.
   void require_no_more() const {
     if (left_.empty()) return;
-    throw std::invalid_argument("no part is named " +
-                                py::str(*py::iter(left_)).cast<std::string>());
+    throw std::invalid_argument("unknown part: " + py::str(*py::iter(left_)).cast<std::string>());
   }
 
   template <class T>
@@ -163,7 +162,7 @@ class PartReader {
 
  private:
   static void require_finite(const std::string& name, bool holds) {
-    if (!holds) throw std::invalid_argument(name + " has values that are not finite");
+    if (!holds) throw std::invalid_argument(name + " must be finite");
   }
   template <class T>
   void read(const std::string& name, T& part) {
@@ -176,7 +175,7 @@ class PartReader {
           from_python(kept, part);
         }
       } catch (const py::cast_error&) {
-        throw std::invalid_argument(name + " is of another kind than it should be");
+        throw std::invalid_argument(name + " has the wrong type");
       }
     } else if constexpr (Sequence<T>) {
       part.clear();
@@ -203,7 +202,7 @@ class PartReader {
     }
   }
 
-  py::dict left_;  // what has not been read yet
+  py::dict left_;  // parts that have not been read yet
 };
 
 }  // namespace samcontact::bindings

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Binding functions of the rooms of the core, and of parts of them that have their own file.
+// Binding functions of the rooms of the core, and of parts of rooms with a file of their own.
 #pragma once
 
 #include <pybind11/pybind11.h>

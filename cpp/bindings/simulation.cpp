@@ -26,7 +26,7 @@ using simulation::Simulation;
 using simulation::State;
 using simulation::Target;
 
-/// Heights (rows, ny), first row, whether periodic, what is worn off.
+/// Each None or (heights (rows, ny), first row, whether periodic, worn depth or None).
 using ReliefTuple = std::tuple<Array, int, bool, MaybeArray>;
 simulation::Reliefs to_reliefs(const std::array<std::optional<ReliefTuple>, 2>& given) {
   simulation::Reliefs reliefs;

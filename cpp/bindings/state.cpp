@@ -30,7 +30,7 @@ using simulation::State;
 
 enum class Rank { surface, scalar, tensor, tensors };
 
-/// A field that takes a while.
+/// Field whose computation takes long.
 template <class Make>
 Field worked(const Make& make) {
   const LongWork work;
@@ -52,7 +52,7 @@ auto surface_method(Field (*method)(const State&, int)) {
   };
 }
 
-/// A field of the volume down to a number of layers.
+/// Volume field down to a number of layers.
 template <Rank rank>
 auto volume_method(Field (*method)(const State&, int, simulation::Layers)) {
   return [method](const State& state, int body, int layers) {
@@ -73,7 +73,7 @@ Box to_box(const BoxTuple& cells) {
   return {i0, j0, nx, ny, nz};
 }
 
-/// A field over the cells of a box, which may lie beside the grid.
+/// Field over the cells of a box, which may lie outside the grid.
 template <Rank rank>
 auto box_method(Field (*method)(const State&, int, const Box&)) {
   return [method](const State& state, int body, const BoxTuple& cells) {

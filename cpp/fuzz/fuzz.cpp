@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fuzzing of the core's entry points, guided by coverage: any scene is solved, or refused by one of
-// the documented errors. libFuzzer, the sanitizers and the checks below end the process otherwise.
+// Coverage-guided fuzzing of the entry points of the core: any problem is solved, or rejected with
+// one of the documented errors. Otherwise libFuzzer, the sanitizers and the checks below end the
+// process.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <algorithm>
@@ -38,7 +39,8 @@ class Draw {
   int count(int lowest, int highest) { return bytes_.ConsumeIntegralInRange(lowest, highest); }
   bool coin() { return bytes_.ConsumeBool(); }
 
-  /// Mostly within `decades` of a usual value; now and then any double, NaN and infinities too.
+  /// Mostly within `decades` of a usual value; occasionally any double, including NaN and
+  /// infinities.
   double number(double usual, double decades) {
     if (count(0, 31) == 0) return any();
     const double exponent = bytes_.ConsumeFloatingPointInRange(-decades, decades);
@@ -97,7 +99,7 @@ void contact_of(Draw& draw) {
   const auto body2 = operators::half_space(material(draw).elastic);
   const double friction = draw.coin() ? 0.0 : draw.between(0.0, 1.0);
   const contact::ContactSolver solver(grid, body1, body2,
-                                      contact::FrictionLaw(contact::GrossSliding{friction}));
+                                      contact::FrictionLaw(contact::FullSliding{friction}));
   const contact::ContactSettings settings{.tol = draw.number(1e-6, 5),
                                           .max_iterations = draw.count(0, 200),
                                           .on_border = contact::OnBorder::warn};
@@ -123,7 +125,7 @@ void steps_of(Draw& draw) {
   const auto body1 = material(draw), body2 = material(draw);
   const double coefficient = draw.coin() ? 0.0 : draw.between(0.0, 0.5);
   const auto friction = draw.coin() ? contact::FrictionLaw(contact::Coulomb{coefficient})
-                                    : contact::FrictionLaw(contact::GrossSliding{coefficient});
+                                    : contact::FrictionLaw(contact::FullSliding{coefficient});
   const simulation::Settings settings{
       .tol = draw.number(1e-4, 2),
       .increment_tol = 0.0,
@@ -131,7 +133,7 @@ void steps_of(Draw& draw) {
       .on_border = contact::OnBorder::warn,
       .residual_stress =
           draw.coin() ? operators::ResidualMethod::exact : operators::ResidualMethod::fast,
-      // The images of a long or deep box are summed cell by cell: on few and coarse ones here.
+      // The images of a long or deep box are summed cell by cell: few and coarse cells here.
       .image_tol = 0.1,
       .reach = 0,
       .max_halvings = draw.count(0, 1)};

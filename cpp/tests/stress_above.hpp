@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the von Mises stress of tractions is below its bound.
+// Margin between the von Mises stress due to tractions and its upper bound.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 namespace samcontact::operators {
 
 struct Above {
-  double lowest = 1.0;  // bound less stress, of the largest pressure
-  double mean = 0.0;    // of all bounds, of the mean stress
+  double lowest = 1.0;  // minimum of bound less stress, relative to the largest pressure
+  double mean = 0.0;    // mean over all bounds, relative to the mean stress
 };
 
-/// Of all cells of a grid; depths: the middles of its layers.
+/// For all cells of a grid; depths: mid-depths of its layers.
 inline Above stress_above(const Grid& grid, const VolumeOperators& whole, const StressBound& bound,
                           const Tractions& loads) {
   const Field s = whole.stress(nullptr, &loads, 1.0);

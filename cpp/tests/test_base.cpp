@@ -11,9 +11,9 @@
 
 using namespace samcontact;
 
-TEST_CASE("fields that come and go share memory, never at the same time") {
+TEST_CASE("short-lived fields reuse memory, and never share it") {
   std::mt19937 random(1);  // NOLINT(bugprone-random-generator-seed): the same in every run
-  // From below what is kept between solves to beyond it, more than one region in all.
+  // From less than the memory kept between solves to more than one region in all.
   std::uniform_int_distribution<std::size_t> sizes(1000, 1500000);
   std::uniform_int_distribution<int> coin(0, 2);
   std::vector<Field> fields;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of the contact solver that Python does not see, each against what it stands for.
+// Parts of the contact solver that are not accessible from Python, each against its definition.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using namespace samcontact;
 
 namespace {
 
-/// Of a normal compliance of 1e-9/Pa.
+/// With a normal compliance of 1e-9/Pa.
 const operators::SurfaceInfluence influence = [] {
   operators::SurfaceInfluence sum;
   sum.add(operators::half_space({1e9, 0.0}));
@@ -64,7 +64,7 @@ Displacements displacements(const Grid& grid, const Field& pressure) {
 
 }  // namespace
 
-TEST_CASE("the cheap displacement is exact on small boxes and close on large ones") {
+TEST_CASE("the approximate displacement is exact on small boxes and close on large ones") {
   for (const auto& [nx, ny, tol] :
        {std::tuple{12, 31, 1e-14}, {63, 90, 1e-14}, {64, 64, 1e-3}, {130, 75, 1e-3}}) {
     const Grid grid(nx, ny, 1.0, 1.3);
@@ -73,9 +73,9 @@ TEST_CASE("the cheap displacement is exact on small boxes and close on large one
   }
 }
 
-TEST_CASE("on all of a periodic grid the cheap displacement is the exact one, on a part close") {
+TEST_CASE("the approximate displacement is exact on a whole periodic grid and close on a part") {
   for (const auto& [along_x, along_y] : {std::pair{true, true}, {false, true}, {true, false}}) {
-    const Grid grid = Grid(128, 96, 1.0, 1.3).joined(along_x, along_y);
+    const Grid grid = Grid(128, 96, 1.0, 1.3).made_periodic(along_x, along_y);
     const auto whole = displacements(grid, sample(grid.surface_size()));
     const bool both = along_x && along_y;
     CHECK(largest_difference(whole.exact, whole.cheap) <
@@ -86,9 +86,9 @@ TEST_CASE("on all of a periodic grid the cheap displacement is the exact one, on
   }
 }
 
-TEST_CASE("the preconditioner inverts the displacement of a wave on the periodic grid") {
+TEST_CASE("the preconditioner inverts the displacement of a Fourier mode on the periodic grid") {
   const contact::NearOperators near(Grid(64, 64, 1.0, 1.0), influence);
-  // In the middle of the box a packet of waves hardly feels the border.
+  // In the middle of the box a packet of waves is hardly affected by the edges.
   Field packet, back(64 * 64), displacement(64 * 64);
   for (int i = 0; i < 64; ++i) {
     for (int j = 0; j < 64; ++j) {
@@ -102,7 +102,7 @@ TEST_CASE("the preconditioner inverts the displacement of a wave on the periodic
   CHECK(largest_difference(packet, back) < 0.01);
 }
 
-TEST_CASE("fields keep their mean when coarsened, and constants when refined") {
+TEST_CASE("coarsening preserves the mean, and refining preserves constants") {
   const Grid grid(10, 8, 1.0, 2.0), coarse = contact::coarsened(grid);
   CHECK(coarse.nx == 5);
   CHECK(coarse.ny == 4);
@@ -129,7 +129,7 @@ TEST_CASE("refining is linear interpolation between centres") {
   }
 }
 
-TEST_CASE("a window holds pressure and penetration, and grows with room") {
+TEST_CASE("the contact region contains pressure and penetration, and has a margin") {
   const Grid grid(300, 200, 1.0, 1.0);
   const Box all = Box::surface(grid);
   Field pressure(grid.surface_size(), 0.0), gap(grid.surface_size(), 1.0);
@@ -150,7 +150,7 @@ TEST_CASE("a window holds pressure and penetration, and grows with room") {
   CHECK(contact::with_margin(grid, {0, 0, 250, 180, 1}, {}) == all);
 }
 
-TEST_CASE("rounds of the active set agree with the plain conjugate gradient") {
+TEST_CASE("the active-set iteration agrees with the plain conjugate gradient") {
   for (const auto& [nx, ny] : {std::pair{40, 30}, {90, 70}}) {
     const Grid grid(nx, ny, 1.0, 1.0);
     const Field gap = wavy_gap(grid);

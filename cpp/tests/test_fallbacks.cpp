@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What helps iterations of stick and slip that lead nowhere, entered by a cheap operator that is
-// wrong, and the linear solver of rolling.
+// Fallbacks of partial-slip iterations that do not converge, provoked by an incorrect approximate
+// operator, and the linear solver of rolling.
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
@@ -9,8 +9,8 @@
 #include <cstdlib>
 
 #include "samcontact/contact/iteration/gmres.hpp"
+#include "samcontact/contact/tangential/partial_slip.hpp"
 #include "samcontact/contact/tangential/steady_rolling.hpp"
-#include "samcontact/contact/tangential/stick_slip.hpp"
 #include "samcontact/operators/medium/half_space.hpp"
 
 using namespace samcontact;
@@ -31,7 +31,7 @@ contact::LinearMap map_of(const Matrix& matrix) {
   };
 }
 
-/// A round contact on a grid with rows ahead, whose cells have a slip each.
+/// Round contact on a grid with rows ahead, with a given slip of each cell.
 struct Scene {
   Grid grid{20 + contact::rolling_margin, 18, 1.0 / 20, 1.0 / 18};
   contact::ShearOperators operators{grid, {body, body}};
@@ -65,7 +65,7 @@ double difference(const Field& a, const Field& b) {
 
 }  // namespace
 
-TEST_CASE("gmres solves systems that are not symmetric, as far as it is asked to") {
+TEST_CASE("gmres solves non-symmetric systems to the requested residual") {
   constexpr int n = 14;
   Matrix matrix(n, n), near_inverse(n, n);
   for (int i = 0; i < n; ++i) {
@@ -88,13 +88,13 @@ TEST_CASE("gmres solves systems that are not symmetric, as far as it is asked to
   CHECK(before < 1e-12);
   const Vector exact = matrix.partialPivLu().solve(right);
   for (int i = 0; i < n; ++i) CHECK(x[i] == doctest::Approx(exact[i]));
-  // The residual is that of the system itself, whatever the preconditioner.
+  // The residual is that of the system itself, for any preconditioner.
   for (const double gain : {1e-2, 1e-6, 1e-10}) {
     const int steps = contact::gmres(map_of(matrix), map_of(near_inverse), b, gain, n, x);
     CHECK(left() < gain);
     CHECK(steps <= 9);
   }
-  // It ends where a step tells all; nothing leads to nothing.
+  // The iteration ends if one step suffices; zero yields zero.
   const Matrix twice = 2 * one;
   CHECK(contact::gmres(map_of(twice), map_of(one), b, 1e-14, n, x) == 1);
   for (int i = 0; i < n; ++i) CHECK(x[i] == doctest::Approx(b[i] / 2));
@@ -102,15 +102,15 @@ TEST_CASE("gmres solves systems that are not symmetric, as far as it is asked to
   CHECK(x == Field(n, 0.0));
 }
 
-TEST_CASE("projected gradients lead where Newton's steps do not") {
+TEST_CASE("projected gradients converge if Newton steps do not") {
   const Scene right(8e-6, 3e-6);
   Scene wrong(8e-6, 3e-6);
   wrong.operators.near = operators::NearTangential(wrong.grid, {much_stiffer, much_stiffer});
   contact::ShearApplier applier(right.problem), misled(wrong.problem);
-  const auto expected = contact::solve_stick_slip(right.problem, applier, {}, 1e-9, 60);
+  const auto expected = contact::solve_partial_slip(right.problem, applier, {}, 1e-9, 60);
   CHECK(expected.converged);
   CHECK(expected.fallbacks == 0);
-  const auto found = contact::solve_stick_slip(wrong.problem, misled, {}, 1e-6, 100);
+  const auto found = contact::solve_partial_slip(wrong.problem, misled, {}, 1e-6, 100);
   CHECK(found.converged);
   CHECK(found.fallbacks > 0);
   CHECK(difference(found.shear, expected.shear) < 1e-5 * 3e5);
@@ -118,7 +118,7 @@ TEST_CASE("projected gradients lead where Newton's steps do not") {
         std::count(expected.slipping.begin(), expected.slipping.end(), 1));
 }
 
-TEST_CASE("a contact that is rolled comes to the steady state without Newton's steps") {
+TEST_CASE("incremental rolling reaches the steady state without Newton steps") {
   Scene right(4e-7, 1e-7), wrong(4e-7, 1e-7);
   for (Scene* scene : {&right, &wrong}) scene->problem.carried = 18;
   wrong.operators.near = operators::NearTangential(wrong.grid, {much_stiffer, much_stiffer});

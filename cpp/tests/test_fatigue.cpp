@@ -28,7 +28,7 @@ SmallestBall<D> ball_of(const Points& points) {
   return SmallestBall<D>(rows.data(), n, work.data());
 }
 
-/// The smallest of all circumscribed balls of subsets that hold every point, by least squares.
+/// Smallest of all circumscribed balls of subsets that contains every point, by least squares.
 double radius_of_subsets(const Points& points) {
   const int n = static_cast<int>(points.size()), dimension = static_cast<int>(points[0].size());
   double best = std::numeric_limits<double>::infinity();
@@ -112,13 +112,13 @@ void compare_with_subsets() {
       const Points points = points_of(kind, D, random);
       const auto ball = ball_of<D>(points);
       CAPTURE(static_cast<int>(kind));
-      // Near points are known to the rounding of their distance from the origin.
+      // The position of close points is limited by the rounding of their distance from the origin.
       const double rounding = kind == Kind::near ? 1e-6 : 1e-12;
       CHECK(ball.radius() == doctest::Approx(radius_of_subsets(points)).epsilon(rounding));
       const Eigen::Map<const Eigen::VectorXd> centre(ball.centre().data(), D);
       for (const auto& point : points)
         CHECK((point - centre).norm() <= ball.radius() * (1 + 1e-14));
-      // a mean of points at the rim: no ball is smaller
+      // a mean of points on the boundary: no ball is smaller
       for (int d = 0; d < D; ++d) {
         double mean = 0.0;
         for (std::size_t m = 0; m < ball.held(); ++m) {
@@ -133,13 +133,13 @@ void compare_with_subsets() {
 
 }  // namespace
 
-TEST_CASE("smallest circles are those of the best subset") { compare_with_subsets<2>(); }
+TEST_CASE("the smallest circle is that of the best subset") { compare_with_subsets<2>(); }
 
-TEST_CASE("smallest balls of five dimensions are those of the best subset") {
+TEST_CASE("the smallest ball in five dimensions is that of the best subset") {
   compare_with_subsets<5>();
 }
 
-TEST_CASE("one point has a ball without radius") {
+TEST_CASE("the ball of one point has zero radius") {
   const auto ball = ball_of<5>({Eigen::VectorXd::Constant(5, 3.0)});
   CHECK(ball.radius() == 0.0);
   CHECK(ball.centre()[4] == 3.0);

@@ -30,7 +30,7 @@ Complex phase(int a, int m) {
 
 }  // namespace
 
-TEST_CASE("good sizes are even, smooth and not smaller") {
+TEST_CASE("good sizes are even, have small prime factors and are not smaller") {
   for (int n = 1; n < 400; ++n) {
     const int m = fft::good_even_size(n);
     CHECK(m >= n);
@@ -43,7 +43,7 @@ TEST_CASE("good sizes are even, smooth and not smaller") {
   }
 }
 
-TEST_CASE("fast sizes are even, not smaller and little longer") {
+TEST_CASE("fast sizes are even, not smaller and slightly longer") {
   for (int n = 1; n < 3000; ++n) {
     for (const int m : {fft::fast_line_size(n), fft::fast_row_size(n)}) {
       CHECK(m >= n);
@@ -92,8 +92,7 @@ TEST_CASE("the padded transform is the discrete Fourier transform of the padded 
   }
 }
 
-TEST_CASE(
-    "through a plane that is lent the transform is the same, of the rows that are asked for") {
+TEST_CASE("a transform through a lent plane gives the same digits in the requested rows") {
   const int nx = 21, ny = 18, first = 3, count = 11;
   const fft::PaddedTransform transform(nx, ny, 28, 30);
   for (const int empty : {0, 2, 9, nx}) {
@@ -130,7 +129,7 @@ TEST_CASE("one and many threads give the same digits") {
   CHECK(one == many);
 }
 
-TEST_CASE("a filter with many threads is a filter") {
+TEST_CASE("a filter with many threads convolves with its kernel") {
   // With the kernel of a unit impulse it returns the plane.
   const int n = 200, m = 288;
   const fft::PeriodicTransform transform(n, n, m, m);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of separable Gaussians, their nodes, and arguments that the Python layer never passes on.
+// Sums of separable Gaussians, their nodes, and arguments that the Python layer never passes.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -44,9 +44,9 @@ TEST_CASE("Gauss-Legendre integrates polynomials of degree 2 n - 1") {
   }
 }
 
-TEST_CASE("A sum of terms, in batches of any length, is what its terms add up to") {
+TEST_CASE("a sum of terms in batches of any length is their sum") {
   const HeatSource source{0.5, 0.3, 1.0, 2.0, -1.0};
-  // a lattice that shares edges along x; along y points that do not
+  // a lattice that shares edges along x; points along y that do not
   const HeatPoints points{{-2, -1, 0, 1, 2, 3}, {-0.7, 0.1, 0.3, 1.9}};
   for (const int terms : {1, 3, 4, 15, 16, 17, 40}) {
     HeatSum sum(source, points, {{0, 0, 0}, {2, 1, 2}, {1, 0, 1}}, 20);
@@ -69,7 +69,7 @@ TEST_CASE("A sum of terms, in batches of any length, is what its terms add up to
   }
 }
 
-TEST_CASE("Tables of one point, tiny and huge numbers are finite") {
+TEST_CASE("tables of one point, tiny and huge numbers are finite") {
   for (const double heated : {0.0, 1e-120, 1e-30, 1e-6, 1.0, 1e59, infinity}) {
     for (const double speed : {0.0, 1e-59, 1e-9, 1.0, 1e4}) {
       for (const double z : {0.0, 1e-12, 1.0, 1e6}) {
@@ -84,7 +84,7 @@ TEST_CASE("Tables of one point, tiny and huge numbers are finite") {
   }
 }
 
-TEST_CASE("Bad arguments are refused") {
+TEST_CASE("invalid arguments are rejected") {
   const HeatSource good{0.5, 0.5, 1.0, 0, 0};
   const HeatPoints points{{0.0, 1.0}, {0.0}};
   const auto refused = [](const HeatSource& source, const HeatPoints& at, double z, double tol) {

@@ -11,7 +11,7 @@ using operators::Tensor;
 
 namespace {
 
-/// Values that tell component and cell, of a deviator with one backstress.
+/// Values that identify component and cell, of a deviator with one backstress.
 PlasticFields numbered(const Zones& zones) {
   PlasticFields fields{zones, {}, {}, {}};
   double next = 1.0;
@@ -33,7 +33,7 @@ Zones spots() {
 
 }  // namespace
 
-TEST_CASE("cells of zones are numbered one box after the other") {
+TEST_CASE("cells of zones are numbered box by box") {
   const Zones zones({{-3, 2, 2, 3, 2}, {40, 2, 1, 1, 1}, {-1, 2, 30, 1, 4}});
   CHECK(zones.cells() == 12 + 1 + 120);
   CHECK(zones.around() == Box{-3, 2, 44, 3, 4});
@@ -53,11 +53,11 @@ TEST_CASE("cells of zones are numbered one box after the other") {
   CHECK(both.around() == Box{-2, 0, 30, 20, 3});
 }
 
-TEST_CASE("a history over several zones is that over one") {
+TEST_CASE("a history over several zones equals that over one") {
   const Box box{5, -20, 40, 30, 6};
   const PlasticFields whole = numbered(Zones({box}));
   const PlasticState once(nullptr, Symmetry::none, Tensor::deviator, whole, {}, {3, 2});
-  // The same in pieces, one after the other.
+  // The same strain in pieces, one after the other.
   const Zones left({{5, -20, 13, 30, 6}}), right({{18, -20, 27, 11, 6}, {18, -9, 27, 19, 6}});
   const PlasticState half(nullptr, Symmetry::none, Tensor::deviator, once.fields(left), {}, {3, 2});
   CHECK(half.equivalent(right) == Field(right.cells(), 0.0));
@@ -67,12 +67,12 @@ TEST_CASE("a history over several zones is that over one") {
   CHECK(twice == once);
   CHECK(twice.box() == box);
   CHECK(twice.tiles().max_equivalent() == whole.equivalent.back());
-  // Its own zones hold it all, and are as good to make it of.
+  // The zones of the history contain all of it, and reproduce it.
   const Zones own = once.zones();
   CHECK(own.cells() == box.volume_size());
   CHECK(PlasticState(nullptr, Symmetry::none, Tensor::deviator, once.fields(own), {}, {7, -20}) ==
         once);
-  // What has moved keeps its tiles.
+  // A moved history keeps its tiles.
   const auto moved = once.moved(5, -3);
   const Box there{10, -23, 40, 30, 6};
   CHECK(moved->fields(Zones({there})).backstress == whole.backstress);
@@ -81,7 +81,7 @@ TEST_CASE("a history over several zones is that over one") {
   CHECK(*moved->moved(-5, 3) == once);
 }
 
-TEST_CASE("what has lost its history costs nothing") {
+TEST_CASE("cells without history need no memory") {
   const Zones zones({{0, 0, 40, 40, 5}});
   const PlasticState some(nullptr, Symmetry::none, Tensor::deviator, numbered(zones));
   PlasticFields less = some.fields(zones);
@@ -96,7 +96,7 @@ TEST_CASE("what has lost its history costs nothing") {
   CHECK(shallow.strain(zones) == less.strain);
 }
 
-TEST_CASE("spots of a rough surface cost their own cells, mirrored too") {
+TEST_CASE("spots of a rough surface need memory for their own cells only, mirrored too") {
   const Grid grid(2048, 2048, 1.0, 1.0, 40, 1.0);
   const Zones zones = spots();
   const std::size_t bytes = 11 * sizeof(double) * zones.cells();
@@ -111,7 +111,7 @@ TEST_CASE("spots of a rough surface cost their own cells, mirrored too") {
   CHECK(all.box() == Box{89, 95, 1870, 1858, 4});
 }
 
-TEST_CASE("a mirror plane changes the sign of what is odd, once in its own cells") {
+TEST_CASE("a mirror plane changes the sign of odd components, and copies its own cells once") {
   for (const int n : {8, 9}) {
     const Grid grid(n, n, 1.0, 1.0, 1, 1.0);
     const Box box{n / 2, n / 2, 3, 4, 1};

@@ -20,7 +20,7 @@ double at(const kernels::FarDisplacement& far, double x, double y) {
   return value;
 }
 
-/// Exact to the last digits where 1/r is smooth.
+/// Exact to rounding where 1/r is smooth.
 double by_quadrature(double x, double y, double width, double length) {
   double sum = 0.0;
   for (const auto& s : kernels::gauss_legendre(12)) {
@@ -33,12 +33,13 @@ double by_quadrature(double x, double y, double width, double length) {
 
 }  // namespace
 
-TEST_CASE("far from a rectangle its moments give the displacement to the last digits") {
+TEST_CASE("multipole moments give the displacement far from a rectangle to rounding") {
   for (const double length : {0.25, 1.0, 3.0}) {
     const kernels::FarDisplacement far(1.0, length);
     for (const double r : {1.0, 1.5, 10.0, 300.0}) {
       for (const double angle : {0.0, 0.4, 0.7853981633974483, 1.2, 1.5707963267948966}) {
-        const double x = r * far.begin() * std::cos(angle), y = r * far.begin() * std::sin(angle);
+        const double x = r * far.valid_from() * std::cos(angle),
+                     y = r * far.valid_from() * std::sin(angle);
         CAPTURE(x);
         CAPTURE(y);
         CHECK(at(far, x, y) == doctest::Approx(by_quadrature(x, y, 1.0, length)).epsilon(4e-15));
@@ -47,10 +48,10 @@ TEST_CASE("far from a rectangle its moments give the displacement to the last di
   }
 }
 
-TEST_CASE("where the moments begin the corner sum agrees within its own rounding") {
+TEST_CASE("at the start of the multipole range the corner sum agrees within its rounding") {
   const double length = 2.0;
   const kernels::FarDisplacement far(1.0, length);
-  const double x = far.begin(), y = 3.0;
+  const double x = far.valid_from(), y = 3.0;
   const auto corner = [](double s, double t) {
     return std::array{kernels::pressure_displacement(s, t)};
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Layers on a substrate, against Hankel integrals of their waves and homogeneous half-spaces.
+// Layers on a substrate, against Hankel integrals of their Fourier modes and homogeneous
+// half-spaces.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -47,8 +48,8 @@ std::vector<kernels::QuadratureNode> wavenumbers(double end, double first, doubl
   return nodes;
 }
 
-/// u_z of a unit force at a distance on the surface, less that of a homogeneous body of the top
-/// layer: down, under pressure, and under shear towards the point.
+/// u_z due to a unit force at a distance on the surface, less that of a homogeneous body of the top
+/// layer: due to pressure, and due to shear towards the point.
 std::array<double, 2> rest_of_force(const Stack& stack, double r,
                                     const std::vector<kernels::QuadratureNode>& nodes) {
   const auto near = kernels::wave_compliance(stack.elastic(0));
@@ -63,7 +64,7 @@ std::array<double, 2> rest_of_force(const Stack& stack, double r,
   return u;
 }
 
-/// Numbers in [-1, 1], those of a deviator where it is one.
+/// Numbers in [-1, 1], of a deviator if requested.
 Field random_strain(std::size_t size, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> number(-1.0, 1.0);
@@ -84,7 +85,7 @@ Field residual_of(const ResidualStress& operation, const VolumeTransform& transf
 
 }  // namespace
 
-TEST_CASE("coefficients of layers are Hankel integrals of their waves") {
+TEST_CASE("coefficients of layers agree with Hankel integrals") {
   const Stack stack = Stack::of({{stiff, 1.5}, {soft, 0.5}}, {2.0, 0.4});
   const Grid grid(1, 1, 1.0, 1.0);
   const CellOffsets offsets{{0, 4, 1}, {2, 0}};
@@ -114,7 +115,7 @@ TEST_CASE("coefficients of layers are Hankel integrals of their waves") {
   }
 }
 
-TEST_CASE("layers that are alike are a half-space") {
+TEST_CASE("layers of identical material are a half-space") {
   const Stack alike = Stack::of({{stiff, 0.3}, {stiff, 2.0}}, stiff);
   CHECK(*medium_of(alike) == *half_space(stiff));
   const auto steel = half_space(stiff);
@@ -135,7 +136,7 @@ TEST_CASE("layers that are alike are a half-space") {
   }
 }
 
-TEST_CASE("stress of layers is in equilibrium, bonded and what the surface is loaded with") {
+TEST_CASE("the stress in layers satisfies equilibrium, bonding and the surface load") {
   const Stack stack = Stack::of({{stiff, 0.6}, {soft, 1.1}}, {10.0, 0.1});
   const Grid grid(1, 1, 1.0, 0.8);
   const auto offsets = CellOffsets::lattice(5, 4);
@@ -160,19 +161,19 @@ TEST_CASE("stress of layers is in equilibrium, bonded and what the surface is lo
       CHECK(difference(above, below) > 1e-2);
     }
     if (traction != Traction::pressure) continue;
-    // What a plane carries is what the surface does.
+    // The force on a plane equals that on the surface.
     const auto wide = CellOffsets::lattice(60, 75);
     const Field deep = layered_stress(stack, traction, grid, wide, 0.9, Tensor::full);
     double total = 0.0;
     for (std::size_t n = 0; n < 60 * 75; ++n) {
-      const double twins = (n % 60 > 0 ? 2 : 1) * (n >= 60 ? 2 : 1);
-      total += twins * deep[own * 60 * 75 + n];
+      const double multiplicity = (n % 60 > 0 ? 2 : 1) * (n >= 60 ? 2 : 1);
+      total += multiplicity * deep[own * 60 * 75 + n];
     }
     CHECK(total == doctest::Approx(-1.0).epsilon(1e-4));
   }
 }
 
-TEST_CASE("the stress of eigenstrain in layers that are alike is that of a half-space") {
+TEST_CASE("the stress of eigenstrain in layers of identical material is that of a half-space") {
   for (const double dz : {0.4, 1e-5}) {
     const Grid grid(10, 8, 1.0, 1.3, 7, dz);
     // Interfaces between cells, and below them.
@@ -193,7 +194,7 @@ TEST_CASE("the stress of eigenstrain in layers that are alike is that of a half-
   }
 }
 
-TEST_CASE("a spectrum of fewer layers of cells has the stress of one with the rest at 0") {
+TEST_CASE("a spectrum of fewer layers gives the stress of one padded with zeros") {
   const Grid grid(6, 5, 1.0, 1.0, 7, 0.5), shallow(6, 5, 1.0, 1.0, 4, 0.5);
   const VolumeTransform transform(grid, Symmetry::none);
   const std::size_t plane = transform.plane_size();
@@ -215,7 +216,8 @@ TEST_CASE("a spectrum of fewer layers of cells has the stress of one with the re
   }
 }
 
-TEST_CASE("eigenstrain in layers: symmetric, never feeding energy, and in reach of its limits") {
+TEST_CASE(
+    "the eigenstrain operator of layers is symmetric and dissipative, and has the right limits") {
   const Grid grid(6, 6, 1.0, 1.0, 6, 0.5);
   const VolumeTransform transform(grid, Symmetry::none);
   const ResidualSettings settings{.method = ResidualMethod::fast};
@@ -240,7 +242,7 @@ TEST_CASE("eigenstrain in layers: symmetric, never feeding energy, and in reach 
     CHECK(scale < 0);
     CHECK(work(one, s2) == doctest::Approx(work(two, s1)).epsilon(1e-11));
   }
-  // Under a coating that is nearly nothing the substrate is a half-space of its own.
+  // Under a coating of negligible stiffness the substrate is a half-space of its own.
   const Stack bare = Stack::of({{{1e-9, 0.3}, 1.0}}, stiff);
   Field below = one;
   const std::size_t plane = transform.plane_size();
@@ -273,13 +275,13 @@ TEST_CASE("eigenstrain in layers: symmetric, never feeding energy, and in reach 
       doctest::Contains("above the rigid substrate"), std::invalid_argument);
 }
 
-TEST_CASE("images of layers are within the tolerance: the same strain in a small and a wide box" *
+TEST_CASE("images of layers are within the tolerance for one strain in a small and a wide box" *
           doctest::test_suite("accuracy")) {
   const int n = 14, wide = 5 * n, from = (wide - n) / 2, nz = 9;
   const Grid small(n, n, 1.0, 1.0, nz, 0.5), large(wide, wide, 1.0, 1.0, nz, 0.5);
   const VolumeTransform here(small, Symmetry::none), there(large, Symmetry::none);
   const auto box_of = [&](const Grid& grid) { return grid.volume_size(); };
-  // Smooth, so that nothing but images differs.
+  // Smooth, so that only images differ.
   Field strain(6 * box_of(small)), embedded(6 * box_of(large), 0.0);
   const Field amplitude = random_strain(6, 5);
   const auto at = [&](const Grid& grid, int c, int k, int i, int j) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The coefficients of a half-space against point forces, and contact on an operator of any make.
+// Coefficients of a half-space against point forces, and contact on any linear operator.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -45,7 +45,7 @@ double by_quadrature(Traction traction, Axis axis, double x, double y, double dx
   return dx * dy * sum;
 }
 
-/// Springs side by side: no cell moves another.
+/// Independent springs: no cell displaces another.
 class Springs : public NormalDisplacement {
  public:
   explicit Springs(Field compliance) : compliance_(std::move(compliance)) {}
@@ -63,7 +63,7 @@ class Springs : public NormalDisplacement {
 
 }  // namespace
 
-TEST_CASE("the nine compliances of a half-space are those of its point forces") {
+TEST_CASE("the nine compliances of a half-space agree with point forces") {
   const auto steel = half_space({E, nu});
   const double dx = 2e-6, dy = 3e-6;
   const Grid grid(1, 1, dx, dy);
@@ -84,7 +84,7 @@ TEST_CASE("the nine compliances of a half-space are those of its point forces") 
   }
 }
 
-TEST_CASE("nine cells move their middle as one cell of three times their size does") {
+TEST_CASE("nine cells displace their centre like one cell of three times their size") {
   const auto steel = half_space({E, nu});
   const double dx = 2e-6, dy = 3e-6;
   const Grid grid(1, 1, dx, dy);
@@ -101,7 +101,7 @@ TEST_CASE("nine cells move their middle as one cell of three times their size do
   }
 }
 
-TEST_CASE("tables of square cells are what each offset has alone") {
+TEST_CASE("tables of square cells equal the values of single offsets") {
   const Grid square(4, 4, 1e-6, 1e-6, 3, 0.7e-6);
   const auto steel = half_space({E, nu});
   const CellOffsets offsets{{0, 1, 4, 9}, {0, 3, 5, 9, 12}};
@@ -126,7 +126,7 @@ TEST_CASE("tables of square cells are what each offset has alone") {
   }
 }
 
-TEST_CASE("media are equal when their coefficients are") {
+TEST_CASE("media are equal if their coefficients are equal") {
   const auto steel = half_space({E, nu}), rigid = half_space(Elastic::rigid());
   const Grid square(2, 2, 1.0, 1.0);
   CHECK(*steel == *half_space({E, nu}));
@@ -141,7 +141,7 @@ TEST_CASE("media are equal when their coefficients are") {
   }
   CHECK(equal.rest(square, {square, 4, 4}).empty());
   CHECK(unequal.rest(square, {square, 4, 4}).size() == 1);
-  // One table for both bodies gives what one for each gives.
+  // One table for both bodies gives the same sum as one table for each.
   const auto offsets = CellOffsets::lattice(3, 2);
   const Field both = unequal.elastic(square, offsets);
   const Field first = steel->compliance(Traction::pressure, Axis::z, square, offsets);
@@ -150,11 +150,11 @@ TEST_CASE("media are equal when their coefficients are") {
   for (std::size_t n = 0; n < both.size(); ++n) {
     CHECK(both[n] == doctest::Approx(first[n] + second[n]).epsilon(1e-14));
   }
-  // u_z = 2 p/(E* q) of a wave.
+  // u_z = 2 p/(E* q) of a Fourier mode.
   CHECK(steel->wave_compliance(3.0) == doctest::Approx(2 * (1 - nu * nu) / (E * 3.0)));
 }
 
-TEST_CASE("contact on springs presses each cell by its own penetration") {
+TEST_CASE("contact on independent springs has a pressure proportional to the penetration") {
   const Field gap{0.0, 1e-6, 2e-6, 5e-6}, compliance{1e-15, 2e-15, 1e-15, 3e-15};
   const double approach = 3e-6;
   const auto found = contact::polonsky_keer(

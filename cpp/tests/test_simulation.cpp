@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The core alone, without Python: acceleration, interruption, and one small elastic-plastic scene.
+// The core without Python: acceleration, interruption, and one small elastic-plastic problem.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ Simulation small_scene(const plasticity::Material& lower, const Settings& settin
     }
   }
   return Simulation(grid, plasticity::Material::make_elastic(210e9, 0.3), lower, gap,
-                    contact::FrictionLaw(contact::GrossSliding{0.0}), settings);
+                    contact::FrictionLaw(contact::FullSliding{0.0}), settings);
 }
 
 Target load(double newton) { return {.drive = contact::Drive::load(newton)}; }
@@ -49,8 +49,8 @@ Target load(double newton) { return {.drive = contact::Drive::load(newton)}; }
 }  // namespace
 
 TEST_CASE("Anderson mixing solves a linear problem of size n in n + 1 residuals") {
-  // To the single precision of its history; the next ones take it to rounding.
-  // x = A x + b with a contraction that plain iteration needs hundreds of steps for.
+  // To the single precision of its history; further ones reach rounding. x = A x + b with a
+  // contraction for which plain iteration needs hundreds of steps.
   constexpr int n = 5;
   const auto residual = [](const Field& x) {
     Field f(n);
@@ -67,28 +67,28 @@ TEST_CASE("Anderson mixing solves a linear problem of size n in n + 1 residuals"
   CHECK(contact::norm(residual(x)) < 1e-12 * contact::norm(x));
 }
 
-TEST_CASE("the ordered sum does not lose or repeat terms") {
+TEST_CASE("the ordered sum omits and repeats no terms") {
   for (const std::size_t n : {0u, 1u, 8191u, 8192u, 8193u, 100000u}) {
     CHECK(ordered_sum(n, [](std::size_t) { return 1.0; }) == static_cast<double>(n));
   }
 }
 
-TEST_CASE("the ordered sum rounds as little as short sums do") {
-  // A mean of equal terms; added one after the other its error is 1e-13.
+TEST_CASE("the rounding error of the ordered sum is that of short sums") {
+  // Mean of equal terms; if they are added one after the other, its error is 1e-13.
   for (const std::size_t n : {1000u, 4096u, 8192u, 1000000u}) {
     const double mean = ordered_sum(n, [](std::size_t) { return 0.1; }) / static_cast<double>(n);
     CHECK(std::fabs(mean / 0.1 - 1) < 1e-14);
   }
 }
 
-TEST_CASE("an elastic scene takes the least tol") {
+TEST_CASE("an elastic problem accepts the smallest tolerance") {
   Settings settings = usual;
   settings.tol = 1e-11;
   auto simulation = small_scene(plasticity::Material::make_elastic(210e9, 0.3), settings);
   CHECK(simulation.step(load(300.0)).load == 300.0);
 }
 
-TEST_CASE("loading flows, unloading keeps the print") {
+TEST_CASE("loading causes plastic flow, unloading preserves the imprint") {
   auto simulation = small_scene(
       plasticity::Material::with_law(210e9, 0.3, plasticity::LinearHardening{1e9, 21e9}));
   const State loaded = simulation.step(load(300.0));
@@ -103,7 +103,7 @@ TEST_CASE("loading flows, unloading keeps the print") {
   CHECK(print[8 * 15 + 7] > 0);
 }
 
-TEST_CASE("an elastic scene has no volume") {
+TEST_CASE("an elastic problem needs no volume operators") {
   auto simulation = small_scene(plasticity::Material::make_elastic(210e9, 0.3));
   simulation.step(load(300.0));
   CHECK(simulation.volume_bytes() == 0);
@@ -111,7 +111,7 @@ TEST_CASE("an elastic scene has no volume") {
   CHECK_THROWS_AS(stress(simulation.state(), 1), std::invalid_argument);
 }
 
-TEST_CASE("an interrupt leaves the state as it was") {
+TEST_CASE("an interrupt leaves the state unchanged") {
   auto simulation =
       small_scene(plasticity::Material::with_law(210e9, 0.3, plasticity::PerfectPlastic{1e9}));
   const State before = simulation.step(load(100.0));
@@ -124,7 +124,7 @@ TEST_CASE("an interrupt leaves the state as it was") {
   CHECK(simulation.step(load(250.0)).converged);
 }
 
-TEST_CASE("a gap that ends moves to the nearest cell, and stays a plane where it is one") {
+TEST_CASE("a gap with an end moves to the nearest cell, and a plane remains a plane") {
   const Grid grid(12, 2, 1.0, 1.0);
   const auto at = [](double x, int j) { return 3.0 + 0.5 * x + j; };
   Field gap(grid.surface_size());
@@ -144,7 +144,7 @@ TEST_CASE("a gap that ends moves to the nearest cell, and stays a plane where it
         CHECK(std::isinf(found) == std::isinf(there));
         CHECK(found > 0);  // neither -inf nor NaN
         if (!std::isfinite(there)) continue;
-        // beside an end the height of the nearest cell, at most half a cell off
+        // next to an end the height of the nearest cell, at most half a cell away
         CHECK(std::fabs(found - at(x, j)) <= 0.25 + 1e-12);
         const bool between = nearest > 3 && nearest < 6;
         if (between) CHECK(found == doctest::Approx(at(x, j)));

@@ -9,14 +9,14 @@
 using samcontact::TeamSize;
 using namespace std::chrono_literals;
 
-TEST_CASE("a team sends away the threads that wait for a processor") {
+TEST_CASE("a team drops threads that wait for a processor") {
   TeamSize team(8);
   const TeamSize::Time now{};
   std::array<TeamSize::Span, 8> waited{};
   team.judge(now, 10ms, waited);
   CHECK(team.size() == 8);
   waited[2] = waited[5] = waited[6] = 3ms;
-  waited[7] = 1ms;  // not worth a thread
+  waited[7] = 1ms;  // a thread without benefit
   team.judge(now, 10ms, waited);
   CHECK(team.size() == 5);
   waited.fill(9ms);
@@ -24,7 +24,7 @@ TEST_CASE("a team sends away the threads that wait for a processor") {
   CHECK(team.size() == 1);
 }
 
-TEST_CASE("a team tries more threads after a pause in proportion to what the last try cost") {
+TEST_CASE("a team tries more threads after a pause proportional to the cost of the last trial") {
   TeamSize team(8);
   TeamSize::Time now{};
   std::array<TeamSize::Span, 8> waited{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Threads of the caller, each with OpenMP's threads of its own: the same digits as one after the
-// other. Fields are large enough for every parallel loop to have a team.
+// Threads of the caller, each with OpenMP threads of its own: the digits are those of serial runs.
+// Fields are large enough for every parallel loop to have several threads.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ const auto steel =
 
 using Work = std::function<std::vector<Field>()>;
 
-/// Results of two pieces of work that run at the same time.
+/// Results of two tasks that run at the same time.
 std::vector<Field> at_once(const Work& one, const Work& two) {
   std::vector<Field> first, second;
   {
@@ -57,7 +57,7 @@ std::vector<Field> one_by_one(const Work& one, const Work& two) {
   return first;
 }
 
-/// A ball without mirror planes, so that whole boxes are solved for.
+/// Ball without mirror planes, so that whole boxes are solved for.
 Field ball(const Grid& grid, double radius) {
   Field gap;
   for (const double x : grid.x()) {
@@ -68,11 +68,11 @@ Field ball(const Grid& grid, double radius) {
 
 Target load(double newton) { return {.drive = contact::Drive::load(newton)}; }
 
-/// Loaded under heat that is marched in time, in steps too short to reach the next cell.
+/// Loaded with transient heat, in steps too short for heat to reach the next cell.
 Simulation heated_scene(double heat_factor) {
   const Grid grid(13, 11, size, size, 6, size);
   Simulation simulation(grid, elastic, steel.with_thermal(warm), ball(grid, 7.5e-3),
-                        contact::FrictionLaw(contact::GrossSliding{0.1}), usual,
+                        contact::FrictionLaw(contact::FullSliding{0.1}), usual,
                         {.shortest = 2e-5, .longest = 1e-2});
   for (const double newton : {120.0, 150.0}) {
     Target target = load(newton);
@@ -105,7 +105,7 @@ TEST_CASE("plans can be made in several threads") {
 
 TEST_CASE("threads share a contact solver") {
   const Grid grid(190, 180, size, size);
-  REQUIRE(grid.surface_size() >= worth_threads_cells);
+  REQUIRE(grid.surface_size() >= min_parallel_cells);
   const Field gap = ball(grid, 7.5e-3);
   const auto solve = [&](const contact::ContactSolver& solver, double newton) {
     return [&, newton] {
@@ -114,25 +114,25 @@ TEST_CASE("threads share a contact solver") {
           solution.tractions.pressure, solution.gap, {solution.motion.approach}};
     };
   };
-  // Each with its own boxes, so that one thread drops operators that the other may still use.
+  // Each with its own boxes, so that one thread releases operators that the other may still use.
   const auto medium = operators::half_space(elastic.elastic);
   const contact::ContactSolver alone(grid, medium, medium,
-                                     contact::FrictionLaw(contact::GrossSliding{0.0}));
+                                     contact::FrictionLaw(contact::FullSliding{0.0}));
   const contact::ContactSolver shared(grid, medium, medium,
-                                      contact::FrictionLaw(contact::GrossSliding{0.0}));
+                                      contact::FrictionLaw(contact::FullSliding{0.0}));
   const double wide = 1.5e6, narrow = 1e4;
   CHECK(at_once(solve(shared, wide), solve(shared, narrow)) ==
         one_by_one(solve(alone, wide), solve(alone, narrow)));
 }
 
-TEST_CASE("simulations run in threads of their own") {
+TEST_CASE("simulations run in separate threads") {
   const auto flow = [](double newton) {
     return [newton] {
       const Grid grid(30, 28, fine, fine, 26, fine);
       Settings settings = usual;
       settings.tol = 1e-3;
       Simulation simulation(grid, elastic, steel, ball(grid, 7.5e-3),
-                            contact::FrictionLaw(contact::GrossSliding{0.0}), settings);
+                            contact::FrictionLaw(contact::FullSliding{0.0}), settings);
       const State& state = simulation.step(load(newton));
       return std::vector<Field>{state.tractions.pressure, plastic_strain(state, 1),
                                 residual_displacement(state, 1, operators::Axis::z)};
@@ -141,7 +141,7 @@ TEST_CASE("simulations run in threads of their own") {
   CHECK(at_once(flow(1900.0), flow(1700.0)) == one_by_one(flow(1900.0), flow(1700.0)));
 }
 
-TEST_CASE("threads read fields of one state") {
+TEST_CASE("threads compute fields of one state") {
   const auto alone = heated_scene(0.05), shared = heated_scene(0.05);
   const auto stresses = [](const Simulation& simulation) {
     return [&simulation] {

@@ -23,7 +23,7 @@ constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 double number(std::size_t n) { return std::sin(1.7 * static_cast<double>(n) + 0.3); }
 
-/// A strain with the mirror planes of `symmetry`, on the whole box [component][k][i][j].
+/// Strain with the mirror planes of `symmetry`, on the whole box [component][k][i][j].
 Field symmetric_strain(const Grid& grid, Symmetry symmetry, Tensor tensor) {
   Field strain(count(tensor) * grid.volume_size());
   const auto places = components(tensor);
@@ -48,7 +48,7 @@ Field symmetric_strain(const Grid& grid, Symmetry symmetry, Tensor tensor) {
   return strain;
 }
 
-/// The stored part of planes [n][i][j].
+/// Stored part of planes [n][i][j].
 Field stored(const Field& whole, const Grid& grid, const VolumeTransform& transform) {
   const std::size_t planes = whole.size() / grid.surface_size();
   const int i0 = grid.nx - transform.nx(), j0 = grid.ny - transform.ny();
@@ -72,7 +72,7 @@ double largest_difference(const Field& a, const Field& b) {
 
 }  // namespace
 
-TEST_CASE("mirrored operators give the stored part of what whole ones give" *
+TEST_CASE("mirrored operators give the stored part of the whole result" *
           doctest::test_suite("accuracy")) {
   constexpr double E = 210e9;
   const SharedMedium steel = half_space({E, 0.3});
@@ -86,11 +86,11 @@ TEST_CASE("mirrored operators give the stored part of what whole ones give" *
         const Field strain = symmetric_strain(grid, symmetry, tensor);
         const Field half = stored(strain, grid, part.transform());
 
-        // A pressure with both mirrors, from a component that has them.
+        // Pressure with both mirror planes, from a component that has them.
         Tractions tractions, traction_part;
         tractions.pressure.assign(strain.begin(), strain.begin() + grid.surface_size());
         traction_part.pressure = stored(tractions.pressure, grid, part.transform());
-        // A shear with them, from xz and yz.
+        // Shear with both mirror planes, from xz and yz.
         const auto plane_of = [&](int component) {
           const std::size_t place = component - (tensor == Tensor::deviator);
           const auto first = strain.begin() + place * grid.volume_size();
@@ -103,7 +103,7 @@ TEST_CASE("mirrored operators give the stored part of what whole ones give" *
         const Field expected =
             stored(whole.stress(strain.data(), &tractions, 1.0), grid, part.transform());
         const Field found = part.stress(half.data(), &traction_part, 1.0);
-        // On the mirror the interpolated images of the whole are not exactly odd.
+        // On the mirror plane the interpolated images of the whole are not exactly odd.
         CHECK(largest_difference(found, expected) < 1e-7 * E * 1e-3);
 
         const auto displacement = [](const VolumeOperators& operators, const Field& field,
@@ -123,7 +123,7 @@ TEST_CASE("mirrored operators give the stored part of what whole ones give" *
   }
 }
 
-TEST_CASE("kernels of a shallower box are those of a deeper one") {
+TEST_CASE("kernels of a shallower box are taken over by a deeper one") {
   const SharedMedium steel = half_space({210e9, 0.3});
   const auto grid_of = [](int nz) { return Grid(11, 9, 1.0, 1.3, nz, 0.8); };
   const VolumeOptions options{Tensor::deviator, Symmetry::none, ResidualMethod::fast, 1e-5};
@@ -143,11 +143,11 @@ TEST_CASE("kernels of a shallower box are those of a deeper one") {
   const auto shallow = std::make_shared<const VolumeOperators>(grid_of(3), steel, options);
   stress_and_displacement(*shallow);
   const VolumeOperators deep(grid_of(7), steel, options, shallow);
-  const VolumeOperators anew(grid_of(7), steel, options);
-  CHECK(stress_and_displacement(deep) == stress_and_displacement(anew));
+  const VolumeOperators fresh(grid_of(7), steel, options);
+  CHECK(stress_and_displacement(deep) == stress_and_displacement(fresh));
 }
 
-TEST_CASE("a transform and its inverse give the planes back") {
+TEST_CASE("a transform and its inverse reproduce the planes") {
   const int nx = 9, ny = 14;
   for (const Symmetry symmetry : {Symmetry::none, Symmetry::y, Symmetry::xy}) {
     const VolumeTransform transform(Grid(nx, ny, 1.0, 1.0), symmetry);
@@ -162,7 +162,7 @@ TEST_CASE("a transform and its inverse give the planes back") {
   }
 }
 
-TEST_CASE("the five components of a deviator are those of the six") {
+TEST_CASE("the five components of a deviator agree with all six") {
   const Grid grid(8, 7, 1.0, 1.0, 6, 1.0);
   constexpr double E = 210e9;
   const SharedMedium steel = half_space({E, 0.3});

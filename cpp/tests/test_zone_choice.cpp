@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boxes that hold what is needed: disjoint, no larger than they must be, and to stay once chosen.
+// Boxes around required cells: disjoint, no larger than necessary, and stable once chosen.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 const operators::BandSplit split;
 
-/// Spots of all sizes on a window, most of which meet others when they are many.
+/// Spots of all sizes in a square; if there are many, most of them overlap.
 std::vector<Box> spots(int count, int window, unsigned seed) {
   std::mt19937 random(seed);
   const auto from_to = [&](int least, int most) {
@@ -30,7 +30,7 @@ std::vector<Box> spots(int count, int window, unsigned seed) {
   return boxes;
 }
 
-/// How deep boxes reach below each column.
+/// Depth of boxes below each column.
 std::map<std::pair<int, int>, int> depths(const std::vector<Box>& boxes) {
   std::map<std::pair<int, int>, int> depth;
   for (const Box& box : boxes) {
@@ -46,7 +46,7 @@ std::map<std::pair<int, int>, int> depths(const std::vector<Box>& boxes) {
 
 }  // namespace
 
-TEST_CASE("merged boxes hold all cells of the given ones, and stay as they are") {
+TEST_CASE("merged boxes contain all cells of the given ones, and are stable") {
   for (unsigned seed = 0; seed < 30; ++seed) {
     const auto given = spots(1 + 4 * static_cast<int>(seed), 300, seed);
     const auto zones = merged(given, split);
@@ -58,21 +58,21 @@ TEST_CASE("merged boxes hold all cells of the given ones, and stay as they are")
       CHECK(found->second >= depth);
     }
     CHECK(merged(zones, split) == zones);
-    // What zones hold already changes nothing, across their borders too.
+    // Cells that zones already contain change nothing, across zone boundaries too.
     auto more = zones;
     more.insert(more.end(), given.begin(), given.end());
     CHECK(merged(more, split) == zones);
   }
 }
 
-TEST_CASE("boxes that hang together from end to end do not become one") {
-  // Half of the window is covered, and most boxes meet another.
+TEST_CASE("boxes connected from end to end are not all merged") {
+  // Half of the square is covered, and most boxes overlap another.
   const auto given = spots(375, 500, 7);
   std::size_t needed = 0, held = 0;
   for (const auto& [column, depth] : depths(given)) needed += depth;
   const auto zones = merged(given, split);
   for (const Box& zone : zones) held += zone.volume_size();
   CHECK(zones.size() > 25);
-  // Rings of zones that are close are wide: more are united.
+  // Margins of neighbouring zones are wide: more of them are merged.
   CHECK(held < 4 * needed);
 }

@@ -19,16 +19,16 @@ namespace {
 
 const Grid grid(72, 64, 1e-6, 1.25e-6, 8, 0.9e-6);
 const Elastic steel{210e9, 0.3};
-/// That stress steel about as much as the pressure that brings it.
+/// Causes about as much stress in steel as the pressure does.
 const Heating at_rest{0.5, {45.0, 12e-6, 1.2e-5}},
     moving{5.0, {45.0, 12e-6, 1.2e-5}, -20.0, 35.0, 1e-6};
-/// Apart, within each other's ring, and touching.
+/// Apart, within the margins of each other, and touching.
 const std::vector<Box> zones{
     {4, 6, 14, 11, 5}, {22, 9, 9, 12, 8}, {31, 9, 7, 6, 3}, {40, 40, 20, 18, 6}, {64, 4, 8, 8, 2}};
 
 double number(std::size_t n) { return std::sin(1.7 * static_cast<double>(n) + 0.3); }
 
-/// [component][cell] of the zones: spots that end before their border.
+/// [component][cell] of the zones: spots that end inside the zones.
 Field zone_strain(Tensor tensor, std::size_t cells) {
   Field strain(count(tensor) * cells, 0.0);
   for (int c = 0; c < count(tensor); ++c) {
@@ -48,7 +48,7 @@ Field zone_strain(Tensor tensor, std::size_t cells) {
   return strain;
 }
 
-/// The same on the grid, [component][k][i][j].
+/// The strain on the grid, [component][k][i][j].
 Field on_grid(const Field& strain, int parts, std::size_t cells) {
   Field whole(parts * grid.volume_size(), 0.0);
   for (int c = 0; c < parts; ++c) {
@@ -117,13 +117,13 @@ Error against(const Field& own, const Field& whole, int parts, std::size_t cells
   return error;
 }
 
-/// Of zones against the whole box.
+/// Errors of zones relative to the whole box.
 struct Errors {
   std::array<Error, 3> moved;  // by axis
-  Error residual, elastic;     // stress of strain, and of tractions
+  Error residual, elastic;     // stress due to strain, and due to tractions
 };
 
-/// What the whole box says of the strain and the tractions of the zones.
+/// Fields of the whole box for the strain and the tractions of the zones.
 struct Whole {
   Whole(Tensor the_tensor, double tol) : tensor(the_tensor), image_tol(tol) {
     std::size_t cells = 0;
@@ -177,12 +177,13 @@ Errors errors_of(const BandSplit& split, const Whole& whole) {
 
 }  // namespace
 
-TEST_CASE("strain and tractions in zones do what they do in the whole box") {
+TEST_CASE("strain and tractions in zones agree with the whole box") {
   for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
     const Errors errors = errors_of({}, Whole(tensor, 1e-5));
     for (const Axis axis : all_axes) {
       const Error& moved = errors.moved[static_cast<int>(axis)];
-      // Along the surface the strains xx and yy act the most, whose tables fall off slowest.
+      // The strains xx and yy, whose tables decay most slowly, have the largest effect along the
+      // surface.
       CHECK(moved.rms() < (axis == Axis::z ? 3e-4 : 1e-3));
       CHECK(moved.max() < (axis == Axis::z ? 3e-4 : 1e-3));
     }
@@ -193,7 +194,7 @@ TEST_CASE("strain and tractions in zones do what they do in the whole box") {
   }
 }
 
-TEST_CASE("heat that goes with the pressure does in zones what it does in the whole box" *
+TEST_CASE("heat proportional to the pressure agrees in zones and in the whole box" *
           doctest::test_suite("accuracy")) {
   const auto medium = half_space(steel);
   for (const auto& [heating, tensor] :
@@ -211,7 +212,7 @@ TEST_CASE("heat that goes with the pressure does in zones what it does in the wh
     const Field hot = whole.stress(nullptr, &loads, -1.0);
     const Error error =
         against(stress_in_zones(operators, nullptr, loads, parts), hot, parts, operators.cells());
-    // At rest it falls off as 1/r.
+    // At rest it decreases as 1/r.
     CHECK(error.rms() < 1e-3);
     CHECK(error.max() < 1.5e-3);
     const Field without = cold.stress(nullptr, &loads, -1.0);
@@ -221,7 +222,7 @@ TEST_CASE("heat that goes with the pressure does in zones what it does in the wh
   }
 }
 
-TEST_CASE("finer bands leave less in each operator, and what limits them is known" *
+TEST_CASE("a finer band decomposition reduces the error of each operator down to known limits" *
           doctest::test_suite("accuracy")) {
   const Whole whole(Tensor::deviator, 1e-7);
   const auto errors = [&](const BandSplit& split) {
@@ -235,29 +236,30 @@ TEST_CASE("finer bands leave less in each operator, and what limits them is know
                            .middle_sharpness = 2.2,
                            .far_sharpness = 2.1,
                            .window_width = 10,
-                           .wide_ring = 20,
-                           .middle_ring = 20});
+                           .wide_margin = 20,
+                           .middle_gap = 20});
   for (std::size_t n = 0; n < usual.size(); ++n) CHECK(all[n] < 0.2 * usual[n]);
   // That of tractions by the end of the near band, displacement by that of the middle one.
-  const auto near = errors({.near_range = 12, .wide_ring = 20});
+  const auto near = errors({.near_range = 12, .wide_margin = 20});
   for (std::size_t n = 0; n < 2; ++n) CHECK(near[n] < 0.7 * usual[n]);
   CHECK(near[2] < 0.5 * usual[2]);
-  const auto middle = errors({.middle_range = 32, .middle_ring = 20});
+  const auto middle = errors({.middle_range = 32, .middle_gap = 20});
   for (std::size_t n = 3; n < usual.size(); ++n) CHECK(middle[n] < 0.15 * usual[n]);
 }
 
-TEST_CASE("bands that cannot be are refused") {
+TEST_CASE("invalid band decompositions are rejected") {
   const auto medium = half_space(steel);
-  const std::vector<BandSplit> wrong{
-      {.middle_spacing = 3},   {.far_spacing = 6},  {.near_range = 2},   {.middle_range = 6},
-      {.middle_sharpness = 0}, {.clear_band = 1.0}, {.window_width = 5}, {.middle_ring = 8},
-      {.fading_nodes = 0},     {.near_moves = -1.0}};
+  const std::vector<BandSplit> wrong{{.middle_spacing = 3},   {.far_spacing = 6},
+                                     {.near_range = 2},       {.middle_range = 6},
+                                     {.middle_sharpness = 0}, {.passband_fraction = 1.0},
+                                     {.window_width = 5},     {.middle_gap = 8},
+                                     {.fading_nodes = 0},     {.near_displacement_depth = -1.0}};
   for (const BandSplit& split : wrong) {
     CHECK_THROWS_AS(ZoneTables(grid, medium, Tensor::full, 1e-5, split), std::invalid_argument);
   }
 }
 
-TEST_CASE("the von Mises stress of tractions is within its bound") {
+TEST_CASE("the von Mises stress due to tractions is within its bound") {
   const auto medium = half_space(steel);
   for (const auto& [friction, heating] :
        {std::pair{0.3, Heating{}}, {0.0, at_rest}, {0.3, moving}}) {
@@ -272,13 +274,13 @@ TEST_CASE("the von Mises stress of tractions is within its bound") {
     const Tractions loads{spots(1.0), friction > 0 ? spots(friction) : Field{},
                           friction > 0 ? spots(-0.5 * friction) : Field{}};
     const Above above = stress_above(grid, whole, bound, loads);
-    // What is smooth is taken at the corners of blocks.
+    // Smooth bands are evaluated at the corners of blocks.
     CHECK(above.lowest > -0.02);
     CHECK(above.mean < 2);
   }
 }
 
-TEST_CASE("zones beside the grid act on it") {
+TEST_CASE("zones outside the grid act on it") {
   const auto medium = half_space(steel);
   const std::vector<Box> beside{{-9, 20, 8, 10, 4}};
   const Grid wide(grid.nx + 24, grid.ny, grid.dx, grid.dy, 8, grid.dz);
@@ -302,7 +304,7 @@ TEST_CASE("zones beside the grid act on it") {
   }
 }
 
-TEST_CASE("what smooth continuation leaves, a coarse lattice holds") {
+TEST_CASE("a coarse lattice represents the remainder of the smooth continuation") {
   const SmoothContinuation split(4, 8, 0.8, 2);
   const int reach = split.reach();
   for (const auto& parity : {kernels::Parity{}, kernels::Parity{true, false, false},

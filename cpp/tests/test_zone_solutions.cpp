@@ -17,7 +17,7 @@ namespace {
 
 const Grid grid(96, 96, 1e-6, 1e-6, 0, 1e-6);
 
-/// Of sixteen bumps of different heights and radii, in rows and columns that are not straight.
+/// Sixteen bumps of different heights and radii, in rows and columns that are not straight.
 Field bumps() {
   Field gap(grid.surface_size(), std::numeric_limits<double>::infinity());
   const auto x = grid.x(), y = grid.y();
@@ -42,7 +42,7 @@ Simulation pressed(bool one_zone, const operators::BandSplit& split) {
   const auto steel =
       plasticity::Material::with_law(210e9, 0.3, plasticity::LinearHardening{1.2e9, 10e9});
   Simulation simulation(grid, plasticity::Material::make_rigid(), steel, bumps(),
-                        contact::FrictionLaw(contact::GrossSliding{0.0}),
+                        contact::FrictionLaw(contact::FullSliding{0.0}),
                         {.tol = 1e-6,
                          .increment_tol = 0.0,
                          .max_iterations = 60,
@@ -67,14 +67,14 @@ double rms(const Field& values, const Field& reference) {
 
 }  // namespace
 
-TEST_CASE("finer bands bring a solution in zones nearer to that in one box" *
+TEST_CASE("a finer band decomposition brings a solution in zones closer to that in one box" *
           doctest::test_suite("accuracy")) {
   const operators::BandSplit finer{.near_range = 12,
                                    .middle_range = 32,
                                    .middle_sharpness = 2.2,
                                    .far_sharpness = 2.1,
                                    .window_width = 10,
-                                   .middle_ring = 20};
+                                   .middle_gap = 20};
   const Box volume{0, 0, grid.nx, grid.ny, 30};
   const Simulation whole = pressed(true, {});
   const auto errors = [&](const operators::BandSplit& split) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A body in an increment whose zones change: one box, two, one around all.
+// A body in an increment with changing zones: one box, two, one around all.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -19,7 +19,7 @@ using fft::Symmetry;
 
 namespace {
 
-/// A ball that has flowed, under load.
+/// Ball after plastic flow, under load.
 Simulation ball() {
   const Grid grid(33, 31, 60e-6, 60e-6, 12, 60e-6);
   Field gap(grid.surface_size());
@@ -32,7 +32,7 @@ Simulation ball() {
   const auto steel =
       plasticity::Material::with_law(210e9, 0.3, plasticity::LinearHardening{1.2e9, 10e9});
   Simulation simulation(grid, plasticity::Material::make_elastic(210e9, 0.3), steel, gap,
-                        contact::FrictionLaw(contact::GrossSliding{0.0}),
+                        contact::FrictionLaw(contact::FullSliding{0.0}),
                         {.tol = 1e-6,
                          .increment_tol = 0.0,
                          .max_iterations = 60,
@@ -46,7 +46,7 @@ Simulation ball() {
 
 using ByCell = std::map<std::tuple<int, int, int>, plasticity::Tensor>;
 
-/// Stress of the active cells of a body, by place.
+/// Stress of the active cells of a body, by cell.
 ByCell stress(const PlasticBody& body, const ActiveCells& active) {
   ByCell out;
   for (std::size_t n = 0; n < active.size(); ++n) {
@@ -58,7 +58,7 @@ ByCell stress(const PlasticBody& body, const ActiveCells& active) {
 
 }  // namespace
 
-TEST_CASE("strain, unknowns and history survive a change of zones") {
+TEST_CASE("a change of zones preserves strain, unknowns and history") {
   const Simulation simulation = ball();
   const State& state = simulation.state();
   REQUIRE(state.plastic[1]);
@@ -71,14 +71,14 @@ TEST_CASE("strain, unknowns and history survive a change of zones") {
     PlasticBody body(state, 1, 0, 1, symmetry, {});
     ActiveCells active;
     const Sources sources = state.sources();
-    body.meet(state.tractions);
+    body.set_tractions(state.tractions);
     const auto set = [&](const Zones& zones) {
       body.set_zones(zones, false, sources, active);
       CHECK(body.zones() == zones);
       body.transform(true);
       body.find_stress(active);
     };
-    // The flow of three cells on top of the history.
+    // Plastic flow of three cells in addition to the history.
     body.set_zones(Zones({a}), false, sources, active);
     const std::vector<Cell> cells{{13, 16, 0}, {15, 17, 3}, {19, 16, 4}};
     const plasticity::Tensor strain{1e-3, -2e-3, 1e-3, 3e-4, -2e-4, 1e-4};
@@ -95,14 +95,14 @@ TEST_CASE("strain, unknowns and history survive a change of zones") {
     for (std::size_t n = 0; n < cells.size(); ++n) {
       CHECK(body.zones().cell(active.cells[n].cell) == cells[n]);
     }
-    // As both are computed in the same box.
+    // Both are computed in the same box.
     for (const auto& [cell, s] : in_two) CHECK(in_one.at(cell) == s);
     Field gap(grid.surface_size(), 0.0), again = gap;
     body.transform(true);
-    body.surface().open(gap);
+    body.surface().add_displacement_to(gap);
     set(Zones({beside, wider}));
     body.transform(true);
-    body.surface().open(again);
+    body.surface().add_displacement_to(again);
     CHECK(gap == again);
 
     const auto after = body.finish();
@@ -121,7 +121,7 @@ TEST_CASE("strain, unknowns and history survive a change of zones") {
   }
 }
 
-TEST_CASE("an increment goes on from several zones, and fields know their strain") {
+TEST_CASE("an increment continues from several zones, and fields include their strain") {
   Simulation one = ball(), several = ball();
   State parted = several.state();
   const Box whole = around(parted.flow_boxes[1]);
@@ -148,7 +148,7 @@ TEST_CASE("an increment goes on from several zones, and fields know their strain
   same_to(a.tractions.pressure, b.tractions.pressure, 1e-6);
 }
 
-TEST_CASE("a box and what lies outside of it move the surface along all axes") {
+TEST_CASE("strain inside and outside a box displaces the surface along all axes") {
   const Simulation simulation = ball();
   const State& state = simulation.state();
   const Scene& scene = state.scene();
@@ -188,7 +188,7 @@ TEST_CASE("a box and what lies outside of it move the surface along all axes") {
   }
 }
 
-TEST_CASE("zones off a mirror plane have images beside it") {
+TEST_CASE("zones off a mirror plane have mirror images") {
   const Grid grid(20, 21, 1.0, 1.0, 8, 1.0);
   const std::vector<Box> stored{
       {10, 10, 3, 2, 2}, {15, 10, 1, 1, 1}, {10, 14, 2, 3, 3}, {16, 15, 2, 2, 4}};

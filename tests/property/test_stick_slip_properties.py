@@ -32,7 +32,7 @@ def follow(seed):
             failed += 1
             continue
         except ValueError as error:
-            if "friction holds" not in str(error):
+            if "friction limit" not in str(error):
                 raise
             continue
         length = np.hypot(*now.shear)

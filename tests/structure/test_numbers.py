@@ -45,9 +45,9 @@ SET = {
     ("docs/developer/states.md", "512 MB"): ("python/samcontact/_util/field_cache.py", "512e6"),
     ("docs/peers.md", "3 s"): ("benchmarks/peers/schedule.py", "LONG = 3.0"),
     ("docs/theory/zones.md", "0.7 of the work"): (
-        "cpp/src/simulation/increment/split_choice.cpp", "worth = 0.7"),
+        "cpp/src/simulation/increment/split_choice.cpp", "max_work_ratio = 0.7"),
     ("docs/theory/zones.md", "0.45 of its work"): (
-        "cpp/src/simulation/increment/split_choice.cpp", "worth_joined = 0.45"),
+        "cpp/src/simulation/increment/split_choice.cpp", "max_work_ratio_periodic = 0.45"),
     ("docs/theory/zones.md", "a quarter of the work"): None,  # of the cells there are
     ("docs/theory/half_space.md", "a quarter of the memory"): None,  # planes counted there
     ("docs/theory/periodic.md", "19 times as long"): None,  # a period

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A steel ball on an aluminium half-space: the contact solver beside Hertz's closed form.
+// Steel ball on an aluminium half-space: the contact solver compared with Hertz's closed form.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace sam = samcontact;
 
 namespace {
 
-/// Radius of the contact [m], largest pressure [Pa] and approach [m].
+/// Contact radius [m], maximum pressure [Pa] and approach [m].
 struct Contact {
   double radius, pressure, approach;
 };
@@ -29,7 +29,7 @@ Contact hertz(const sam::Elastic& one, const sam::Elastic& two, double radius, d
   return {a, 3 * load / (2 * std::numbers::pi * a * a), a * a / radius};
 }
 
-/// The same by 128 x 128 cells over 1.5 times the diameter of the contact.
+/// Numerical solution with 128 x 128 cells over 1.5 times the contact diameter.
 Contact solved(const sam::Elastic& one, const sam::Elastic& two, double radius, double load) {
   constexpr int cells = 128;
   const double size = 3 * hertz(one, two, radius, load).radius / cells;
@@ -40,7 +40,7 @@ Contact solved(const sam::Elastic& one, const sam::Elastic& two, double radius, 
   }
   const sam::contact::ContactSolver solver(
       grid, sam::operators::half_space(one), sam::operators::half_space(two),
-      sam::contact::FrictionLaw(sam::contact::GrossSliding{0.0}));
+      sam::contact::FrictionLaw(sam::contact::FullSliding{0.0}));
   const sam::contact::Solution found =
       solver.solve(gap, sam::contact::Drive::load(load), {}, sam::contact::ContactSettings{});
   const sam::Field& pressure = found.tractions.pressure;
@@ -50,7 +50,7 @@ Contact solved(const sam::Elastic& one, const sam::Elastic& two, double radius, 
           *std::max_element(pressure.begin(), pressure.end()), found.motion.approach};
 }
 
-/// Prints both values; true when they differ by less than 1 %.
+/// Prints both values; true if they differ by less than 1 %.
 bool agree(const char* name, const char* unit, double found, double exact) {
   std::printf("%-16s %.6e %s, Hertz %.6e %s\n", name, found, unit, exact, unit);
   return std::fabs(found / exact - 1) < 0.01;

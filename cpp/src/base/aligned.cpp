@@ -22,14 +22,14 @@ std::align_val_t alignment_of(std::size_t bytes) {
 void* from_system(std::size_t bytes) {
   void* p = ::operator new(bytes, alignment_of(bytes));
 #ifdef __linux__
-  // Advice only: without huge pages all works as before.
+  // A hint only: everything works without huge pages.
   if (bytes >= worth_huge_pages) madvise(p, bytes, MADV_HUGEPAGE);
 #endif
   return p;
 }
 
-/// The system clears a page when it is first written: of large blocks all threads let it. Dynamic:
-/// on a virtual machine some pages cost a hundred times as much as others.
+/// The system clears a page on its first write: for large blocks all threads share this work.
+/// Dynamic schedule: on a virtual machine some pages cost a hundred times as much as others.
 void touch(char* p, std::size_t bytes) {
   if (bytes < worth_huge_pages) return;
 #pragma omp parallel for schedule(dynamic, huge_page / small_page)
@@ -38,16 +38,17 @@ void touch(char* p, std::size_t bytes) {
 
 void to_system(void* p, std::size_t bytes) { ::operator delete(p, alignment_of(bytes)); }
 
-/// Fields side by side in regions on huge pages. A solve makes dozens of them; the system would
-/// hand out and clear every small page of each, up to a third of the time of a first solve. One
-/// region without fields is kept for the next solve: no more memory than was in use before.
+/// Fields placed side by side in regions on huge pages. A solve allocates dozens of fields; the
+/// system would hand out and clear every small page of each, up to a third of the time of a first
+/// solve. One region without fields is kept for the next solve, which adds nothing to the maximum
+/// memory.
 class Regions {
  public:
-  /// Smaller ones cost little, and larger ones are worth huge pages of their own: few of them would
-  /// fit into a region, and leave much of it empty.
+  /// Smaller fields cost little, and larger ones deserve huge pages of their own: few of them would
+  /// fit into a region, and would leave much of it empty.
   static bool suits(std::size_t bytes) { return bytes >= smallest && bytes <= largest; }
 
-  /// Null where the system has no region to give.
+  /// Null if the system has no memory for a region.
   void* take(std::size_t bytes) {
     const std::size_t length = rounded(bytes);
     const std::lock_guard lock(mutex_);
@@ -62,7 +63,7 @@ class Regions {
     }
   }
 
-  /// False where it is in no region.
+  /// False if the block is in no region.
   bool give_back(void* p, std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     auto at = regions_.upper_bound(static_cast<char*>(p));
@@ -98,7 +99,7 @@ class Regions {
   static constexpr std::size_t smallest = std::size_t{1} << 16, largest = std::size_t{1} << 24;
   static constexpr std::size_t region = std::size_t{1} << 27;
 
-  /// With a line between fields, lest their equal indices fall on equal places of the cache.
+  /// With one line between fields, so that equal indices do not compete for the same cache set.
   static std::size_t rounded(std::size_t bytes) { return (bytes + 2 * line - 1) / line * line; }
 
   static char* from_holes(char* start, Holes& holes, std::size_t length) {
@@ -112,7 +113,7 @@ class Regions {
     return nullptr;
   }
 
-  /// Gives back the empty regions but one.
+  /// Releases all empty regions except `kept`.
   void release_others(const char* kept) {
     for (auto at = regions_.begin(); at != regions_.end();) {
       const bool empty = !at->second.empty() && at->second.begin()->second == region;
@@ -135,7 +136,7 @@ Regions& regions() {
   return *one;
 }
 
-#if defined(SAMCONTACT_SANITIZE)  // which would not see the use of a freed field
+#if defined(SAMCONTACT_SANITIZE)  // which would not detect the use of a freed field
 constexpr bool with_regions = false;
 #else
 constexpr bool with_regions = true;

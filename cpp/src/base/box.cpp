@@ -12,7 +12,7 @@ namespace {
 template <class Use>
 void for_each_row(const Box& small, const Box& large, const Use& use) {
   const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(small.nz) * small.nx;
-#pragma omp parallel for schedule(static) if (rows * small.ny >= worth_threads_cells)
+#pragma omp parallel for schedule(static) if (rows * small.ny >= min_parallel_cells)
   for (std::ptrdiff_t row = 0; row < rows; ++row) {
     const std::ptrdiff_t k = row / small.nx, i = row % small.nx;
     const std::size_t other =

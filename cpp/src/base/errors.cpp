@@ -20,9 +20,11 @@ std::string to_short_text(double value, int digits) {
   return std::string(text.data(), end);
 }
 
-void require(bool condition, const std::string& name, const std::string& allowed, double value) {
+void require(bool condition, const std::string& name, const std::string& allowed, double value,
+             const std::string& remedy) {
   if (!condition) {
-    throw std::invalid_argument(name + " must be " + allowed + ", got " + to_text(value));
+    throw std::invalid_argument(name + " must be " + allowed + ", got " + to_text(value) +
+                                (remedy.empty() ? "" : ": " + remedy));
   }
 }
 

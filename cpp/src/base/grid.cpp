@@ -14,13 +14,14 @@ void require_size(const char* name, double value) {
   require_moderate(name, value, "[m]");
 }
 
-/// Lattice sums of cells that are much longer than the period across take long, and mean nothing.
+/// Lattice sums of cells that are much longer than the period in the other direction are slow and
+/// meaningless.
 constexpr double longest_cell = 8.0;
 
 void require_short(const char* name, double cell, const char* of, double period) {
   require(cell <= longest_cell * period, name,
           "at most " + to_short_text(longest_cell) + " periods " + of + " of the grid, " +
-              to_text(longest_cell * period) + " m (or one cell along the period)",
+              to_text(longest_cell * period) + " m, unless there is one cell along the period",
           cell);
 }
 
@@ -42,15 +43,14 @@ Grid::Grid(int nx_, int ny_, double dx_, double dy_, int nz_, double dz_)
   if (nz > 0 || dz != 0) require_size("dz", dz);
 }
 
-Grid Grid::joined(bool along_x, bool along_y) const {
+Grid Grid::made_periodic(bool along_x, bool along_y) const {
   const auto require_even = [](const char* name, int cells) {
-    require(cells == 1 || cells % 2 == 0, name,
-            "even, or 1, along a direction in which the grid is periodic", cells);
+    require(cells == 1 || cells % 2 == 0, name, "even, or 1, along a periodic direction", cells);
   };
   if (along_x) require_even("nx", nx);
   if (along_y) require_even("ny", ny);
   if (along_x && along_y && nx == 1 && ny == 1) {
-    throw std::invalid_argument("nx and ny are both 1: a periodic grid has more than one cell");
+    throw std::invalid_argument("nx and ny must not both be 1 on a periodic grid");
   }
   if (along_y && ny > 1) require_short("dx", dx, "ny dy", ny * dy);
   if (along_x && nx > 1) require_short("dy", dy, "nx dx", nx * dx);

@@ -13,7 +13,7 @@ namespace {
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<InterruptCheck> installed_check{nullptr};
 
-// Of each thread.
+// Separate for each thread.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 thread_local int uninterrupted = 0;
 
@@ -27,8 +27,8 @@ void set_interrupt_check(InterruptCheck check) { installed_check.store(check); }
 void check_interrupt() {
   adjust_team();
   using Clock = std::chrono::steady_clock;
-  // The host's check takes its global lock: asking it in every iteration of a small scene costs
-  // more than the iteration.
+  // The check of the host takes its global lock: a call in every iteration of a small problem would
+  // cost more than the iteration.
   static thread_local Clock::time_point last{};
   const InterruptCheck check = installed_check.load(std::memory_order_relaxed);
   if (check == nullptr || uninterrupted > 0) return;

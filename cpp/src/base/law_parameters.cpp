@@ -15,7 +15,7 @@ std::string text(const Allowed& allowed) {
   const std::string unit = allowed.unit, sign = allowed.above_low ? " > " : " >= ";
   const std::string limit = sign + to_text(allowed.low) + (unit.empty() ? "" : " [" + unit + "]");
   if (allowed.infinite == nullptr) return "a finite number" + limit;
-  return "a number" + limit + ", or inf: " + allowed.infinite;
+  return "a number" + limit + ", or inf (" + allowed.infinite + ")";
 }
 
 }  // namespace

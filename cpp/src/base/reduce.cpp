@@ -6,7 +6,7 @@
 namespace samcontact {
 namespace {
 
-// Several running sums: one would wait for the latency of each addition.
+// Several running sums: a single one would wait for the latency of each addition.
 constexpr std::size_t lanes = 16;
 
 #define SAMCONTACT_DOT(A, B)                                                              \

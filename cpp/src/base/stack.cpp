@@ -21,19 +21,19 @@ Stack Stack::of(std::vector<ElasticLayer> layers, const Elastic& substrate) {
   return {std::move(layers), substrate};
 }
 
-Stack Stack::joined() const {
-  Stack joined{{}, substrate};
+Stack Stack::merged() const {
+  Stack merged{{}, substrate};
   for (const ElasticLayer& layer : layers) {
-    if (!joined.layers.empty() && joined.layers.back().elastic == layer.elastic) {
-      joined.layers.back().thickness += layer.thickness;
+    if (!merged.layers.empty() && merged.layers.back().elastic == layer.elastic) {
+      merged.layers.back().thickness += layer.thickness;
     } else {
-      joined.layers.push_back(layer);
+      merged.layers.push_back(layer);
     }
   }
-  while (!joined.layers.empty() && joined.layers.back().elastic == substrate) {
-    joined.layers.pop_back();
+  while (!merged.layers.empty() && merged.layers.back().elastic == substrate) {
+    merged.layers.pop_back();
   }
-  return joined;
+  return merged;
 }
 
 double Stack::thickness() const {

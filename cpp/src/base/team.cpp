@@ -36,21 +36,21 @@ bool keeps_number() {
   return keeps;
 }
 
-/// More, as by a slip in OMP_NUM_THREADS, would only wait for each other.
-int most_threads() { return std::min(8 * omp_get_num_procs(), omp_get_thread_limit()); }
+/// More threads, as by a typing error in OMP_NUM_THREADS, would only wait for each other.
+int max_threads() { return std::min(8 * omp_get_num_procs(), omp_get_thread_limit()); }
 
 #ifdef __linux__
 
 int own_id() { return gettid(); }
 
-/// How long a thread of this process was ready to run while others had the processors, since it
-/// began; none where the system does not tell.
+/// Total time for which a thread of this process was ready to run while others used the processors;
+/// none if the system does not report it.
 std::optional<Span> waited(int thread) {
   const std::string path = "/proc/self/task/" + std::to_string(thread) + "/schedstat";
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): a call of the system
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return std::nullopt;
-  char text[96];  // nanoseconds that it ran, nanoseconds that it waited, turns
+  char text[96];  // nanoseconds of running, nanoseconds of waiting, time slices
   const ssize_t length = read(file, text, sizeof text);
   close(file);
   const char* const end = text + std::max<ssize_t>(length, 0);
@@ -68,16 +68,16 @@ std::optional<Span> waited(int) { return std::nullopt; }
 
 #endif
 
-/// What a thread that has teams knows of them.
+/// Waiting times of the teams of one thread.
 class Watch {
  public:
   void enter() {
     if (depth_++ > 0) return;
     given_ = omp_get_max_threads();
-    const int most = lost_ ? 1 : std::clamp(given_, 1, most_threads());
+    const int most = lost_ ? 1 : std::clamp(given_, 1, max_threads());
     if (most != size_.most()) size_ = TeamSize(most);
     omp_set_num_threads(size_.size());
-    began_ += Clock::now() - left_;  // a window has the time inside only
+    began_ += Clock::now() - left_;  // an interval counts the time inside teams only
   }
 
   void leave() {
@@ -115,7 +115,7 @@ class Watch {
     Span waited;
   };
 
-  /// At the end of a window.
+  /// Ends an interval.
   void judge(Clock::time_point now) {
     std::vector<Span> spans;
     for (Member& member : members_) {
@@ -127,7 +127,7 @@ class Watch {
     began_ = now;
   }
 
-  /// Begins the first window of a team of another size, which may have other threads.
+  /// Starts the first interval of a team of another size, which may have other threads.
   void meet() {
     members_.assign(size_.size(), {});
 #pragma omp parallel
@@ -136,7 +136,7 @@ class Watch {
     began_ = Clock::now();
   }
 
-  int depth_ = 0;  // of teams inside each other: a law that Python calls may have its own
+  int depth_ = 0;  // of nested teams: a law that Python calls may have its own
   int given_ = 1;
   TeamSize size_;
   bool lost_ = false;
@@ -154,7 +154,7 @@ Watch& watch() {
 Team::Team() { watch().enter(); }
 Team::~Team() { watch().leave(); }
 void adjust_team() { watch().adjust(); }
-void lose_team() { watch().lose(); }
+void reset_team() { watch().lose(); }
 
 }  // namespace samcontact
 
@@ -165,7 +165,7 @@ namespace samcontact {
 Team::Team() = default;
 Team::~Team() = default;
 void adjust_team() {}
-void lose_team() {}
+void reset_team() {}
 
 }  // namespace samcontact
 

@@ -8,21 +8,22 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A thread that waited for more than this part of a window has no processor of its own.
-constexpr double late_share = 0.2;
-/// Tries take at most one part in so many of the time: so much is lost on a machine that is busy.
-constexpr int share_of_tries = 20;
+/// A thread that waited for more than this fraction of an interval has no processor of its own.
+constexpr double late_fraction = 0.2;
+/// Trials take at most the fraction 1 / trial_divisor of the time, which is the loss on a busy
+/// machine.
+constexpr int trial_divisor = 20;
 constexpr milliseconds shortest_pause{200}, longest_pause{5000};
 
 }  // namespace
 
 void TeamSize::judge(Time now, Span length, std::span<const Span> waited) {
   const auto late = static_cast<int>(std::ranges::count_if(waited, [&](Span span) {
-    return static_cast<double>(span.count()) > late_share * static_cast<double>(length.count());
+    return static_cast<double>(span.count()) > late_fraction * static_cast<double>(length.count());
   }));
   if (late == 0) return try_more(now);
   size_ = std::max(1, size_ - late);
-  next_try_ = now + std::clamp<Span>(share_of_tries * length, shortest_pause, longest_pause);
+  next_try_ = now + std::clamp<Span>(trial_divisor * length, shortest_pause, longest_pause);
 }
 
 void TeamSize::try_more(Time now) {

@@ -16,19 +16,20 @@ namespace samcontact::contact {
 namespace {
 
 constexpr int max_coupling_iterations = 200;
-// Shear that turns by 90 degrees from round to round grows beyond mu beta = 1 of the bodies, though
-// the scene has a solution for any mu: from this contraction on rounds are accelerated.
+// With dissimilar materials, shear that rotates by 90 degrees from iteration to iteration grows
+// beyond mu beta = 1, although a solution exists for any mu: from this contraction factor on, the
+// iterations are accelerated.
 constexpr double slow_contraction = 0.5;
 constexpr int coupling_depth = 12;
-/// A contact over so much of the grid has no shape that a larger one would hold.
+/// Fraction of the grid in contact above which no larger grid would contain the contact.
 constexpr double covered = 0.9;
 
 bool is_zero(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
 }
 
-/// Largest repulsion on the sides of the grid across x and across y.
-std::array<double, 2> border_repulsion(const Grid& grid, const Field& repulsion) {
+/// Largest repulsion in the outermost cells of the grid, at the edges normal to x and to y.
+std::array<double, 2> edge_repulsion(const Grid& grid, const Field& repulsion) {
   std::array<double, 2> largest{};
   const auto at = [&](int i, int j) {
     return repulsion[static_cast<std::size_t>(i) * grid.ny + j];
@@ -60,23 +61,24 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
                                          const FrictionLaw& friction,
                                          const operators::HeatingPair& heating) {
   if (bodies[0]->is_rigid() && bodies[1]->is_rigid()) {
-    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
+    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be deformable");
   }
   if (grid.period.is_on() && (heating[0].is_on() || heating[1].is_on())) {
-    throw std::invalid_argument("heat cannot enter periodic surfaces: it has no steady state");
+    throw std::invalid_argument(
+        "heating is not supported on periodic surfaces: no steady state exists");
   }
   operators::SurfaceInfluence influence;
   for (int b = 0; b < 2; ++b) {
     if (heating[b].is_on() && bodies[b]->is_rigid()) {
       throw std::invalid_argument("body " + std::to_string(b + 1) +
-                                  " is rigid: it has no thermal expansion, heat cannot enter it");
+                                  " is rigid and has no thermal expansion: it cannot be heated");
     }
     influence.add(bodies[b], friction.shear_over_pressure(b), heating[b]);
   }
   return influence;
 }
 
-/// The coupling to try next, in place of what came of `tried`.
+/// Next estimate of the coupling, from the result for `tried`.
 void accelerate(Anderson& anderson, Field& tried, Field& coupling) {
   for (std::size_t i = 0; i < tried.size(); ++i) coupling[i] -= tried[i];
   anderson.next(tried, std::move(coupling));
@@ -89,40 +91,38 @@ void require_below_mean(const Grid& grid, const Field& gap, Given normal) {
   if (grid.period.x == 0 || grid.period.y == 0 || normal.is_force()) return;
   const double mean = ordered_sum(gap.size(), [&](std::size_t i) { return gap[i]; }) / gap.size();
   require(normal.value < mean, "approach",
-          "less than the mean of the gap, " + to_short_text(mean, 6) +
-              " m, at which periodic surfaces touch everywhere and any larger load is possible: "
-              "give the load",
-          normal.value);
+          "less than the mean gap, " + to_short_text(mean, 6) +
+              " m, at which periodic surfaces touch everywhere and any larger load is possible",
+          normal.value, "prescribe the load instead");
 }
 
-std::string border_complaint(const Grid& grid, const Field& repulsion, const std::string& what) {
-  const auto [at_x, at_y] = border_repulsion(grid, repulsion);
+std::string edge_warning(const Grid& grid, const Field& repulsion, const std::string& what) {
+  const auto [at_x, at_y] = edge_repulsion(grid, repulsion);
   if (!in_contact(at_x) && !in_contact(at_y)) return {};
   const double most = *std::max_element(repulsion.begin(), repulsion.end());
-  const auto percent = [most](double p) { return to_short_text(100 * p / most) + " % "; };
+  const auto percent = [most](double p) { return to_short_text(100 * p / most) + " %"; };
   std::string where, what_helps;
   if (in_contact(at_x)) {
-    where = percent(at_x) + "at the sides across x";
+    where = percent(at_x) + " of the maximum at the edges normal to x";
     what_helps = "nx dx";
   }
   if (in_contact(at_y)) {
-    where += (where.empty() ? "" : ", ") + percent(at_y) + "at those across y";
+    where += where.empty() ? percent(at_y) + " of the maximum at the edges normal to y"
+                           : " and " + percent(at_y) + " at those normal to y";
     what_helps += what_helps.empty() ? "ny dy" : " and ny dy";
   }
   const auto touching = std::count_if(repulsion.begin(), repulsion.end(), in_contact);
   const double share = static_cast<double>(touching) / static_cast<double>(repulsion.size());
   const std::string cover =
-      share >= covered ? ", and covers " + to_short_text(100 * share) + " % of it" : "";
-  return "at " + what + " the contact touches the border of the grid (" +
+      share >= covered ? ", and covers " + to_short_text(100 * share) + " % of the grid" : "";
+  return "at " + what + " the contact reaches the edge of the grid (" +
          to_short_text(grid.nx * grid.dx, 4) + " m x " + to_short_text(grid.ny * grid.dy, 4) +
-         " m), with a pressure of " + where + " of the largest" + cover + ": enlarge " + what_helps;
+         " m), with a pressure of " + where + cover + ": enlarge " + what_helps;
 }
 
-GridTooSmallError too_small(const Grid& grid, const Field& repulsion,
-                            const std::string& complaint) {
-  const auto [at_x, at_y] = border_repulsion(grid, repulsion);
-  return {complaint + ", or ask for a warning with on_border=\"warn\"", in_contact(at_x),
-          in_contact(at_y)};
+GridTooSmallError too_small(const Grid& grid, const Field& repulsion, const std::string& warning) {
+  const auto [at_x, at_y] = edge_repulsion(grid, repulsion);
+  return {warning + ", or set on_border=\"warn\"", in_contact(at_x), in_contact(at_y)};
 }
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
@@ -141,7 +141,7 @@ ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence
       heated_(influence.is_heated()),
       multilevel_(grid, influence) {
   if (heated_ && law_->attracts()) {
-    throw std::invalid_argument("heat cannot enter surfaces that attract each other");
+    throw std::invalid_argument("heating cannot be combined with attraction of the surfaces");
   }
 }
 
@@ -151,24 +151,23 @@ void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
   const bool grows = solution.negative_curvatures > 0;
   if (heated_ && !drive.normal.is_force() &&
       (finite ? is_unstable(solution.tractions.pressure) : grows)) {
-    throw ConvergenceError("the contact is thermoelastically unstable at " + describe(drive) +
-                               ": its heat raises the surfaces by more than its pressure lowers "
-                               "them, so that it grows by itself; give a load instead",
+    throw ConvergenceError("thermoelastic instability at " + describe(drive) +
+                               ": thermal expansion exceeds elastic compression, so the contact "
+                               "grows without bound; prescribe the load instead",
                            solution.iterations, solution.error);
   }
   if (!finite) {
-    throw ConvergenceError("contact did not converge at " + describe(drive) +
-                               ": the solution is beyond the range of numbers",
-                           solution.iterations, solution.error);
+    throw ConvergenceError(
+        "contact did not converge at " + describe(drive) + ": the solution is not finite",
+        solution.iterations, solution.error);
   }
   if (heated_ && !solution.converged && solution.negative_curvatures > 0) {
-    throw ConvergenceError("the contact may be thermoelastically unstable at " + describe(drive) +
-                               ": frictional heat makes the operator indefinite " +
+    throw ConvergenceError("possible thermoelastic instability at " + describe(drive) +
+                               ": frictional heating made the operator indefinite in " +
                                std::to_string(solution.negative_curvatures) +
-                               " times on the way; error " + to_short_text(solution.error) +
-                               " after " + std::to_string(solution.iterations) +
-                               " iterations, tol " + to_text(settings.tol) +
-                               ": take a smaller load, speed or friction",
+                               " iterations; error " + to_short_text(solution.error) + " after " +
+                               std::to_string(solution.iterations) + " iterations, tol " +
+                               to_text(settings.tol) + ": reduce the load, speed or friction",
                            solution.iterations, solution.error);
   }
   if (!solution.converged) {
@@ -176,7 +175,7 @@ void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
                                to_short_text(solution.error) + " after " +
                                std::to_string(solution.iterations) + " iterations, tol " +
                                to_text(settings.tol) +
-                               ": allow more max_iterations, a larger tol, or smaller cells",
+                               ": increase max_iterations or tol, or use smaller cells",
                            solution.iterations, solution.error);
   }
 }
@@ -200,9 +199,9 @@ Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field&
                           : multilevel_.solve(attraction.gap(), normal, std::move(repulsion),
                                               settings.tol, settings.max_iterations);
   require_solved(solution, drive, settings);
-  solution.border_complaint = border_complaint(grid_, solution.tractions.pressure, describe(drive));
-  if (!solution.border_complaint.empty() && settings.on_border == OnBorder::error) {
-    throw too_small(grid_, solution.tractions.pressure, solution.border_complaint);
+  solution.edge_warning = edge_warning(grid_, solution.tractions.pressure, describe(drive));
+  if (!solution.edge_warning.empty() && settings.on_border == OnBorder::error) {
+    throw too_small(grid_, solution.tractions.pressure, solution.edge_warning);
   }
   solution.tractions = friction_.tractions(std::move(solution.tractions.pressure));
   return attraction.with_attraction(std::move(solution), drive.normal);
@@ -246,14 +245,14 @@ Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pres
     if (!solution.converged) break;
     std::swap(previous, coupling);
     update_coupling(solution.tractions.pressure);
-    // The gap with the updated coupling; its scale is the elastic displacement in the contact.
+    // Gap with the updated coupling; its scale is the elastic displacement in the contact.
     double scale = 0.0;
     for (std::size_t i = 0; i < gap.size(); ++i) {
       scale = std::max(scale, std::fabs(solution.gap[i] + solution.motion.approach - lagged[i]));
     }
     const double change =
         change_in_contact(coupling, previous, solution.tractions.pressure, load_driven);
-    // Surfaces that are apart may be so because of shear that is gone.
+    // The surfaces may be separated by shear that no longer exists.
     const bool parted = solution.load == 0 && !is_zero(previous);
     const double error = parted ? 1.0 : scale > 0 ? change / scale : 0.0;
     slow = slow || (n > 0 && error > slow_contraction * outer_error);
@@ -261,7 +260,7 @@ Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pres
     solution.error += outer_error;
     for (std::size_t i = 0; i < gap.size(); ++i) solution.gap[i] += coupling[i] - previous[i];
     if (load_driven) {
-      // The part of the change that is uniform over the contact moves the bodies.
+      // The part of the change that is uniform over the contact is a rigid-body motion.
       const double shift = contact_mean(solution.tractions.pressure, solution.gap);
       for (double& g : solution.gap) g -= shift;
       solution.motion.approach += shift;

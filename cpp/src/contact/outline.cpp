@@ -11,7 +11,7 @@ namespace samcontact::contact {
 
 namespace {
 
-/// A line of cells: n of them, `stride` apart.
+/// Line of n cells, `stride` apart.
 struct Line {
   const double* first;
   int n;
@@ -20,7 +20,7 @@ struct Line {
   double operator[](int i) const { return first[i * stride]; }
 };
 
-/// Adds the sides across a line between cell i and the next one, at its end the first.
+/// Adds the side between cell i and the next one (after the last cell, the first).
 void add_side(const Line& p, int i, double rise, Outline& found) {
   const int next = i + 1 < p.n ? i + 1 : 0;
   if (in_contact(p[i]) == in_contact(p[next])) return;
@@ -36,7 +36,7 @@ void add_line(const Line& p, bool periodic, double rise, Outline& found) {
   if (periodic && p.n > 1) add_side(p, p.n - 1, rise, found);
 }
 
-/// How far contact reaches from a cell in it.
+/// Smaller distance from a cell in contact to the two ends of its run of cells in contact.
 int reach(const Line& p, int at) {
   int before = at, behind = at;
   while (before > 0 && in_contact(p[before - 1])) --before;

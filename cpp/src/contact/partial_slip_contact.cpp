@@ -9,33 +9,34 @@
 #include <vector>
 
 #include "samcontact/contact/iteration/anderson.hpp"
-#include "samcontact/contact/normal/first_touch.hpp"
+#include "samcontact/contact/normal/first_contact.hpp"
 #include "samcontact/contact/tangential/held_forces.hpp"
 
 namespace samcontact::contact {
 namespace {
 
-constexpr int most_sweeps = 100, most_steps = 100;
-/// Sweeps remembered: cells change sides between them, which makes the older ones useless.
+constexpr int max_sweeps = 100, max_steps = 100;
+/// Number of sweeps used by the acceleration: cells change sides between sweeps, which makes older
+/// ones useless.
 constexpr int anderson_depth = 4;
-/// What is solved within a sweep: of the error that the last one left, and in the first.
-constexpr double inner_share = 0.1, loosest = 1e-2;
-/// Of the tolerance: the last sweep stays within it.
+/// Tolerance within a sweep: relative to the error of the previous sweep, and in the first sweep.
+constexpr double inner_tol_ratio = 0.1, loosest = 1e-2;
+/// Factor of the tolerance, so that the last sweep stays within it.
 constexpr double safety = 0.5;
 /// e_t is relative to the stiffness of the whole contact, and the shear of single cells is off by
-/// up to 25 times as much: tolerances below `fine`, but for rounding, are met with this share of
-/// them.
-constexpr double shear_share = 0.5, fine = 1e-6, rounding = 1e-12;
-/// A shear of this share of its bound is on it.
+/// up to 25 times as much: tolerances below `fine`, except those near rounding, are multiplied by
+/// this factor.
+constexpr double shear_tol_ratio = 0.5, fine = 1e-6, rounding = 1e-12;
+/// A shear of at least this fraction of its bound is on it.
 constexpr double on_circle = 1 - 1e-9;
-/// Friction of unlike bodies beyond which an increment may have no solution. A cell whose shear
-/// lifts it is pulled where it sticks, and overlaps where it is free.
+/// Friction ratio of dissimilar materials above which an increment may have no solution: a cell
+/// whose shear lifts it is in tension if it sticks, and interpenetrates if it is free.
 constexpr double always_solved = 2;
 
 operators::SurfaceInfluence frictionless(const operators::SharedMedium& body1,
                                          const operators::SharedMedium& body2) {
   if (body1->is_rigid() && body2->is_rigid()) {
-    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be elastic");
+    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be deformable");
   }
   operators::SurfaceInfluence influence;
   influence.add(body1);
@@ -67,7 +68,7 @@ PartialSlipContact::PartialSlipContact(const Grid& grid, const operators::Shared
   assert(friction.sticks());
 }
 
-/// One increment.
+/// Solution of one increment.
 class PartialSlipContact::Sweeps {
  public:
   Sweeps(const PartialSlipContact& contact, const Field& gap, Given normal,
@@ -85,13 +86,13 @@ class PartialSlipContact::Sweeps {
     if (!contact_.is_coupled()) return;
     raised_.resize(n_, 0.0);
     if (before.pressure.empty()) return;
-    slid_before_.resize(2 * n_);
-    contact_.coupling_.tangential(before.pressure.data(), slid_before_.data(), work_);
+    displaced_before_.resize(2 * n_);
+    contact_.coupling_.tangential(before.pressure.data(), displaced_before_.data(), work_);
     raise(before.shear, raised_);
   }
 
-  /// Bodies that act on each other do so through raised_, which is iterated until it is what the
-  /// shear raises.
+  /// Coupled bodies interact through raised_, which is iterated until it equals the displacement
+  /// due to the shear.
   PartialSlipSolution run(Field pressure, const PartialSlipStart& start) {
     s_.tangential.shear = start.shear;
     s_.tangential.sticking = start.sticking;
@@ -102,14 +103,14 @@ class PartialSlipContact::Sweeps {
     Anderson anderson(anderson_depth);
     double tol = coupled ? std::max(loosest, safety * full) : full;
     for (;; ++s_.sweeps) {
-      press(std::move(pressure), tol);
+      solve_pressure(std::move(pressure), tol);
       if (!s_.normal.converged) return std::move(s_);
-      slide(coupled || rolls_ || full > fine ? tol : std::max(shear_share * full, least));
-      const Field change = coupled ? lift_gap() : Field{};
+      solve_shear(coupled || rolls_ || full > fine ? tol : std::max(shear_tol_ratio * full, least));
+      const Field change = coupled ? update_gap() : Field{};
       s_.normal.converged = std::max(s_.normal.error, s_.tangential.error) <= full;
       if (s_.normal.converged || !coupled) break;
-      if (!s_.tangential.converged || s_.sweeps >= most_sweeps) break;
-      tol = std::max(inner_share * s_.normal.error, safety * full);
+      if (!s_.tangential.converged || s_.sweeps >= max_sweeps) break;
+      tol = std::max(inner_tol_ratio * s_.normal.error, safety * full);
       anderson.next(raised_, change);
       pressure = s_.normal.tractions.pressure;
     }
@@ -117,8 +118,8 @@ class PartialSlipContact::Sweeps {
   }
 
  private:
-  /// Pressure under what shear raises.
-  void press(Field pressure, double tol) {
+  /// Solves for the pressure at the present normal displacement due to shear.
+  void solve_pressure(Field pressure, double tol) {
     Field gap = gap_;
     if (!raised_.empty()) add_scaled(1.0, raised_, gap);
     const Solution before = std::move(s_.normal);
@@ -131,8 +132,8 @@ class PartialSlipContact::Sweeps {
                  rolls_ ? rolling_motions : increment_motions);
   }
 
-  /// What a displacement loses from the cell ahead, per way.
-  void lose_on_the_way(Field& displacement) const {
+  /// Replaces a displacement by its decrease from the next cell ahead, per distance rolled.
+  void difference_per_distance(Field& displacement) const {
     const std::size_t row = contact_.grid_.ny;
     for (std::size_t at = 0; at < 2 * n_; ++at) {
       const bool is_last = at % n_ + row >= n_;
@@ -141,8 +142,8 @@ class PartialSlipContact::Sweeps {
     }
   }
 
-  /// Shear under the present pressure.
-  void slide(double tol) {
+  /// Solves for the shear under the present pressure.
+  void solve_shear(double tol) {
     const Field& p = s_.normal.tractions.pressure;
     Field free_slip = before_.free_slip;
     if (contact_.is_coupled()) {
@@ -150,16 +151,16 @@ class PartialSlipContact::Sweeps {
       contact_.coupling_.tangential(p.data(), slid.data(), work_);
       free_slip.resize(2 * n_, 0.0);
       for (std::size_t i = 0; i < 2 * n_; ++i) {
-        free_slip[i] += (slid_before_.empty() ? 0.0 : slid_before_[i]) - slid[i];
+        free_slip[i] += (displaced_before_.empty() ? 0.0 : displaced_before_[i]) - slid[i];
       }
-      if (rolls_) lose_on_the_way(free_slip);
+      if (rolls_) difference_per_distance(free_slip);
     }
-    const Field touching = in_touch();
+    const Field touching = slip_part();
     const bool first = s_.tangential.shear.empty();
     const Field start = first ? shear_before() : std::move(s_.tangential.shear);
     const std::vector<unsigned char> sticking = std::move(s_.tangential.sticking);
     const ShearSolution before = std::move(s_.tangential);
-    const bool told = !sticking.empty();
+    const bool has_sticking = !sticking.empty();
     const ShearTask task{p,
                          contact_.friction_,
                          before_.shear,
@@ -167,9 +168,9 @@ class PartialSlipContact::Sweeps {
                          tangential_,
                          &slid_by_shear_,
                          touching.empty() ? nullptr : &touching,
-                         told ? &sticking : nullptr,
+                         has_sticking ? &sticking : nullptr,
                          rolls_};
-    s_.tangential = contact_.shear_.solve(task, start, before.motion, tol, most_steps);
+    s_.tangential = contact_.shear_.solve(task, start, before.motion, tol, max_steps);
     s_.tangential.steps += before.steps;
     s_.tangential.iterations += before.iterations;
     s_.tangential.fallbacks += before.fallbacks;
@@ -177,7 +178,7 @@ class PartialSlipContact::Sweeps {
     s_.tangential.work += before.work;
   }
 
-  /// That of the history, where it slipped with the bound of now; empty: none.
+  /// Shear of the history, scaled to the present bound in cells that slipped; empty: none.
   Field shear_before() const {
     if (before_.pressure.empty() || !(longest(before_.shear) > 0)) return {};
     Field shear = before_.shear;
@@ -194,22 +195,22 @@ class PartialSlipContact::Sweeps {
     return shear;
   }
 
-  /// What cells slip in touch where some touch for the first time; empty where there are none, and
-  /// before the first contact: it is pressed, then sheared.
-  Field in_touch() {
+  /// Part of a rigid motion that newly contacting cells slip; empty if there are none, and before
+  /// the first contact, for which the normal load is applied first.
+  Field slip_part() {
     const double closer = s_.normal.motion.approach - before_.approach;
     if (before_.pressure.empty() || before_.has_moved || !(closer > 0)) return {};
     if (gap_before_.empty()) gap_before_ = find_gap_before();
-    // Shear in this proportion to the pressure slides round contacts so far.
+    // Slip of round contacts so far, for a shear with this ratio to the pressure.
     const double ratio = contact_.friction_.ratio(mean_pressure());
     const double most = 0.5 * (1 + contact_.crosswise_) * ratio * closer;
-    return slip_in_touch(
+    return slip_after_contact(
         contact_.grid_,
         {before_.pressure, s_.normal.tractions.pressure, gap_before_, closer, given_motion(), most},
         contact_.crosswise_);
   }
 
-  /// Of the contact [m^2].
+  /// Contact area [m^2].
   double area() const {
     const Field& p = s_.normal.tractions.pressure;
     const auto cells = std::count_if(p.begin(), p.end(), in_contact);
@@ -220,7 +221,7 @@ class PartialSlipContact::Sweeps {
     return contact > 0 ? s_.normal.load / contact : 0.0;
   }
 
-  /// The largest given slip, about [m].
+  /// Approximate maximum of the prescribed slip [m].
   double given_motion() const {
     const auto given = [this](int k) {
       return tangential_[k].is_force() ? 0.0 : tangential_[k].value;
@@ -229,7 +230,7 @@ class PartialSlipContact::Sweeps {
     return std::hypot(given(0), given(1)) + 0.5 * size * std::fabs(given(2));
   }
 
-  /// Of the undeformed surfaces as they are now.
+  /// Gap of the present undeformed surfaces under the previous tractions.
   Field find_gap_before() {
     Field gap(n_), raised(n_, 0.0);
     contact_.normal_.displacement().apply(before_.pressure.data(), gap.data(), work_);
@@ -244,16 +245,16 @@ class PartialSlipContact::Sweeps {
     contact_.coupling_.normal(shear.data(), raised.data(), work_);
   }
 
-  /// Gap and error of the pressure under the shear found; returns by how much that raises the
-  /// surfaces beyond raised_.
-  Field lift_gap() {
+  /// Updates gap and pressure error for the present shear; returns the normal displacement due to
+  /// the shear in excess of raised_.
+  Field update_gap() {
     Solution& s = s_.normal;
     const Field& p = s.tractions.pressure;
     Field change(n_), displacement(n_, 0.0);
     raise(s_.tangential.shear, change);
     add_scaled(-1.0, raised_, change);
     for (std::size_t i = 0; i < n_; ++i) {
-      // Nothing is known of the displacement where there is no body.
+      // The displacement is unknown in cells without a body.
       if (std::isinf(gap_[i])) continue;
       displacement[i] = s.gap[i] - gap_[i] - raised_[i] + s.motion.approach;
     }
@@ -275,10 +276,10 @@ class PartialSlipContact::Sweeps {
   const ContactSettings& settings_;
   const bool rolls_;
   const std::size_t n_;
-  Field raised_;       // B s, as it is taken to be; empty where it is zero
-  Field gap_before_;   // empty: not known
-  Field slid_before_;  // B' p of the history
-  SlidBefore slid_by_shear_;
+  Field raised_;            // assumed B s; empty if it is zero
+  Field gap_before_;        // empty: unknown
+  Field displaced_before_;  // B' p of the history
+  PreviousDisplacement slid_by_shear_;
   ComplexField work_;
   PartialSlipSolution s_;
 };
@@ -289,25 +290,25 @@ void require_solved(const PartialSlipSolution& solution, Given normal,
                     const ContactSettings& settings, bool may_have_none) {
   const ShearSolution& shear = solution.tangential;
   if (!is_finite(solution.normal) || !all_finite(shear.shear) || !all_finite(shear.slip)) {
-    throw ConvergenceError("stick and slip did not converge at " + describe(Drive{normal}) +
-                               ": the solution is beyond the range of numbers",
+    throw ConvergenceError("partial slip did not converge at " + describe(Drive{normal}) +
+                               ": the solution is not finite",
                            solution.normal.iterations + shear.iterations, solution.normal.error);
   }
   if (solution.normal.converged) return;
-  std::string text = "stick and slip did not converge at " + describe(Drive{normal}) + ": ";
+  std::string text = "partial slip did not converge at " + describe(Drive{normal}) + ": ";
   if (shear.converged && solution.normal.error > settings.tol) {
-    text += "error of the pressure " + to_short_text(solution.normal.error);
+    text += "pressure error " + to_short_text(solution.normal.error);
   } else {
-    text += "error of the shear " + to_short_text(shear.error);
+    text += "shear error " + to_short_text(shear.error);
   }
   text += " after " + std::to_string(solution.sweeps) + " sweeps, tol " + to_text(settings.tol) +
-          "; reached: tangential_load = (" + to_short_text(shear.force[0], 6) + ", " +
+          "; reached tangential_load = (" + to_short_text(shear.force[0], 6) + ", " +
           to_short_text(shear.force[1], 6) + ") N, torque = " + to_short_text(shear.force[2], 6) +
-          " N m: take a smaller force or increment, or a larger tol";
+          " N m: reduce the force or increment, or increase tol";
   if (may_have_none) {
     text +=
-        "; bodies unlike with so much friction may have no solution, as cells at the edge can "
-        "neither stick nor part: take a friction of at most " +
+        "; dissimilar materials with this much friction may have no solution, because edge cells "
+        "can neither stick nor separate: use friction of at most " +
         to_text(always_solved) + " times the pressure";
   }
   throw ConvergenceError(text, solution.normal.iterations + shear.iterations,
@@ -333,10 +334,9 @@ PartialSlipSolution PartialSlipContact::finished(PartialSlipSolution solution, G
                                                  const ContactSettings& settings) const {
   require_solved(solution, normal, settings, is_coupled() && friction_.ratio(0.0) > always_solved);
   Solution& pressed = solution.normal;
-  pressed.border_complaint =
-      border_complaint(grid_, pressed.tractions.pressure, describe(Drive{normal}));
-  if (!pressed.border_complaint.empty() && settings.on_border == OnBorder::error) {
-    throw too_small(grid_, pressed.tractions.pressure, pressed.border_complaint);
+  pressed.edge_warning = edge_warning(grid_, pressed.tractions.pressure, describe(Drive{normal}));
+  if (!pressed.edge_warning.empty() && settings.on_border == OnBorder::error) {
+    throw too_small(grid_, pressed.tractions.pressure, pressed.edge_warning);
   }
   pressed = attraction.with_attraction(std::move(pressed), normal);
   return solution;
@@ -378,7 +378,7 @@ PartialSlipSolution PartialSlipContact::roll(const Field& gap, Given normal,
   PartialSlipStart begin = start;
   begin.pressure = attraction.repulsion(std::move(begin.pressure));
   begin.pressure.resize(gap.size(), 0.0);
-  // No shear to start from: coarser boxes first.
+  // Without an initial shear, start from coarser boxes.
   if (!begin.shear.empty() && !(longest(begin.shear) > 0)) begin.shear.clear();
   Sweeps sweeps(*this, attraction.gap(), repelling, creepage, none, settings, true);
   return finished(sweeps.run(begin.pressure, begin), normal, attraction, settings);

@@ -19,13 +19,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double none = -std::numeric_limits<double>::infinity();
-/// Between normals of the first look, along both angles. The shear on a plane changes by 1 - cos 2a
-/// over the angle a: 4 % where the nearest of them is 8 degrees off.
+/// Angle between the initial normals, in both directions. The shear on a plane changes by 1 - cos
+/// 2a over the angle a: 4 % if the nearest of them is 8 degrees off.
 constexpr double spacing = pi / 16;
-/// Of the largest amplitude: how far below the best a plane may be whose neighbourhood has a better
-/// one.
+/// Relative to the largest amplitude: a plane whose value is lower than the best by less than this
+/// may have a better one in its neighbourhood.
 constexpr double margin = 0.08;
-constexpr int most_starts = 8;  // no two of them neighbours
+constexpr int max_starts = 8;  // no two of them neighbours
 const double neighbours = std::cos(0.8 * spacing), same = std::cos(0.01);
 constexpr double rounding = 1e-10;  // of the largest amplitude
 
@@ -41,7 +41,7 @@ Six factors(const Vector& a, const Vector& b) {
           a[0] * b[1] + a[1] * b[0]};
 }
 
-/// A plane as factors of the shear along both its directions, and of the normal stress.
+/// Plane as factors of the shear along both its directions, and of the normal stress.
 struct Factors {
   Vector normal;
   Six u, v, n;
@@ -53,7 +53,7 @@ struct Factors {
         n(factors(plane.n, plane.n)) {}
 };
 
-/// Half of all directions, evenly; the axes are among them.
+/// Half of all directions, evenly spaced, including the axes.
 std::vector<Factors> first_planes() {
   std::vector<Factors> planes;
   const int rings = static_cast<int>(std::lround(pi / 2 / spacing));
@@ -78,7 +78,7 @@ struct Box {
   double half_diagonal;
 };
 
-/// The path of two numbers, and the box around it.
+/// Path of two components, and the box around it.
 SAMCONTACT_MULTIVERSION
 Box project(const double* path, std::size_t row, const Six u, const Six v, double* along,
             double* across) {
@@ -100,7 +100,7 @@ Box project(const double* path, std::size_t row, const Six u, const Six v, doubl
   return {{(low + high) / 2, (left + right) / 2}, std::sqrt(width * width + length * length) / 2};
 }
 
-/// The normal stress of all moments, and the largest.
+/// Normal stress at all moments, and its maximum.
 SAMCONTACT_MULTIVERSION
 double largest(const double* path, std::size_t row, const Six n, double* normal) {
   double most = none;
@@ -120,30 +120,30 @@ struct Found {
   Holders holders;
 };
 
-/// Whether two planes are less than an angle apart, whose cosine is given.
+/// Whether the angle between two planes is less than one with the given cosine.
 bool are_near(const Vector& a, const Vector& b, double cosine) {
   return std::fabs(dot(a, b)) > cosine;
 }
 
-/// The best of the planes looked at first, of neighbours one, in descending order.
+/// Best initial planes, only one of neighbours, in descending order.
 class Starts {
  public:
   double best() const { return count_ == 0 ? none : found_[0].value; }
   std::span<const Found> found() const { return {found_.data(), static_cast<std::size_t>(count_)}; }
 
-  /// Whether a value there would be one of the best.
+  /// Whether a value there would be among the best.
   bool wants(const Vector& normal, double value) const {
     for (const Found& one : found()) {
       if (are_near(one.normal, normal, neighbours)) return one.value < value;
     }
-    return count_ < most_starts || found_[most_starts - 1].value < value;
+    return count_ < max_starts || found_[max_starts - 1].value < value;
   }
 
   void offer(const Found& one) {
     if (!wants(one.normal, one.value)) return;
     int at = 0;
     while (at < count_ && !are_near(found_[at].normal, one.normal, neighbours)) ++at;
-    if (at == count_ && count_ < most_starts) ++count_;
+    if (at == count_ && count_ < max_starts) ++count_;
     at = std::min(at, count_ - 1);
     found_[at] = one;
     for (; at > 0 && found_[at].value > found_[at - 1].value; --at) {
@@ -152,19 +152,19 @@ class Starts {
   }
 
  private:
-  std::array<Found, most_starts> found_{};
+  std::array<Found, max_starts> found_{};
   int count_ = 0;
 };
 
-/// The search of one cell; `Law` makes a value of the amplitude of shear and the largest normal
-/// stress, and grows with both.
+/// Search in one cell; `Law` combines the shear amplitude and the maximum normal stress, and
+/// increases with both.
 template <class Law>
 class Search {
  public:
   Search(const std::array<const double*, 2>& path, std::size_t row, double* work, const Law& law)
       : shear_(path[0]), stress_(path[1]), row_(row), work_(work), law_(law) {}
 
-  /// Of all planes; bounds: room for a number of each of the first.
+  /// Maximum over all planes; bounds: space for one number for each initial plane.
   Found highest(const std::vector<Factors>& first, std::vector<std::pair<double, int>>& bounds) {
     const Starts starts = scan(first, bounds);
     Found top = starts.found()[0];
@@ -177,7 +177,7 @@ class Search {
   }
 
  private:
-  /// How much better one near a plane of the first look may be.
+  /// Margin by which a plane near an initial one may be better.
   double reserve() const { return margin * scale_; }
 
   Starts scan(const std::vector<Factors>& first, std::vector<std::pair<double, int>>& bounds) {
@@ -198,8 +198,8 @@ class Search {
     return starts;
   }
 
-  /// What the value of a plane is at most, closer where that is above `least`: from the centre that
-  /// holders of a plane nearby give.
+  /// Upper bound of the value of a plane, closer if it is above `least`: from the centre determined
+  /// by the holders of a nearby plane.
   double at_most(const Factors& plane, double least, const Holders& near = {}) {
     const Box box = project(shear_, row_, plane.u, plane.v, work_, work_ + row_);
     normal_ = largest(stress_, row_, plane.n, work_ + 3 * row_);
@@ -217,7 +217,7 @@ class Search {
     return law_(radius_, normal_);
   }
 
-  /// The value of a plane with its holders; where it is not above `least` only what it is at most.
+  /// Value of a plane with its holders; if it is not above `least`, only its upper bound.
   Found look(const Factors& plane, double least, const Holders& near = {}) {
     Found found{at_most(plane, least, near), plane.normal, {}};
     if (found.value <= least) return found;
@@ -235,7 +235,7 @@ class Search {
     return found;
   }
 
-  /// From the top of one piece to that of the next, until a piece holds its own top.
+  /// From the maximum of one piece to that of the next, until a piece contains its own maximum.
   Found rise(Found at) {
     for (int round = 0; round < 20; ++round) {
       const Piece piece(at.holders, shear_, stress_, row_);
@@ -248,11 +248,12 @@ class Search {
     return at;
   }
 
-  /// Uphill; between pieces tops are many, so that planes around one are looked at, ever closer.
+  /// Ascent to a maximum; at the boundaries of pieces there are many, so that planes around one are
+  /// evaluated, at decreasing distances.
   Found climb(Found at, double least) {
     at = rise(at);
     if (is_known(at.normal)) return at;
-    double turn = 0.0;  // of the hexagon: between its planes lie those of the next
+    double turn = 0.0;  // of the hexagon: the next planes lie between its planes
     for (double step = spacing / 2; step > spacing / 40; step /= 3, turn += pi / 6) {
       for (int tries = 0; tries < 4; ++tries) {
         if (at.value + reserve() * step / spacing < least) return at;
@@ -266,13 +267,13 @@ class Search {
     return at;
   }
 
-  /// Whether another climb has ended there.
+  /// Whether another ascent has ended there.
   bool is_known(const Vector& normal) const {
     return std::any_of(tops_.begin(), tops_.begin() + count_,
                        [&](const Vector& top) { return are_near(top, normal, same); });
   }
 
-  /// The best of a plane and six around it.
+  /// Best of a plane and six planes around it.
   Found around(const Found& at, double step, double turn) {
     const Plane plane(at.normal);
     const double c = step * std::cos(turn), s = step * std::sin(turn);
@@ -290,9 +291,9 @@ class Search {
   double* work_;
   Law law_;
   double scale_ = 0.0;
-  std::array<Vector, most_starts> tops_{};
+  std::array<Vector, max_starts> tops_{};
   int count_ = 0;
-  // of the plane looked at last
+  // of the last plane
   double normal_ = 0.0, radius_ = 0.0, square_ = 0.0;
 };
 
@@ -318,7 +319,7 @@ CriticalPlane findley(const Paths& stress, double k) {
 }
 
 CriticalPlane fatemi_socie(const Paths& shear, const Paths& stress, double k) {
-  // The shear strain of engineers is twice that of the tensor.
+  // The engineering shear strain is twice that of the tensor.
   return over_cells(shear, stress, [k](double amplitude, double normal) {
     return 2 * amplitude * std::max(1 + k * normal, 0.0);
   });

@@ -35,7 +35,7 @@ double tresca(const std::array<double, 5>& d) {
   return (solver.eigenvalues()[2] - solver.eigenvalues()[0]) / 2;
 }
 
-/// The largest of tau + slope * mean about a centre.
+/// Maximum of tau + slope * mean about a centre.
 double largest(const double* deviator, const double* mean, std::size_t moments,
                const std::array<double, 5>& centre, double slope, double* bound) {
   const auto about = [&](std::size_t t) {
@@ -50,7 +50,7 @@ double largest(const double* deviator, const double* mean, std::size_t moments,
       bound[t] += d * d;
     }
   }
-  // The square root of the second invariant is the largest that tau can be.
+  // The square root of the second invariant is an upper bound of tau.
   for (std::size_t t = 0; t < moments; ++t) bound[t] = std::sqrt(bound[t]) + slope * mean[t];
   const std::size_t likely = std::max_element(bound, bound + moments) - bound;
   double found = tresca(about(likely)) + slope * mean[likely];

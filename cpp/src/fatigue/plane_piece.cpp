@@ -31,7 +31,7 @@ double radius_of(double a, double b, double c) {
 
 }  // namespace
 
-// T. Duff et al. (2017), J. Comput. Graph. Tech. 6(1), 1-8: without a root.
+// T. Duff et al. (2017), J. Comput. Graph. Tech. 6(1), 1-8: without a square root.
 Plane::Plane(const Vector& normal) : n(normal) {
   const double sign = std::copysign(1.0, n[2]), a = -1 / (sign + n[2]), b = n[0] * n[1] * a;
   u = {1 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]};

@@ -71,7 +71,7 @@ MirroredTransform::MirroredTransform(int nx, int ny, int mx, int my, bool mirror
       columns_forward_(plan_real_lines(mx, block)),
       columns_inverse_(plan_half_spectra(mx, block)) {}
 
-/// Each odd plane with an even one; -1 where there is no partner.
+/// Pairs of an odd and an even plane; -1 if there is no partner.
 std::vector<std::array<int, 2>> MirroredTransform::pairs(std::span<const Plane> planes,
                                                          bool along_x) {
   std::vector<int> even, odd;

@@ -9,7 +9,7 @@
 namespace samcontact::fft {
 namespace {
 
-/// The rows of n numbers that are not all zero.
+/// Rows of n numbers that are not all zero.
 std::vector<RowRun> rows_in_use(const double* plane, int count, int n) {
   std::vector<char> used(count);
   for (int i = 0; i < count; ++i, plane += n) {
@@ -18,14 +18,13 @@ std::vector<RowRun> rows_in_use(const double* plane, int count, int n) {
   return runs_of(used);
 }
 
-/// Of a line of numbers, to be read soon: a transform reads them in an order that processors do not
-/// foresee.
+/// Prefetches a line of numbers: transforms read them in an order that processors do not predict.
 void fetch(const Complex* line, int count) {
   for (int x = 0; x < count; x += 4) __builtin_prefetch(line + x);
 }
 
-/// Of columns of n numbers that are written in blocks of rows: an odd number of these, lest
-/// successive columns compete for one place of the cache.
+/// Distance between columns of n numbers that are written in blocks of rows: an odd number of
+/// blocks, so that successive columns do not compete for one cache set.
 std::size_t pitch_of(int n) {
   const std::size_t blocks = (n + 7) / 8;
   return 8 * (blocks + 1 - blocks % 2);
@@ -45,7 +44,7 @@ PaddedTransform::PaddedTransform(int nx, int ny, int mx, int my)
 void PaddedTransform::forward(const double* plane, Complex* spectrum, std::size_t stride,
                               Threads threads) const {
   const int h = mh();
-#pragma omp parallel if (threads == Threads::many && spectrum_size() >= worth_threads_cells)
+#pragma omp parallel if (threads == Threads::many && spectrum_size() >= min_parallel_cells)
   {
     rows_.forward(plane, nx_, spectrum, stride);
     ComplexField padded(mx_);
@@ -63,7 +62,7 @@ void PaddedTransform::filter(const double* planes, int inputs, const Product& pr
   const std::size_t pitch = pitch_of(nx_), size = mh() * pitch,
                     plane = static_cast<std::size_t>(nx_) * ny_;
   work.resize(std::max(inputs, outputs) * size);
-#pragma omp parallel if (spectrum_size() >= worth_threads_cells)
+#pragma omp parallel if (spectrum_size() >= min_parallel_cells)
   {
     for (int c = 0; c < inputs; ++c) {
       rows_.forward(planes + c * plane, nx_, work.data() + c * size, pitch);
@@ -92,7 +91,7 @@ void PaddedTransform::filter(const double* planes, int inputs, const Product& pr
 void PaddedTransform::inverse(Complex* spectrum, double* plane, std::size_t stride,
                               Threads threads) const {
   const int h = mh();
-#pragma omp parallel if (threads == Threads::many && spectrum_size() >= worth_threads_cells)
+#pragma omp parallel if (threads == Threads::many && spectrum_size() >= min_parallel_cells)
   {
     ComplexField line(mx_);
 #pragma omp for schedule(static)
@@ -109,7 +108,7 @@ void PaddedTransform::forward(const double* plane, ComplexField& lent, Complex* 
                               std::size_t stride) const {
   const std::vector<RowRun> runs = rows_in_use(plane, nx_, ny_);
   lent.resize(spectrum_size());
-  // A team of its own, which shares the loop over rows with no other.
+  // A separate team, which shares the loop over rows with no other.
 #pragma omp parallel if (false)
   for (const auto [first, count] : runs) {
     rows_.forward(plane + static_cast<std::ptrdiff_t>(first) * ny_, count, lent.data() + first,
@@ -131,7 +130,7 @@ void PaddedTransform::inverse(const Complex* spectrum, std::size_t stride, Compl
                               std::span<const RowRun> rows, double* plane) const {
   lent.resize(spectrum_size());
   for (int ky = 0; ky < mh(); ++ky) {
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): from another place they are only read.
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): out of place, they are only read.
     auto* from = const_cast<Complex*>(spectrum + ky * stride);
     if (ky + 1 < mh()) fetch(from + stride, mx_);
     fftw_execute_dft(column_inverse_.get(), raw(from),

@@ -10,14 +10,14 @@ namespace {
 
 constexpr int block = 8;  // columns at a time: one cache line of each row
 
-/// The half spectra of sequences that are even or odd in m places, two at a time as real and
-/// imaginary part: each has a real spectrum, or an imaginary one.
+/// Half spectra of sequences that are even or odd in m points, two at a time as real and imaginary
+/// part: each has a real spectrum, or an imaginary one.
 class Lines {
  public:
   Lines(const Plan& plan, int m, bool odd)
       : plan_(plan), h_(m / 2 + 1), odd_(odd), line_(m), spectrum_(m) {}
 
-  /// In place: m/2 + 1 samples, whose real spectrum takes their place times `scale`.
+  /// In place: m/2 + 1 samples are replaced by their real spectrum times `scale`.
   void transform(double* first, double* second, double scale) {
     const std::size_t m = line_.size();
     for (int i = 0; i < h_; ++i) line_[i] = {first[i], second[i]};
@@ -40,19 +40,20 @@ class Lines {
   ComplexField line_, spectrum_;
 };
 
-/// `count` neighbouring columns of rows that are `width` numbers long, by way of `turned`.
+/// `count` neighbouring columns of rows that are `width` numbers long; `rotated` is a transposed
+/// copy.
 void transform_columns(double* first, int count, int width, Lines& columns, double scale,
-                       Field& turned) {
-  const std::size_t h = turned.size() / block;
+                       Field& rotated) {
+  const std::size_t h = rotated.size() / block;
   for (std::size_t j = 0; j < h; ++j) {
-    for (int c = 0; c < count; ++c) turned[c * h + j] = first[j * width + c];
+    for (int c = 0; c < count; ++c) rotated[c * h + j] = first[j * width + c];
   }
   for (int c = 0; c < count; c += 2) {
-    double* column = turned.data() + c * h;
+    double* column = rotated.data() + c * h;
     columns.transform(column, column + h, scale);
   }
   for (std::size_t k = 0; k < h; ++k) {
-    for (int c = 0; c < count; ++c) first[k * width + c] = turned[c * h + k];
+    for (int c = 0; c < count; ++c) first[k * width + c] = rotated[c * h + k];
   }
 }
 
@@ -67,9 +68,9 @@ ParitySpectrum::ParitySpectrum(int mx, int my)
 void ParitySpectrum::transform(double* quarter, bool odd_x, bool odd_y) const {
   const int h = hy(), width = hx();
   const double scale = 1.0 / (static_cast<double>(mx_) * my_);
-#pragma omp parallel if (static_cast<std::ptrdiff_t>(size()) >= worth_threads_cells)
+#pragma omp parallel if (static_cast<std::ptrdiff_t>(size()) >= min_parallel_cells)
   {
-    Field rest(width);  // stands in for the row after the last
+    Field rest(width);  // stands for the row after the last
     Lines rows(line_x_, mx_, odd_x);
 #pragma omp for schedule(static)
     for (int j = 0; j < h; j += 2) {
@@ -77,10 +78,10 @@ void ParitySpectrum::transform(double* quarter, bool odd_x, bool odd_y) const {
       rows.transform(row, j + 1 < h ? row + width : rest.data(), 1.0);
     }
     Lines columns(line_y_, my_, odd_y);
-    Field turned(static_cast<std::size_t>(block) * h, 0.0);
+    Field rotated(static_cast<std::size_t>(block) * h, 0.0);
 #pragma omp for schedule(static)
     for (int i0 = 0; i0 < width; i0 += block) {
-      transform_columns(quarter + i0, std::min(block, width - i0), width, columns, scale, turned);
+      transform_columns(quarter + i0, std::min(block, width - i0), width, columns, scale, rotated);
     }
   }
 }

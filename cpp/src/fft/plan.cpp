@@ -22,7 +22,7 @@ void destroy(fftw_plan plan) {
 
 enum class Kind { real_lines, half_spectra, line, lines_side_by_side };
 
-/// Plans that were made, for the next of their kind: they take a tenth of a first solve.
+/// Plans made so far, for reuse: making them takes a tenth of a first solve.
 class Plans {
  public:
   template <class Make>
@@ -54,7 +54,7 @@ class Plans {
   std::map<std::tuple<Kind, int, int, int>, Plan> plans_;
 };
 
-/// Never destroyed: FFTW may be gone before.
+/// Never destroyed: FFTW may be unloaded before.
 Plans& plans() {
   static auto* const one = new Plans;  // NOLINT(cppcoreguidelines-owning-memory)
   return *one;

@@ -9,8 +9,8 @@
 #include "samcontact/base/multiversion.hpp"
 
 // Even and odd samples of a row are real and imaginary part of a complex row of half the length.
-// FFTW takes a millisecond to plan a real transform, and this is not slower. Short rows lie side by
-// side, eight of them [j][row], so that the passes before and after the transform need no
+// FFTW needs a millisecond to plan a real transform, and this is not slower. Short rows are stored
+// side by side, eight of them [j][row], so that the passes before and after the transform need no
 // shuffling. Long ones, of which eight do not stay in the fastest cache, follow each other: their
 // transforms take half the time.
 
@@ -18,18 +18,18 @@ namespace samcontact::fft {
 namespace {
 
 constexpr std::ptrdiff_t block = 8;  // rows at a time: one 128-byte run per ky
-constexpr std::ptrdiff_t ahead = 8;  // rows of columns that are fetched before they are needed
+constexpr std::ptrdiff_t ahead = 8;  // rows of columns by which prefetching is ahead
 constexpr std::ptrdiff_t chunk = 8;  // numbers of following rows, transposed at a time
 
-/// Successive rows of columns are pages apart, which processors do not foresee.
+/// Successive rows of columns are pages apart, which processors do not predict.
 template <int for_writing>
 inline void fetch(const double* run) {
   __builtin_prefetch(run, for_writing);
   __builtin_prefetch(run + block, for_writing);
 }
 
-/// From eight rows of n cells into their pairs of samples, and back. The last of an odd number is a
-/// pair with zero.
+/// Converts eight rows of n cells to their pairs of samples, and back. For odd n the last pair
+/// contains a zero.
 SAMCONTACT_MULTIVERSION
 void gather(const double* plane, std::ptrdiff_t n, double* samples) {
   for (std::ptrdiff_t j = 0; j + 1 < n; j += 2) {
@@ -123,7 +123,7 @@ void fold(const double* low, const double* high, std::ptrdiff_t stride, int coun
   }
 }
 
-/// `count` numbers of each of eight lines, `pitch` apart, side by side and back.
+/// Copies `count` numbers of each of eight lines, `pitch` apart, side by side, and back.
 SAMCONTACT_MULTIVERSION
 void from_lines(const double* lines, std::ptrdiff_t pitch, std::ptrdiff_t count,
                 double* side_by_side) {
@@ -146,7 +146,8 @@ void to_lines(const double* side_by_side, std::ptrdiff_t count, double* lines,
   }
 }
 
-/// Of following rows, so that equal places of eight of them do not compete for one of the cache.
+/// Distance between following rows: equal positions of eight rows must not compete for one cache
+/// set.
 std::ptrdiff_t pitch_of(int h) { return (h + 3) / 4 * 4 + 4; }
 
 double* parts(Complex* z) { return reinterpret_cast<double*>(z); }
@@ -154,7 +155,7 @@ const double* parts(const Complex* z) { return reinterpret_cast<const double*>(z
 
 }  // namespace
 
-/// Room for a block of rows, of one thread: what it has once taken stays with it.
+/// Work space for a block of rows, one per thread, kept between calls.
 struct Rows::Room {
   ComplexField samples, halves, columns;
   Field rows;
@@ -188,7 +189,7 @@ Rows::Rows(int n, int m)
   for (int k = 0; k <= m / 4; ++k) turn_[k] = std::polar(1.0, -2.0 * std::numbers::pi * k / m);
 }
 
-/// rest: rows of n numbers that are no whole block.
+/// rest: rows of n numbers that are not a whole block.
 Rows::Room& Rows::room_for(std::ptrdiff_t rest) const {
   static thread_local Room room;
   const auto at_least = [](auto& field, std::size_t size) {
@@ -202,7 +203,7 @@ Rows::Room& Rows::room_for(std::ptrdiff_t rest) const {
   return room;
 }
 
-/// Of one block, whose columns are `step` numbers apart.
+/// Transform of one block, whose columns are `step` numbers apart.
 void Rows::forward_side_by_side(const double* plane, Room& room, double* columns,
                                 std::ptrdiff_t step) const {
   const int h = m_ / 2;

@@ -10,7 +10,7 @@ namespace {
 
 double radius(double x, double y, double d) { return std::sqrt(x * x + y * y + d * d); }
 
-/// The angle whose derivative along d is x y/(R (x^2 + d^2)).
+/// Angle whose derivative with respect to d is x y/(R (x^2 + d^2)).
 double angle(double x, double y, double d) {
   const double vertical = x * x + d * d + d * radius(x, y, d);
   return vertical > 0 ? std::atan(x * y / vertical) : 0.0;

@@ -61,7 +61,7 @@ std::array<double, 6> eigenstrain_displacement(double x, double y, double z, dou
   const double T_z = std::atan2(x * y, z * R);
   const double A_x = std::atan2(x * y, std::max(x * x + z * z + z * R, tiny));
   const double A_y = std::atan2(x * y, std::max(y * y + z * z + z * R, tiny));
-  // atan(yz/(xR)), atan(xz/(yR)): they enter multiplied by x or y, so 0 on those planes.
+  // atan(yz/(xR)), atan(xz/(yR)): they occur multiplied by x or y, so 0 on those planes.
   const double xT_x = x == 0 ? 0.0 : x * std::atan(y * z / (x * R));
   const double yT_y = y == 0 ? 0.0 : y * std::atan(x * z / (y * R));
   const double trace = 2 * nu * (xLy + yLx - z * T_z);
@@ -93,7 +93,7 @@ std::array<double, 6> eigenstrain_side_displacement(double x, double y, double z
 
 std::array<double, full_space_count> full_space_scalars(double x, double y, double z) {
   const double R = std::max(std::sqrt(x * x + y * y + z * z), 1e-140);
-  // On the face of a cuboid at the free surface the limit from inside is wanted, not the mean.
+  // On the face of a cuboid at the free surface the limit from inside is required, not the mean.
   const double below = z == 0 ? tiny : z;
   return {psi_aaaa(x, y, z, R),
           psi_aaaa(y, x, z, R),

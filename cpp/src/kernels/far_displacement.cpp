@@ -12,7 +12,7 @@ namespace {
 
 constexpr int orders = FarDisplacement::orders;
 
-/// Sizes of the rectangle from which on the tenth moment is below the last digit.
+/// Distance, in sizes of the rectangle, beyond which the tenth moment is below rounding.
 constexpr double far = 24.0;
 
 double binomial(int n, int k) {
@@ -21,7 +21,7 @@ double binomial(int n, int k) {
   return value;
 }
 
-/// Mean of x^n over a segment of that length about 0.
+/// Mean of x^n over a segment of length `length` about 0.
 double mean_power(double length, int n) {
   return n % 2 ? 0.0 : std::pow(0.5 * length, n) / (n + 1);
 }
@@ -75,7 +75,7 @@ void evaluate_row(const FarDisplacement::Factors& f, double area, const double* 
 // P_l(cos g) = sum over j = 0..l of A_j A_(l-j) cos((l - 2 j) g), A_j = (2 j - 1)!! / (2 j)!!;
 // odd l vanish in the mean over the rectangle.
 FarDisplacement::FarDisplacement(double width, double length)
-    : area_(width * length), begin_(far * std::max(width, length)) {
+    : area_(width * length), valid_from_(far * std::max(width, length)) {
   std::array<double, 2 * orders + 1> a{1.0};
   for (int j = 1; j <= 2 * orders; ++j) a[j] = a[j - 1] * (2 * j - 1) / (2 * j);
   for (int k = 0; k <= orders; ++k) {

@@ -18,7 +18,7 @@ constexpr double panel_shift = 2;
 
 HeatQuadrature::HeatQuadrature(double tol) : tol_(tol) {
   const double digits = -std::log10(tol);
-  // Measured over speeds up to 1000 kappa/a, all ages and depths: one node more for each digit, and
+  // Measured for speeds up to 1000 kappa/a, all ages and depths: one node more for each digit, and
   // one in reserve.
   rule_ = gauss_legendre(static_cast<int>(std::ceil(2 + digits)));
   reach_ = 2 * (std::sqrt(digits * std::numbers::ln10) + 1.5);
@@ -32,8 +32,8 @@ void HeatQuadrature::add_panel(std::vector<QuadratureNode>& nodes, double from, 
 
 double HeatQuadrature::next_width(const HeatSource& source, const HeatSum& sum, double v) {
   if (!source.is_moving()) return 2 * v;
-  // The oldest heat of a width passes a point within 1/speed in v. Behind the last point it is felt
-  // like the inverse root of the distance, hence steps that double from there.
+  // The oldest heat of a width passes a point within 1/speed in v. Behind the last point its effect
+  // decreases like the inverse root of the distance, hence steps that double from there.
   const double passed = std::sqrt(sum.last_age(0));
   return v + std::min(v, panel_shift / source.speed() + std::max(0.0, v - passed));
 }
@@ -94,12 +94,12 @@ std::vector<HeatWidth> HeatQuadrature::all_widths(const HeatSource& source, cons
     }
     return widths;
   }
-  // v = oldest / sin(angle): a root at v = oldest otherwise
+  // v = oldest / sin(angle): otherwise a square-root singularity at v = oldest
   nodes.clear();
   double from = hides ? std::asin(std::min(1.0, oldest / first)) : right_angle;
   const double smallest = std::min(oldest / end, from);
   if (z > 0) {
-    // Stress: what the oldest heat adds changes at angles z/2v from pi/2.
+    // Stress: the contribution of the oldest heat changes at angles z/2v from pi/2.
     const double finest = std::max(z / (16 * oldest), tol_ / 100);
     for (double gap = std::min(0.125, finest); gap < 0.5; gap *= 2) {
       if (right_angle - gap >= from) continue;
@@ -127,7 +127,7 @@ std::vector<QuadratureNode> HeatQuadrature::angles(const HeatSource& source, con
   const int parts = 1 + static_cast<int>(shift / (panel_shift * width.v));
   std::vector<double> breaks;
   for (int n = 0; n <= parts; ++n) breaks.push_back(last * n / parts);
-  // what lies closer to pi/2 than the tolerance is not seen
+  // differences from pi/2 below the tolerance have no effect
   for (double gap = 1; gap > std::max(finest, tol_ / 100); gap /= 2) {
     if (right_angle - gap < last) breaks.push_back(right_angle - gap);
   }

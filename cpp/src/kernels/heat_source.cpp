@@ -30,7 +30,7 @@ void check_heat_arguments(const HeatSource& source, const HeatPoints& points, do
                           double tol) {
   require(source.a > 0 && std::isfinite(source.a), "a", "finite and > 0", source.a);
   require(source.b > 0 && std::isfinite(source.b), "b", "finite and > 0", source.b);
-  // Numbers beyond these overflow; nobody means them.
+  // Larger numbers overflow, and have no practical meaning.
   const double longest = 1e60 * source.a * source.a;
   require(source.heated >= 0 && (source.is_steady() || source.heated <= longest), "heated",
           "in [0, 1e60 a^2] or infinite", source.heated);
@@ -43,7 +43,7 @@ void check_heat_arguments(const HeatSource& source, const HeatPoints& points, do
   const double extent =
       std::max({std::fabs(points.x.front()), std::fabs(points.x.back()),
                 std::fabs(points.y.front()), std::fabs(points.y.back()), source.a, source.b});
-  require(source.speed() * extent <= max_heat_way, "speed times extent", "<= 1e7",
+  require(source.speed() * extent <= max_heat_path, "speed times extent", "<= 1e7",
           source.speed() * extent);
 }
 

@@ -50,7 +50,7 @@ HeatProfile::HeatProfile(const std::vector<double>& x, double a)
   for (const double edge : all) {
     if (edges_.empty() || edge - edges_.back() > rounding) edges_.push_back(edge);
   }
-  // The last edge that is not above, up to rounding.
+  // Last edge that is not above it, up to rounding.
   const auto index = [&](double edge) {
     return static_cast<int>(std::upper_bound(edges_.begin(), edges_.end(), edge) - edges_.begin()) -
            1;
@@ -130,7 +130,7 @@ void HeatSum::flush() {
   const auto rows = range(profile_x_, speed_x_), columns = range(profile_y_, speed_y_);
   if (rows.empty() || columns.empty()) return terms_.clear();
 
-  // Terms without weight fill the last four.
+  // Terms of zero weight complete the last group of four.
   while (terms_.size() % 4 != 0) terms_.push_back({terms_.back().age, terms_.back().v, {}});
   const int count = static_cast<int>(terms_.size());
   for (int t = 0; t < count; ++t) {

@@ -26,7 +26,7 @@ WaveDecay WaveDecay::at(double y) {
 
 WaveDecay WaveDecay::mean(double y0, double y1) {
   const double h = y1 - y0;
-  // Means over a cell far thinner than the wave is long are those at its middle.
+  // Means over a cell much thinner than the wavelength equal the values at its middle.
   if (h < 1e-4) {
     const double y = 0.5 * (y0 + y1), e = std::exp(-y), bend = h * h / 24;
     return {e * (1 + bend), e * (y + bend * (y - 2))};
@@ -51,11 +51,11 @@ LayeredWave::LayeredWave(const Stack& stack) : on_rigid_(stack.substrate.is_rigi
 
 void LayeredWave::set_wavenumber(double q) {
   q_ = q;
-  Matrix below = Matrix::Zero();  // displacement over traction at the top of what lies below
+  Matrix below = Matrix::Zero();  // displacement over traction at the top of the material below
   double across = 0.0;
   for (std::size_t n = layers_.size(); n-- > 0;) {
     Layer& own = layers_[n];
-    Matrix reflected = Matrix::Zero();  // the wave from the bottom over that from the top
+    Matrix reflected = Matrix::Zero();  // ratio of the mode from the bottom to that from the top
     double across_reflected = 0.0;
     if (std::isfinite(own.thickness)) {
       const double y = q * own.thickness, e = std::exp(-y);
@@ -97,11 +97,12 @@ LayeredWave::Amplitudes LayeredWave::amplitudes(int layer, Vector traction, doub
   }
 }
 
-/// 1 along the wave, 2 across.
-struct LayeredWave::Turned {
+/// 1 along the wavevector, 2 across.
+struct LayeredWave::Rotated {
   double s11 = 0.0, s22 = 0.0, s33 = 0.0, s13 = 0.0, s12 = 0.0, s23 = 0.0;
 
-  /// Of waves that decay downwards (sign 1) or upwards (-1): P and F in the plane, and one across.
+  /// Modes that decay downwards (sign 1) or upwards (-1): P and F in the plane of the wavevector,
+  /// and one across.
   void add(const Vector& amplitude, double across, const WaveDecay& decay, double nu, double sign) {
     const double P = amplitude[0], F = amplitude[1];
     const double plain = P * decay.e + F * decay.ye;
@@ -114,10 +115,10 @@ struct LayeredWave::Turned {
   }
 };
 
-LayeredWave::Turned LayeredWave::turned(int layer, const Decays& decays, const Vector& traction,
-                                        double across) const {
+LayeredWave::Rotated LayeredWave::rotated(int layer, const Decays& decays, const Vector& traction,
+                                          double across) const {
   const Amplitudes waves = amplitudes(layer, traction, across);
-  Turned stress;
+  Rotated stress;
   stress.add(waves.a, waves.across_a, decays.down, layers_[layer].nu, 1.0);
   stress.add(waves.b, waves.across_b, decays.up, layers_[layer].nu, -1.0);
   return stress;
@@ -136,14 +137,14 @@ LayeredWave::Decays LayeredWave::mean(int layer, double z0, double z1) const {
 }
 
 Stress LayeredWave::under_pressure(int layer, const Decays& decays, double cos, double sin) const {
-  const Turned s = turned(layer, decays, {0.0, -1.0}, 0.0);
+  const Rotated s = rotated(layer, decays, {0.0, -1.0}, 0.0);
   const double cc = cos * cos, ss = sin * sin;
   return {cc * s.s11 + ss * s.s22,     ss * s.s11 + cc * s.s22, s.s33, sin * s.s13, cos * s.s13,
           -cos * sin * (s.s11 - s.s22)};
 }
 
 Stress LayeredWave::under_shear_x(int layer, const Decays& decays, double cos, double sin) const {
-  const Turned s = turned(layer, decays, {1.0, 0.0}, 1.0);
+  const Rotated s = rotated(layer, decays, {1.0, 0.0}, 1.0);
   const double cc = cos * cos, ss = sin * sin;
   return {cos * (cc * s.s11 + ss * s.s22 + 2 * ss * s.s12),
           cos * (ss * s.s11 + cc * s.s22 - 2 * ss * s.s12),

@@ -12,12 +12,15 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 
 constexpr double pi = std::numbers::pi;
-/// Width of the windows' edges, and where their kernels have decayed: exp(-(reach/2)^2).
+/// Width of the edges of windows, and distance at which their kernels have decayed:
+/// exp(-(reach/2)^2).
 constexpr double edge = 0.2, reach = 9.0;
-/// Wavenumber of the last disc times the longest length: it sums up to 90 times that length away.
+/// Wavenumber of the last disc times the longest length: its sum covers distances up to 90 times
+/// that length.
 constexpr double last = 0.2;
 constexpr double negligible = 1e-13;
-/// Shortest wavenumber of a strip, times the longest length: the limit at 0 depends on directions.
+/// Smallest wavenumber of a strip, times the longest length: the limit at 0 depends on the
+/// direction.
 constexpr double shortest = 1e-5;
 
 /// 1 below q1, 0 above.
@@ -25,7 +28,7 @@ double window(double q, double q1) { return 0.5 * std::erfc((q / q1 - 1) / edge)
 
 double sinc(double x) { return x == 0 ? 1.0 : std::sin(x) / x; }
 
-/// The wavenumbers of a ring along one axis, and their waves at the offsets within its reach.
+/// Wavenumbers of a ring along one axis, and their modes at the offsets within its range.
 struct RingAxis {
   std::vector<int> places;  // of offsets
   Eigen::VectorXd k;
@@ -84,14 +87,14 @@ void add_ring(const RingWaves& waves, const RingAxis& x, const RingAxis& y, doub
   }
 }
 
-/// Calls add(inner, outer, support, is_last) for each ring whose kernel reaches beyond a cell.
+/// Calls add(inner, outer, support, is_last) for each ring whose kernel extends beyond a cell.
 template <class Add>
 void for_each_ring(const RingWaves& waves, double extent, double smallest_cell, const Add& add) {
   for (double outer = waves.highest;; outer *= 0.5) {
     const bool is_last = outer * extent < last;
     const double inner = is_last ? 0.0 : 0.5 * outer;
     const double support = reach / (edge * (is_last ? outer : inner));
-    // Within the cells their total acts, and a ring has none.
+    // Within the cells only their total acts, and that of a ring is zero.
     if (is_last || support >= 0.5 * smallest_cell) add(inner, outer, support, is_last);
     if (is_last) return;
   }

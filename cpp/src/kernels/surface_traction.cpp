@@ -9,7 +9,8 @@
 namespace samcontact::kernels {
 namespace {
 
-// Keeps the quotients defined on the lines above the source's edges, where their numerators vanish.
+// Keeps the quotients defined on the lines above the edges of the source, where their numerators
+// vanish.
 constexpr double tiny = 1e-280;
 
 /// Elementary functions shared by the stress kernels.

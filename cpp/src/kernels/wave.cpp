@@ -11,7 +11,7 @@ struct Direction {
   Direction(double kx, double ky) : q(std::hypot(kx, ky)), c(kx / q), s(ky / q) {}
 };
 
-/// Of unit pressure, from exp(-y) and y exp(-y) at y = q z.
+/// Due to unit pressure, from exp(-y) and y exp(-y) at y = q z.
 Stress pressure_stress_of(const Direction& k, double e, double ye, double nu) {
   const double along = ye - e, across = -2 * nu * e;
   const auto [q, c, s] = k;
@@ -19,7 +19,7 @@ Stress pressure_stress_of(const Direction& k, double e, double ye, double nu) {
           -c * s * (along - across)};
 }
 
-/// Of unit shear along x, from exp(-y) and y at y = q z.
+/// Due to unit shear along x, from exp(-y) and y at y = q z.
 Stress shear_stress_of(const Direction& k, double e, double y, double nu) {
   const auto [q, c, s] = k;
   const double cc = c * c, ss = s * s;
@@ -41,13 +41,13 @@ struct Means {
   }
 };
 
-/// ln of the distance, of which only differences count.
+/// ln of the distance, of which only differences matter.
 double log_distance(double x, double z) { return 0.5 * std::log(std::fmax(x * x + z * z, 1e-280)); }
 
 /// atan2(x, z), the angle from the z axis; on it 0 at z = 0 too.
 double angle(double x, double z) { return x == 0 ? 0.0 : std::atan2(x, z); }
 
-/// x/(x^2 + z^2) times a length of first order that goes to 0 with it.
+/// x/(x^2 + z^2) times a length of first order that vanishes with it.
 double ratio(double numerator, double x, double z) {
   const double square = x * x + z * z;
   return square > 0 ? numerator / square : 0.0;

@@ -10,7 +10,7 @@
 namespace samcontact::plasticity {
 namespace {
 
-constexpr double most_layers = 1000;
+constexpr double max_layers = 1000;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ Body::Body(Material substrate, std::vector<MaterialLayer> layers)
     : substrate_(std::move(substrate)), layers_(std::move(layers)) {
   Stack::of(stack().layers, substrate_.elastic);
   const auto layers_count = static_cast<double>(layers_.size());
-  require(layers_count <= most_layers, "number of layers", "at most 1000", layers_count);
+  require(layers_count <= max_layers, "number of layers", "at most 1000", layers_count);
 }
 
 int Body::number_at(double z) const {

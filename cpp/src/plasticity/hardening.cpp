@@ -33,7 +33,8 @@ void LinearHardening::prepare(const Elastic& elastic) {
 double Swift::work(double g) const {
   // s^(n+1) (1 - (C/s)^(n+1)) with s = C + 1e6 g, without cancellation where g is small
   const double power = n + 1, s = C + micro * g;
-  const double part = std::min(micro * g / s, 1 - 0x1p-53);  // 1: C is nothing beside the strain
+  const double part =
+      std::min(micro * g / s, 1 - 0x1p-53);  // 1: C is negligible compared with the strain
   const double grown = -std::expm1(power * std::log1p(-part));
   return B * std::pow(s, n) * (s * grown / (micro * power));
 }
@@ -53,7 +54,8 @@ void Tabulated::prepare(const Elastic&) {
   require(count >= 1 && count <= most, "number of values in plastic_strain",
           "from 1 to " + std::to_string(most), static_cast<double>(count));
   require(stress.size() == count, "number of values in stress",
-          "that of plastic_strain, " + std::to_string(count), static_cast<double>(stress.size()));
+          "the number of values in plastic_strain, " + std::to_string(count),
+          static_cast<double>(stress.size()));
   require(plastic_strain[0] == 0, "plastic_strain[0]",
           "0, the strain at first yield (plastic strain is total strain - stress/E)",
           plastic_strain[0]);
@@ -62,18 +64,14 @@ void Tabulated::prepare(const Elastic&) {
   for (std::size_t n = 1; n < count; ++n) {
     const std::string strain = entry("plastic_strain", n), last = entry("plastic_strain", n - 1);
     const double step = plastic_strain[n] - plastic_strain[n - 1];
-    require(step > 0, strain,
-            "> " + last + " = " + to_text(plastic_strain[n - 1]) +
-                ", so that each strain has one stress",
-            plastic_strain[n]);
+    require(step > 0, strain, "> " + last + " = " + to_text(plastic_strain[n - 1]),
+            plastic_strain[n], "specify one stress for each strain");
     require(stress[n] >= stress[n - 1], entry("stress", n),
-            ">= " + entry("stress", n - 1) + " = " + to_text(stress[n - 1]) +
-                " Pa, for a curve that falls has no unique solution",
-            stress[n]);
+            ">= " + entry("stress", n - 1) + " = " + to_text(stress[n - 1]) + " Pa", stress[n],
+            "a falling curve has no unique solution");
     slopes[n - 1] = (stress[n] - stress[n - 1]) / step;
-    require(std::isfinite(slopes[n - 1]), strain,
-            "further from " + last + ", for the slope is beyond the range of numbers",
-            plastic_strain[n]);
+    require(std::isfinite(slopes[n - 1]), strain, "farther from " + last, plastic_strain[n],
+            "the slope between them overflows");
     works[n] = works[n - 1] + 0.5 * (stress[n - 1] + stress[n]) * step;
   }
 }
@@ -113,7 +111,7 @@ Hardening Hardening::named(const std::string& name, const Values& values, const 
     });
     found = std::move(law);
   });
-  if (!known) throw std::invalid_argument("there is no hardening law '" + name + "'");
+  if (!known) throw std::invalid_argument("unknown hardening law '" + name + "'");
   return {std::move(found), elastic};
 }
 
@@ -121,11 +119,12 @@ std::vector<LawDescription> Hardening::descriptions() {
   std::vector<LawDescription> all;
   for_each_law<Laws>([&](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
-    LawDescription told{Law::name, Law::says, !std::is_same_v<Law, NoYield>, {}};
+    LawDescription description{Law::name, Law::says, !std::is_same_v<Law, NoYield>, {}};
     Law::parameters(law, [&](const char* name, const auto& value, const Allowed& allowed) {
-      told.parameters.push_back({name, allowed, !std::is_same_v<decltype(value), const double&>});
+      description.parameters.push_back(
+          {name, allowed, !std::is_same_v<decltype(value), const double&>});
     });
-    all.push_back(std::move(told));
+    all.push_back(std::move(description));
   });
   return all;
 }

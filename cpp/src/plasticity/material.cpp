@@ -19,18 +19,19 @@ void require_positive(const char* name, double value, const char* allowed) {
 void require_depths(const OverDepth& profile, const std::string& name, const std::string& of) {
   const auto& [depth, value] = profile;
   if (depth.empty() || depth.size() != value.size()) {
-    throw std::invalid_argument(name + of + " must have a value for each depth of z");
+    throw std::invalid_argument(name + of + " must have one value for each depth in z");
   }
   const std::string z = "z" + of;
-  require(depth.front() >= 0, z, ">= 0 [m]: depth below the surface", depth.front());
+  require(depth.front() >= 0, z, ">= 0 [m] (depth below the surface)", depth.front());
   for (std::size_t n = 0; n < depth.size(); ++n) {
     require(std::isfinite(depth[n]), z, "finite [m]", depth[n]);
-    require(n == 0 || depth[n] > depth[n - 1], z, "rising [m]: a jump needs two depths", depth[n]);
+    require(n == 0 || depth[n] > depth[n - 1], z, "strictly ascending [m]", depth[n],
+            "use two close depths for a jump");
   }
 }
 
-/// Both are straight between their depths, and von Mises stress is convex: the depths of either
-/// decide.
+/// Both are piecewise linear in depth, and von Mises stress is convex: checks at the depths of both
+/// suffice.
 void require_below_yield(const Material& material) {
   if (!material.initial_stress || !material.is_plastic()) return;
   const InitialStress& stress = *material.initial_stress;
@@ -43,9 +44,8 @@ void require_below_yield(const Material& material) {
     const double limit = material.yield_factor(z) * yield_stress, found = stress.von_mises(z);
     require(found <= limit * (1 + 1e-9),
             "the von Mises stress of residual_stress at z = " + to_text(z) + " m",
-            "at most the yield stress there, " + to_text(limit) +
-                " Pa (where a case bears more, give the yield profile first)",
-            found);
+            "at most the yield stress there, " + to_text(limit) + " Pa", found,
+            "for a hardened case, set the yield profile first");
   }
 }
 
@@ -73,7 +73,7 @@ Material Material::make_rigid() {
 
 Material Material::with_backstresses(const std::vector<Backstress>& terms) const {
   if (!is_plastic()) {
-    throw std::invalid_argument("kinematic hardening needs a body that yields, not an elastic one");
+    throw std::invalid_argument("kinematic hardening requires an elastic-plastic material");
   }
   const auto count = static_cast<double>(terms.size());
   require(count >= 1 && count <= max_backstresses, "number of backstresses",
@@ -90,7 +90,8 @@ Material Material::with_backstresses(const std::vector<Backstress>& terms) const
 
 Material Material::with_thermal(const Thermal& constants) const {
   if (elastic.is_rigid()) {
-    throw std::invalid_argument("a rigid body does not expand: it has no thermal constants");
+    throw std::invalid_argument(
+        "thermal constants cannot be set for a rigid body: it does not expand");
   }
   Material material = *this;
   material.thermal = constants;
@@ -99,7 +100,7 @@ Material Material::with_thermal(const Thermal& constants) const {
 
 Material Material::with_yield_profile(OverDepth factor) const {
   if (!is_plastic()) {
-    throw std::invalid_argument("a yield profile needs a body that yields, not an elastic one");
+    throw std::invalid_argument("a yield profile requires an elastic-plastic material");
   }
   require_depths(factor, "factor", " of yield_profile");
   for (const double f : factor.value) {
@@ -113,7 +114,7 @@ Material Material::with_yield_profile(OverDepth factor) const {
 
 Material Material::with_initial_stress(InitialStress stress) const {
   if (elastic.is_rigid()) {
-    throw std::invalid_argument("a rigid body has no stress");
+    throw std::invalid_argument("residual stress cannot be set for a rigid body");
   }
   const std::pair<const char*, const OverDepth*> parts[] = {
       {"sxx", &stress.xx}, {"syy", &stress.yy}, {"sxy", &stress.xy}};
@@ -121,7 +122,7 @@ Material Material::with_initial_stress(InitialStress stress) const {
     require_depths(*part, name, " of residual_stress");
     for (const double s : part->value) {
       require(std::fabs(s) <= elastic.E, std::string(name) + " of residual_stress",
-              "a stress below Young's modulus [Pa]", s);
+              "at most Young's modulus in magnitude [Pa]", s);
     }
   }
   Material material = *this;

@@ -25,24 +25,24 @@ Tensor plus(const Tensor& a, double factor, const Tensor& b) {
   return sum;
 }
 
-/// The law without kinks that holds where an increment from g ends: the law itself, or the piece of
-/// it that beyond(strain, stress) finds, which says whether the increment passes a kink.
+/// Smooth law in the range in which an increment from g ends: the law itself, or its segment found
+/// by beyond(strain, stress), which returns whether the increment passes a kink.
 template <class Law, class Beyond>
 decltype(auto) smooth(const Law& law, double g, const Beyond& beyond) {
   if constexpr (requires { law.piece(g, beyond); }) {
     return law.piece(g, beyond);
   } else {
-    // NOLINTNEXTLINE(readability-redundant-parentheses): they make it a reference
+    // NOLINTNEXTLINE(readability-redundant-parentheses): the parentheses make it a reference
     return (law);
   }
 }
 
-/// The scalar equation of the return with backstresses: what is left of the trial stress when they
-/// have recovered, |trial - sum X/(1 + recovery d)|, equals (stiffness + sum modulus/(1 + recovery
-/// d)) d + yield stress(g + d). The norm needs their inner products only.
+/// Scalar equation of the return with backstresses: the trial stress less the recovered
+/// backstresses, |trial - sum X/(1 + recovery d)|, equals (stiffness + sum modulus/(1 + recovery
+/// d)) d + yield stress(g + d). The norm needs only their inner products.
 class KinematicEquation {
  public:
-  /// product(a, b): inner product of number a and b of the trial stress (0) and the backstresses.
+  /// product(a, b): inner product of tensors a and b: the trial stress (0) and the backstresses.
   template <class Product>
   KinematicEquation(const Material& material, double stiffness, double g, const Product& product)
       : material_(material), stiffness_(stiffness), g_(g) {
@@ -75,7 +75,7 @@ class KinematicEquation {
     return {value, value > 0 ? half_slope / value : 0.0};
   }
 
-  /// 3 G d and what the backstresses take up.
+  /// 3 G d plus the change of the backstresses.
   double taken_up(double d) const {
     double stiffness = stiffness_;
     for (const Backstress& x : material_.backstresses)
@@ -83,8 +83,8 @@ class KinematicEquation {
     return stiffness * d;
   }
 
-  /// 0 inside the yield surface. The difference of the sides falls monotonically as long as no
-  /// backstress exceeds its limit modulus/recovery: Newton between bounds.
+  /// 0 inside the yield surface. The difference of the sides decreases monotonically as long as no
+  /// backstress exceeds its limit modulus/recovery: Newton's method between bounds.
   template <class Law>
   double solve(const Law& whole, double start) const {
     double low = 0.0, high = left(0.0).value, d = start;
@@ -108,12 +108,12 @@ class KinematicEquation {
       }
       (difference > 0 ? low : high) = d;
       double next = d - difference / slope;
-      // More than a few steps mean that they go to and fro: half of them then halve the bounds.
+      // More than a few steps indicate a cycle: every second one then bisects the bounds.
       const bool newton = next >= low && next <= high && (n < 40 || n % 2 == 0);
       if (!newton) next = 0.5 * (low + high);
       const double step = std::fabs(next - d);
       d = next;
-      // The step after one of Newton's is of the order of its square.
+      // The step after a Newton step is of the order of its square.
       if (step <= (newton ? 1e-8 : 1e-16) * d) break;
     }
     return d;
@@ -131,14 +131,14 @@ double inner(const Tensor& a, const Tensor& b) {
          3.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 
-/// Newton's method, see equivalent_increment, of a trial stress beyond yield.
+/// Newton's method, see equivalent_increment, for a trial stress above yield.
 template <class Law>
 double solve(const Law& whole, double trial, double g, double stiffness, double start) {
   const auto& law = smooth(whole, g, [=](double strain, double stress) {
     return trial - stiffness * (strain - g) > stress;
   });
-  // The yield stress is concave in g: from an estimate that is too large Newton's first iterate is
-  // too small, and from there they rise monotonically to the root.
+  // The yield stress is concave in g: from an estimate that is too large the first Newton iterate
+  // is too small, and from there the iterates increase monotonically to the root.
   double d = start;
   for (int n = 0; n < 100; ++n) {
     const auto [yield_stress, slope] = law.at(g + d);
@@ -161,7 +161,7 @@ Return isotropic_return(const Tensor& stress, const Tensor& guess, double g, dou
   Return result{};
   double yield = yield_before;
   if (q > yield_before) {
-    // For a plastic strain sqrt(2/3 e:e) is 2/3 of what `equivalent` makes of it.
+    // For a plastic strain, sqrt(2/3 e:e) is 2/3 of the result of `equivalent`.
     const double estimate = 2.0 / 3 * equivalent(guess);
     result.equivalent = solve(law, q, g, 3 * shear_modulus, estimate);
     const double scale = 1.5 * result.equivalent / q;

@@ -35,8 +35,8 @@ std::string shape_text(std::initializer_list<int> extents) {
   return shape + ")";
 }
 
-/// Throws std::invalid_argument unless there is one deviator for each law, within its limit.
-/// materials: numbers of those of the cells; empty: there is one.
+/// Throws std::invalid_argument unless there is one deviator for each backstress, within its limit.
+/// materials: indices of the materials of the cells; empty: a single one.
 void check_backstress(const plasticity::Body& body, const std::vector<std::uint16_t>& materials,
                       const Field& backstress, const Grid& grid) {
   const std::size_t cells = grid.volume_size();
@@ -63,11 +63,12 @@ void check_backstress(const plasticity::Body& body, const std::vector<std::uint1
   }
 }
 
-/// Fields of a history in a box: strain of six components, and what is there of the others.
+/// Fields of a history in a box: strain with six components, and equivalent strain and backstress
+/// if given.
 struct GivenHistory {
   const Box& box;
   const Field &strain, &equivalent, &backstress;
-  std::size_t terms;  // of the body's backstresses
+  std::size_t terms;  // number of backstresses of the body
 };
 
 PlasticRecord record_of(const GivenHistory& given, const Box& box, operators::Tensor tensor) {
@@ -92,12 +93,14 @@ PlasticRecord record_of(const GivenHistory& given, const Box& box, operators::Te
   return record;
 }
 
-/// Solves of an increment with heat of slip, and iterates remembered between them.
-constexpr int most_heatings = 20, anderson_depth = 4;
-/// What the heat may differ from that of the slip, in tolerances; and what is none [W/m^2].
-constexpr double power_share = 10.0, smallest_power = 1e-200;
+/// Maximum number of solves of an increment with heat due to slip, and number of iterates used by
+/// their acceleration.
+constexpr int max_heat_solves = 20, anderson_depth = 4;
+/// Allowed relative difference between the heat and that of the slip, in units of the tolerance;
+/// and power that counts as zero [W/m^2].
+constexpr double power_tol_ratio = 10.0, smallest_power = 1e-200;
 
-/// Of friction per area, by work per area in a time [i][j] [W/m^2].
+/// Friction power per area from the work per area in a time [i][j] [W/m^2].
 Field power_of(const Field& work, double duration, std::size_t cells) {
   Field power(cells, 0.0);
   for (std::size_t i = 0; i < work.size(); ++i) power[i] = std::max(work[i], 0.0) / duration;
@@ -113,17 +116,17 @@ double total(const Field& power) {
 Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
                        const plasticity::Body& body2, Field initial_gap,
                        const contact::FrictionLaw& friction, const Settings& settings,
-                       const HeatMarch& march, Reliefs reliefs,
+                       const TransientHeating& transient_heating, Reliefs reliefs,
                        contact::SharedContactLaw contact_law)
     : scene_((contact::require_gap(initial_gap, grid, "gap"),
               std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
-                                      settings.image_tol, march, settings.reach, std::move(reliefs),
-                                      settings.split, std::move(contact_law)))),
+                                      settings.image_tol, transient_heating, settings.reach,
+                                      std::move(reliefs), settings.split, std::move(contact_law)))),
       settings_(settings),
       state_(scene_, settings.residual_stress) {
   if (!grid.has_volume() && (body1.is_plastic() || body2.is_plastic())) {
     throw std::invalid_argument(
-        "dz must be given for an inelastic body: its layers are as many as it needs");
+        "dz is required for an elastic-plastic body; the number of layers is chosen automatically");
   }
   scans({});
 }
@@ -151,7 +154,7 @@ void Simulation::check(const Target& target) const {
   }
   if (scene_->contact_law->attracts()) {
     throw std::invalid_argument(
-        "pressure cannot be given for bodies that attract each other: no contact is solved then");
+        "pressure cannot be prescribed for surfaces with attraction: no contact would be solved");
   }
   contact::require_surface(target.tractions.pressure, scene_->grid, "pressure");
   for (const Field* shear : {&target.tractions.shear_x, &target.tractions.shear_y}) {
@@ -159,11 +162,11 @@ void Simulation::check(const Target& target) const {
   }
 }
 
-std::vector<std::string> Simulation::border_complaints(const State& reached,
-                                                       const Target& target) const {
+std::vector<std::string> Simulation::edge_warnings(const State& reached,
+                                                   const Target& target) const {
   if (target.is_prescribed()) return {};
   const Field repulsion = simulation::repulsion(reached);
-  std::string what = contact::border_complaint(scene_->grid, repulsion, describe(target));
+  std::string what = contact::edge_warning(scene_->grid, repulsion, describe(target));
   if (what.empty()) return {};
   if (settings_.on_border == contact::OnBorder::error) {
     throw contact::too_small(scene_->grid, repulsion, what);
@@ -171,7 +174,7 @@ std::vector<std::string> Simulation::border_complaints(const State& reached,
   return {std::move(what)};
 }
 
-State Simulation::reached(const Target& target) {
+State Simulation::end_state(const Target& target) {
   const auto scans_of = [this](const auto& heating) -> const Scans& { return scans(heating); };
   return Division(state_, target, settings_, counters_, scans_of).walk();
 }
@@ -185,23 +188,23 @@ State Simulation::heated_by_slip(Target target) {
   power.resize(grid.surface_size(), 0.0);
   contact::Anderson anderson(anderson_depth);
   double error = 1.0;
-  for (int n = 0; n < most_heatings; ++n) {
+  for (int n = 0; n < max_heat_solves; ++n) {
     target.past_symmetry = common(moving, symmetry_of(power, grid));
-    State state = reached(target);
+    State state = end_state(target);
     Field change = power_of(state.slip_work, duration, power.size());
     const double all = total(change);
     contact::add_scaled(-1.0, power, change);
     const double changed = total(change);
     error = changed > 0 ? changed / std::max(all, smallest_power) : 0.0;
-    if (error <= power_share * settings_.tol) return state;
+    if (error <= power_tol_ratio * settings_.tol) return state;
     anderson.next(power, change);
     for (double& q : power) q = std::max(q, 0.0);
   }
-  throw ConvergenceError("slip and the heat that it makes did not settle at " + describe(target) +
-                             ": relative change " + to_short_text(error) + " after " +
-                             std::to_string(most_heatings) +
-                             " solves: take a longer duration or a smaller increment",
-                         most_heatings, error);
+  throw ConvergenceError("coupled slip and frictional heating did not converge at " +
+                             describe(target) + ": relative change " + to_short_text(error) +
+                             " after " + std::to_string(max_heat_solves) +
+                             " solves: use a longer duration or a smaller increment",
+                         max_heat_solves, error);
 }
 
 const State& Simulation::step(const Target& target) {
@@ -211,9 +214,9 @@ const State& Simulation::step(const Target& target) {
   const auto& [pressure, shear_x, shear_y] = target.tractions;
   if (shear_x.empty() && shear_y.empty()) whole.tractions = scene_->friction.tractions(pressure);
   const bool slip_heats = whole.heating[0].is_of_slip() || whole.heating[1].is_of_slip();
-  State reached = slip_heats ? heated_by_slip(std::move(whole)) : this->reached(whole);
+  State reached = slip_heats ? heated_by_slip(std::move(whole)) : end_state(whole);
   reached.contact_iterations = static_cast<int>(counters_.contact_iterations - contact_before);
-  reached.warnings = border_complaints(reached, target);
+  reached.warnings = edge_warnings(reached, target);
   state_ = std::move(reached);
   return state_;
 }
@@ -223,7 +226,7 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
   const Grid grid = whole.grid(scene_->grid);
   if (!scene_->bodies[body].is_plastic()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
-                                " is not inelastic: it has no plastic strain to set");
+                                " is not elastic-plastic: its plastic strain cannot be set");
   }
   const std::size_t cells = grid.volume_size();
   require_field(strain, 6 * cells, "strain", shape_text({6, grid.nx, grid.ny, grid.nz}));
@@ -236,7 +239,7 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
     const auto materials = scene_->strength(body, state_.travel).materials(whole);
     check_backstress(scene_->bodies[body], materials, backstress, grid);
   }
-  // The box of all cells with a history.
+  // Box of all cells with a history.
   Box box;
   double largest = 0.0, trace = 0.0;
   for (std::size_t n = 0; n < cells; ++n) {
@@ -256,12 +259,12 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
     state_.plastic[body] = nullptr;
     return;
   }
-  // Plastic strain has no trace but for rounding.
+  // Plastic strain has no trace except for rounding.
   const auto tensor =
       trace <= 1e-12 * largest ? operators::Tensor::deviator : operators::Tensor::full;
   const std::size_t terms = scene_->bodies[body].backstresses();
   const auto record = record_of({whole, strain, equivalent, backstress, terms}, box, tensor);
-  state_.plastic[body] = remade(record, scene_->grid, terms);
+  state_.plastic[body] = from_record(record, scene_->grid, terms);
   const Grid& window = scene_->grid;
   state_.flow_boxes[body] = {box.intersected({0, 0, window.nx, window.ny, box.nz})};
 }
@@ -273,8 +276,8 @@ void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& 
   down.nz += k0;
   const bool inside = Box::surface(grid).contains({box.i0, box.j0, box.nx, box.ny, 1}) && k0 >= 0 &&
                       box.nz > 0 && (grid.nz == 0 || down.nz <= grid.nz);
-  if (!inside || box.empty() || has_no_end(down, grid)) {
-    throw std::invalid_argument("the box of an eigenstrain must lie in the grid");
+  if (!inside || box.empty() || is_unbounded(down, grid)) {
+    throw std::invalid_argument("the box of an eigenstrain must lie inside the grid");
   }
   require_field(strain, 6 * box.volume_size(), "strain", shape_text({6, box.nx, box.ny, box.nz}));
   Eigenstrains sum = state_.eigenstrain;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the thread sanitizer must tell apart: a sum that threads add to without order, and loops
-// that OpenMP's barriers keep apart.
+// Cases for the thread sanitizer: a sum to which threads add without synchronisation, and loops
+// separated by OpenMP barriers.
 //
 //   samcontact_race          the loops only
 //   samcontact_race --race   the sum as well

@@ -78,7 +78,10 @@ def made(law, yield_profile=None, residual_stress=None, **parameters):
     ("make", "text"),
     [
         (lambda: ELASTIC.with_yield_profile([0.0], [1.0]), "needs a body that yields"),
-        (lambda: RIGID.with_residual_stress([0.0], [1.0]), "a rigid body has no stress"),
+        (
+            lambda: RIGID.with_residual_stress([0.0], [1.0]),
+            "residual stress cannot be set for a rigid body",
+        ),
         (
             lambda: SOFT.with_yield_profile([0.0, 1e-3], [1.0]),
             "factor of yield_profile must have as many values",
@@ -126,7 +129,9 @@ def test_what_cannot_be_is_refused(make, text):
 def test_a_profile_beyond_what_layers_can_be_counted_is_refused():
     body = SOFT.with_yield_profile([0.0, 1.0], [1.0, 2.0])
     grid = sc.Grid(5, 5, 1e-6, 1e-6, dz=1e-7)
-    with pytest.raises(ValueError, match="the deepest z of a yield profile or residual stress"):
+    with pytest.raises(
+        ValueError, match="the maximum depth of a yield profile, residual stress or layers"
+    ):
         sc.Simulation(grid, RIGID, body, np.zeros((5, 5)))
 
 

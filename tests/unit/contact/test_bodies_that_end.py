@@ -196,7 +196,7 @@ class TestFixedGapAtTheBorder:
     @pytest.mark.parametrize("simulated", [False, True])
     def test_a_map_that_touches_everywhere(self, simulated):
         text = self.message(self.rough, 100.0, simulated)
-        assert "and covers 100 % of it" in text
+        assert "and covers 100 % of the grid" in text
         assert 'Grid(..., periodic="xy")' in text
         assert "enlarge" not in text
 

@@ -102,7 +102,7 @@ class TestLimits:
 
 
 class TestBorder:
-    text = "the contact touches the border of the grid"
+    text = "the contact reaches the edge of the grid"
 
     def test_error_by_default(self):
         grid, gap, exact = scene(RIGID, STEEL)

@@ -89,7 +89,9 @@ def test_a_force_beyond_the_limit_times_the_area_is_refused():
     solver = sc.ContactSolver(GRID, STEEL, STEEL, sc.Tresca(K))
     found = solver.solve(GAP, load=LOAD, tangential_load=(0.99 * K * area, 0.0))
     assert found.tangential_load[0] == pytest.approx(0.99 * K * area)
-    with pytest.raises(ValueError, match=r"tangential_load must be shorter than .* friction holds"):
+    with pytest.raises(
+        ValueError, match=r"tangential_load must be less than .*, the friction limit"
+    ):
         solver.solve(GAP, load=LOAD, tangential_load=(1.01 * K * area, 0.0))
 
 

@@ -231,7 +231,7 @@ class TestDamage:
         """What this version would leave out was needed where it was written."""
         with edited(saved) as file:
             file[group].attrs["later"] = 1.0
-        with pytest.raises(sc.CheckpointError, match="is damaged: no part is named later"):
+        with pytest.raises(sc.CheckpointError, match="is damaged: unknown part: later"):
             sc.Simulation.load(saved)
 
     def test_changed_by_another_program(self, saved):

@@ -255,7 +255,7 @@ def test_what_no_contact_can_do_is_told():
         roll(grid, gap, tangential_load=(1.1 * MU * LOAD, 0.0))
     with pytest.raises(ValueError, match=r"torque must be smaller than .*give the motion .spin"):
         roll(grid, gap, torque=1.0)
-    with pytest.raises(ValueError, match="must be held by friction together"):
+    with pytest.raises(ValueError, match="must be below the friction limit together"):
         roll(grid, gap, tangential_load=(0.9 * MU * LOAD, 0.0), torque=0.3)
     with pytest.raises(ValueError, match="start must be a solution with equal cells"):
         roll(grid, gap, creepage=(0.0, 0.0), start=roll(*wheel(20), creepage=(0.0, 0.0)))

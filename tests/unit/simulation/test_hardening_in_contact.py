@@ -131,7 +131,10 @@ def test_make_the_same_materials():
 @pytest.mark.parametrize(
     ("change", "text"),
     [
-        ({"plastic_strain": [0.0, 0.1]}, "number of values in stress must be that of plastic"),
+        (
+            {"plastic_strain": [0.0, 0.1]},
+            "number of values in stress must be the number of values in plastic",
+        ),
         ({"plastic_strain": [0.1, 0.2, 0.3, 0.4, 0.5]}, "plastic_strain[0] must be 0"),
         ({"stress": [1e9, 0.9e9, 1e9, 1e9, 1e9]}, "stress[1] must be >= stress[0]"),
         ({"stress": [-1.0]}, "Input should be greater than 0"),

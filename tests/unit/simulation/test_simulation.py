@@ -299,7 +299,11 @@ class TestInitialStrain:
         ("arguments", "error", "text"),
         [
             ((3, strain), ValueError, "body must be one of 1, 2, got 3"),
-            ((1, strain), ValueError, "body 1 is not inelastic: it has no plastic strain to set"),
+            (
+                (1, strain),
+                ValueError,
+                "body 1 is not elastic-plastic: its plastic strain cannot be set",
+            ),
             ((2, strain[:5]), ValueError, "strain must have shape (6, 19, 21, 10), got (5, 19,"),
             ((2, strain[0]), ValueError, "strain must have shape (6, 19, 21, 10), got (19, 21, 10"),
             (

@@ -139,7 +139,9 @@ class TestState:
         for name in ("stress", "von_mises", "equivalent_plastic_strain", "residual_stress"):
             with pytest.raises(ValueError, match="body 1 is rigid: it has no stress or strain"):
                 getattr(rigid, name)(1)
-            with pytest.raises(ValueError, match="the grid has no dz: fields below"):
+            with pytest.raises(
+                ValueError, match="the grid has no dz: fields below the surface require"
+            ):
                 getattr(flat, name)(2)
 
 

@@ -103,7 +103,9 @@ class TestFailedStep:
         sim = simulation(max_iterations=1)
         first = sim.step(load=0.1 * LOAD)
         before = snapshot(first)
-        with pytest.raises(sc.ConvergenceError, match="the plastic increment to load") as caught:
+        with pytest.raises(
+            sc.ConvergenceError, match="plastic strain did not converge at load"
+        ) as caught:
             sim.step(load=LOAD)
         assert caught.value.iterations == 1
         assert caught.value.residual > 1e-6
@@ -151,10 +153,12 @@ class TestHalving:
         soft = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)
         options = {"increment_tol": 1e-6, "tol": 1e-8, "on_border": "warn"}
         sim = sc.Simulation(grid, sc.Material.elastic(210e9, 0.3), soft, gap, **options)
-        with pytest.raises(ValueError, match="asks for more than 64 parts") as refused:
+        with pytest.raises(
+            ValueError, match="would require more than 64 sub-increments"
+        ) as refused:
             sim.step(load=20.0)
         assert sim.state.load == 0.0
-        enough = float(re.search(r"a larger tolerance, about (\S+)$", str(refused.value))[1])
+        enough = float(re.search(r"or increment_tol >= (\S+)$", str(refused.value))[1])
         assert enough == pytest.approx(1e-5 * (41 / 64) ** 4, rel=0.5)
 
 
@@ -239,7 +243,7 @@ class TestBadInput:
             (
                 {"grid": sc.Grid(19, 21, SIZE, SIZE)},
                 ValueError,
-                "dz must be given for an inelastic body: its layers are as many as it needs",
+                "dz is required for an elastic-plastic body; the number of layers is chosen",
             ),
         ],
     )

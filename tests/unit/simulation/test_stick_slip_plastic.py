@@ -218,7 +218,7 @@ def test_rolling_over_a_rail_that_yields_comes_to_a_steady_force():
     ("friction", "step", "text"),
     [
         (0.3, {"load": 1.0, "shift": (0.0, 0.0)}, "shift is not supported in full sliding"),
-        (LAW, {"load": 10.0, "tangential_load": (4.0, 0.0)}, "the largest that friction holds"),
+        (LAW, {"load": 10.0, "tangential_load": (4.0, 0.0)}, "the friction limit"),
         (LAW, {"load": 10.0, "shift": (1e-7, 0), "tangential_load": (1, None)}, "cannot both"),
         (LAW, {"pressure": np.zeros(GRID.surface_shape)}, "shear is required"),
         (

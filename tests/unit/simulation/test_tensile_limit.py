@@ -42,7 +42,7 @@ def test_a_path_of_loads_is_that_of_single_contacts():
         np.testing.assert_array_equal(state.in_contact, one.in_contact)
         assert state.contact_area == pytest.approx(one.contact_area, rel=1e-5)
     assert not simulation.step(load=-pull).in_contact.any()
-    with pytest.raises(ValueError, match="the largest tension that the contact law bears"):
+    with pytest.raises(ValueError, match="the maximum tensile force of the contact law"):
         simulation.step(load=-1.001 * pull)
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vectors on 64-byte boundaries: one cache line, and what the widest SIMD loads want.
+// Vectors on 64-byte boundaries: the size of a cache line and the alignment of the widest SIMD
+// loads.
 #pragma once
 
 #include <complex>
@@ -9,12 +10,12 @@
 
 namespace samcontact {
 
-/// On boundaries of 64 bytes. Large blocks ask for huge pages: transforms stride through them, and
-/// with small pages the address cache would miss at every step.
+/// Allocates on 64-byte boundaries. Large blocks request huge pages: transforms stride through
+/// them, and with small pages the address cache would miss at every step.
 void* allocate_bytes(std::size_t bytes);
 void deallocate_bytes(void* p, std::size_t bytes);
 
-/// Around a fork: a lock that another thread holds would stay locked in the child.
+/// Called before and after a fork: a lock held by another thread would stay locked in the child.
 void lock_memory();
 void unlock_memory();
 

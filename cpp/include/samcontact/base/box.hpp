@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A part of a grid: a window of the surface and the layers below it, from the surface down.
+// Box of cells: a rectangle of surface cells and the layers below it, counted from the surface
+// down.
 #pragma once
 
 #include <algorithm>
@@ -11,18 +12,18 @@
 namespace samcontact {
 
 struct Box {
-  int i0 = 0, j0 = 0;  // first cell of the window
+  int i0 = 0, j0 = 0;  // first cell of the rectangle
   int nx = 0, ny = 0, nz = 0;
 
   static Box whole(const Grid& grid) { return {0, 0, grid.nx, grid.ny, grid.nz}; }
-  /// All of the surface, as one layer.
+  /// The whole surface as a single layer.
   static Box surface(const Grid& grid) { return {0, 0, grid.nx, grid.ny, 1}; }
 
   bool empty() const { return nx == 0 || ny == 0; }
   bool operator==(const Box&) const = default;
   std::size_t surface_size() const { return static_cast<std::size_t>(nx) * ny; }
   std::size_t volume_size() const { return surface_size() * nz; }
-  /// The box as a grid of its own.
+  /// Grid of the cells of the box.
   Grid grid(const Grid& of) const {
     Grid part{nx, ny, of.dx, of.dy, nz, of.dz};
     part.period = of.period;
@@ -31,18 +32,18 @@ struct Box {
 
   Box moved(int along_x, int along_y) const { return {i0 + along_x, j0 + along_y, nx, ny, nz}; }
   bool contains(const Box& other) const;
-  /// What both contain; empty when nothing.
+  /// Cells that both boxes contain; empty if there are none.
   Box intersected(const Box& other) const;
-  /// Smallest box that contains both; an empty one counts for its depth only.
+  /// Smallest box that contains both boxes; an empty box contributes its depth only.
   Box united(const Box& other) const;
 };
 
-/// The smallest box of one layer around the surface cells that a predicate of their index picks.
+/// Smallest single-layer box around the surface cells whose index satisfies the predicate.
 template <class Pick>
 Box bounding_box(const Grid& grid, const Pick& pick) {
   int i0 = grid.nx, i1 = -1, j0 = grid.ny, j1 = -1;
 #pragma omp parallel for schedule(static) reduction(min : i0, j0) reduction( \
-        max : i1, j1) if (static_cast<std::ptrdiff_t>(grid.nx) * grid.ny >= worth_threads_cells)
+        max : i1, j1) if (static_cast<std::ptrdiff_t>(grid.nx) * grid.ny >= min_parallel_cells)
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {
       if (!pick(static_cast<std::size_t>(i) * grid.ny + j)) continue;
@@ -59,7 +60,7 @@ Box bounding_box(const Grid& grid, const Pick& pick) {
 /// Copies layers [k][i][j] between a box and one that contains it.
 void insert(const double* small, const Box& from, double* large, const Box& into);
 void extract(const double* large, const Box& from, double* small, const Box& into);
-/// Copies what both contain; the rest of `to` stays.
+/// Copies the cells that both boxes contain; the rest of `to` is unchanged.
 void copy_common(const double* from, const Box& from_box, double* to, const Box& to_box);
 
 }  // namespace samcontact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many cells hold a length, whatever it is measured in.
+// Number of cells that cover a length, independent of the unit of length.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace samcontact {
 
-/// Cells that hold a length. Where it is a whole number of them rounding adds none, so that other
-/// units have as many.
+/// Number of cells that cover a length. A length of a whole number of cells needs no extra cell
+/// because of rounding, so the result does not depend on the unit of length.
 inline int cells_over(double length, double cell) {
   return static_cast<int>(std::min(std::ceil(length / cell * (1 - 1e-12)), 1e9));
 }

@@ -4,7 +4,7 @@
 
 namespace samcontact {
 
-/// Half the square of a deviator, a third of that of its von Mises stress.
+/// Half the squared norm of a deviator: a third of the square of its von Mises stress.
 inline double second_invariant(double xx, double yy, double yz, double xz, double xy) {
   return xx * xx + yy * yy + xx * yy + yz * yz + xz * xz + xy * xy;
 }

@@ -20,7 +20,8 @@ struct Elastic {
   double shear_modulus() const { return E / (2 * (1 + nu)); }
   /// 1 / (plane strain modulus) [1/Pa]; 0 for a rigid body.
   double normal_compliance() const { return is_rigid() ? 0.0 : (1 - nu * nu) / E; }
-  /// (1 + nu)(1 - 2 nu) / E [1/Pa]: strength of the shear -> u_z coupling; 0 for a rigid body.
+  /// (1 + nu)(1 - 2 nu) / E [1/Pa]: magnitude of the coupling from shear to u_z; 0 for a rigid
+  /// body.
   double coupling_compliance() const { return is_rigid() ? 0.0 : (1 + nu) * (1 - 2 * nu) / E; }
   bool operator==(const Elastic&) const = default;
 };

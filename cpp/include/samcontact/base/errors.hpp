@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds of failure that callers tell apart, and the checks that raise them.
+// Error classes that callers distinguish, and the checks that throw them.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,7 @@
 
 namespace samcontact {
 
-/// An iteration did not reach its tolerance; the state before the call is intact.
+/// Error of an iteration that did not reach its tolerance; the previous state is intact.
 class ConvergenceError : public std::runtime_error {
  public:
   ConvergenceError(const std::string& what, int iterations, double residual)
@@ -20,10 +20,10 @@ class ConvergenceError : public std::runtime_error {
   double residual_;
 };
 
-/// The contact needs more room than the grid has.
+/// Error of a contact that does not fit into the grid.
 class GridTooSmallError : public std::invalid_argument {
  public:
-  /// across_x, across_y: of which sides there is too little.
+  /// across_x, across_y: directions in which the grid is too small.
   GridTooSmallError(const std::string& what, bool across_x, bool across_y)
       : std::invalid_argument(what), across_x_(across_x), across_y_(across_y) {}
   bool across_x() const { return across_x_; }
@@ -35,13 +35,15 @@ class GridTooSmallError : public std::invalid_argument {
 
 /// Shortest decimal text that reads back as the same double.
 std::string to_text(double value);
-/// The same with so many significant digits at most.
+/// Shortest decimal text with at most this number of significant digits.
 std::string to_short_text(double value, int digits = 3);
 
-/// Throws std::invalid_argument "NAME must be ALLOWED, got VALUE" unless `condition` holds.
-void require(bool condition, const std::string& name, const std::string& allowed, double value);
+/// Throws std::invalid_argument "NAME must be ALLOWED, got VALUE: REMEDY" unless `condition` holds.
+void require(bool condition, const std::string& name, const std::string& allowed, double value,
+             const std::string& remedy = {});
 
-/// Throws unless 1e-75 <= value <= 1e75: squares and products must be numbers.
+/// Throws std::invalid_argument unless 1e-75 <= value <= 1e75, so that squares and products are
+/// finite.
 void require_moderate(const std::string& name, double value, const std::string& unit);
 
 }  // namespace samcontact

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Treats numbers below 1e-308 as zero on this thread: a decaying recursion ends there, and the
-// processor is a hundred times slower with them.
+// Flushing of denormal numbers (below 1e-308) to zero on this thread: arithmetic with denormals is
+// a hundred times slower, and a decaying recursion produces many.
 #pragma once
 
 #ifdef __SSE2__

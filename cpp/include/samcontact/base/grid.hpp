@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The regular grid on which every field lives.
+// Regular grid of all fields.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace samcontact {
 
-/// Which directions repeat themselves for ever, and after how many cells of the grid.
+/// Periodic directions, with the period in cells of the grid.
 struct Period {
-  int x = 0, y = 0;  // cells; 0: the surface goes on beyond the grid, without traction
-  /// Where one direction is periodic: distance from a load at which its displacement, which has no
-  /// limit far away, counts as zero [m].
+  int x = 0, y = 0;  // cells; 0: not periodic, the surface extends beyond the grid without traction
+  /// If one direction is periodic: distance from a load at which its displacement, which has no
+  /// far-field limit, is taken as zero [m].
   double reference = 0.0;
 
   bool is_on() const { return x > 0 || y > 0; }
@@ -26,17 +26,17 @@ struct Period {
 struct Grid {
   int nx, ny, nz;
   double dx, dy, dz;
-  Period period;  // a part of a grid has the period of the whole
+  Period period;  // a part of a grid has the period of the whole grid
 
-  /// Throws std::invalid_argument when a count is not positive (nz: negative) or a size is not a
-  /// positive finite number (dz: 0 where nz is).
+  /// Throws std::invalid_argument if a count is not positive (nz: negative) or a size is not a
+  /// positive finite number (dz: 0 is allowed without layers).
   Grid(int nx, int ny, double dx, double dy, int nz = 0, double dz = 0.0);
 
-  /// The same, its ends joined along x, y or both. Throws std::invalid_argument unless there is an
-  /// even number of cells along such a direction, or one, and more than one cell in all, and unless
-  /// cells are shorter than eight of the periods that they lie across.
-  Grid joined(bool along_x, bool along_y) const;
-  /// Whether cells `factor` times as long fit into the period.
+  /// Copy that is periodic along x, y or both. Throws std::invalid_argument unless the number of
+  /// cells along each periodic direction is even or 1, there is more than one cell in all, and
+  /// cells are at most eight times as long as the period in the other direction.
+  Grid made_periodic(bool along_x, bool along_y) const;
+  /// Whether each period is an even number of cells `factor` times as long.
   bool can_be_coarsened(int factor = 2) const;
 
   std::size_t surface_size() const { return static_cast<std::size_t>(nx) * ny; }
@@ -46,7 +46,7 @@ struct Grid {
 
   std::vector<double> x() const;
   std::vector<double> y() const;
-  /// Mid-depths of its layers, or of the first ones [m].
+  /// Mid-depths of all layers, or of the first `layers` layers [m].
   std::vector<double> z() const { return z(nz); }
   std::vector<double> z(int layers) const;
 };

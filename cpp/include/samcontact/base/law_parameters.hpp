@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the parameters of a law may be, as its struct says it.
+// Allowed values of the parameters of a law, as declared by its struct.
 #pragma once
 
 #include <cstddef>
@@ -11,26 +11,27 @@
 
 namespace samcontact {
 
-/// What a parameter may be: low <= value <= high, or low < value; finite, but for what is allowed.
+/// Allowed range of a parameter: low <= value <= high, or low < value; finite unless stated
+/// otherwise.
 struct Allowed {
   const char* unit;  // "" for a plain number
   double low = 0.0, high = std::numeric_limits<double>::infinity();
   bool above_low = false;
-  const char* infinite = nullptr;  // what an infinite value means; null: it must be finite
+  const char* infinite = nullptr;  // meaning of an infinite value; null: the value must be finite
 
   static constexpr Allowed positive(const char* unit) { return {.unit = unit, .above_low = true}; }
 };
 
-/// A parameter of a law, for those who make one by name.
+/// Parameter of a law that is created by name.
 struct LawParameter {
   std::string name;
   Allowed allowed;
   bool many = false;  // a list of such numbers
 };
 
-/// Throws std::invalid_argument naming the parameter, its value and what is allowed.
+/// Throws std::invalid_argument with the name of the parameter, its value and the allowed range.
 void require_allowed(const std::string& name, double value, const Allowed& allowed);
-/// The same of each value; name[n] is named.
+/// Checks each value; the message names name[n].
 void require_allowed(const std::string& name, const std::vector<double>& values,
                      const Allowed& allowed);
 /// "name[n]".

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Marks a hot function to be compiled for several instruction sets, chosen at load time.
+// Marker of hot functions that are compiled for several instruction sets, one of which is chosen at
+// load time.
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__gnu_linux__)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A quantity that changes with depth only: straight between given depths, constant beyond them.
+// Depth profile of a quantity: piecewise linear between the given depths, constant beyond them.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace samcontact {
 
 struct OverDepth {
-  std::vector<double> depth, value;  // [m], rising; as many of both, at least one
+  std::vector<double> depth, value;  // [m], strictly ascending; equal numbers of both, at least one
 
   double at(double z) const {
     const auto next = std::upper_bound(depth.begin(), depth.end(), z);
@@ -19,7 +19,7 @@ struct OverDepth {
     const double part = (z - depth[n - 1]) / (depth[n] - depth[n - 1]);
     return value[n - 1] + part * (value[n] - value[n - 1]);
   }
-  /// Of all depths.
+  /// Minimum over all depths.
   double smallest() const { return *std::min_element(value.begin(), value.end()); }
   bool operator==(const OverDepth&) const = default;
 };

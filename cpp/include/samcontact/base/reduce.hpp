@@ -9,11 +9,12 @@
 namespace samcontact {
 
 constexpr std::size_t reduce_chunk = 2048;
-/// Several running sums, of every eighth term each: one would wait for the latency of each
-/// addition.
+/// Number of running sums, each of every eighth term: a single sum would wait for the latency of
+/// each addition.
 constexpr std::size_t reduce_lanes = 8;
-/// Rounding of a running sum grows with its terms: those of a mean over a thousand cells were off
-/// by 1e-13. Blocks keep it at the longest of block, blocks a chunk, and chunks.
+/// The rounding error of a running sum grows with the number of terms: means over a thousand cells
+/// were off by 1e-13. With blocks the longest running sum is a block, the blocks of a chunk, or the
+/// chunks.
 constexpr std::size_t reduce_block = 32 * reduce_lanes;
 
 /// Sum over chunks [begin, end) of 0..n-1 of partial(begin, end).
@@ -30,7 +31,7 @@ double ordered_chunks(std::size_t n, const Partial& partial) {
   return total;
 }
 
-/// sum of term(i) over first <= i < last, at most a block.
+/// sum of term(i) over first <= i < last, at most one block.
 template <class Term>
 double block_sum(std::size_t first, std::size_t last, const Term& term) {
   double lanes[reduce_lanes] = {};
@@ -56,7 +57,7 @@ double ordered_sum(std::size_t n, const Term& term) {
   });
 }
 
-/// The largest of 0 and term(i), i < n.
+/// Maximum of 0 and term(i), i < n.
 template <class Term>
 double largest_of(std::size_t n, const Term& term) {
   const std::ptrdiff_t chunks = (n + reduce_chunk - 1) / reduce_chunk;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elastic layers on a substrate, perfectly bonded: what a coated body is made of.
+// Stack of perfectly bonded elastic layers on a substrate: the elastic structure of a coated body.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@ struct ElasticLayer {
   bool operator==(const ElasticLayer&) const = default;
 };
 
-/// Layers from the surface down, on a substrate without end, which may be rigid. Without layers a
-/// homogeneous body.
+/// Layers from the surface down on a substrate of infinite depth, which may be rigid. Without
+/// layers the body is homogeneous.
 struct Stack {
   std::vector<ElasticLayer> layers;
   Elastic substrate;
@@ -27,12 +27,12 @@ struct Stack {
   bool is_rigid() const { return layers.empty() && substrate.is_rigid(); }
   bool operator==(const Stack&) const = default;
 
-  /// The same body with neighbours that are alike as one.
-  Stack joined() const;
+  /// Equivalent stack in which adjacent layers of identical material are merged.
+  Stack merged() const;
   /// Depth of the bottom of the last layer [m].
   double thickness() const;
-  /// The layer at a depth, counted from the surface, as many as there are layers for the substrate.
-  /// On an interface that below it.
+  /// Index of the layer at a depth, from the surface down; the number of layers stands for the
+  /// substrate. A depth on an interface belongs to the layer below it.
   int layer_at(double z) const;
   const Elastic& elastic(int layer) const;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The number of threads of parallel loops on a machine that has other work to do. A loop ends with
-// its last thread: one that waits for a processor holds up all others for milliseconds.
+// Number of threads of parallel loops on a machine with other work to do. A loop ends with its last
+// thread: a single thread that waits for a processor delays all others by milliseconds.
 #pragma once
 
 #include <chrono>
@@ -8,9 +8,9 @@
 
 namespace samcontact {
 
-/// While it lives, the parallel loops of this thread have no more threads than find a processor of
-/// their own: at most as many as OpenMP was asked for, which has its number back afterwards. Digits
-/// do not depend on it. OMP_DYNAMIC=false keeps the number, and so does a system that does not tell
+/// Limits the parallel loops of this thread, while it exists, to the number of threads that find a
+/// free processor: at most the number that OpenMP was set to, which is restored afterwards. Digits
+/// do not depend on it. The number is fixed if OMP_DYNAMIC=false, or if the system does not report
 /// how long threads waited.
 class Team {
  public:
@@ -23,11 +23,11 @@ class Team {
 /// Adjusts the number of threads, at most every ten milliseconds. To be called between loops.
 void adjust_team();
 
-/// After a fork, in the child: OpenMP's threads are gone, and it would wait for them for ever. From
-/// now on loops of this thread have one thread.
-void lose_team();
+/// Called in the child after a fork: the threads of OpenMP do not exist there, and OpenMP would
+/// wait for them forever. From then on loops of this thread have one thread.
+void reset_team();
 
-/// How many threads to have next, by how long each of the present ones waited for a processor.
+/// Next number of threads, chosen from the time that each present thread waited for a processor.
 class TeamSize {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -37,11 +37,11 @@ class TeamSize {
   int most() const { return most_; }
   int size() const { return size_; }
 
-  /// waited: of each thread in a window of some length that ends now. Those that waited for a large
-  /// part of it are too many. More are tried after a pause, long enough for tries to take little of
-  /// the time.
+  /// waited: waiting time of each thread in an interval of the given length that ends now. Threads
+  /// that waited for a large part of it are too many. A larger number is tried after a pause that
+  /// is long enough for such trials to take little time.
   void judge(Time now, Span length, std::span<const Span> waited);
-  /// Of a single thread, which has no window.
+  /// Counterpart for a single thread, for which no interval is measured.
   void try_more(Time now);
 
  private:

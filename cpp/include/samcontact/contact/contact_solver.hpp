@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact of two elastic bodies: takes a drive, returns tractions and a rigid motion.
+// Solver for the contact of two elastic bodies: from a drive to tractions and a rigid-body motion.
 #pragma once
 
 #include <string>
@@ -14,14 +14,14 @@
 
 namespace samcontact::contact {
 
-/// What to do when the contact reaches the border of the grid.
+/// Action if the contact reaches the edge of the grid.
 enum class OnBorder { error, warn };
 
-/// Names the border that the contact touches and the remedy, from its repulsion; empty when it
-/// touches none. what: the drive in words.
-std::string border_complaint(const Grid& grid, const Field& repulsion, const std::string& what);
-/// The error of such a complaint, which also names the way to a warning.
-GridTooSmallError too_small(const Grid& grid, const Field& repulsion, const std::string& complaint);
+/// Message that names the edges of the grid reached by the contact and the remedy, from the
+/// repulsion; empty if the contact is inside the grid. what: the drive in words.
+std::string edge_warning(const Grid& grid, const Field& repulsion, const std::string& what);
+/// Error with such a message, which also names the option for a warning instead.
+GridTooSmallError too_small(const Grid& grid, const Field& repulsion, const std::string& warning);
 
 /// Throws std::invalid_argument for an approach at which periodic surfaces touch everywhere.
 void require_below_mean(const Grid& grid, const Field& gap, Given normal);
@@ -34,19 +34,19 @@ struct ContactSettings {
 
 class ContactSolver {
  public:
-  /// friction: gross sliding. heating: of the two bodies; friction, and the heat of it, go with the
-  /// repulsion. Throws std::invalid_argument when both bodies are rigid, a rigid one is heated, or
-  /// bodies that attract each other are.
+  /// friction: full sliding. heating: of the two bodies. Friction and its heat are proportional to
+  /// the repulsion. Throws std::invalid_argument if both bodies are rigid, a rigid body is heated,
+  /// or surfaces with attraction are heated.
   ContactSolver(const Grid& grid, const operators::SharedMedium& body1,
                 const operators::SharedMedium& body2, const FrictionLaw& friction,
                 const operators::HeatingPair& heating = {}, SharedContactLaw law = hard_contact());
 
-  /// Where the displacement is an even operator (heat at rest included) one solve of the
-  /// complementarity problem. What is not even (friction of dissimilar bodies, moving heat) is
-  /// lagged in an outer fixed point: for friction a contraction with factor <= mu (1 - 2 nu)/(2 (1
-  /// - nu)), in the energy norm the largest ratio of the operators' Fourier symbols.
-  /// initial_pressure may be empty. Throws std::invalid_argument (a load below what the law bears,
-  /// wrong shape, not finite), GridTooSmallError, and ConvergenceError.
+  /// If the displacement is an even operator (stationary heat included), a single solve of the
+  /// complementarity problem. Odd contributions (friction of dissimilar materials, moving heat) are
+  /// lagged in an outer fixed-point iteration: for friction a contraction with a factor <= mu (1 -
+  /// 2 nu)/(2 (1 - nu)), in the energy norm the largest ratio of the operators' Fourier symbols.
+  /// initial_pressure may be empty. Throws std::invalid_argument (a load below the minimum of the
+  /// contact law, wrong shape, not finite), GridTooSmallError and ConvergenceError.
   Solution solve(const Field& gap, const Drive& drive, const Field& initial_pressure,
                  const ContactSettings& settings) const;
 
@@ -57,9 +57,10 @@ class ContactSolver {
  private:
   ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence,
                 const FrictionLaw& friction, SharedContactLaw law);
-  /// Whether a uniform pressure on the contact raises it, on the mean, more than it lowers it.
+  /// Whether the thermal expansion due to a uniform pressure on the contact exceeds, on average,
+  /// its elastic compression.
   bool is_unstable(const Field& pressure) const;
-  /// Throws ConvergenceError otherwise.
+  /// Throws ConvergenceError unless the solution has converged.
   void require_solved(const Solution& solution, const Drive& drive,
                       const ContactSettings& settings) const;
   Solution solve_coupled(const Field& gap, Given normal, Field pressure,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outline of a contact in the cells of its grid: what diagnostics ask of every solution, in a
-// sweep.
+// Outline of a contact in grid cells: the quantities that diagnostics need of every solution, from
+// one sweep.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace samcontact::contact {
 
-/// Cells of a surface, and along which axes they are periodic.
+/// Surface cells, with the axes along which they are periodic.
 struct Cells {
   int nx = 0, ny = 0;
   bool along_x = false, along_y = false;
@@ -16,14 +16,17 @@ struct Cells {
 
 struct Outline {
   std::size_t cells = 0;  // in contact
-  std::size_t sides = 0;  // that these share with others; the border of the grid is none
-  int reach = 0;  // contact reaches from this many cells before the largest pressure to one less
-                  // behind it, along x and y, within the grid
-  bool rises = false;    // whether the pressure rises to a side, from the next cell further inside
+  std::size_t sides = 0;  // sides of these cells shared with cells out of contact; the edge of the
+                          // grid does not count
+  int reach = 0;       // smallest number of cells between the maximum pressure and the edge of the
+                       // contact, along x and y, within the grid
+  bool rises = false;  // whether the pressure of a cell at the edge of the contact exceeds `rise`
+                       // times that of the next cell inside
   double largest = 0.0;  // pressure [Pa]
 };
 
-/// Of a pressure [i][j] >= 0 [Pa]. rise: by which factor it rises, at least.
+/// Outline of a pressure [i][j] >= 0 [Pa]. rise: ratio above which the pressure counts as rising
+/// towards the edge.
 Outline outline(std::span<const double> pressure, const Cells& cells, double rise);
 
 }  // namespace samcontact::contact

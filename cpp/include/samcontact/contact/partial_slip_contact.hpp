@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact of two elastic bodies that stick and slip on each other by a friction law: pressure and
-// shear for a drive, from what the increments before have left.
+// Contact of two elastic bodies with partial slip by a friction law: pressure and shear for a
+// drive, given the state after the previous increments.
 #pragma once
 
 #include <array>
@@ -13,75 +13,77 @@
 
 namespace samcontact::contact {
 
-/// What a contact remembers: its tractions, which tell how the surfaces lie against each other, and
-/// how far they were apart where they did not touch.
+/// State of a contact after an increment: the tractions, which determine the relative tangential
+/// position of the surfaces, and the gap of the cells out of contact.
 struct ContactHistory {
-  Field pressure;  // [i][j] [Pa]; empty: none is known, the bodies are pressed, then sheared
+  Field pressure;  // [i][j] [Pa]; empty: unknown, the normal load is applied first and the shear
+                   // second
   Field shear;     // [2][i][j] [Pa], on body 2
-  Field gap;       // [i][j] [m]; empty: that of the present surfaces under these tractions
+  Field gap;       // [i][j] [m]; empty: gap of the present surfaces under these tractions
   double approach = 0.0;
-  /// The contact has moved over the surfaces: tractions are where their cells are now, and what
-  /// touches for the first time came into it from its side.
+  /// Whether the contact has moved over the surfaces: the tractions are given at the present
+  /// positions of their cells, and newly contacting cells enter from the side of the contact.
   bool has_moved = false;
-  /// How body 1 has slipped over body 2 since by other causes than rigid motion and tractions
-  /// [2][i][j] [m]; empty: not at all.
+  /// Slip of body 1 relative to body 2 since then that is due neither to rigid motion nor to
+  /// tractions [2][i][j] [m]; empty: none.
   Field free_slip = {};
 };
 
-/// What the iteration begins with; empty: what the increment before has left.
+/// Start of the iteration; empty: the state after the previous increment.
 struct PartialSlipStart {
   Field pressure = {};  // [i][j] [Pa]
   Field shear = {};     // [2][i][j] [Pa]
-  /// [i][j], which cells stick with it; empty: those below their bound.
+  /// [i][j], cells that stick; empty: cells below their bound.
   std::vector<unsigned char> sticking = {};
-  std::array<double, 3> motion = {};  // where forces are given [m, m, rad]
+  std::array<double, 3> motion = {};  // of directions with a prescribed force [m, m, rad]
 };
 
 struct PartialSlipSolution {
-  Solution normal;  // its tractions hold the pressure only; work counts that of shear too
+  Solution normal;  // its tractions contain the pressure only; its work includes that of the shear
   ShearSolution tangential;
-  int sweeps = 1;  // between pressure and shear
+  int sweeps = 1;  // alternations between pressure and shear
 };
 
 class PartialSlipContact {
  public:
-  /// friction: a law that sticks, of the repulsion. Throws std::invalid_argument where both bodies
-  /// are rigid.
+  /// friction: a law with stick, applied to the repulsion. Throws std::invalid_argument if both
+  /// bodies are rigid.
   PartialSlipContact(const Grid& grid, const operators::SharedMedium& body1,
                      const operators::SharedMedium& body2, const FrictionLaw& friction,
                      SharedContactLaw law = hard_contact());
 
-  /// One increment. Bodies alike: pressure, then shear. Else both in turn (Panagiotopoulos), each
-  /// for the displacement of the other, accelerated; with stick everywhere a sweep contracts by the
-  /// square of Dundurs' second constant. Throws std::invalid_argument (bad input, a force beyond
-  /// friction), GridTooSmallError and ConvergenceError.
+  /// Solves one increment. Identical materials: the pressure, then the shear. Dissimilar materials:
+  /// both in turn (Panagiotopoulos), each for the displacement due to the other, accelerated; if
+  /// all cells stick, a sweep contracts the error by the square of Dundurs' second constant. Throws
+  /// std::invalid_argument (invalid input, a force above the friction limit), GridTooSmallError and
+  /// ConvergenceError.
   PartialSlipSolution solve(const Field& gap, Given normal, const TangentialDrive& tangential,
                             const ContactHistory& before, const PartialSlipStart& start,
                             const ContactSettings& settings) const;
 
-  /// Steady rolling towards +x with creepages along x and y and a spin, per way rolled [-, -, 1/m],
-  /// or with the forces that they make; so are slip [-] and friction work [N] of the solution.
-  /// Throws as solve does.
+  /// Solves steady rolling towards +x with creepages along x and y and a spin, per distance rolled
+  /// [-, -, 1/m], or with the corresponding forces. Slip [-] and friction work [N] of the solution
+  /// are per distance rolled as well. Throws as solve() does.
   PartialSlipSolution roll(const Field& gap, Given normal, const TangentialDrive& creepage,
                            const PartialSlipStart& start, const ContactSettings& settings) const;
 
   const Grid& grid() const { return grid_; }
   const FrictionLaw& friction() const { return friction_; }
   const ContactLaw& law() const { return *law_; }
-  /// Whether pressure and shear act on each other.
+  /// Whether pressure and shear are coupled.
   bool is_coupled() const { return coupling_.is_on(); }
 
  private:
   class Sweeps;
   void require_contact(const Field& gap, Given normal, const ContactHistory& before) const;
-  /// From the solution for the repulsion.
+  /// Completes the solution for the repulsion: edge of the grid, attraction, errors.
   PartialSlipSolution finished(PartialSlipSolution solution, Given normal,
                                const Attraction& attraction, const ContactSettings& settings) const;
 
   Grid grid_;
   FrictionLaw friction_;
   SharedContactLaw law_;
-  double crosswise_;  // compliance
+  double crosswise_;  // crosswise_compliance() [-]
   Multilevel normal_;
   ShearSolver shear_;
   operators::NormalTangentialCoupling coupling_;

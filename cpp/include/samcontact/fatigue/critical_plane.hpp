@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Criteria of fatigue that look for the plane on which a quantity is largest.
+// Critical-plane fatigue criteria.
 #pragma once
 
 #include "samcontact/base/aligned.hpp"
@@ -7,20 +7,21 @@
 
 namespace samcontact::fatigue {
 
-/// The largest value over all planes, and the normal of the plane that has it.
+/// Maximum over all planes, and normal of the critical plane.
 struct CriticalPlane {
   Field value;   // [cell]
-  Field normal;  // [3][cell], of length one
+  Field normal;  // [3][cell], unit vectors
 };
 
-/// Findley: amplitude of the shear + k times the largest normal stress of the cycle [Pa]. The
-/// amplitude is the radius of the smallest circle around the path of the shear in the plane.
-/// W. N. Findley (1959), J. Eng. Ind. 81, 301-305.
+/// Findley: shear amplitude + k times the maximum normal stress of the cycle [Pa]. The amplitude is
+/// the radius of the smallest circle around the path of the shear in the plane. W. N. Findley
+/// (1959), J. Eng. Ind. 81, 301-305.
 CriticalPlane findley(const Paths& stress, double k);
 
-/// Fatemi and Socie: amplitude of the engineering shear strain times 1 + k times the largest normal
-/// stress, at least 0 [-]. shear: half of that strain as a tensor, whose mean may be anything;
-/// k: over the yield stress [1/Pa]. (1988), doi:10.1111/j.1460-2695.1988.tb01169.x.
+/// Fatemi and Socie: amplitude of the engineering shear strain times (1 + k times the maximum
+/// normal stress), at least 0 [-]. shear: half of that strain as a tensor, with any mean; k:
+/// material constant divided by the yield stress [1/Pa]. (1988),
+/// doi:10.1111/j.1460-2695.1988.tb01169.x.
 CriticalPlane fatemi_socie(const Paths& shear, const Paths& stress, double k);
 
 }  // namespace samcontact::fatigue

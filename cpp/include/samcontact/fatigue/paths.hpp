@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tensors of many cells over the moments of a cycle, handed on cell by cell.
+// Tensors of many cells at the moments of a cycle, passed on cell by cell.
 #pragma once
 
 #include <algorithm>
@@ -19,22 +19,23 @@ struct Paths {
 };
 
 /// Length of a row of a path: whole cache lines, filled up with the last moment, so that loops over
-/// moments have no rest and need not know of it.
+/// moments have no remainder.
 inline std::size_t row_length(std::size_t moments) { return (moments + 7) / 8 * 8; }
 
-/// task(cell, {path of each of `given`}, work) for every cell, a path as [component][row];
+/// Calls task(cell, {path of each of `given`}, work) for every cell, a path as [component][row];
 /// work: as many rows. Digits do not depend on the number of threads.
 template <std::size_t N, class Task>
 void for_each_path(const std::array<Paths, N>& given, std::size_t work, const Task& task) {
   constexpr std::size_t together = 16;  // cells: two cache lines of a row are read in full
-  constexpr std::size_t between = 512 * together;  // checks for an interrupt
+  constexpr std::size_t between = 512 * together;  // cells between checks for an interrupt
   const std::size_t moments = given[0].moments, cells = given[0].cells;
   const std::size_t row = row_length(moments), path = 6 * row;
   for (std::size_t first = 0; first < cells; first += between) {
     check_interrupt();
     const std::size_t end = std::min(first + between, cells);
     const std::ptrdiff_t groups = (end - first + together - 1) / together;
-#pragma omp parallel if (static_cast<double>((end - first) * moments) * per_number > worth_threads)
+#pragma omp parallel if (static_cast<double>((end - first) * moments) * per_number > \
+                             min_parallel_operations)
     {
       Field paths(N * together * path), rows(work * row);
 #pragma omp for schedule(dynamic, 8)

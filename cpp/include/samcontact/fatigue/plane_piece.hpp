@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the value of a plane hangs on, and where that alone is largest.
+// Smooth pieces of a critical-plane criterion, and the maximum of a piece.
 //
-// The smallest circle around a path is the largest of those around two or three of its points, so
-// that a criterion is the largest of smooth pieces: one for each choice of these points and of the
-// moment whose normal stress counts. The top of a piece is nowhere above the criterion.
+// The smallest circle around a path is the largest of the circles around two or three of its
+// points. A criterion is therefore the maximum of smooth pieces: one for each choice of these
+// points and of the moment of the normal stress. A piece nowhere exceeds the criterion.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct Plane {
 
   explicit Plane(const Vector& normal);
 
-  /// The normal that lies this far along u and v.
+  /// Normal at a distance along u and v.
   Vector beside(double x, double y) const {
     Vector out;
     for (int d = 0; d < 3; ++d) out[d] = n[d] + x * u[d] + y * v[d];
@@ -50,18 +50,18 @@ inline constexpr std::array<std::array<double, 2>, 6> hexagon{{{1.0, 0.0},
                                                                {-0.5, -std::numbers::sqrt3 / 2},
                                                                {0.5, -std::numbers::sqrt3 / 2}}};
 
-/// The points that hold the circle around the shear of a plane, their weights in its centre, and
-/// the moment of its largest normal stress.
+/// Points that determine the circle around the shear of a plane, their weights in its centre, and
+/// the moment of the maximum normal stress.
 struct Holders {
   std::array<std::size_t, 3> points{};
   std::array<double, 3> weights{};
   std::size_t count = 0, moment = 0;
 };
 
-/// Amplitude of the shear and normal stress that holders alone give planes.
+/// Shear amplitude and normal stress of planes, as determined by the holders alone.
 class Piece {
  public:
-  static constexpr int planes = 8;  // at once
+  static constexpr int planes = 8;  // evaluated at once
   using Planes = std::array<double, planes>;
 
   /// Paths [component][row].
@@ -75,8 +75,8 @@ class Piece {
   std::array<double, 6> stress_{};
 };
 
-/// The step, along u and v and up to `reach`, to where a parabola through values of a plane and of
-/// six at a distance around it is highest; uphill where it has no top.
+/// Step along u and v, of at most `reach`, to the maximum of a parabola through the values of a
+/// plane and of six planes around it at a distance; uphill if it has no maximum.
 std::array<double, 2> step_to_top(const Piece::Planes& values, double distance, double reach);
 
 struct Top {
@@ -84,11 +84,11 @@ struct Top {
   Vector normal;
 };
 
-/// The largest value of a piece near n, which `law` makes of both.
+/// Maximum near n of a piece, as combined by `law`.
 template <class Law>
 Top top_of(const Piece& piece, const Law& law, const Vector& n, double reach) {
-  constexpr double distance = 2e-3;  // of planes that tell slope and bend [rad]
-  constexpr double settled = 1e-5;   // a step that is none [rad]
+  constexpr double distance = 2e-3;  // between planes for slope and curvature [rad]
+  constexpr double settled = 1e-5;   // step that counts as zero [rad]
   double best = -std::numeric_limits<double>::infinity();
   Vector at = n, next = n;
   for (int round = 0; round < 30 && reach > settled; ++round) {
@@ -103,7 +103,7 @@ Top top_of(const Piece& piece, const Law& law, const Vector& n, double reach) {
     }
     piece.evaluate(normals, amplitude, normal);
     for (int p = 0; p < Piece::planes; ++p) values[p] = law(amplitude[p], normal[p]);
-    if (!(values[6] > best)) {  // too far
+    if (!(values[6] > best)) {  // the step was too long
       reach /= 4;
       for (int d = 0; d < 3; ++d) next[d] = 0.75 * at[d] + 0.25 * next[d];
       next = unit(next);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The smallest ball around points of a few dimensions, exact to rounding.
+// Smallest ball around points in a few dimensions, exact to rounding.
 //
-// The point farthest from the centre is taken in until none is outside, as Welzl (1991,
-// doi:10.1007/BFb0038202) with the pivots of Gaertner (1999, doi:10.1007/3-540-48481-7_29) does. To
-// take it in is a step of the dual active set method of Goldfarb and Idnani (1983,
-// doi:10.1007/BF02591962): the centre moves at right angles to the flat through the points that
-// hold the ball, and lets go of those whose weight in it becomes zero. The radius grows with every
-// point, which ends the search; points that lie together or in a plane need no care.
+// The point farthest from the centre is included until none is outside, as in Welzl (1991,
+// doi:10.1007/BFb0038202) with the pivots of Gaertner (1999, doi:10.1007/3-540-48481-7_29).
+// Including a point is a step of the dual active set method of Goldfarb and Idnani (1983,
+// doi:10.1007/BF02591962): the centre moves perpendicular to the flat through the points that
+// determine the ball, and releases points whose weight in it becomes zero. The radius grows with
+// every point, which ends the search; coincident or coplanar points need no special treatment.
 #pragma once
 
 #include <algorithm>
@@ -26,13 +26,13 @@ class SmallestBall {
  public:
   using Point = std::array<double, D>;
 
-  /// points: [D][count], count >= 1; work: `count` numbers; first: a point to begin with, best one
-  /// at the rim.
+  /// points: [D][count], count >= 1; work: `count` numbers; first: initial point, preferably one on
+  /// the boundary.
   SmallestBall(const double* points, std::size_t count, double* work, std::size_t first = 0)
       : points_(points), count_(count), squares_(work) {
     take(first);
     double largest = squared_distances(points, count, D, centre_.data(), squares_);
-    // Exact arithmetic would end before; rounding could go round in circles.
+    // With exact arithmetic the search would end earlier; rounding could make it cycle.
     for (int round = 0; round < 200; ++round) {
       const double held = std::sqrt(square(held_[0], centre_));
       if (!(std::sqrt(largest) > held * (1 + 1e-14) + rounding())) break;
@@ -45,15 +45,16 @@ class SmallestBall {
   }
 
   const Point& centre() const { return centre_; }
-  /// All points are within it.
+  /// Radius of the ball; all points are within it.
   double radius() const { return radius_; }
-  /// How many points hold it, at its rim; their numbers, and their weights in the centre.
+  /// Number of points on the boundary that determine the ball; their indices, and their weights in
+  /// the centre.
   std::size_t held() const { return static_cast<std::size_t>(size_); }
   std::size_t holder(std::size_t m) const { return holders_[m]; }
   double weight(std::size_t m) const { return weight_[m]; }
 
  private:
-  /// A ball of one point.
+  /// Starts from a ball of one point.
   void take(std::size_t n) {
     held_[0] = centre_ = point(n);
     holders_[0] = n;
@@ -61,7 +62,7 @@ class SmallestBall {
     size_ = 1;
   }
 
-  /// Of distances, where the points lie far from the origin.
+  /// Rounding error of distances, for points far from the origin.
   double rounding() const {
     double size = 0.0;
     for (const double c : centre_) size = std::max(size, std::fabs(c));
@@ -90,10 +91,10 @@ class SmallestBall {
   }
 
   struct Foot {
-    Point normal;                     // from the flat through the held points to q
-    std::array<double, D + 2> share;  // of each held point in the foot of q on it
+    Point normal;                     // from the flat through the holders to q
+    std::array<double, D + 2> share;  // of each holder in the foot of q on the flat
   };
-  /// Orthogonal twice: what is left of a nearly dependent vector is then at right angles too.
+  /// Orthogonalised twice: the remainder of a nearly dependent vector is then perpendicular too.
   Foot foot_of(const Point& q) const {
     Foot foot{};
     std::array<Point, D + 1> basis;
@@ -125,7 +126,8 @@ class SmallestBall {
     return foot;
   }
 
-  /// Makes the ball the smallest that holds point n too; false where rounding leaves nothing to do.
+  /// Makes the ball the smallest that also contains point n; false if rounding prevents any
+  /// progress.
   bool take_in(std::size_t n) {
     const Point q = point(n);
     double weight = 0.0;
@@ -133,7 +135,7 @@ class SmallestBall {
     for (int round = 0; round < D + 2; ++round) {
       const Foot foot = foot_of(q);
       const double height = dot(foot.normal, foot.normal);
-      // in the flat, the points held change without a move of the centre
+      // in the flat, the holders change without a move of the centre
       const bool inside = size_ > D || height <= 1e-26 * reach;
       double step = std::numeric_limits<double>::infinity();
       if (!inside) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two-dimensional transforms of zero-padded planes that are even or odd about the middle of y, and
-// perhaps of x: a half or a quarter of the plane is stored and transformed.
+// optionally of x: a half or a quarter of the plane is stored and transformed.
 #pragma once
 
 #include <span>
@@ -17,9 +17,9 @@ enum class Symmetry { none, y, xy };
 /// A plane of n cells mirrored in its middle stores the cells from the middle on.
 inline int stored_cells(int n, bool mirrored) { return mirrored ? n - n / 2 : n; }
 
-/// The spectrum of a plane is (-i)^(number of mirrored directions in which it is odd) times what is
-/// stored, about the plane's middle: complex for kx = 0..mx/2 with a mirror in y only, real with
-/// both. An even and an odd plane share one real transform along each mirrored direction.
+/// The spectrum of a plane is (-i)^(number of mirrored directions in which it is odd) times the
+/// stored one, about the middle of the plane: complex for kx = 0..mx/2 with a mirror in y only,
+/// real with both. An even and an odd plane share one real transform along each mirrored direction.
 class MirroredTransform {
  public:
   /// nx, ny: cells of the whole plane; mx, my: padded sizes, even.
@@ -33,19 +33,20 @@ class MirroredTransform {
     double* spectrum;  // row kx of ky = 0
     bool odd_x, odd_y;
   };
-  /// Rows of successive ky lie `stride` doubles apart. Unnormalised. Thread-safe, one thread.
+  /// Rows of successive ky are `stride` doubles apart. Unnormalised. Thread-safe; runs on one
+  /// thread.
   void forward(std::span<const Plane> planes, std::size_t stride) const;
   void inverse(std::span<const Plane> planes, std::size_t stride) const;
 
  private:
   static constexpr int block = 8;
 
-  /// The mirror of one direction: n cells padded to m.
+  /// Mirror along one direction: n cells padded to m.
   struct Mirror {
     Mirror(int n, int m);
     /// Index of the mirror image of stored cell i in the padded row.
     int image(int i) const { return shifted ? m - 1 - i : (m - i) % m; }
-    /// A whole row of the stored cells of an even and an odd one, null where there is none.
+    /// Whole row from the stored cells of an even and an odd row, null if there is none.
     void join(const double* even, const double* odd, double* row) const;
     void divide(const double* row, double* even, double* odd) const;
     int stored, m;
@@ -54,7 +55,7 @@ class MirroredTransform {
   };
   static std::vector<std::array<int, 2>> pairs(std::span<const Plane> planes, bool along_x);
 
-  /// Between rows and columns lies [plane][ky][i]: numbers of a plane.
+  /// Intermediate arrays between rows and columns are [plane][ky][i]: size of a plane.
   std::size_t middle_size() const { return static_cast<std::size_t>(mh_) * hx_; }
   void forward_rows(std::span<const Plane> planes) const;
   void forward_columns(std::span<const Plane> planes, std::size_t stride) const;

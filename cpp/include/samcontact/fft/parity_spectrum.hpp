@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Spectra of influence coefficients: a kernel that is even or odd in x and in y has a spectrum that
-// is (-i)^(number of odd directions) times a real quarter plane.
+// Spectra of influence coefficients: the spectrum of a kernel that is even or odd in x and in y is
+// (-i)^(number of odd directions) times a real quarter plane.
 #pragma once
 
 #include "samcontact/fft/padded_transform.hpp"
@@ -8,15 +8,15 @@
 
 namespace samcontact::fft {
 
-/// Real quarter spectra of kernels sampled at offsets i >= 0, j >= 0. FFTW would take longer to
-/// plan its transforms of even and odd sequences than these to do them.
+/// Real quarter spectra of kernels sampled at offsets i >= 0, j >= 0. Planning of FFTW's transforms
+/// for even and odd sequences would take longer than these transforms.
 class ParitySpectrum {
  public:
   ParitySpectrum(int mx, int my);
   explicit ParitySpectrum(const PaddedTransform& transform)
       : ParitySpectrum(transform.mx(), transform.my()) {}
 
-  /// Extents of the quarter plane [j][i] of samples and, in the same places, [ky][kx] of spectra.
+  /// Extents of the quarter plane [j][i] of samples and, in the same storage, [ky][kx] of spectra.
   int hx() const { return mx_ / 2 + 1; }
   int hy() const { return my_ / 2 + 1; }
   std::size_t size() const { return static_cast<std::size_t>(hx()) * hy(); }

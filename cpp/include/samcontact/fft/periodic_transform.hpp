@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Convolution of a plane with an even kernel on a periodic grid that may be larger than the plane:
-// the filter behind operators that can do without full padding.
+// Convolution of a plane with an even kernel on a periodic grid that may be larger than the plane,
+// for operators that do not need full padding.
 #pragma once
 
 #include <cstddef>
@@ -40,7 +40,7 @@ class PeriodicTransform {
   PaddedTransform plane_;
 };
 
-/// The cost of filtering nx rows on a grid of mx x my points, in the unit of cost().
+/// Cost of filtering nx rows on a grid of mx x my points, in units of cost().
 double filter_cost(int nx, int mx, int my);
 
 }  // namespace samcontact::fft

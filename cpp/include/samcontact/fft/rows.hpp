@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first and last pass of a two-dimensional real transform: rows along y, padded with zeros,
-// into columns along x and back.
+// First and last pass of a two-dimensional real transform: rows along y, padded with zeros, into
+// columns along x and back.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,16 @@
 
 namespace samcontact::fft {
 
-/// Neighbouring rows of a plane.
+/// Consecutive rows of a plane.
 struct RowRun {
   int first, count;
 };
 
-/// Those that hold all rows in use, of as many as are transformed at once where there is room.
+/// Runs that contain all rows in use, with as many rows as are transformed at once where there is
+/// room.
 std::vector<RowRun> runs_of(std::span<const char> used);
 
-/// Rows of n cells padded to m, which is even. Within a parallel region its threads share the rows;
+/// Rows of n cells padded to m, which is even. In a parallel region its threads share the rows;
 /// outside, one thread does all.
 class Rows {
  public:

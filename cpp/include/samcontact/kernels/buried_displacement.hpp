@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Corner functions of waves exp(-q d)/q: the displacement of a surface that sees a load from a
-// distance d, as a thick coating sees the substrate. At d = 0 those of surface_traction.hpp.
+// Corner functions of Fourier modes exp(-q d)/q: displacement of a surface due to a load at a
+// distance d, such as the substrate below a thick coating. For d = 0 those of surface_traction.hpp.
 #pragma once
 
 namespace samcontact::kernels {
 
-/// Sums over corners count 1/(2 pi). Factors of exp(-q d)/q, with c and s the direction of the
-/// wave: 1, c^2, c s and c, in the sense of kernels/wave.hpp.
+/// The corner sums are to be multiplied by 1/(2 pi). Factors of exp(-q d)/q, with the direction c,
+/// s of the wavevector: 1, c^2, c s and c, as defined in kernels/wave.hpp.
 double buried_displacement(double x, double y, double d);
 double buried_along(double x, double y, double d);
 double buried_across(double x, double y, double d);

@@ -29,12 +29,12 @@ constexpr int image_count = 43;
 
 /// Fourth derivatives of R integrated over the cuboid, argument (X, Y, z_field - z_corner): xxxx,
 /// yyyy, zzzz, xxxy, xxxz, xyyy, yyyz, xzzz, yzzz, xxyy, xxzz, yyzz, xxyz, xyyz, xyzz. The parity
-/// in each direction is that of the index's count.
+/// in each direction is that of the number of its indices.
 std::array<double, full_space_count> full_space_scalars(double x, double y, double z);
 
 /// Kernels of the image part, argument (X, Y, z_field + z_corner), z > 0: derivatives of the
-/// potentials chi (9), z theta (9), phi (7 third ones), z phi (9), phi (9), where phi = 1/R,
-/// theta = ln(R + z), chi = z theta - R.
+/// potentials chi (9), z theta (9), phi (7, third derivatives), z phi (9), phi (9), where phi =
+/// 1/R, theta = ln(R + z), chi = z theta - R.
 std::array<double, image_count> image_scalars(double x, double y, double z);
 
 /// Number of indices x (direction 0), y (1) or z (2) of a scalar kernel: its parity.
@@ -43,7 +43,7 @@ struct Parity {
 };
 Parity full_space_parity(int kernel);
 Parity image_parity(int kernel);
-/// Parity of a stress or strain component seen as a scalar source of symmetric fields.
+/// Parity of a stress or strain component as a scalar source of symmetric fields.
 Parity component_parity(int component);
 
 /// Stress [Pa] per unit eigenstrain, [out][in], of a cuboid with centre depth zc and half sizes a,
@@ -53,7 +53,7 @@ std::array<std::array<double, 6>, 6> eigenstrain_stress(double X, double Y, doub
                                                         double a, double b, double c, double E,
                                                         double nu);
 
-/// What is subtracted inside the source: sigma_out -= inside_stress(out, in, nu) G eps_in.
+/// Term subtracted inside the source: sigma_out -= inside_stress(out, in, nu) G eps_in.
 double inside_stress(int out, int in, double nu);
 
 }  // namespace samcontact::kernels

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the stress of a cuboid with uniform eigenstrain combines its scalar kernels.
+// Terms of the stress of a cuboid with uniform eigenstrain as combinations of scalar kernels.
 //
 // sigma_out = G/(8 pi (1 - nu)) sum_in eps_in sum_terms (c0 + c1 nu + c2 nu^2) z^power kernel -
 // inside, z = depth of the field point. Obtained from Mindlin's solution by computer algebra; the
-// kernels' order is that of full_space_scalars and image_scalars in eigenstrain.hpp.
+// kernels are in the order of full_space_scalars and image_scalars in eigenstrain.hpp.
 #pragma once
 
 #include <array>

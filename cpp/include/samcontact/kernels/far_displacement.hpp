@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Displacement u_z at the surface far from a uniformly loaded rectangle, by its moments: without
-// the logarithms of the corner sum and without the digits it loses, 1e-16 r^2 at r widths.
+// Surface displacement u_z far from a uniformly loaded rectangle, by multipole moments: without the
+// logarithms of the corner sum and without its cancellation error, 1e-16 r^2 at a distance of r
+// widths.
 #pragma once
 
 #include <array>
@@ -8,16 +9,16 @@
 
 namespace samcontact::kernels {
 
-/// The integral of 1/r over a rectangle about the origin, of `width` along x and `length` along y:
-/// what the corner sum of pressure_displacement gives, to the last digits beyond begin().
+/// Integral of 1/r over a rectangle around the origin, of `width` along x and `length` along y:
+/// equal to the corner sum of pressure_displacement to rounding beyond valid_from().
 class FarDisplacement {
  public:
   FarDisplacement(double width, double length);
 
-  /// The distance from which on it holds.
-  double begin() const { return begin_; }
+  /// Distance from which the expansion is valid.
+  double valid_from() const { return valid_from_; }
 
-  /// out[i] of the points (x[i], y).
+  /// out[i] at the points (x[i], y).
   void evaluate(const double* x, double y, std::size_t count, double* out) const;
 
   /// Even moments up to the eighth: factors of cos(2 theta)^d / r^(2 k).
@@ -25,7 +26,7 @@ class FarDisplacement {
   using Factors = std::array<std::array<double, orders + 1>, orders + 1>;
 
  private:
-  double area_, begin_;
+  double area_, valid_from_;
   Factors factors_{};
 };
 

@@ -6,7 +6,7 @@
 
 namespace samcontact::kernels {
 
-/// One node: where, and its weight.
+/// Node of a quadrature: its position and its weight.
 struct QuadratureNode {
   double at, weight;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the integrals over Gaussians of a heat source (heat_sum.hpp) are sampled.
+// Quadrature nodes for the integrals over Gaussians of a heat source (heat_sum.hpp).
 //
 // An element of heat of age x = kappa tau spreads over Gaussians exp(-w^2 S) with S = v^2 >= x. The
-// angle phi orders the ages under one width, x = S sin^2 phi. All panels carry Gauss points; they
-// double in v, because erf(x/2v) is as smooth in ln v at every scale.
+// angle phi orders the ages under one width, x = S sin^2 phi. All panels have Gauss points; they
+// double in v, because erf(x/2v) is equally smooth in ln v at every scale.
 #pragma once
 
 #include <vector>
@@ -23,12 +23,12 @@ class HeatQuadrature {
  public:
   explicit HeatQuadrature(double tol);
 
-  /// Widths of their edges' distance that terms reach.
+  /// Number of widths from their edges within which terms are evaluated.
   double reach() const { return reach_; }
-  /// For integrals over v from 0 to sqrt(kappa t), age v^2: ends early when the source has passed.
-  /// A source that moves fast crosses its own width between two nodes, hence more panels.
+  /// For integrals over v from 0 to sqrt(kappa t), age v^2: ends early if the source has passed. A
+  /// fast source crosses its own width between two nodes, hence more panels.
   std::vector<HeatWidth> newest_ages(const HeatSource& source, const HeatSum& sum, double z) const;
-  /// For integrals over v from 0 to infinity, all ages up to v^2.
+  /// For integrals over v from 0 to infinity, with all ages up to v^2.
   std::vector<HeatWidth> all_widths(const HeatSource& source, const HeatSum& sum, double z) const;
   /// For integrals over phi from 0 to the angle of a width, as far as the points are reached, with
   /// panels that shrink towards pi/2 down to `finest`.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables as sums of separable terms: a rectangle convolved with a Gaussian of width v, shifted by
-// what the body has moved, is a product f_a(x) f_b(y), and every field of a heat source is an
-// integral over such products.
+// Tables of a heat source as sums of separable terms: a rectangle convolved with a Gaussian of
+// width v, shifted by the motion of the body, is a product f_a(x) f_b(y), and every field of a heat
+// source is an integral over such products.
 #pragma once
 
 #include <array>
@@ -22,12 +22,13 @@ class HeatProfile {
     int first, last;
     bool empty() const { return first >= last; }
   };
-  /// Points where a profile shifted by between `low` and `high` is not negligible when it has
+  /// Points at which a profile shifted by between `low` and `high` is not negligible, if it has
   /// decayed at the distance `reach` from its edges.
   Range support(double low, double high, double reach) const;
   /// out[m][i - first] = m-th derivative of f at x[i] - shift, m = 0..orders - 1.
   void evaluate(double shift, double v, Range range, int orders, double* const* out);
-  /// Smallest distance of a point from an edge, those on an edge left out; infinity without any.
+  /// Smallest distance of a point from an edge, except points on an edge; infinity if there are
+  /// none.
   double edge_distance() const { return edge_distance_; }
   double min() const { return x_.front(); }
   double max() const { return x_.back(); }
@@ -43,25 +44,25 @@ class HeatProfile {
   std::vector<double> erf_, gauss_;
 };
 
-/// One table: weight number `weight` of every term times derivatives of its two profiles.
+/// One table: weight `weight` of every term times derivatives of its two profiles.
 struct HeatProduct {
   int order_x, order_y, weight;
 };
 
-/// Adds up terms for several tables at once. Terms are kept and added a few at a time, so that a
-/// table is read and written once for all of them.
+/// Sum of terms for several tables at once. Terms are collected and added a few at a time, so that
+/// a table is read and written once for all of them.
 class HeatSum {
  public:
   static constexpr int max_weights = 3;
-  /// Terms decay `reach` widths from the edges of the rectangle.
+  /// Terms decay within `reach` widths from the edges of the rectangle.
   HeatSum(const HeatSource& source, const HeatPoints& points, std::vector<HeatProduct> products,
           double reach);
 
-  /// A Gaussian of width v after the body has moved for `age` = kappa tau.
+  /// Adds a Gaussian of width v after the body has moved for `age` = kappa tau.
   void add(double age, double v, const std::array<double, max_weights>& weights);
-  /// Adds what is kept; asks whether to stop (base/interrupt.hpp).
+  /// Adds the collected terms; checks for an interrupt (base/interrupt.hpp).
   void flush();
-  /// The age from which on no point is reached by terms of width v; infinity for a source at rest.
+  /// Age from which no point is reached by terms of width v; infinity for a stationary source.
   double last_age(double v) const;
 
   const HeatProfile& along_x() const { return profile_x_; }

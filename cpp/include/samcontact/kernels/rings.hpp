@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Influence of a rectangle from its waves, by rings in wavenumber: windows, each half as wide as
-// the one before, whose short Fourier sums have periods of their own, so that nothing wraps around
-// and offsets are exact (docs/theory/layers.md).
+// Influence coefficients of a rectangle from its Fourier modes, by rings in wavenumber: windows,
+// each half as wide as the previous one, whose short Fourier sums have periods of their own, so
+// that nothing wraps around and offsets are exact (docs/theory/layers.md).
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace samcontact::kernels {
 
-/// Components of waves exp(i (kx x + ky y)), the real factors of kernels/wave.hpp.
+/// Components of Fourier modes exp(i (kx x + ky y)), the real factors of kernels/wave.hpp.
 struct RingWaves {
   std::vector<Parity> parities;
   /// At kx, ky >= 0, for all components; finite at kx = ky = 0.
@@ -22,12 +22,12 @@ struct RingWaves {
   double longest;  // length over which they vary in space beyond the offsets [m]
 };
 
-/// What a rectangle dx by dy with a unit load does at offsets >= 0 [m] from its centre:
-/// [component][j][i], to 1e-9 of the largest.
+/// Influence of a rectangle dx by dy with a unit load at offsets >= 0 [m] from its centre:
+/// [component][j][i], to 1e-9 of the largest value.
 Field ring_sums(const RingWaves& waves, double dx, double dy, std::span<const double> x,
                 std::span<const double> y);
 
-/// The same of a strip along y without end, from the waves along x: [component][i].
+/// Influence of an infinite strip along y, from the modes along x: [component][i].
 Field ring_strip_sums(const RingWaves& waves, double dx, std::span<const double> x);
 
 }  // namespace samcontact::kernels

@@ -3,7 +3,7 @@
 // (Love, Cerruti) and stress at any depth. Corner functions; sums in corners.hpp.
 //
 // x, y: field point minus corner of the source, z >= 0 depth, all in one unit of length. Only the
-// corner sum of a function has a meaning; terms that the sum annihilates are left out.
+// corner sum of a function is meaningful; terms that the sum annihilates are omitted.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@ using Stress = std::array<double, 6>;
 /// Love (1929) as in Boucly (2008), eq. (2.34).
 double pressure_displacement(double x, double y);
 
-/// Corner function of u_z due to shear s_x (acting on the body along +x):
-/// u_z = s_x (1 + nu)(1 - 2 nu)/(2 pi E) S2. Odd in x, even in y. Cerruti (1882); the prefactor
-/// printed in Boucly (2008), eq. (2.37), lacks (1 - 2 nu)/4.
+/// Corner function of u_z due to shear s_x (acting on the body along +x): u_z = s_x (1 + nu)(1 - 2
+/// nu)/(2 pi E) S2. Odd in x, even in y. Cerruti (1882); the prefactor in Boucly (2008), eq.
+/// (2.37), lacks (1 - 2 nu)/4.
 double shear_displacement(double x, double y);
 
 /// Corner functions of the displacement in the surface due to shear s_x: u_x = s_x/(2 pi G) S2

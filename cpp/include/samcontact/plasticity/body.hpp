@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a body is made of: a material, or layers of several on a substrate, perfectly bonded.
+// Structure of a body: one material, or layers of several materials on a substrate, perfectly
+// bonded.
 #pragma once
 
 #include <cstddef>
@@ -18,13 +19,13 @@ struct MaterialLayer {
   bool operator==(const MaterialLayer&) const = default;
 };
 
-/// Materials are counted from the surface down, the substrate last. Depths of their yield profiles
-/// and initial stresses are those below the surface of the body.
+/// Materials are numbered from the surface down, the substrate last. Depths of their yield profiles
+/// and initial stresses are counted from the surface of the body.
 class Body {
  public:
   // NOLINTNEXTLINE(*-explicit-constructor): a material is a body
   Body(Material substrate) : substrate_(std::move(substrate)) {}
-  /// Throws std::invalid_argument as Stack::of.
+  /// Throws std::invalid_argument like Stack::of.
   Body(Material substrate, std::vector<MaterialLayer> layers);
 
   bool operator==(const Body&) const = default;
@@ -34,7 +35,7 @@ class Body {
   const Material& material(int number) const {
     return number < static_cast<int>(layers_.size()) ? layers_[number].material : substrate_;
   }
-  /// Of the material at a depth; on an interface that below it.
+  /// Index of the material at a depth; a depth on an interface belongs to the layer below it.
   int number_at(double z) const;
   const Material& at(double z) const { return material(number_at(z)); }
   /// Depth of the bottom of each layer [m].
@@ -43,12 +44,12 @@ class Body {
 
   bool is_plastic() const;
   bool has_initial_stress() const;
-  /// Smallest strain at yield of all materials, yield stress / 3 G, before hardening; infinite
-  /// where none yields.
+  /// Minimum strain at yield of all materials, initial yield stress / 3 G [-]; infinite if all are
+  /// elastic.
   double strain_at_yield() const;
-  /// Most that a material has.
+  /// Maximum number of backstresses of a material.
   std::size_t backstresses() const;
-  /// Whether depths at which strength changes are the same.
+  /// Whether the strength changes at the same depths as that of another body.
   bool changes_like(const Body& other) const;
 
  private:

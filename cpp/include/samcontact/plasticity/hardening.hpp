@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hardening laws: the yield stress [Pa] and its work as functions of the equivalent plastic strain.
+// Hardening laws: yield stress [Pa] and its work as functions of the equivalent plastic strain.
 //
-// A law is a struct here and an alternative of Hardening::Laws. It says its name, its parameters
-// and what they may be; checks, bindings, case files and the radial return take it from there.
+// Each law is a struct here and an alternative of Hardening::Laws. The struct declares its name,
+// its parameters and their ranges; checks, bindings, case files and the radial return read them
+// from there.
 #pragma once
 
 #include <algorithm>
@@ -20,12 +21,13 @@
 
 namespace samcontact::plasticity {
 
-/// Yield stress and d yield_stress / dg [Pa] together: a power costs more than all else here.
+/// Yield stress and d yield_stress / dg [Pa], evaluated together: a power is the most expensive
+/// operation here.
 struct Point {
   double yield_stress, slope;
 };
 
-/// Never yields.
+/// Elastic: never yields.
 struct NoYield {
   static constexpr auto name = "elastic", says = "Linear elasticity.";
 
@@ -51,13 +53,13 @@ struct PerfectPlastic {
   bool operator==(const PerfectPlastic&) const = default;
 };
 
-/// yield_stress + modulus g, the modulus being E Et/(E - Et) of the uniaxial curve's tangent Et <
-/// E.
+/// yield_stress + modulus g, with the modulus E Et/(E - Et) for the tangent modulus Et < E of the
+/// uniaxial curve.
 struct LinearHardening {
   static constexpr auto name = "linear_hardening",
                         says = "Linear isotropic hardening; tangent modulus of the uniaxial curve.";
   double yield_stress, tangent_modulus;
-  double modulus = 0.0;  // made of the others
+  double modulus = 0.0;  // derived from the other parameters
 
   template <class Self, class Visit>
   static void parameters(Self& law, const Visit& visit) {
@@ -70,7 +72,7 @@ struct LinearHardening {
   bool operator==(const LinearHardening&) const = default;
 };
 
-/// B (C + 1e6 g)^n: Swift's law, whose C counts microstrain. Boucly (2008), eq. (2.162).
+/// B (C + 1e6 g)^n: Swift's law, in which C is in microstrain. Boucly (2008), eq. (2.162).
 struct Swift {
   static constexpr auto name = "swift", says = "Swift hardening B (C + 1e6 g)^n.";
   static constexpr double micro = 1e6;
@@ -114,20 +116,23 @@ struct Voce {
   bool operator==(const Voce&) const = default;
 };
 
-/// A straight piece of a curve, which goes through a point.
+/// Straight segment of a curve, through a point.
 struct Line {
   double strain, stress, slope;
 
   Point at(double g) const { return {stress + slope * (g - strain), slope}; }
 };
 
-/// Points of a curve, straight between them and constant beyond the last.
+/// Points of a curve: piecewise linear, constant beyond the last point.
 struct Tabulated {
-  static constexpr auto name = "tabulated",
-                        says = "Points of a curve, straight between them, constant beyond.";
-  static constexpr std::size_t most = 4096;  // points, which attributes of HDF5 files can hold
+  static constexpr auto
+      name = "tabulated",
+      says = "Points of a measured curve: piecewise linear, constant beyond the last.";
+  static constexpr std::size_t most = 4096;  // points; limit of attributes in HDF5 files
   std::vector<double> plastic_strain, stress;
-  std::vector<double> slopes = {}, works = {};  // from a point on, up to it; made of the others
+  std::vector<double>
+      slopes = {},
+      works = {};  // from each point on, and up to it; derived from the other parameters
 
   template <class Self, class Visit>
   static void parameters(Self& law, const Visit& visit) {
@@ -137,7 +142,7 @@ struct Tabulated {
   void prepare(const Elastic&);
   Point at(double g) const { return line(piece_at(g)).at(g); }
   double work(double g) const;
-  /// The piece where an increment from g ends. beyond(strain, stress): whether it passes a kink.
+  /// Segment in which an increment from g ends. beyond(strain, stress): whether it passes a kink.
   template <class Beyond>
   Line piece(double g, const Beyond& beyond) const {
     const auto passed = [&](const double& strain) {
@@ -155,7 +160,7 @@ struct Tabulated {
   bool operator==(const Tabulated&) const = default;
 };
 
-/// A law whose yield stress is `factor` times that of another, which must outlive it.
+/// Law with `factor` times the yield stress of another law, which must outlive it.
 template <class Law>
 struct Scaled {
   const Law& law;
@@ -175,26 +180,26 @@ struct Scaled {
   }
 };
 
-/// What is told of a law to those who make one by name.
+/// Description of a law for callers that create it by name.
 struct LawDescription {
   std::string name, says;
   bool yields;
   std::vector<LawParameter> parameters;
 };
 
-/// One of the laws, its parameters checked.
+/// One of the laws, with checked parameters.
 class Hardening {
  public:
   using Laws = std::variant<NoYield, PerfectPlastic, LinearHardening, Swift, Voce, Tabulated>;
-  /// Parameters by name; one that is no list has one value.
+  /// Parameters by name; a scalar parameter has one value.
   using Values = std::map<std::string, std::vector<double>>;
 
-  /// Throws std::invalid_argument naming the parameter, its value and what is allowed.
+  /// Throws std::invalid_argument with the name of the parameter, its value and the allowed range.
   Hardening(Laws law, const Elastic& elastic);
   static Hardening named(const std::string& name, const Values& values, const Elastic& elastic);
   static std::vector<LawDescription> descriptions();
 
-  /// What the function returns for the law itself.
+  /// Result of a function that is called with the law itself.
   template <class Function>
   decltype(auto) visit(Function&& function) const {
     return std::visit(std::forward<Function>(function), law_);
@@ -203,7 +208,7 @@ class Hardening {
   double yield_stress(double g) const {
     return visit([g](const auto& law) { return law.at(g).yield_stress; });
   }
-  /// Integral of the yield stress from 0 to g [J/m^3]; 0 without yield.
+  /// Integral of the yield stress from 0 to g [J/m^3]; 0 for an elastic law.
   double work(double g) const {
     return visit([g](const auto& law) { return law.work(g); });
   }

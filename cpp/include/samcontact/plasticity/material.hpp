@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Materials: isotropic elasticity; J2 plasticity with isotropic and kinematic hardening, whose
-// yield stress may change with depth; stress that is there from the start.
+// Materials: isotropic elasticity; J2 plasticity with isotropic and kinematic hardening, with a
+// yield stress that may depend on depth; initial stress.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace samcontact::plasticity {
 
-/// Kinematic hardening: a backstress X, which moves the yield surface with the plastic strain e,
+/// Kinematic hardening: a backstress X, by which the yield surface moves with the plastic strain e,
 /// dX = 2/3 modulus de - recovery X dg (Armstrong & Frederick 1966; without recovery Prager 1949).
 struct Backstress {
   double modulus = 0.0;   // [Pa]
@@ -23,11 +23,11 @@ struct Backstress {
   bool operator==(const Backstress&) const = default;
 };
 
-/// As many may add up (Chaboche 1986).
+/// Maximum number of backstresses that are added (Chaboche 1986).
 constexpr int max_backstresses = 4;
 
-/// Stress along the surface [Pa]. As it changes with depth only and has no other component, it is
-/// in equilibrium, and leaves the surface free, whatever its profile.
+/// Initial stress along the surface [Pa]. As it depends only on depth and has no other component,
+/// it is in equilibrium and leaves the surface free of tractions, for any profile.
 struct InitialStress {
   OverDepth xx, yy, xy;  // at the same depths
 
@@ -40,33 +40,35 @@ struct Material {
   Hardening hardening;
   std::vector<Backstress> backstresses = {};
   std::optional<Thermal> thermal = {};
-  std::optional<OverDepth> yield_profile = {};  // factor of the yield stress; none: 1
+  std::optional<OverDepth> yield_profile = {};  // factor of the yield stress [-]; none: 1
   std::optional<InitialStress> initial_stress = {};
 
-  /// Both throw std::invalid_argument naming the parameter, its value and what is allowed.
+  /// Both throw std::invalid_argument with the name of the parameter, its value and the allowed
+  /// range.
   static Material with_law(double E, double nu, Hardening::Laws law);
   static Material with_law(double E, double nu, const std::string& name,
                            const Hardening::Values& values);
   static Material make_elastic(double E, double nu) { return with_law(E, nu, NoYield{}); }
   static Material make_rigid();
 
-  /// The same with kinematic hardening beside its isotropic hardening, instead of what it had.
+  /// Copy with these backstresses in addition to its isotropic hardening, in place of earlier ones.
   Material with_backstresses(const std::vector<Backstress>& terms) const;
 
-  /// The same with thermal constants.
+  /// Copy with thermal constants.
   Material with_thermal(const Thermal& constants) const;
 
-  /// The same with another strength over depth. Throws where the initial stress is above it.
+  /// Copy with another depth profile of the yield stress. Throws std::invalid_argument if the
+  /// initial stress exceeds it.
   Material with_yield_profile(OverDepth factor) const;
 
-  /// The same with stress from the start. Throws where it is above the yield stress.
+  /// Copy with an initial stress. Throws std::invalid_argument if it exceeds the yield stress.
   Material with_initial_stress(InitialStress stress) const;
 
   bool operator==(const Material&) const = default;
   bool is_plastic() const { return hardening.yields(); }
-  /// Of the yield stress at a depth.
+  /// Factor of the yield stress at a depth.
   double yield_factor(double z) const { return yield_profile ? yield_profile->at(z) : 1.0; }
-  /// Before it has hardened, of all depths [Pa].
+  /// Minimum initial yield stress over all depths [Pa].
   double smallest_yield_stress() const {
     const double yield_stress = hardening.yield_stress(0.0);
     return yield_profile ? yield_stress * yield_profile->smallest() : yield_stress;

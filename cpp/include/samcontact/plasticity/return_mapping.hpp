@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Radial return for J2 plasticity with isotropic and kinematic hardening, backward Euler (Simo &
-// Hughes 1998, Computational Inelasticity, boxes 3.1 and 3.2). Pointwise: knows no grid.
+// Hughes 1998, Computational Inelasticity, boxes 3.1 and 3.2), for a single point.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace samcontact::plasticity {
 /// Components xx, yy, zz, yz, xz, xy of a symmetric tensor.
 using Tensor = std::array<double, 6>;
 
-/// Backstresses of a point, as many as its material has.
+/// Backstresses of a point, one for each backstress of its material.
 using Tensors = std::array<Tensor, max_backstresses>;
 
 /// sqrt(3/2 s:s), s the deviator [Pa].
@@ -29,21 +29,23 @@ struct Return {
   Tensor increment;   // plastic strain increment (tensor components)
   double equivalent;  // equivalent plastic strain increment
   double excess;      // (von Mises - yield stress) / yield stress of the given stress, >= 0
-  double overshoot;   // the same of the trial state, before hardening: what drives the flow
+  double
+      overshoot;  // relative violation of the yield condition by the trial state, before hardening
 };
 
-/// Returns to the yield surface. stress: the stress with `guess`, the present estimate of the
-/// plastic strain increment, in place; the trial state takes that guess back: dev(stress) + 2 G
-/// guess. before: one backstress for each of the material's, as they were before the increment.
-/// softening: factor of the yield stress.
+/// Returns to the yield surface. stress: the stress for the present estimate `guess` of the plastic
+/// strain increment; the trial state without that estimate is dev(stress) + 2 G guess. before: one
+/// backstress for each of the material, before the increment. softening: factor of the yield
+/// stress.
 Return radial_return(const Tensor& stress, const Tensor& guess, double g, const Material& material,
                      std::span<const Tensor> before = {}, double softening = 1.0);
 
-/// A backstress after a plastic strain increment and its equivalent.
+/// Backstress after a plastic strain increment with the given equivalent increment.
 Tensor advanced(const Tensor& backstress, const Backstress& law, const Tensor& increment,
                 double equivalent);
 
-/// Response to a history of total axial strain under uniaxial stress, from the virgin state.
+/// Axial stress for a history of total axial strain under uniaxial stress, from the virgin state
+/// [Pa].
 std::vector<double> uniaxial_stress(const Material& material, std::span<const double> strain);
 
 }  // namespace samcontact::plasticity

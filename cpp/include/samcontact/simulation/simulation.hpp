@@ -19,45 +19,48 @@ namespace samcontact::simulation {
 /// backward Euler with the consistent total strain increment.
 class Simulation {
  public:
-  /// Throws std::invalid_argument: wrong gap, an inelastic body on a grid without volume.
+  /// Throws std::invalid_argument for an invalid gap, or an elastic-plastic body on a grid without
+  /// layers.
   Simulation(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
              Field initial_gap, const contact::FrictionLaw& friction, const Settings& settings,
-             const HeatMarch& march = {}, Reliefs reliefs = {},
+             const TransientHeating& transient_heating = {}, Reliefs reliefs = {},
              contact::SharedContactLaw contact_law = contact::hard_contact());
 
-  /// One increment; halves it where the fixed point does not converge. The present state changes
-  /// only on success. Throws std::invalid_argument, GridTooSmallError, ConvergenceError.
+  /// Solves one increment; halves it if the fixed-point iteration does not converge. The current
+  /// state changes only on success. Throws std::invalid_argument, GridTooSmallError,
+  /// ConvergenceError.
   const State& step(const Target& target);
 
-  /// Plastic state of body 0 or 1 to go on from: any symmetric strain, e.g. a given eigenstrain.
-  /// Over the cells of a box. Without equivalent plastic strain or backstress when these are empty.
+  /// Sets the plastic state of body 0 or 1 over the cells of a box: any symmetric strain, e.g. a
+  /// given eigenstrain. Empty fields: no equivalent plastic strain, no backstress.
   void set_plastic_state(int body, const Box& whole, const Field& strain, const Field& equivalent,
                          const Field& backstress);
 
-  /// Adds an eigenstrain of body 0 or 1 in a box of the grid's cells whose first layer is number
-  /// k0, [component][k][i][j] of all six components. Throws std::invalid_argument: a box outside of
-  /// the grid, a grid without volume, a rigid body, values that are not finite.
+  /// Adds an eigenstrain of body 0 or 1 in a box of grid cells whose first layer is k0,
+  /// [component][k][i][j] of all six components. Throws std::invalid_argument for a box outside the
+  /// grid, a grid without layers, a rigid body, or values that are not finite.
   void add_eigenstrain(int body, const Box& box, int k0, const Field& strain);
 
-  /// Continues from a saved state of the same scene.
+  /// Continues from a saved state of an equal setup.
   void restore(const State& state, const Counters& counters);
 
   const State& state() const { return state_; }
   const Scene& scene() const { return *scene_; }
   const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
   const Counters& counters() const { return counters_; }
-  /// Memory of the plastic state and the volume's kernels.
+  /// Memory of the plastic state and of the volume kernels [byte].
   std::size_t volume_bytes() const;
 
  private:
   void check(const Target& target) const;
-  /// With the heat of a target.
+  /// Yield scans with the heating of a target.
   const Scans& scans(const operators::HeatingPair& heating);
-  /// The state at a target.
-  State reached(const Target& target);
-  /// The same with heat of slip: solved until slip makes the heat that it was solved with.
+  /// State at the end of an increment to a target.
+  State end_state(const Target& target);
+  /// State with heat due to slip: repeated until the heat of the slip equals the heat used in the
+  /// solution.
   State heated_by_slip(Target target);
-  std::vector<std::string> border_complaints(const State& reached, const Target& target) const;
+  std::vector<std::string> edge_warnings(const State& reached, const Target& target) const;
 
   std::shared_ptr<const Scene> scene_;
   Scans scans_;

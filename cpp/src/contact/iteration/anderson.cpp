@@ -66,7 +66,7 @@ void Anderson::advance(Field& x) {
   Eigen::VectorXd gamma(m);
   if (m > 0) {
     for (int a = 0; a < m; ++a) gamma(a) = ordered_dot(steps_[a].df.data(), f.data(), n);
-    // Columns shrink as the iteration converges: scale them, then drop near-dependent directions.
+    // Columns shrink as the iteration converges: scale them, then drop nearly dependent directions.
     const Eigen::VectorXd scale = gram_.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
     solver.setThreshold(1e-10);

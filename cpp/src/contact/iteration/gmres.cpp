@@ -13,8 +13,8 @@ namespace {
 
 double product(const Field& a, const Field& b) { return ordered_dot(a.data(), b.data(), a.size()); }
 
-/// Makes q orthogonal to the vectors, and of unit length; the column of their products, and its
-/// length below them.
+/// Makes q orthogonal to the vectors and normalises it; stores the scalar products and the length
+/// below them.
 Eigen::VectorXd orthogonalise(const std::vector<Field>& vectors, Field& q) {
   const auto count = static_cast<Eigen::Index>(vectors.size());
   Eigen::VectorXd column(count + 1);
@@ -33,19 +33,19 @@ Eigen::VectorXd orthogonalise(const std::vector<Field>& vectors, Field& q) {
 }  // namespace
 
 int gmres(const LinearMap& apply, const LinearMap& precondition, const Field& b, double gain,
-          int most_steps, Field& x) {
+          int max_steps, Field& x) {
   x.assign(b.size(), 0.0);
   const double first = std::sqrt(product(b, b));
   if (!(first > 0)) return 0;
   std::vector<Field> vectors{b};
   for (double& value : vectors[0]) value /= first;
-  Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero(most_steps + 1, most_steps);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(most_steps + 1);
+  Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero(max_steps + 1, max_steps);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(max_steps + 1);
   right[0] = first;
   std::vector<Eigen::JacobiRotation<double>> rotations;
   Field z(b.size()), q(b.size());
   int steps = 0;
-  while (steps < most_steps && std::fabs(right[steps]) > gain * first) {
+  while (steps < max_steps && std::fabs(right[steps]) > gain * first) {
     check_interrupt();
     precondition(vectors.back(), z);
     apply(z, q);

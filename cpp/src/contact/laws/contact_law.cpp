@@ -47,7 +47,7 @@ SharedContactLaw hard_contact() {
 
 SharedContactLaw contact_law(const std::string& kind, const std::vector<double>& parameters) {
   const auto found = laws().find(kind);
-  if (found == laws().end()) throw std::invalid_argument("no contact law is named " + kind);
+  if (found == laws().end()) throw std::invalid_argument("unknown contact law '" + kind + "'");
   return found->second(parameters);
 }
 

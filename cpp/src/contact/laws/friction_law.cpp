@@ -38,7 +38,7 @@ FrictionLaw FrictionLaw::named(const std::string& name, const Values& values) {
     });
     found = law;
   });
-  if (!known) throw std::invalid_argument("there is no friction law '" + name + "'");
+  if (!known) throw std::invalid_argument("unknown friction law '" + name + "'");
   return FrictionLaw(found);
 }
 
@@ -46,11 +46,11 @@ std::vector<FrictionDescription> FrictionLaw::descriptions() {
   std::vector<FrictionDescription> all;
   for_each_law<Laws>([&](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
-    FrictionDescription told{Law::name, Law::says, Law::sticks, {}};
+    FrictionDescription description{Law::name, Law::says, Law::sticks, {}};
     Law::parameters(law, [&](const char* name, double, const Allowed& allowed) {
-      told.parameters.push_back({name, allowed});
+      description.parameters.push_back({name, allowed});
     });
-    all.push_back(std::move(told));
+    all.push_back(std::move(description));
   });
   return all;
 }

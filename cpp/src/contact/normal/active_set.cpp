@@ -14,16 +14,17 @@
 namespace samcontact::contact {
 namespace {
 
-/// Steps on one working set go on until tension or penetration outweighs the residual this often;
-/// less patience changes the set more often, each time for the price of one more application.
+/// Steps on one working set continue until tension or interpenetration exceeds the residual by this
+/// factor; a smaller factor changes the set more often, at the cost of one more application each
+/// time.
 constexpr double initial_patience = 3.0;
 constexpr double patience_loss = 0.3;
-constexpr int most_steps_on_a_set = 10;
-/// So many steps that do not halve the residual have met rounding.
-constexpr int most_steps_in_vain = 20;
-/// Cells are released only when the last change dropped a smaller share: releasing while many drop
-/// can cycle.
-constexpr double calm_share = 0.01;
+constexpr int max_steps_per_set = 10;
+/// This number of steps without halving the residual indicates rounding.
+constexpr int max_stalled_steps = 20;
+/// Cells are released only if the last change dropped a smaller fraction of cells: releasing while
+/// many drop can cycle.
+constexpr double calm_fraction = 0.01;
 
 class ActiveSet {
  public:
@@ -68,7 +69,7 @@ class ActiveSet {
     ++operator_count_;
   }
 
-  /// Where the rigid bodies stand: under load, at the mean of gap and displacement.
+  /// Rigid-body position: under load, the mean of gap and displacement.
   double position() const {
     return load_driven_ ? set_.sums(rest_, rest_).plain / set_.size() : approach_;
   }
@@ -89,9 +90,10 @@ class ActiveSet {
     u_scale_ = all.largest_displacement;
   }
 
-  /// Cells with pressure and, once few cells drop, those with penetration. Returns their number.
+  /// Selects the cells with pressure and, once few cells drop, those with interpenetration. Returns
+  /// their number.
   std::size_t choose_working_set(const Survey& cells) {
-    const bool release = dropped_ <= calm_share * cells.working;
+    const bool release = dropped_ <= calm_fraction * cells.working;
     for_each_cell(std::ssize(states_), [&](std::ptrdiff_t i) {
       states_[i] = states_[i] == working || (release && states_[i] != idle);
     });
@@ -105,7 +107,7 @@ class ActiveSet {
     return set_.size();
   }
 
-  /// Displacement of a pressure that was changed by hand, scaled to the load.
+  /// Displacement of a pressure that was changed directly, scaled to the load.
   void settle() {
     if (load_driven_) scale_to_sum(p_, problem_.normal.value / problem_.cell_area);
     apply(p_, rest_);
@@ -123,7 +125,7 @@ class ActiveSet {
     violation_ = std::max(p_scale_ > 0 ? -lowest_p / p_scale_ : 0.0, -lowest_gap / u_scale);
   }
 
-  /// Conjugate gradient on the working set, where the pressure may become negative. False when
+  /// Conjugate gradient on the working set, in which the pressure may become negative. False if
   /// rounding leaves no descent.
   bool minimise(double tol, int max_iterations) {
     for_each_cell(std::ssize(r_), [&](std::ptrdiff_t i) { r_[i] = t_[i] = 0.0; });
@@ -161,17 +163,17 @@ class ActiveSet {
       if (in_vain == 0) lowest_residual = residual_;
       const bool violated = violation_ > 0.5 * tol;
       if (residual_ < 0.5 * tol || iterations_ >= max_iterations ||
-          (violated && (violation_ > patience_ * residual_ || step >= most_steps_on_a_set))) {
+          (violated && (violation_ > patience_ * residual_ || step >= max_steps_per_set))) {
         return true;
       }
-      if (in_vain == most_steps_in_vain) return false;
+      if (in_vain == max_stalled_steps) return false;
     }
   }
 
   void drop_tension() {
     dropped_ = 0;
     const std::ptrdiff_t n = std::ssize(p_);
-#pragma omp parallel for schedule(static) reduction(+ : dropped_) if (n >= worth_threads_cells)
+#pragma omp parallel for schedule(static) reduction(+ : dropped_) if (n >= min_parallel_cells)
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       dropped_ += p_[i] < 0;
       p_[i] = std::max(p_[i], 0.0);
@@ -183,7 +185,7 @@ class ActiveSet {
   const std::size_t n_;
   const bool load_driven_;
   Field p_, r_, z_, t_;
-  Field rest_;                         // gap + displacement: the gap but for the approach
+  Field rest_;                         // gap + displacement: the gap except for the approach
   std::vector<unsigned char> states_;  // of CellState
   CellRuns set_, others_;
   ComplexField work_;

@@ -10,8 +10,8 @@
 namespace samcontact::contact {
 namespace {
 
-/// Of the largest tension: a load this close to it is it.
-constexpr double rounding_share = 1e-12;
+/// Relative to the maximum tensile force: a load this close to it counts as equal.
+constexpr double rounding_fraction = 1e-12;
 
 }  // namespace
 
@@ -30,11 +30,11 @@ Attraction::Attraction(const ContactLaw& law, const Grid& grid,
 Given Attraction::normal(const Given& normal) const {
   if (pull_.empty() || !normal.is_force()) return normal;
   const double repulsion = normal.value + force_;
-  require(repulsion >= -rounding_share * force_, "load",
-          "at least " + to_short_text(-force_, 6) +
-              " N, the largest tension that the contact law bears",
-          normal.value);
-  return Given::force(repulsion > rounding_share * force_ ? repulsion : 0.0);
+  require(
+      repulsion >= -rounding_fraction * force_, "load",
+      "at least " + to_short_text(-force_, 6) + " N, the maximum tensile force of the contact law",
+      normal.value);
+  return Given::force(repulsion > rounding_fraction * force_ ? repulsion : 0.0);
 }
 
 Field Attraction::repulsion(Field pressure) const {

@@ -12,7 +12,7 @@ namespace {
 
 int half(int n) { return (n + 1) / 2; }
 
-/// The other coarse cell that fine cell i interpolates from, besides i/2, which has 3/4.
+/// Second coarse cell from which fine cell i is interpolated; the first is i/2, with weight 3/4.
 int neighbour(int i, int n) { return std::clamp(i / 2 + (i % 2 == 0 ? -1 : 1), 0, half(n) - 1); }
 
 }  // namespace
@@ -26,7 +26,7 @@ Grid coarsened(const Grid& grid) {
 Field coarsened(const Grid& grid, const Field& field) {
   const int nx = half(grid.nx), ny = half(grid.ny);
   Field coarse(static_cast<std::size_t>(nx) * ny);
-#pragma omp parallel for schedule(static) if (std::ssize(field) >= worth_threads_cells)
+#pragma omp parallel for schedule(static) if (std::ssize(field) >= min_parallel_cells)
   for (int I = 0; I < nx; ++I) {
     for (int J = 0; J < ny; ++J) {
       double sum = 0.0;
@@ -45,7 +45,7 @@ Field coarsened(const Grid& grid, const Field& field) {
 Field refined(const Grid& grid, const Field& coarse) {
   const int ny = half(grid.ny);
   Field fine(grid.surface_size());
-#pragma omp parallel for schedule(static) if (std::ssize(fine) >= worth_threads_cells)
+#pragma omp parallel for schedule(static) if (std::ssize(fine) >= min_parallel_cells)
   for (int i = 0; i < grid.nx; ++i) {
     const double* near = coarse.data() + static_cast<std::size_t>(i / 2) * ny;
     const double* far = coarse.data() + static_cast<std::size_t>(neighbour(i, grid.nx)) * ny;

@@ -51,7 +51,7 @@ void require_gap(const Field& gap, const Grid& grid, const std::string& name) {
       !std::any_of(gap.begin(), gap.end(), is_body)) {
     throw std::invalid_argument(name +
                                 " must be finite, or +inf where there is no body, and finite "
-                                "somewhere");
+                                "in at least one cell");
   }
 }
 

@@ -21,28 +21,31 @@
 namespace samcontact::contact {
 namespace {
 
-/// Grids are halved while their shorter side has this many cells.
+/// Grids are halved while their shorter side keeps this number of cells.
 constexpr int coarsest_side = 64;
-/// A start needs no more: finer roughness changes the contact anyway.
+/// A start needs no higher accuracy: finer roughness changes the contact anyway.
 constexpr double coarse_tol = 1e-3;
-/// What the cheap operator is asked to gain on the error in one round: the first time much, since
-/// a start is wrong at short wavelengths, which the cheap operator resolves; then as much as the
-/// exact operator is expected to confirm.
+/// Required reduction of the error by the approximate operator in one round: in the first round
+/// large, since the error of a start is at short wavelengths, which the approximate operator
+/// resolves; later as large as the exact operator is expected to confirm.
 constexpr double first_gain = 1e-3, gain = 1e-2;
-/// The last round aims below tol, so that the exact operator agrees.
+/// The last round aims below tol, so that the exact operator confirms it.
 constexpr double safety = 0.5;
-constexpr int most_steps_a_round = 300;
-/// Rounds in a row that fail to halve the error before the plain iteration takes over.
+constexpr int max_steps_per_round = 300;
+/// Consecutive rounds that fail to halve the error before the method without preconditioner takes
+/// over.
 constexpr int patience = 2;
-/// Of the load: what rounding adds up to in the steps of a round. Where displacement has no mean,
-/// nothing holds the mean pressure against it, and steps along what is nearly solved are long.
-constexpr double most_off = 1e-12;
-/// Of a gap, and of a displacement relative to that of the longest wave.
+/// Accumulated rounding error of the load in the steps of a round, relative to the load. If the
+/// displacement has no mean, nothing restrains the mean pressure, and steps along nearly solved
+/// directions are long.
+constexpr double max_load_error = 1e-12;
+/// Rounding error of a gap, and of a displacement relative to that of the longest wave.
 constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
 
-/// A gap of cells without a body is so many times what could close; more in each further try.
+/// Gap assigned to cells without a body, relative to the largest closed gap; larger in each further
+/// attempt.
 constexpr double far_off = 4, further_off = 64;
-constexpr int most_tries = 4;
+constexpr int max_attempts = 4;
 
 bool is_zero(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
@@ -55,8 +58,8 @@ class Multilevel::Level {
   Level(const Grid& grid, operators::SurfaceInfluence influence)
       : grid_(grid), influence_(std::move(influence)), displacement_(grid, influence_) {}
 
-  /// The work of the solution is counted in the unit of fft::filter_cost. is_start: only its
-  /// pressure is wanted, to start from.
+  /// The work of the solution is counted in units of fft::filter_cost. is_start: only its pressure
+  /// is needed, as a start.
   Solution solve(const Field& initial_gap, Given normal, Field pressure, double tol,
                  int max_iterations, bool is_start = false) const;
 
@@ -66,15 +69,15 @@ class Multilevel::Level {
 
  private:
   Field coarse_start(const Field& gap, Given normal, int max_iterations, double& work) const;
-  /// What gaps under a load are off by where a displacement has no mean [m]; elsewhere it is small
-  /// against that.
+  /// Rounding error of gaps under load if the displacement has no mean [m]; otherwise it is
+  /// negligible.
   double rounding(const Field& gap, double lowest, Given normal) const;
 
   Grid grid_;
   operators::SurfaceInfluence influence_;
   operators::SurfaceDisplacement displacement_;
   mutable std::mutex mutex_;
-  mutable std::shared_ptr<const NearOperators> near_;  // of the box size used last
+  mutable std::shared_ptr<const NearOperators> near_;  // of the last box size
   mutable std::unique_ptr<Level> coarser_;
 };
 
@@ -102,12 +105,12 @@ class Rounds {
       scale_to_sum(solution_.tractions.pressure, normal.value / grid.cell_area());
   }
 
-  /// One round, unjudged: what the next finer grid starts from.
+  /// One round without a check: the start of the next finer grid.
   Solution start(double tol, int max_iterations) {
     evaluate();
     if (solution_.error > tol) {
       choose_box();
-      round(true, tol, std::min(max_iterations, most_steps_a_round));
+      round(true, tol, std::min(max_iterations, max_steps_per_round));
     }
     return std::move(solution_);
   }
@@ -124,7 +127,7 @@ class Rounds {
       stalled = grown || solution_.error < 0.5 * last_error ? 0 : stalled + 1;
       if (stalled == patience) break;
       round(std::isinf(last_error), tol,
-            std::min(max_iterations - solution_.iterations, most_steps_a_round));
+            std::min(max_iterations - solution_.iterations, max_steps_per_round));
     }
     return plain(tol, max_iterations);
   }
@@ -147,17 +150,17 @@ class Rounds {
     Field& p = solution_.tractions.pressure;
     const double sum = normal_.value / grid_.cell_area();
     const double present = ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
-    if (std::fabs(present - sum) > most_off * sum) scale_to_sum(p, sum);
+    if (std::fabs(present - sum) > max_load_error * sum) scale_to_sum(p, sum);
   }
 
-  /// A surface field over the box.
+  /// Part of a surface field over the box.
   Field part(const Field& field) const {
     Field over(box_.surface_size());
     extract(field.data(), Box::surface(grid_), over.data(), box_);
     return over;
   }
 
-  /// True when contact has become possible outside the box.
+  /// Chooses the box; true if contact has become possible outside the previous one.
   bool choose_box() {
     const Box box = possible_contact(grid_, solution_.tractions.pressure, solution_.gap);
     if (box_.contains(box)) return false;
@@ -243,7 +246,7 @@ double Multilevel::Level::rounding(const Field& gap, double lowest, Given normal
   const double area = grid_.cell_area() * static_cast<double>(grid_.surface_size());
   const double of_wave = last_digits * normal.value / area *
                          influence_.wave_compliance(2 * std::numbers::pi / longest);
-  // Of surfaces so flat that their distance leaves no digits for their heights.
+  // For surfaces so flat that rounding of their distance exceeds their heights.
   const double of_gap = last_digits * std::fabs(lowest);
   const double heights = *std::max_element(gap.begin(), gap.end()) - lowest;
   return heights > of_gap ? of_wave : std::max(of_wave, of_gap);
@@ -253,7 +256,7 @@ Solution Multilevel::Level::solve(const Field& initial_gap, Given normal, Field 
                                   double tol, int max_iterations, bool is_start) const {
   const double lowest = *std::min_element(initial_gap.begin(), initial_gap.end());
   if (normal.is_force() ? normal.value == 0 : normal.value <= lowest) {
-    // Apart, or just touching: nothing to solve.
+    // Separated, or just touching: nothing to solve.
     Solution solution;
     solution.motion.approach = normal.is_force() ? lowest : normal.value;
     solution.tractions.pressure.assign(initial_gap.size(), 0.0);
@@ -292,12 +295,12 @@ Solution Multilevel::solve_beside_ends(const Field& initial_gap, Given normal, F
     lowest = std::min(lowest, initial_gap[i]);
     highest = std::max(highest, initial_gap[i]);
   }
-  // No displacement is larger than that of all the load on one cell.
+  // No displacement exceeds that of the whole load on one cell.
   const double closed = normal.is_force() ? std::fabs(displacement().self_influence()) *
                                                 normal.value / finest_->grid().cell_area()
                                           : std::max(0.0, normal.value - lowest);
   double beyond = far_off * (closed + (highest - lowest));
-  for (int n = 0; n < most_tries; ++n, beyond *= further_off) {
+  for (int n = 0; n < max_attempts; ++n, beyond *= further_off) {
     Field gap = initial_gap;
     for (double& g : gap) g = std::isinf(g) ? highest + beyond : g;
     Solution solution = finest_->solve(gap, normal, pressure, tol, max_iterations);
@@ -309,7 +312,7 @@ Solution Multilevel::solve_beside_ends(const Field& initial_gap, Given normal, F
     }
     if (!touches) return solution;
   }
-  throw ConvergenceError("the contact reaches into cells without a body, where the gap is infinite",
+  throw ConvergenceError("the contact extends into cells without a body (infinite gap)",
                          max_iterations, INFINITY);
 }
 

@@ -11,7 +11,8 @@
 namespace samcontact::contact {
 namespace {
 
-/// Rounding of the incrementally updated displacement is wiped out this often.
+/// Number of steps after which the incrementally updated displacement is computed again, to remove
+/// rounding errors.
 constexpr int refresh_interval = 30;
 
 class ConjugateGradient {
@@ -84,7 +85,8 @@ class ConjugateGradient {
     const double shift = normal_.is_force() ? contact_mean(p_, q_) : 0.0;
     const double gt = ordered_sum(size_, [&](std::size_t i) { return g_[i] * t_[i]; });
     const double qt = ordered_sum(size_, [&](std::size_t i) { return (q_[i] - shift) * t_[i]; });
-    // Without an active cell with a residual there is no curvature: use the cell's own stiffness.
+    // Without an active cell with a residual there is no curvature: use the stiffness of the cell
+    // itself.
     negative_curvatures_ += qt < 0;
     const double step = qt > 0 ? gt / qt : 1.0 / displacement_.self_influence();
 
@@ -99,7 +101,7 @@ class ConjugateGradient {
         p_[i] = -step * g_[i];
       }
     }
-    // After a direction without curvature, conjugation would repeat it for ever.
+    // After a direction without curvature, conjugation would repeat it forever.
     conjugate_ = !released && qt > 0;
     const double scale = normal_.is_force() ? scale_to_sum(p_, target_sum_) : 1.0;
     if (clipped || released || ++since_refresh_ >= refresh_interval) {

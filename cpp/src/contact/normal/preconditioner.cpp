@@ -8,11 +8,11 @@
 namespace samcontact::contact {
 namespace {
 
-/// Eigenvalues of a kernel cut off by its period are raised to this share of the smallest of the
-/// half-space, so that the preconditioner is positive definite whatever the shape of the cells.
-constexpr double smallest_share = 0.1;
+/// Eigenvalues of a kernel truncated by its period are raised to this fraction of the smallest of
+/// the half-space, so that the preconditioner is positive definite for any shape of the cells.
+constexpr double smallest_fraction = 0.1;
 
-/// Of the shortest wave of the grid.
+/// Wavenumber of the shortest wave of the grid.
 double shortest_wavenumber(double dx, double dy) {
   return std::numbers::pi * std::hypot(1 / dx, 1 / dy);
 }
@@ -29,8 +29,8 @@ Preconditioner::Preconditioner(const Grid& box, const operators::SurfaceInfluenc
                                                   })
                    : near.spectrum()) {
   const double floor =
-      smallest_share * influence.wave_compliance(shortest_wavenumber(box.dx, box.dy));
-  // The spectrum carries 1/(mx my) of the two transforms; so must the inverse.
+      smallest_fraction * influence.wave_compliance(shortest_wavenumber(box.dx, box.dy));
+  // The spectrum contains 1/(mx my) of the two transforms; so must the inverse.
   const double points = static_cast<double>(transform_.mx()) * transform_.my();
   for (double& value : inverse_) value = 1.0 / (std::max(value * points, floor) * points);
 }

@@ -22,7 +22,7 @@ void add(const Totals& part, Totals& all) {
   all.largest_displacement = std::max(all.largest_displacement, part.largest_displacement);
 }
 
-/// Of at most a block of cells.
+/// For at most one block of cells.
 SAMCONTACT_MULTIVERSION
 void block_totals(const double* p, const double* rest, const double* gap, std::size_t n,
                   Totals& block) {
@@ -143,7 +143,7 @@ Survey survey(const Field& pressure, const Field& rest, double approach, double 
     survey.dropped += part.dropped;
     survey.penetrating += part.penetrating;
   }
-  // No pressure yet: any penetration counts in full.
+  // Without pressure, any interpenetration counts in full.
   if (!pressed) survey.error = lowest < 0 ? 1.0 : 0.0;
   return survey;
 }

@@ -8,11 +8,13 @@
 namespace samcontact::contact {
 namespace {
 
-/// A window pays when it has less than this share of the cells: it costs kernels of its own.
-constexpr double worthwhile_share = 0.8;
+/// A smaller rectangle is used if it has less than this fraction of the cells, because it needs
+/// kernels of its own.
+constexpr double max_window_fraction = 0.8;
 constexpr int smallest_side = 64;
-/// Margins in shares of the window: ample, and where that does not pay slim ones.
-constexpr int ample = 8, slim = 64;
+/// Margins as fractions of the rectangle (1/8, 1/64): the smaller one if the larger one saves too
+/// little.
+constexpr int wide_divisor = 8, narrow_divisor = 64;
 
 /// Widens a range of cells to at least `least`, and to a multiple of 8 within [0, n).
 void widen(int n, int least, int& start, int& length) {
@@ -21,9 +23,9 @@ void widen(int n, int least, int& start, int& length) {
   length = wide;
 }
 
-/// Of a side with a margin to both ends.
-int side_of_window(int length, int share) {
-  return std::max(length + 2 * (4 + length / share), smallest_side);
+/// Length of a side with a margin at both ends.
+int side_of_window(int length, int divisor) {
+  return std::max(length + 2 * (4 + length / divisor), smallest_side);
 }
 
 }  // namespace
@@ -36,13 +38,13 @@ Box possible_contact(const Grid& grid, const Field& pressure, const Field& gap) 
 
 Box with_margin(const Grid& grid, const Box& window, const Box& present) {
   const Box all = Box::surface(grid);
-  for (const int margin : {ample, slim}) {
+  for (const int divisor : {wide_divisor, narrow_divisor}) {
     Box wide = window;
-    widen(grid.nx, side_of_window(wide.nx, margin), wide.i0, wide.nx);
-    widen(grid.ny, side_of_window(wide.ny, margin), wide.j0, wide.ny);
+    widen(grid.nx, side_of_window(wide.nx, divisor), wide.i0, wide.nx);
+    widen(grid.ny, side_of_window(wide.ny, divisor), wide.j0, wide.ny);
     wide = wide.united(present);
     if (static_cast<double>(wide.surface_size()) <
-        worthwhile_share * static_cast<double>(all.surface_size())) {
+        max_window_fraction * static_cast<double>(all.surface_size())) {
       return wide;
     }
   }

@@ -154,7 +154,7 @@ void CellRuns::turn(double beta, const Field& z, double mean, Field& t) const {
   }
 }
 
-/// The largest of 0 and the parts.
+/// Maximum of 0 and the parts.
 template <class Part>
 double CellRuns::extreme(const Part& part) const {
   const std::ptrdiff_t chunks = std::ssize(chunks_) - 1;

@@ -15,18 +15,16 @@
 namespace samcontact::contact {
 namespace {
 
-/// A force this close to the largest has no definite motion.
-constexpr double least_margin = 1e-8;
+/// The motion is not determined by a force this close to the friction limit, relative to it.
+constexpr double min_margin = 1e-8;
 
 double force_of(const Given& given) { return given.is_force() ? given.value : 0.0; }
 
 constexpr const char* beyond =
-    ", the largest that friction holds; at it everything slides and the motion is not determined "
-    "by "
-    "the force: give the motion (";
+    ", the friction limit (full sliding, in which the force does not determine the motion)";
 
-/// Throws where forces that friction holds each are too much together: some motion takes more power
-/// of them than friction turns into heat.
+/// Throws std::invalid_argument if forces that are below the friction limits individually exceed
+/// them together: for some motion their power is larger than the friction power.
 void require_held_together(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
                            const FrictionLaw& friction) {
   const std::vector<double> xs = grid.x(), ys = grid.y();
@@ -39,7 +37,7 @@ void require_held_together(const Grid& grid, const TangentialDrive& drive, const
   const std::size_t m = problem.size();
   if (m == 0) return;
   problem.smallest_shear =
-      smallest_share * *std::max_element(problem.bound.begin(), problem.bound.end());
+      smallest_fraction * *std::max_element(problem.bound.begin(), problem.bound.end());
   for (int k = 0; k < 3; ++k) {
     if (!drive[k].is_force()) continue;
     Field direction(2 * m, 0.0);
@@ -60,18 +58,19 @@ void require_held_together(const Grid& grid, const TangentialDrive& drive, const
   }
   for (std::size_t c = 0; c < m; ++c) heat += problem.bound[c] * length_of(slip[c], slip[m + c]);
   if (!(power > heat)) return;
-  throw std::invalid_argument("tangential_load and torque must be held by friction together, got " +
-                              to_text(force_of(drive[0])) + " N, " + to_text(force_of(drive[1])) +
-                              " N and " + to_text(drive[2].value) + " N m, of which it holds " +
-                              to_text(std::floor(1e3 * heat / power) / 10) + " %" +
-                              " at most: take smaller ones, or give the motion instead");
+  throw std::invalid_argument(
+      "tangential_load and torque must be below the friction limit together, got " +
+      to_text(force_of(drive[0])) + " N, " + to_text(force_of(drive[1])) + " N and " +
+      to_text(drive[2].value) + " N m, of which friction carries at most " +
+      to_text(std::floor(1e3 * heat / power) / 10) +
+      " %: reduce them, or prescribe the motion instead");
 }
 
 void require_shorter(const TangentialDrive& drive, double most, const MotionNames& motions) {
   const double force = std::hypot(force_of(drive[0]), force_of(drive[1]));
-  require(force == 0 || force < most * (1 - least_margin), "tangential_load",
-          "shorter than " + to_short_text(most, 6) + " N" + beyond + motions.along + ") instead",
-          force);
+  require(force == 0 || force < most * (1 - min_margin), "tangential_load",
+          "less than " + to_short_text(most, 6) + " N" + beyond, force,
+          std::string("prescribe ") + motions.along + " instead");
 }
 
 }  // namespace
@@ -88,10 +87,9 @@ void require_held(const Grid& grid, const TangentialDrive& drive, const Field& p
   const LargestForces most = largest_forces(grid, pressure, friction);
   require_shorter(drive, most.along, motions);
   const double torque = force_of(drive[2]);
-  require(torque == 0 || std::fabs(torque) < most.torque * (1 - least_margin), "torque",
-          "smaller than " + to_short_text(most.torque, 6) + " N m" + beyond + motions.turn +
-              ") instead",
-          torque);
+  require(torque == 0 || std::fabs(torque) < most.torque * (1 - min_margin), "torque",
+          "less in magnitude than " + to_short_text(most.torque, 6) + " N m" + beyond, torque,
+          std::string("prescribe ") + motions.turn + " instead");
   const bool pulled = force_of(drive[0]) != 0 || force_of(drive[1]) != 0;
   if (torque != 0 && pulled) require_held_together(grid, drive, pressure, friction);
 }

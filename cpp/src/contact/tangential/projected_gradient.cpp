@@ -12,14 +12,14 @@ namespace samcontact::contact {
 namespace {
 
 constexpr int power_steps = 8;
-/// Power iteration ends below the largest eigenvalue.
+/// Factor of the result of the power iteration, which ends below the largest eigenvalue.
 constexpr double safety = 1.2;
-constexpr int most_projection_steps = 60, most_lengths = 60;
-/// A length is taken where this share of the forces' power is left, on either side.
+constexpr int max_projection_steps = 60, max_lengths = 60;
+/// A step length is accepted if this fraction of the power of the forces remains, on either side.
 constexpr double too_short = 0.5, too_long = 0.1;
 constexpr double projection_tol = 1e-14;
-/// Of all force that the bounds allow: as far as the present multipliers may be wrong where all
-/// cells are at their bound.
+/// Relative to the total force that the bounds permit: bounds the error of the present multipliers
+/// if all cells are at their bound.
 constexpr double regularisation = 1e-12;
 
 using Vector = Eigen::VectorXd;
@@ -29,7 +29,7 @@ Field moved_by(const ShearProblem& problem, const Vector& c, Field v) {
   return v;
 }
 
-/// v + sum of c_k direction_k, cut at the bounds, and the forces that it misses.
+/// v + sum of c_k direction_k, cut at the bounds, and the missing forces.
 struct Trial {
   Field shear;
   Vector missing;
@@ -44,7 +44,7 @@ Trial trial_of(const ShearProblem& problem, const Field& v, const Vector& c) {
   return trial;
 }
 
-/// How forces answer to the multipliers: cut cells only turn.
+/// Derivative of the forces with respect to the multipliers: cut cells only rotate.
 Eigen::MatrixXd stiffness_of(const ShearProblem& problem, const Field& v, const Vector& c) {
   const int count = static_cast<int>(c.size());
   const std::size_t m = problem.size();
@@ -90,20 +90,20 @@ double longest_motion(const ShearProblem& problem, const Vector& c) {
   return std::max(longest(moved_by(problem, c, Field(2 * problem.size(), 0.0))), 1e-300);
 }
 
-/// As far as takes every cell across its bound: where all are cut there is no other measure.
+/// Step that takes every cell across its bound: the only available scale if all cells are cut.
 double across(const ShearProblem& problem, const Field& v, const Vector& c) {
   return 2 * (longest(moved_by(problem, c, v)) +
               *std::max_element(problem.bound.begin(), problem.bound.end()));
 }
 
-/// Goes along a step to where what is missing has hardly a part along it: of a convex function the
-/// slope only grows. False where that is nowhere.
+/// Advances along a step until the missing forces have almost no component along it: the slope of a
+/// convex function only increases. False if there is no such point.
 bool advance(const ShearProblem& problem, const Field& v, const Vector& step, Vector& c,
              Trial& trial) {
   const double first = trial.missing.dot(step);
   if (!(first > 0)) return false;
   double shortest = 0.0, furthest = INFINITY, length = 1.0;
-  for (int n = 0; n < most_lengths; ++n) {
+  for (int n = 0; n < max_lengths; ++n) {
     Trial next = trial_of(problem, v, c + length * step);
     const double left = next.missing.dot(step);
     if (left <= too_short * first && left >= -too_long * first) {
@@ -136,10 +136,11 @@ bool project(const ShearProblem& problem, Field& v, std::vector<double>& multipl
     }
     return sum;
   };
-  for (int n = 0; n < most_projection_steps && scaled(trial.missing) > projection_tol; ++n) {
+  for (int n = 0; n < max_projection_steps && scaled(trial.missing) > projection_tol; ++n) {
     Vector step = stiffness_of(problem, v, c).fullPivLu().solve(trial.missing);
     step *= std::min(1.0, across(problem, v, c) / longest_motion(problem, step));
-    if (!advance(problem, v, step, c, trial)) break;  // rounding, or impossible forces
+    if (!advance(problem, v, step, c, trial))
+      break;  // rounding, or forces above the friction limit
   }
   for (int k = 0; k < count; ++k) multipliers[k] = c[k];
   v = std::move(trial.shear);
@@ -147,31 +148,31 @@ bool project(const ShearProblem& problem, Field& v, std::vector<double>& multipl
 }
 
 void projected_gradient(const ShearProblem& problem, ShearApplier& operators, double tol,
-                        int most_steps, ShearResult& result) {
+                        int max_steps, ShearResult& result) {
   const std::size_t m = problem.size();
   const double step = 1 / largest_eigenvalue(problem, operators);
   Field at = result.shear, u(2 * m);
   std::vector<double> multipliers(problem.modes.size());
   for (std::size_t k = 0; k < multipliers.size(); ++k) multipliers[k] = step * result.motion[k];
   double momentum = 1.0;
-  for (int n = 0; n < most_steps; ++n) {
+  for (int n = 0; n < max_steps; ++n) {
     check_interrupt();
     operators.displacement(at, u);
     Field next = at;
     for (std::size_t i = 0; i < 2 * m; ++i) next[i] += step * (problem.free_slip[i] - u[i]);
     project(problem, next, multipliers);
-    // The part of the step that leads back ends the momentum.
-    double turned = 0.0;
+    // The momentum ends if the step has a component backwards.
+    double rotated = 0.0;
     for (std::size_t i = 0; i < 2 * m; ++i) {
-      turned += (at[i] - next[i]) * (next[i] - result.shear[i]);
+      rotated += (at[i] - next[i]) * (next[i] - result.shear[i]);
     }
-    if (turned > 0) momentum = 1.0;
+    if (rotated > 0) momentum = 1.0;
     const double grown = 0.5 * (1 + std::sqrt(1 + 4 * momentum * momentum));
-    const double share = turned > 0 ? 0.0 : (momentum - 1) / grown;
+    const double share = rotated > 0 ? 0.0 : (momentum - 1) / grown;
     for (std::size_t i = 0; i < 2 * m; ++i) at[i] = next[i] + share * (next[i] - result.shear[i]);
     result.shear = std::move(next);
     momentum = grown;
-    if (n % 10 != 9 && n + 1 < most_steps) continue;
+    if (n % 10 != 9 && n + 1 < max_steps) continue;
     operators.displacement(result.shear, u);
     for (std::size_t i = 0; i < 2 * m; ++i) result.slip[i] = problem.free_slip[i] - u[i];
     for (std::size_t k = 0; k < multipliers.size(); ++k) {

@@ -10,7 +10,8 @@
 namespace samcontact::contact {
 namespace {
 
-/// Of the displacement of one cell under its own shear: less is none.
+/// Relative to the displacement of one cell due to its own shear: smaller displacements count as
+/// zero.
 constexpr double rounding = 1e-8;
 
 }  // namespace
@@ -82,8 +83,8 @@ void add_scaled(double factor, const Field& x, Field& y) {
   for_each_cell(std::ssize(y), [&](std::size_t i) { y[i] += factor * x[i]; });
 }
 
-void keep_in_touch(const ShearProblem& problem, Field& slip) {
-  const Field& share = problem.in_touch;
+void apply_slip_part(const ShearProblem& problem, Field& slip) {
+  const Field& share = problem.slip_part;
   const std::size_t m = share.size() / 3;
   for_each_cell(m, [&](std::size_t i) {
     const double x = slip[i], y = slip[m + i];
@@ -93,9 +94,9 @@ void keep_in_touch(const ShearProblem& problem, Field& slip) {
 }
 
 void add_motion(const ShearProblem& problem, std::size_t mode, double motion, Field& slip) {
-  if (problem.in_touch.empty()) return add_scaled(motion, problem.modes[mode].direction, slip);
+  if (problem.slip_part.empty()) return add_scaled(motion, problem.modes[mode].direction, slip);
   Field moved = problem.modes[mode].direction;
-  keep_in_touch(problem, moved);
+  apply_slip_part(problem, moved);
   add_scaled(motion, moved, slip);
 }
 

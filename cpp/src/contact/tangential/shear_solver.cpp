@@ -12,24 +12,24 @@
 #include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/normal/coarsening.hpp"
 #include "samcontact/contact/normal/window.hpp"
+#include "samcontact/contact/tangential/partial_slip.hpp"
 #include "samcontact/contact/tangential/steady_rolling.hpp"
-#include "samcontact/contact/tangential/stick_slip.hpp"
 
 namespace samcontact::contact {
 namespace {
 
-/// Boxes are halved while their shorter side keeps this many cells.
+/// Boxes are halved while their shorter side keeps this number of cells.
 constexpr int coarsest_side = 16;
-/// Finer cells change which of them slip: by a share of the shear that falls with their size.
+/// Finer cells change the set of slipping cells: the change of shear decreases with the cell size.
 double coarse_tol(const Grid& box) { return std::min(1e-3, 0.06 / std::max(box.nx, box.ny)); }
 constexpr int coarse_steps = 30;
-constexpr double stick_slip_bytes = 700, rolling_bytes = 1100;  // a cell of its box, as measured
+constexpr double partial_slip_bytes = 700, rolling_bytes = 1100;  // per cell of the box, measured
 
-/// Field over all cells of a box, and vectors [2][i][j] there.
+/// Fields over all cells of a box, and vectors [2][i][j] there.
 struct BoxTask {
   Field pressure, free_slip;
-  Field in_touch;  // three of them, empty: none
-  double x0, y0;   // of the first cell
+  Field slip_part;  // three components; empty: none
+  double x0, y0;    // of the first cell
   bool rolls;
 };
 
@@ -39,7 +39,7 @@ struct BoxStart {
   std::vector<double> motion;
 };
 
-/// The components of a vector field, or of one of symmetric matrices.
+/// Applies a change to each component of a vector field, or of a field of symmetric matrices.
 template <class Change>
 Field by_component(const Field& field, const Change& change, int components = 2) {
   const auto n = static_cast<std::ptrdiff_t>(field.size()) / components;
@@ -53,7 +53,7 @@ Field by_component(const Field& field, const Change& change, int components = 2)
 
 }  // namespace
 
-/// The operators of one box size, which have some rows of cells more ahead.
+/// Operators of one box size, with some additional rows of cells ahead.
 class ShearSolver::Level {
  public:
   Level(const Grid& box, int margin, const operators::TangentialInfluence& influence)
@@ -75,7 +75,7 @@ class ShearSolver::Level {
     double operations = 0.0;
   };
   Answer solve(const BoxTask& task, const FrictionLaw& friction, const TangentialDrive& drive,
-               BoxStart start, double tol, int most_steps) const;
+               BoxStart start, double tol, int max_steps) const;
 
  private:
   static Grid with_margin(Grid box, int margin) {
@@ -85,7 +85,7 @@ class ShearSolver::Level {
   std::size_t operator_size() const { return with_margin(box_, margin_).surface_size(); }
   ShearProblem problem_of(const BoxTask& task, const FrictionLaw& friction,
                           const TangentialDrive& drive) const;
-  /// Makes it that of rolling by one cell.
+  /// Turns the problem into that of rolling by one cell.
   void let_roll(ShearProblem& problem) const;
   double stiffness_of(const Field& pressure) const;
   BoxStart coarse_start(const BoxTask& task, const FrictionLaw& friction,
@@ -95,11 +95,10 @@ class ShearSolver::Level {
   int margin_;
   ShearOperators operators_;
   std::unique_ptr<Level> coarser_;
-  bool floats_;  // where all of the box touches
+  bool floats_;  // if the whole box is in contact
 };
 
-/// Of the slip that a shear in proportion to the pressure makes; on the coarsest box, since it is
-/// but a scale.
+/// Scale of the slip due to a shear proportional to the pressure, from the coarsest box.
 double ShearSolver::Level::stiffness_of(const Field& pressure) const {
   if (coarser_) return coarser_->stiffness_of(coarsened(box_, pressure));
   const double most = *std::max_element(pressure.begin(), pressure.end());
@@ -133,14 +132,15 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, const FrictionL
     directions[2][m + c] =
         task.x0 + (static_cast<double>(i) + (task.rolls ? spin_lead : 0.0)) * box_.dx;
   }
-  for (std::size_t from = 0; from < task.in_touch.size(); from += task.pressure.size()) {
-    for (const std::size_t at : problem.cells) problem.in_touch.push_back(task.in_touch[from + at]);
+  for (std::size_t from = 0; from < task.slip_part.size(); from += task.pressure.size()) {
+    for (const std::size_t at : problem.cells)
+      problem.slip_part.push_back(task.slip_part[from + at]);
   }
   for (int k = 0; k < 3; ++k) {
     if (drive[k].is_force()) {
       problem.modes.push_back({std::move(directions[k]), drive[k].value / box_.cell_area(), k});
     } else {
-      keep_in_touch(problem, directions[k]);
+      apply_slip_part(problem, directions[k]);
       add_scaled(drive[k].value, directions[k], problem.free_slip);
     }
   }
@@ -149,7 +149,7 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, const FrictionL
   const double pressure = largest_of(m, [&](std::size_t c) { return problem.bound[c]; });
   problem.bound = friction.bound(std::move(problem.bound));
   const double bound = largest_of(m, [&](std::size_t c) { return problem.bound[c]; });
-  problem.smallest_shear = smallest_share * std::min(bound, pressure);
+  problem.smallest_shear = smallest_fraction * std::min(bound, pressure);
   if (task.rolls) let_roll(problem);
   return problem;
 }
@@ -158,10 +158,10 @@ void ShearSolver::Level::let_roll(ShearProblem& problem) const {
   problem.carried = static_cast<std::size_t>(box_.ny);
   for (double& slip : problem.free_slip) slip *= box_.dx;
   if (problem.cells.empty()) return;
-  // What a whole contact slips while it goes through one, it slips by cells.
+  // Slip during a passage through the whole contact is divided by its length in cells.
   const auto rows = problem.cells.back() / box_.ny - problem.cells.front() / box_.ny + 1;
   problem.stiffness *= 0.5 * static_cast<double>(rows);
-  // A unit motion slips by a cell while the contact rolls by one; moments are about the origin.
+  // Slip per cell rolled due to a unit motion; moments are about the origin.
   const std::size_t m = problem.size();
   for (ShearProblem::Mode& mode : problem.modes) {
     mode.own_arms = mode.direction;
@@ -180,14 +180,14 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, const FrictionLaw
   const auto coarsen = [&](const Field& field) { return coarsened(box_, field); };
   const BoxTask coarse{coarsen(task.pressure),
                        by_component(task.free_slip, coarsen),
-                       task.in_touch.empty() ? Field{} : by_component(task.in_touch, coarsen, 3),
+                       task.slip_part.empty() ? Field{} : by_component(task.slip_part, coarsen, 3),
                        task.x0 + 0.5 * box_.dx,
                        task.y0 + 0.5 * box_.dy,
                        task.rolls};
   Answer answer = coarser_->solve(coarse, friction, drive, {},
                                   std::max(coarse_tol(coarser_->box()), tol), coarse_steps);
   operations += answer.operations;
-  // The ratio to the pressure is what is smooth, and tells slip at the edge.
+  // The ratio of shear to pressure is smooth, and indicates slip at the edge.
   const Grid& grid = coarser_->box();
   const std::size_t n = grid.surface_size(), m = answer.cells.size();
   Field ratio(2 * n, 0.0), slips(n, 0.0);
@@ -213,7 +213,7 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, const FrictionLaw
 ShearSolver::Level::Answer ShearSolver::Level::solve(const BoxTask& task,
                                                      const FrictionLaw& friction,
                                                      const TangentialDrive& drive, BoxStart start,
-                                                     double tol, int most_steps) const {
+                                                     double tol, int max_steps) const {
   Answer answer;
   if (start.shear.empty() && coarser_) {
     start = coarse_start(task, friction, drive, tol, answer.operations);
@@ -230,8 +230,8 @@ ShearSolver::Level::Answer ShearSolver::Level::solve(const BoxTask& task,
     }
   }
   ShearApplier applier(problem);
-  const auto iterate = task.rolls ? solve_steady_rolling : solve_stick_slip;
-  answer.result = iterate(problem, applier, std::move(begin), tol, most_steps);
+  const auto iterate = task.rolls ? solve_steady_rolling : solve_partial_slip;
+  answer.result = iterate(problem, applier, std::move(begin), tol, max_steps);
   if (task.rolls) {
     for (double& slip : answer.result.slip) slip /= box_.dx;
   }
@@ -263,8 +263,8 @@ std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box, int
   }
   const double more = static_cast<double>(box.surface_size()) -
                       static_cast<double>(kept ? kept->box().surface_size() : 0);
-  require_memory(more * (margin > 0 ? rolling_bytes : stick_slip_bytes), "stick and slip");
-  kept.reset();  // the two together may not fit
+  require_memory(more * (margin > 0 ? rolling_bytes : partial_slip_bytes), "partial slip");
+  kept.reset();  // both together may exceed the memory
   const Grid grid = Box{0, 0, box.nx, box.ny, 0}.grid(grid_);
   kept = std::make_shared<const Level>(grid, margin, influence_);
   return kept;
@@ -272,7 +272,7 @@ std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box, int
 
 namespace {
 
-/// Shear, slip and what sticks, from the cells of contact of a box to the grid.
+/// Copies shear, slip and stick state from the cells in contact of a box to the grid.
 void unpack(const ShearResult& result, const std::vector<std::size_t>& cells, const Box& box,
             const Grid& grid, ShearSolution& solution) {
   const std::size_t n = grid.surface_size(), m = cells.size();
@@ -293,7 +293,7 @@ Field over(const Grid& grid, const Box& box, const Field& field) {
   return values;
 }
 
-/// What there is without contact, or friction.
+/// Solution without contact or friction.
 ShearSolution without_shear(const Grid& grid, const TangentialDrive& drive) {
   const std::size_t n = grid.surface_size();
   ShearSolution solution;
@@ -324,7 +324,7 @@ BoxStart start_in(const Box& box, const Grid& grid, const ShearTask& task, const
 
 ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
                                  const std::array<double, 3>& motion, double tol,
-                                 int most_steps) const {
+                                 int max_steps) const {
   ShearSolution solution = without_shear(grid_, task.drive);
   const bool touches = std::any_of(task.pressure.begin(), task.pressure.end(), in_contact);
   if (!touches || task.friction.is_frictionless()) return solution;
@@ -333,13 +333,13 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   const auto boxed = [&](const Field& field) { return over(grid_, box, field); };
   BoxTask part{boxed(task.pressure),
                Field(2 * box.surface_size(), 0.0),
-               task.in_touch != nullptr ? by_component(*task.in_touch, boxed, 3) : Field{},
+               task.slip_part != nullptr ? by_component(*task.slip_part, boxed, 3) : Field{},
                grid_.x()[box.i0],
                grid_.y()[box.j0],
                task.rolls};
   if (!task.free_slip.empty()) part.free_slip = by_component(task.free_slip, boxed);
-  SlidBefore own;
-  SlidBefore& slid = task.slid != nullptr ? *task.slid : own;
+  PreviousDisplacement own;
+  PreviousDisplacement& slid = task.slid != nullptr ? *task.slid : own;
   const bool known = slid.box == box && !slid.displacement.empty();
   if (!task.previous_shear.empty() && !known) {
     ComplexField work;
@@ -347,10 +347,10 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
     level_of_box->operators().displacement.apply(slid.displacement.data(), slid.displacement.data(),
                                                  work);
   }
-  // What the surfaces slid against each other so far, they did not slip.
+  // Relative displacement due to the previous shear is not slip.
   if (!slid.displacement.empty()) add_scaled(1.0, slid.displacement, part.free_slip);
   const Level::Answer answer = level_of_box->solve(
-      part, task.friction, task.drive, start_in(box, grid_, task, shear, motion), tol, most_steps);
+      part, task.friction, task.drive, start_in(box, grid_, task, shear, motion), tol, max_steps);
   const ShearResult& result = answer.result;
   unpack(result, answer.cells, box, grid_, solution);
   for (int k = 0, mode = 0; k < 3; ++k) {

@@ -12,7 +12,7 @@
 namespace samcontact::contact {
 namespace {
 
-/// Outer steps that do not take this share off the error, before another method helps.
+/// Number of outer steps without this relative reduction of the error before a fallback is used.
 constexpr double progress = 0.7;
 constexpr int steps_in_vain = 7;
 
@@ -35,7 +35,7 @@ SlipIteration::SlipIteration(const ShearProblem& problem, ShearApplier& operator
   cut_to_bound(problem.bound, r_.shear);
 }
 
-ShearResult SlipIteration::run(double tol, int most_steps) {
+ShearResult SlipIteration::run(double tol, int max_steps) {
   double best = INFINITY, lowest = INFINITY;
   Field best_shear;
   std::vector<double> best_motion;
@@ -43,7 +43,7 @@ ShearResult SlipIteration::run(double tol, int most_steps) {
     check_interrupt();
     evaluate();
     r_.converged = r_.error <= tol;
-    if (r_.converged || r_.steps >= most_steps) break;
+    if (r_.converged || r_.steps >= max_steps) break;
     if (r_.error < lowest) {
       lowest = r_.error;
       best_shear = r_.shear;
@@ -52,9 +52,9 @@ ShearResult SlipIteration::run(double tol, int most_steps) {
     in_vain = r_.error < progress * best ? 0 : in_vain + 1;
     best = in_vain == 0 ? r_.error : best;
     if (in_vain > steps_in_vain) {
-      if (best_shear.empty()) break;  // no error was a number
+      if (best_shear.empty()) break;  // no error was finite
       ++r_.fallbacks;
-      // Not from where steps in vain have led.
+      // Continue from the best shear, not from the last one.
       r_.shear = best_shear;
       r_.motion = best_motion;
       fall_back(tol);
@@ -62,10 +62,11 @@ ShearResult SlipIteration::run(double tol, int most_steps) {
       best = INFINITY;
       continue;
     }
-    // The first leaves a start whose sets are wrong. Later ones that gain little are not the last.
+    // The first step starts from incorrect sets. A later step that gains little is followed by
+    // others.
     gains_little_ = gains_little_ || (in_vain > 0 && r_.steps > 1);
     choose_sets();
-    // Else no step brings the forces nearer.
+    // Otherwise no step brings the forces nearer.
     if (!forces_follow()) stick_everywhere();
     step(tol);
   }
@@ -123,7 +124,7 @@ void SlipIteration::change_sides(double rho) {
     } else if (length(i) >= bound * on_circle) {
       r_.slipping[i] = pull(i, rho) > bound * (1 + 1e-12);
     }
-    // The turn of the direction costs stiffness: the second derivative along the circle.
+    // Rotation of the direction adds stiffness: the second derivative along the circle.
     lambda_[i] = is_slipping(i) ? std::max(outward(i), 0.0) / bound : 0.0;
   });
 }
@@ -146,8 +147,8 @@ void SlipIteration::apply(const Field& v, Field& out) {
   project_free(out);
 }
 
-/// Which cells slip is judged by the slip: one on its bound may be a rounding inside, and none
-/// slips against its shear.
+/// Slip decides which cells slip: a cell on its bound may be inside by rounding, and no cell slips
+/// against its shear.
 void SlipIteration::finish() {
   const double inside = 1 - std::max(1e-6, 10 * r_.error);
   for_each_cell(m_, [&](std::size_t i) {

@@ -10,19 +10,19 @@
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/contact/iteration/gmres.hpp"
+#include "samcontact/contact/tangential/partial_slip.hpp"
 #include "samcontact/contact/tangential/slip_iteration.hpp"
-#include "samcontact/contact/tangential/stick_slip.hpp"
 
 namespace samcontact::contact {
 namespace {
 
-/// What a linear solve gains, and the vectors that it keeps at most.
+/// Error reduction of a linear solve, and the maximum number of vectors it stores.
 constexpr double linear_gain = 1e-2;
-constexpr int most_linear_steps = 60;
-/// Of contact lengths, at steps of 4, 2 and 1 cells.
+constexpr int max_linear_steps = 60;
+/// Distance rolled, in contact lengths, with steps of 4, 2 and 1 cells.
 constexpr double rolled_lengths = 1.0;
-constexpr double marching_tol = 1e-4;
-constexpr int marching_steps = 50;
+constexpr double transient_tol = 1e-4;
+constexpr int transient_steps = 50;
 
 class SteadyRolling : public SlipIteration {
  public:
@@ -45,7 +45,7 @@ class SteadyRolling : public SlipIteration {
     r_.error = natural_residual(problem_, r_.shear, r_.slip);
   }
 
-  /// By half of the stiffness of a cell: sets that change less settle.
+  /// With half of the stiffness of a cell: sets that change less settle.
   void choose_sets() override { change_sides(0.5 / self_influence_); }
 
   const ShearProblem::Mode& mode(int k) const { return problem_.modes[k]; }
@@ -61,7 +61,7 @@ class SteadyRolling : public SlipIteration {
   const int modes_;
 };
 
-/// (1 - T)^-1, nothing being displaced ahead of the contact.
+/// (1 - T)^-1, with zero displacement ahead of the contact.
 void SteadyRolling::sum_from_ahead(Field& v) {
   const std::size_t width = problem_.carried;
   std::fill(ahead_.begin(), ahead_.end(), 0.0);
@@ -72,8 +72,8 @@ void SteadyRolling::sum_from_ahead(Field& v) {
   }
 }
 
-/// Sticking cells: the inverse of each wave, then the sum from the leading edge, since (1 - T) C is
-/// of order zero. Slipping ones: their diagonal.
+/// Sticking cells: inverse of each Fourier mode, then the sum from the leading edge, since (1 - T)
+/// C is of order zero. Slipping cells: inverse of the diagonal.
 void SteadyRolling::precondition(const Field& r, Field& z) {
   z = r;
   for (std::size_t i = 0; i < m_; ++i) {
@@ -96,17 +96,17 @@ void SteadyRolling::step(double) {
   slip_beyond_bound();
 }
 
-/// The shear of the cells that are free whose slip is this.
+/// Shear of the free cells for the given slip.
 Field SteadyRolling::solved(Field right) {
   Field change;
   project_free(right);
   r_.iterations += gmres([&](const Field& v, Field& out) { apply(v, out); },
                          [&](const Field& v, Field& out) { precondition(v, out); }, right,
-                         linear_gain, most_linear_steps, change);
+                         linear_gain, max_linear_steps, change);
   return change;
 }
 
-/// Adds to a change of the shear what goes with the motions that bring the forces to their values.
+/// Adds the change of shear due to the motions for which the forces have their prescribed values.
 void SteadyRolling::meet_forces(Field& change) {
   std::vector<Field> shears;
   shears.reserve(modes_);
@@ -134,8 +134,8 @@ void SteadyRolling::fall_back(double) {
   slip_beyond_bound();
 }
 
-/// Increments of a history, until nothing changes: what an increment leaves is carried, and is slip
-/// or shear of the next.
+/// Increments of a rolling history until the solution is steady: each increment transports the
+/// shear of the previous one.
 void SteadyRolling::roll_by(int cells, int times) {
   ShearProblem increment = problem_, carrying = problem_;
   increment.carried = 0;
@@ -156,11 +156,11 @@ void SteadyRolling::roll_by(int cells, int times) {
       increment.free_slip[i] = cells * problem_.free_slip[i] + now[i] - moved[i];
     }
     Field before = r_.shear;
-    ShearResult next = solve_stick_slip(increment, own, {std::move(r_.shear), {}, r_.motion},
-                                        marching_tol, marching_steps);
+    ShearResult next = solve_partial_slip(increment, own, {std::move(r_.shear), {}, r_.motion},
+                                          transient_tol, transient_steps);
     add_scaled(-1.0, next.shear, before);
     const bool is_steady =
-        longest(before) <= marching_tol * shear_scale(problem_, next.shear, next.slip);
+        longest(before) <= transient_tol * shear_scale(problem_, next.shear, next.slip);
     r_.shear = std::move(next.shear);
     r_.motion = std::move(next.motion);
     if (is_steady) break;
@@ -172,8 +172,8 @@ void SteadyRolling::roll_by(int cells, int times) {
 }  // namespace
 
 ShearResult solve_steady_rolling(const ShearProblem& problem, ShearApplier& operators,
-                                 ShearStart start, double tol, int most_steps) {
-  ShearResult result = SteadyRolling(problem, operators, std::move(start)).run(tol, most_steps);
+                                 ShearStart start, double tol, int max_steps) {
+  ShearResult result = SteadyRolling(problem, operators, std::move(start)).run(tol, max_steps);
   result.energy_gap = std::numeric_limits<double>::quiet_NaN();
   return result;
 }

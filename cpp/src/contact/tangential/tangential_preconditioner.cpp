@@ -10,11 +10,12 @@
 namespace samcontact::contact {
 namespace {
 
-/// Eigenvalues of kernels cut off by their period are raised to this share of the smallest of the
-/// half-space, so that the preconditioner is positive definite whatever the shape of the cells.
-constexpr double smallest_share = 0.1;
+/// Eigenvalues of kernels truncated by their period are raised to this fraction of the smallest of
+/// the half-space, so that the preconditioner is positive definite for any shape of the cells.
+constexpr double smallest_fraction = 0.1;
 
-/// Of a symmetric matrix [[xx, xy], [xy, yy]] with its eigenvalues raised to `least`.
+/// Inverse of a symmetric matrix [[xx, xy], [xy, yy]] with its eigenvalues raised to at least
+/// `least`.
 void invert(double least, double& xx, double& xy, double& yy) {
   const double mean = 0.5 * (xx + yy), half = 0.5 * (xx - yy), radius = std::hypot(half, xy);
   const double first = 1.0 / std::max(mean + radius, least),
@@ -33,8 +34,8 @@ TangentialPreconditioner::TangentialPreconditioner(const Grid& box,
       inverse_(operators::tangential_kernels(box, influence, convolution_.offsets())) {
   for (auto& entry : inverse_) convolution_.transform(entry.kernel);
   const double shortest = std::numbers::pi * std::hypot(1 / box.dx, 1 / box.dy);
-  const double least = smallest_share * influence.wave_compliance(shortest);
-  // Spectra carry 1/(mx my) of two transforms, and that of a doubly odd kernel a sign.
+  const double least = smallest_fraction * influence.wave_compliance(shortest);
+  // Spectra contain 1/(mx my) of two transforms, and that of a doubly odd kernel a sign.
   const double points = static_cast<double>(convolution_.mx()) * convolution_.my();
   for (std::size_t k = 0; k < inverse_[0].kernel.quarter.size(); ++k) {
     const auto value = [&](int n) -> double& { return inverse_[n].kernel.quarter[k]; };

@@ -9,8 +9,8 @@
 namespace samcontact::operators {
 namespace {
 
-/// out += scale quarter in, complex numbers interleaved, and the same times -i; quarters go up or
-/// down from the one given.
+/// out += scale quarter in, complex numbers interleaved, and the product times -i; quarters in
+/// ascending or descending order from the given one.
 SAMCONTACT_MULTIVERSION
 void add_product(const double* quarter, double scale, const double* in, double* out, int count) {
   for (std::ptrdiff_t k = 0; k < count; ++k) {
@@ -21,8 +21,8 @@ void add_product(const double* quarter, double scale, const double* in, double* 
 }
 
 SAMCONTACT_MULTIVERSION
-void add_turned_product(const double* quarter, double scale, const double* in, double* out,
-                        int count) {
+void add_rotated_product(const double* quarter, double scale, const double* in, double* out,
+                         int count) {
   for (std::ptrdiff_t k = 0; k < count; ++k) {
     const double factor = scale * quarter[k];
     out[2 * k] += factor * in[2 * k + 1];
@@ -41,8 +41,8 @@ void add_product_down(const double* quarter, double scale, const double* in, dou
 }
 
 SAMCONTACT_MULTIVERSION
-void add_turned_product_down(const double* quarter, double scale, const double* in, double* out,
-                             int count) {
+void add_rotated_product_down(const double* quarter, double scale, const double* in, double* out,
+                              int count) {
   for (std::ptrdiff_t k = 0; k < count; ++k) {
     const double factor = scale * quarter[-k];
     out[2 * k] += factor * in[2 * k + 1];
@@ -54,15 +54,15 @@ void add_turned_product_down(const double* quarter, double scale, const double* 
 
 void add_parity_product(const double* quarter, kernels::Parity parity, double scale,
                         const Complex* in, Complex* out, int mx) {
-  const bool turned = parity.odd_x != parity.odd_y;
+  const bool rotated = parity.odd_x != parity.odd_y;
   if (parity.odd_x && parity.odd_y) scale = -scale;
   const double mirrored = parity.odd_x ? -scale : scale;
   const auto* from = reinterpret_cast<const double*>(in);
   auto* to = reinterpret_cast<double*>(out);
   const int first = mx / 2 + 1, rest = mx - first;
   const std::ptrdiff_t mirror = 2 * static_cast<std::ptrdiff_t>(first);
-  const auto up = turned ? add_turned_product : add_product;
-  const auto down = turned ? add_turned_product_down : add_product_down;
+  const auto up = rotated ? add_rotated_product : add_product;
+  const auto down = rotated ? add_rotated_product_down : add_product_down;
   up(quarter, scale, from, to, first);
   down(quarter + rest, mirrored, from + mirror, to + mirror, rest);
 }
@@ -75,7 +75,7 @@ void add_parity_product(const double* quarter, kernels::Parity parity, double sc
       return add_parity_product(quarter, parity, scale, reinterpret_cast<const Complex*>(in),
                                 reinterpret_cast<Complex*>(out), transform.mx());
     case Symmetry::y:
-      return parity.odd_x ? add_turned_product(quarter, scale, in, out, modes)
+      return parity.odd_x ? add_rotated_product(quarter, scale, in, out, modes)
                           : add_product(quarter, scale, in, out, modes);
     default:
       for (int k = 0; k < modes; ++k) out[k] += scale * quarter[k] * in[k];

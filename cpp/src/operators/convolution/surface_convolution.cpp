@@ -11,7 +11,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// Around a period half of it to each side; a single cell that repeats itself has one offset.
+/// Half of a period to each side; a single cell that is repeated periodically has one offset.
 int offsets_of(int cells, int period, int size) {
   if (size == period && period > 1) return period / 2 + 1;
   return size < 2 * cells - 1 ? size / 2 + 1 : cells;

@@ -11,7 +11,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// The planes of one layer; those of two components lie `step` apart.
+/// Planes of one layer; those of consecutive components are `step` apart.
 std::vector<VolumeTransform::Plane> planes_of(const double* tensor, std::size_t step,
                                               VolumeSpectrum& spectrum, int layer) {
   std::vector<VolumeTransform::Plane> planes;
@@ -49,7 +49,7 @@ void forward(const VolumeTransform& transform, const double* tensor, VolumeSpect
   check_interrupt();
   const std::size_t plane = transform.plane_size();
   const double work = per_number * plane * out.components * out.nz;
-#pragma omp parallel for schedule(dynamic) if (work > worth_threads)
+#pragma omp parallel for schedule(dynamic) if (work > min_parallel_operations)
   for (int k = 0; k < out.nz; ++k) {
     out.used[k] = 0;
     for (int c = 0; c < out.components && !out.used[k]; ++c) {
@@ -76,7 +76,7 @@ void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, double*
   check_interrupt();
   const std::size_t plane = transform.plane_size();
   const double work = per_number * plane * spectrum.components * spectrum.nz;
-#pragma omp parallel for schedule(dynamic) if (work > worth_threads)
+#pragma omp parallel for schedule(dynamic) if (work > min_parallel_operations)
   for (int k = 0; k < spectrum.nz; ++k) {
     transform.inverse(planes_of(tensor + k * plane, spectrum.nz * plane, spectrum, k),
                       spectrum.stride());

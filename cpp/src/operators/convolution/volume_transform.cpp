@@ -7,7 +7,7 @@ using Threads = fft::PaddedTransform::Threads;
 
 namespace {
 
-/// A plane's spectrum, one for each thread, kept between calls.
+/// Spectrum of a plane, one per thread, kept between calls.
 ComplexField& plane_buffer() {
   static thread_local ComplexField buffer;
   return buffer;
@@ -15,12 +15,12 @@ ComplexField& plane_buffer() {
 
 }  // namespace
 
-VolumeTransform::VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx, int least_my)
+VolumeTransform::VolumeTransform(const Grid& grid, Symmetry symmetry, int min_mx, int min_my)
     : nx_(grid.nx),
       ny_(grid.ny),
       symmetry_(symmetry),
-      whole_(nx_, ny_, fft::convolution_size(nx_, grid.period.x, least_mx),
-             fft::convolution_size(ny_, grid.period.y, least_my)),
+      whole_(nx_, ny_, fft::convolution_size(nx_, grid.period.x, min_mx),
+             fft::convolution_size(ny_, grid.period.y, min_my)),
       mx_(whole_.mx()),
       my_(whole_.my()) {
   if (symmetry != Symmetry::none) {
@@ -31,8 +31,8 @@ VolumeTransform::VolumeTransform(const Grid& grid, Symmetry symmetry, int least_
 
 void VolumeTransform::forward(std::span<const Plane> planes, std::size_t stride) const {
   if (mirrored_) return mirrored_->forward(planes, stride);
-  // Transposed in a plane of its own: the volume's rows lie far apart, and what is put into them
-  // one piece at a time misses the address cache each time.
+  // Transposed in a separate plane: the rows of the volume are far apart, and writing them piece by
+  // piece misses the address cache each time.
   ComplexField& lent = plane_buffer();
   for (const Plane& plane : planes) {
     whole_.forward(plane.values, lent, reinterpret_cast<Complex*>(plane.spectrum), stride / 2);

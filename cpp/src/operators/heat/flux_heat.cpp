@@ -8,7 +8,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// The parts of a kernel, transformed; parity: of that of a source at rest.
+/// Transformed parts of a kernel; parity: that for a source at rest.
 std::vector<ParityKernel> kernels_of(ParityParts parts, kernels::Parity parity,
                                      const SurfaceConvolution& convolution) {
   std::vector<ParityKernel> made;

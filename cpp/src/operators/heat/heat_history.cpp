@@ -12,8 +12,8 @@
 namespace samcontact::operators {
 namespace {
 
-/// How far heat must diffuse in the shortest step, in cells.
-constexpr double least_diffused = 0.02;
+/// Minimum diffusion length in the shortest step [cells].
+constexpr double min_diffusion_length = 0.02;
 
 }  // namespace
 
@@ -29,14 +29,16 @@ HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic
           "in [1e-10, 1e-2]", settings.tolerance);
   require(std::isfinite(speed_x) && std::isfinite(speed_y), "speed", "finite",
           std::hypot(speed_x, speed_y));
-  // Else wavenumbers far beyond those of the cells are followed: time and memory without bounds.
+  // Otherwise wavenumbers far beyond those of the cells are needed: time and memory without bounds.
   const double diffused = std::sqrt(thermal.diffusivity * settings.shortest);
   const double cell = std::max(grid.dx, grid.dy);
-  require(diffused >= least_diffused * cell, "shortest (of heat_history)",
-          "long enough for heat to diffuse over " + to_short_text(least_diffused) + " of a cell, " +
-              to_short_text(cell * cell * least_diffused * least_diffused / thermal.diffusivity) +
-              " s with cells of " + to_short_text(cell) + " m and a diffusivity of " +
-              to_short_text(thermal.diffusivity) + " m^2/s",
+  require(diffused >= min_diffusion_length * cell, "shortest (of heat_history)",
+          "at least " +
+              to_short_text(cell * cell * min_diffusion_length * min_diffusion_length /
+                            thermal.diffusivity) +
+              " s, the time in which heat diffuses over " + to_short_text(min_diffusion_length) +
+              " of a cell (cells of " + to_short_text(cell) + " m, diffusivity " +
+              to_short_text(thermal.diffusivity) + " m^2/s)",
           settings.shortest);
   plan_ = std::make_shared<const HeatPlan>(grid, thermal, elastic, speed_x, speed_y, settings);
   near_.assign(plan_->near.rates().size() * grid.surface_size(), 0.0);
@@ -74,11 +76,11 @@ void HeatHistory::age_near(double x, Field& fields) const {
   }
 }
 
-/// Lets a level age by the newest flux's duration, and adds that flux.
+/// Ages a level by the duration of the newest flux, and adds that flux.
 void HeatHistory::absorb(const HeatLevel& level, std::size_t number, std::size_t first_mode) {
   const int generations = plan_->modes.generations();
   double left = plan_->aged(duration_);
-  // What is older than all generations is dropped at once.
+  // Heat older than all generations is dropped at once.
   const double kept = std::min(left, generations * level.generation);
   const auto age = [&](double x) {
     const Decay decay(level, x);
@@ -165,7 +167,7 @@ void HeatHistory::set_state(std::span<const double> state) {
   const int generations = plan_->modes.generations();
   if (state.size() !=
       1 + plane + near_.size() + 2 * levels + 2 * plan_->modes.size() * generations) {
-    throw std::invalid_argument("the state of the heat belongs to another history");
+    throw std::invalid_argument("the heat state belongs to a different heat history");
   }
   const double* from = state.data() + 1;
   const auto take = [&](auto to, std::size_t count) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields of a history of heat at a later moment.
+// Fields due to a heat history at a later time.
 #include "samcontact/operators/heat/heat_history.hpp"
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@ int components_of(HeatQuantity quantity) { return quantity == HeatQuantity::stre
 
 }  // namespace
 
-/// What is asked of the modes at once.
+/// Quantities that are evaluated from the modes together.
 struct HeatHistory::Moment {
   HeatQuantity quantity;
   double ahead;
@@ -37,7 +37,7 @@ struct HeatHistory::Profiles {
   ComplexField temperature, potential, slope, surface;
 };
 
-/// What a level adds to the profiles: amplitudes of its modes times weights over s.
+/// Contribution of a level to the profiles: amplitudes of its modes times weights over s.
 class HeatHistory::LevelSum {
  public:
   LevelSum(const HeatHistory& history, std::size_t number, std::size_t first, const Moment& moment,
@@ -95,7 +95,7 @@ class HeatHistory::LevelSum {
     store(block, slopes, depths, profiles.slope);
   }
 
-  /// Of the modes of a block, [s][mode, real and imaginary], and those over k^2.
+  /// Amplitudes of the modes of a block, [s][mode, real and imaginary], and amplitudes over k^2.
   void amplitudes(const HeatBlock& block, RealMatrix& c, RealMatrix& over) const {
     for (std::size_t j = 0; j < block.nodes; ++j) {
       const std::size_t row = block.offset + j * block.count;
@@ -152,7 +152,7 @@ std::vector<const Complex*> HeatHistory::generations_of(std::size_t number, doub
   return chosen;
 }
 
-/// How much of the newest flux's time is not left to the near fields.
+/// Fraction of the duration of the newest flux that is not left to the near fields.
 double HeatHistory::newest_part(const HeatLevel& level, double ahead) const {
   const int generations = plan_->modes.generations();
   const double later = plan_->aged(ahead), all = plan_->aged(duration_ + ahead);
@@ -176,7 +176,7 @@ HeatHistory::Profiles HeatHistory::profiles(const Moment& moment, std::vector<do
   return profiles;
 }
 
-/// Amplitudes of a component's modes at depth number d.
+/// Amplitudes of the modes of a component at depth d.
 ComplexField HeatHistory::component(const Moment& moment, const Profiles& profiles, std::size_t d,
                                     int component) const {
   const std::size_t total = plan_->modes.mode_count();
@@ -200,7 +200,7 @@ ComplexField HeatHistory::component(const Moment& moment, const Profiles& profil
   return values;
 }
 
-/// Fields of the near heat, in wavenumbers.
+/// Spectra of the near heat.
 ComplexField HeatHistory::near_spectra(const Moment& moment) const {
   if (near_.empty()) return {};
   Field fields = near_;
@@ -213,7 +213,7 @@ ComplexField HeatHistory::near_spectra(const Moment& moment) const {
   return plan_->near.spectra(fields, age);
 }
 
-/// From modes and near fields to the grid: `into(component, d)` is the plane of depth number d.
+/// Evaluates modes and near fields on the grid: `into(component, d)` is the plane at depth d.
 template <class Into>
 void HeatHistory::evaluate(const Moment& moment, const Profiles& profiles,
                            const ComplexField& near_spectra, const Into& into) const {
@@ -260,7 +260,7 @@ Field HeatHistory::fields(HeatQuantity quantity, double ahead,
   const std::size_t plane = flux_.size();
   Field out(components_of(quantity) * depths.size() * plane, 0.0);
   const ComplexField near = near_spectra(moment);
-  // Profiles of some depths at a time, so that their memory stays small.
+  // Profiles of some depths at a time, to limit their memory.
   constexpr std::size_t most = 1 << 20;
   const std::size_t together =
       std::clamp<std::size_t>(most / plan.modes.mode_count(), 1, depths.size() + 1);
@@ -275,7 +275,7 @@ Field HeatHistory::fields(HeatQuantity quantity, double ahead,
   return out;
 }
 
-/// The newest flux by tables: since it began, less since it ended.
+/// The newest flux by tables: heat since its beginning, less heat since its end.
 void HeatHistory::add_newest(HeatQuantity quantity, double ahead, std::span<const double> depths,
                              Field& out) const {
   const HeatPlan& plan = *plan_;

@@ -22,8 +22,8 @@ using RealView = Eigen::Map<const RealMatrix>;
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
 
-/// 1 inside, 0 outside a ring, as a function of the wavenumber times 1/(2 pi) of a distance from
-/// which on the Fourier transform shall be below the tolerance.
+/// 1 inside, 0 outside a ring, as a function of the wavenumber times 1/(2 pi) of a distance beyond
+/// which the Fourier transform must be below the tolerance.
 struct Edge {
   double middle, width;
   explicit Edge(double sharpness) : middle(sharpness * sharpness / pi), width(sharpness / pi) {}
@@ -31,7 +31,7 @@ struct Edge {
   double end() const { return 2 * middle; }
 };
 
-/// Of the edge of what is split off [1/dx].
+/// Width of the edge of the part left to NearHeat [1/dx].
 constexpr double split_width = 0.6;
 
 std::vector<double> cells(int n, double size) {
@@ -40,7 +40,7 @@ std::vector<double> cells(int n, double size) {
   return x;
 }
 
-/// Chebyshev points of the interval over which n cells' centres lie.
+/// Chebyshev points of the interval that contains the centres of n cells.
 std::vector<double> chebyshev(int count, int n, double size) {
   std::vector<double> x(count);
   for (int i = 0; i < count; ++i) {
@@ -89,12 +89,12 @@ HeatScales::HeatScales(const HeatResolution& resolution, bool moving)
     : sharpness(std::sqrt(-std::log(resolution.tolerance))),
       cutoff(sharpness / std::sqrt(resolution.shortest)),
       is_split(!moving && cutoff > 1.3 * split_end()),
-      // Errors of the sums are exp(-pi^2/(2 step)) on the surface; cosines are resolved as far as
-      // they are not faded out.
+      // Errors of the sums are exp(-pi^2/(2 step)) on the surface; cosines are resolved unless they
+      // are faded out.
       step((resolution.in_depth ? 1.25 : 4.9) / (sharpness * sharpness)) {}
 
 double HeatScales::fade(double sz) const {
-  // The end of the integral over s that is left out is smooth on the scale of the cosine.
+  // The omitted end of the integral over s is smooth on the scale of the cosine.
   return 0.5 * std::erfc(sz / (2 * sharpness) - 0.97 * sharpness);
 }
 
@@ -115,8 +115,8 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
       resolution_(resolution),
       scales_(resolution, moving()),
       transform_(padded(grid)) {
-  // What is left of the images is that of the last disc, where kernels are not smooth at w = 0:
-  // it falls with the third power of the period.
+  // The remaining images are those of the last disc, in which kernels are not smooth at w = 0: they
+  // decrease with the third power of the period.
   const double size = std::max(transform_.mx() * 1.0, transform_.my() * cell_y_);
   const double least = std::min(transform_.mx() * 1.0, transform_.my() * cell_y_);
   double spread = 128 * std::sqrt(resolution.longest);
@@ -130,8 +130,8 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
   }
 }
 
-/// Periods of the finest lattice. Rings are round, since kernels are: the same distance is left
-/// free along x and y, as wide as the grid.
+/// Periods of the finest lattice. Rings are round, as kernels are: the same distance, one grid
+/// width, is left free along x and y.
 fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
   const double x = grid.nx, y = grid.ny * cell_y_;
   const double clear = std::hypot(std::max(x, y), scales_.is_split ? scales_.split_reach() : 0);
@@ -150,15 +150,15 @@ fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
   return {grid.nx, grid.ny, size(grid.nx, px), size(grid.ny, py / cell_y_)};
 }
 
-/// How far a level's kernels may reach, and how long it keeps heat.
+/// Range of the kernels of a level, and time for which it keeps heat.
 void HeatModes::set_reach(HeatLevel& level, double shrink) const {
   const double x = nx(), y = ny() * cell_y_;
   const double px = transform_.mx() / shrink, py = transform_.my() * cell_y_ / shrink;
   level.generation = std::numeric_limits<double>::infinity();
   level.clear = std::min(px - x, py - y);
   if (moving()) {
-    // With generations of a path g along the faster direction (in grids): those dropped have moved
-    // 2 g >= size + clear, those kept up to 3 g, and images of these are still clear of the grid.
+    // With generations of a path g along the faster direction (in grids): dropped ones have moved 2
+    // g >= size + clear, kept ones up to 3 g, and images of these are still clear of the grid.
     const double vx = std::abs(speed_x_), vy = std::abs(speed_y_);
     const bool along_x = vx / x >= vy / y;
     const double size = along_x ? x : y, speed = along_x ? vx : vy;
@@ -169,7 +169,7 @@ void HeatModes::set_reach(HeatLevel& level, double shrink) const {
     level.clear = std::min(widest(px, x, vx / speed), widest(py, y, vy / speed));
     level.generation = (size + level.clear) / (2 * speed);
   }
-  // Where the edge of a ring meets that of the split, their reaches add up as those of Gaussians.
+  // Where the edge of a ring meets that of the split, their ranges add like those of Gaussians.
   if (scales_.is_split)
     level.clear =
         std::sqrt(level.clear * level.clear - scales_.split_reach() * scales_.split_reach());
@@ -182,7 +182,8 @@ void HeatModes::add_level(int number, int last, double shrink) {
   level.dw2 = 2 * pi / (my * cell_y_) * shrink;
   set_reach(level, shrink);
   const Edge edge(scales_.sharpness);
-  // The ring begins where that of the level before ends, and ends where the next one begins.
+  // The ring begins at the end of that of the previous level, and ends at the beginning of the next
+  // one.
   const double before = number == 0 ? 0 : levels_.back().clear / (2 * pi);
   const double here = level.clear / (2 * pi);
   const auto window = [&](double w) {
@@ -225,15 +226,15 @@ void HeatModes::add_level(int number, int last, double shrink) {
   levels_.push_back(std::move(level));
 }
 
-/// Modes and their amplitudes of a level, which has those in a half disc or ring of its lattice.
+/// Memory of modes and amplitudes of a level with a half disc or ring of its lattice.
 void HeatModes::require_memory_of(const HeatLevel& level, double scale) const {
   const double modes = 0.5 * pi * (level.reach_a + 1.0) * (level.reach_b + 1.0);
   const double nodes = 1 + std::asinh(scales_.cutoff / scale) / scales_.step;
-  // An increment has those of the state before and of its own.
+  // An increment needs those of the previous state and its own.
   const double amplitudes = 2.0 * sizeof(Complex) * (generations() + 1);
   require_memory(modes * (sizeof(HeatMode) + 0.5 * nodes * amplitudes),
-                 "the heat of the past, followed from steps of " +
-                     to_short_text(resolution_.shortest) + " dx^2/diffusivity on,");
+                 "the heat history, resolved down to time steps of " +
+                     to_short_text(resolution_.shortest) + " dx^2/diffusivity,");
 }
 
 /// s = scale sinh(theta): integrands have their poles at s = +-i w, w >= scale, where the imaginary
@@ -249,7 +250,7 @@ void HeatModes::add_nodes(HeatLevel& level, double scale) const {
 void HeatModes::add_points(HeatLevel& level) const {
   const int a = level.reach_a, b = level.reach_b;
   const auto x = cells(nx(), 1), y = cells(ny(), cell_y_);
-  // Points per shortest wave, and some more.
+  // Points per shortest wavelength, with a margin.
   const double waves_x = a * level.dw1 * nx() / (2 * pi);
   const double waves_y = b * level.dw2 * ny() * cell_y_ / (2 * pi);
   level.points = static_cast<int>(pi * std::max(waves_x, waves_y) + 4 +
@@ -308,7 +309,7 @@ void HeatModes::evaluate(const Complex* amplitudes, double* plane) const {
     }
   }
   transform_.inverse(spectrum.data(), plane, mx, fft::PaddedTransform::Threads::one);
-  // From the smoothest fields to the finest: each is refined and joined to the next.
+  // From the smoothest fields to the finest: each is refined and added to the next.
   RealMatrix sum;
   const auto refine = [&](const HeatLevel& from) {
     const Eigen::Index nx_to = static_cast<Eigen::Index>(from.refine_x.size()) / from.points;

@@ -20,7 +20,7 @@ using Profiles = std::vector<ThermalProfile<double>>;
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
 
-/// cos or sin of offset times wavenumber 2 pi a / m, [offset][a]; twice for all but a = 0.
+/// cos or sin of offset times wavenumber 2 pi a / m, [offset][a]; doubled for all but a = 0.
 Matrix waves_along(int offsets, int numbers, int m, bool odd) {
   Matrix wave(offsets, numbers);
   for (int i = 0; i < offsets; ++i) {
@@ -32,7 +32,7 @@ Matrix waves_along(int offsets, int numbers, int m, bool odd) {
   return wave;
 }
 
-/// Shares of the rates in a decay at the rate k^2: barycentric interpolation in ln(rate).
+/// Weights of the rates in a decay at the rate k^2: barycentric interpolation in ln(rate).
 class Shares {
  public:
   explicit Shares(const std::vector<double>& rates) {
@@ -43,7 +43,7 @@ class Shares {
     }
   }
 
-  /// Not divided by their sum, which is returned.
+  /// Not normalised; returns the sum of the weights.
   double at(double k, std::vector<double>& shares) const {
     double total = 0;
     for (std::size_t m = 0; m < log_rates_.size(); ++m) {
@@ -58,7 +58,7 @@ class Shares {
   std::vector<double> log_rates_, weights_;
 };
 
-/// Of each rate, at depth z, of a wave of wavenumber w along the surface.
+/// Sum for each rate, at depth z, of modes of wavenumber w along the surface.
 void sum_profiles(const HeatModes& modes, const Shares& shares, double z, double w,
                   Profiles& sums) {
   std::vector<double> at(sums.size());
@@ -113,7 +113,7 @@ NearTables NearHeat::tabulate(double z, int components, const Symbol& symbol) co
   const auto count = static_cast<int>(rates_.size());
   const double begin = HeatScales::split_begin, cutoff = modes_.scales().cutoff;
   const double deepest = 1.5 * modes_.scales().sharpness * modes_.scales().sharpness / z;
-  // A lattice whose images are out of reach.
+  // A lattice whose images are out of range.
   const int mx = 2 * offsets_x_, my = 2 * offsets_y_;
   const double dw1 = 2 * pi / mx, dw2 = 2 * pi / (my * modes_.cell_y());
   const int na = static_cast<int>(cutoff / dw1) + 1, nb = static_cast<int>(cutoff / dw2) + 1;
@@ -132,7 +132,7 @@ NearTables NearHeat::tabulate(double z, int components, const Symbol& symbol) co
     Profiles sums(count);
     for (int a = 0; a < na; ++a) {
       const double w1 = a * dw1, w2 = b * dw2, w = std::hypot(w1, w2);
-      // Nothing of short waves arrives at a depth, and the nodes would not resolve their cosines.
+      // Short waves do not reach a depth, and the nodes would not resolve their cosines.
       if (w < begin || w > std::min(cutoff, deepest)) continue;
       sum_profiles(modes_, shares, z, w, sums);
       const double source = (1 - modes_.scales().split(w)) * sinc(w1 / 2) *
@@ -204,7 +204,7 @@ void NearHeat::add(const Field& tables, bool odd_x, bool odd_y, const ComplexFie
                    double* plane) const {
   const fft::PaddedTransform& transform = modes_.transform();
   const int mx = transform.mx(), mh = transform.mh(), hx = mx / 2 + 1;
-  // Offsets beyond the grid meet nothing, and would come back around.
+  // Offsets beyond the grid have no effect, and would wrap around.
   const int use_x = std::min(offsets_x_, modes_.nx()), use_y = std::min(offsets_y_, modes_.ny());
   const Field wave_x = waves(mx, use_x, odd_x), wave_y = waves(transform.my(), use_y, odd_y);
   const View cx(wave_x.data(), use_x, hx), cy(wave_y.data(), use_y, mh);
@@ -222,7 +222,7 @@ void NearHeat::add(const Field& tables, bool odd_x, bool odd_y, const ComplexFie
       }
     }
   }
-  // An odd kernel's spectrum is -i times its sine transform.
+  // The spectrum of an odd kernel is -i times its sine transform.
   Complex factor = 1.0 / (static_cast<double>(mx) * transform.my());
   if (odd_x) factor *= Complex{0, -1};
   if (odd_y) factor *= Complex{0, -1};

@@ -7,9 +7,9 @@
 namespace samcontact::operators {
 namespace {
 
-/// Numbers in the tables of all layers beyond which they are computed anew for each box.
-constexpr double most_kept = 64e6;
-/// Of a volume without bottom.
+/// Maximum size of the tables of all layers; larger ones are computed again for each box.
+constexpr double max_kept = 64e6;
+/// Assumed number of layers if it is not limited.
 constexpr int usual_layers = 64;
 
 ParityParts cropped(const ParityParts& from, int from_nx, const KernelOffsets& offsets) {
@@ -54,7 +54,7 @@ HeatStress::HeatStress(const Grid& widest, SharedThermalStress body, const Heati
   const int layers = widest.nz > 0 ? widest.nz : usual_layers;
   const double numbers = 6 * parts * widest.surface_size() * layers;
   // Closed forms are as fast as a copy.
-  if (!heating.is_steady_at_rest() && numbers <= most_kept) widest_ = widest;
+  if (!heating.is_steady_at_rest() && numbers <= max_kept) widest_ = widest;
 }
 
 HeatStress::Tables HeatStress::compute(double z, const Grid& grid,

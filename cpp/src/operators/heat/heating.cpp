@@ -31,14 +31,14 @@ kernels::HeatPoints points_of(const Heating& heating, const Offsets& offsets) {
   return {both(offsets.x, heating.speed_x != 0), both(offsets.y, heating.speed_y != 0)};
 }
 
-/// The parts of a table over points_of(), [i][j], of a field that is odd where told when the source
-/// rests; times `scale`.
+/// Parts of a table over points_of(), [i][j], of a field with the given parity for a source at
+/// rest; times `scale`.
 ParityParts split(const Heating& heating, const Offsets& offsets, const double* table, bool odd_x,
                   bool odd_y, double scale) {
   const auto nx = static_cast<std::ptrdiff_t>(offsets.x.size());
   const auto ny = static_cast<std::ptrdiff_t>(offsets.y.size());
   const bool by_x = heating.speed_x != 0, by_y = heating.speed_y != 0;
-  // Where offset 0 is, and how many points there are along y.
+  // Index of offset 0, and number of points along y.
   const std::ptrdiff_t x0 = by_x ? nx - (offsets.x[0] == 0) : 0;
   const std::ptrdiff_t y0 = by_y ? ny - (offsets.y[0] == 0) : 0;
   const std::ptrdiff_t pitch = y0 + ny;
@@ -51,7 +51,7 @@ ParityParts split(const Heating& heating, const Offsets& offsets, const double* 
     if ((flip_x && !by_x) || (flip_y && !by_y)) continue;
     Field& part = parts[flip];
     part.resize(nx * ny);
-    // Of f(x) the part with the sign of f(-x) wanted.
+    // Part of f(x) with the required sign of f(-x).
     const double sign_x = odd_x != flip_x ? -1 : 1, sign_y = odd_y != flip_y ? -1 : 1;
     for (std::ptrdiff_t j = 0; j < ny; ++j) {
       for (std::ptrdiff_t i = 0; i < nx; ++i) {

@@ -26,9 +26,9 @@ class HalfSpace : public Medium {
                    const CellOffsets& offsets) const override {
     if (is_rigid()) return Field(offsets.x.size() * offsets.y.size(), 0.0);
     if (!grid.period.is_on()) return cell_compliance(elastic_, traction, axis, grid, offsets);
-    const auto cell = [&](const Grid& own, bool turned) {
-      return turned ? compliance_of_cell(elastic_, exchanged(traction), exchanged(axis), own)
-                    : compliance_of_cell(elastic_, traction, axis, own);
+    const auto cell = [&](const Grid& own, bool rotated) {
+      return rotated ? compliance_of_cell(elastic_, exchanged(traction), exchanged(axis), own)
+                     : compliance_of_cell(elastic_, traction, axis, own);
     };
     const int name = 3 * static_cast<int>(traction) + static_cast<int>(axis);
     return sums_.sum(grid, offsets, cell, std::array{0}, name);
@@ -52,8 +52,8 @@ class HalfSpace : public Medium {
     const auto [nx, ny] = offsets;
     const CellOffsets lattice = CellOffsets::lattice(nx, ny);
     if (!grid.period.is_on()) return stress(traction, grid, lattice, z, tensor);
-    const auto cell = [&](const Grid& own, bool turned) {
-      return stress_influence(turned ? exchanged(traction) : traction, own, z);
+    const auto cell = [&](const Grid& own, bool rotated) {
+      return stress_influence(rotated ? exchanged(traction) : traction, own, z);
     };
     return selected(sums_.sum(grid, lattice, cell, exchanged_components), tensor);
   }
@@ -80,9 +80,8 @@ class HalfSpace : public Medium {
     if (settings.method == ResidualMethod::exact) {
       if (grid.period.is_on()) {
         throw std::invalid_argument(
-            "residual_stress must be \"fast\" on a periodic grid, got \"exact\": there are no "
-            "closed "
-            "forms for its lattice sums");
+            "residual_stress must be \"fast\" on a periodic grid, got \"exact\": the exact kernels "
+            "have no closed-form lattice sums");
       }
       return std::make_unique<CuboidResidualStress>(grid, transform, elastic_);
     }
@@ -97,8 +96,8 @@ class HalfSpace : public Medium {
     }
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
     const auto layer = [&](int k) {
-      const auto cell = [&](const Grid& own, bool turned) {
-        return residual_influence(turned ? exchanged(axis) : axis, own, k);
+      const auto cell = [&](const Grid& own, bool rotated) {
+        return residual_influence(rotated ? exchanged(axis) : axis, own, k);
       };
       return sums_.sum(grid, CellOffsets::lattice(offsets.nx, offsets.ny), cell,
                        exchanged_components);

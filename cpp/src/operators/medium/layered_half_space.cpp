@@ -24,9 +24,9 @@ class LayeredHalfSpace : public Medium {
   Field compliance(Traction traction, Axis axis, const Grid& grid,
                    const CellOffsets& offsets) const override {
     if (!grid.period.is_on()) return layered_compliance(stack_, traction, axis, grid, offsets);
-    const auto cell = [&](const Grid& own, bool turned) {
-      return turned ? layered_compliance_of_cell(stack_, exchanged(traction), exchanged(axis), own)
-                    : layered_compliance_of_cell(stack_, traction, axis, own);
+    const auto cell = [&](const Grid& own, bool rotated) {
+      return rotated ? layered_compliance_of_cell(stack_, exchanged(traction), exchanged(axis), own)
+                     : layered_compliance_of_cell(stack_, traction, axis, own);
     };
     const int name = 3 * static_cast<int>(traction) + static_cast<int>(axis);
     return sums_.sum(grid, offsets, cell, std::array{0}, name);
@@ -41,8 +41,8 @@ class LayeredHalfSpace : public Medium {
                Tensor tensor) const override {
     const auto lattice = CellOffsets::lattice(offsets.nx, offsets.ny);
     if (!grid.period.is_on() || is_rigid_at(z)) return stress(traction, grid, lattice, z, tensor);
-    const auto cell = [&](const Grid& own, bool turned) {
-      return layered_stress_of_cell(stack_, turned ? exchanged(traction) : traction, own, z);
+    const auto cell = [&](const Grid& own, bool rotated) {
+      return layered_stress_of_cell(stack_, rotated ? exchanged(traction) : traction, own, z);
     };
     return selected(sums_.sum(grid, lattice, cell, exchanged_components), tensor);
   }
@@ -70,8 +70,8 @@ class LayeredHalfSpace : public Medium {
       if (!grid.period.is_on()) {
         return layered_residual_displacement(stack_, axis, grid, lattice, k);
       }
-      const auto cell = [&](const Grid& own, bool turned) {
-        return layered_residual_of_cell(stack_, turned ? exchanged(axis) : axis, own, k);
+      const auto cell = [&](const Grid& own, bool rotated) {
+        return layered_residual_of_cell(stack_, rotated ? exchanged(axis) : axis, own, k);
       };
       return sums_.sum(grid, lattice, cell, exchanged_components);
     };
@@ -80,7 +80,7 @@ class LayeredHalfSpace : public Medium {
   }
 
  private:
-  /// Whether what is there neither deforms nor has a stress that is known.
+  /// Whether the material at a depth is rigid, without deformation and known stress.
   bool is_rigid_at(double z) const { return stack_.elastic(stack_.layer_at(z)).is_rigid(); }
 
   Stack stack_;
@@ -90,9 +90,9 @@ class LayeredHalfSpace : public Medium {
 }  // namespace
 
 SharedMedium medium_of(const Stack& stack) {
-  Stack joined = stack.joined();
-  if (joined.layers.empty()) return half_space(joined.substrate);
-  return std::make_shared<const LayeredHalfSpace>(std::move(joined));
+  Stack merged = stack.merged();
+  if (merged.layers.empty()) return half_space(merged.substrate);
+  return std::make_shared<const LayeredHalfSpace>(std::move(merged));
 }
 
 }  // namespace samcontact::operators

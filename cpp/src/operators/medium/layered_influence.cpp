@@ -17,14 +17,15 @@ namespace {
 
 using kernels::WaveCompliance;
 
-/// Wavenumber times thickness at which what comes back from a layer's bottom is below rounding.
+/// Wavenumber times thickness above which the reflection from the bottom of a layer is below
+/// rounding.
 constexpr double deepest_wave = 22.0;
-/// The same of stress, times twice the thickness less the depth, or times the depth.
+/// Counterpart for stress, times twice the thickness less the depth, or times the depth.
 constexpr double deepest_stress_wave = 42.0;
-/// Shortest wavenumber that is evaluated, times the longest length: the limit is linear in it.
+/// Smallest wavenumber that is evaluated, times the longest length: the limit is linear in it.
 constexpr double shortest_wave = 1e-5;
 
-/// Length over which a body differs from its substrate: stiff layers bend as plates.
+/// Length over which a body differs from its substrate: stiff layers bend like plates.
 double longest_length(const Stack& stack) {
   double stiffest = 1.0;
   for (const ElasticLayer& layer : stack.layers) {
@@ -40,8 +41,8 @@ WaveCompliance combined(const WaveCompliance& a, double factor, const WaveCompli
           a.across + factor * b.across};
 }
 
-/// The displacement that waves of a traction cause along an axis, times the wavenumber, with the
-/// direction of the wave.
+/// Displacement along an axis due to Fourier modes of a traction, times the wavenumber, with the
+/// direction of the wavevector.
 double component(const WaveCompliance& of, Traction traction, Axis axis, double c, double s) {
   if (traction == Traction::shear_y) {
     return component(of, Traction::shear_x, exchanged(axis), s, c);
@@ -53,7 +54,8 @@ double component(const WaveCompliance& of, Traction traction, Axis axis, double 
   return axis == Axis::x ? c * c * of.along + s * s * of.across : c * s * (of.across - of.along);
 }
 
-/// The same of waves exp(-q d)/q on a rectangle: a corner function, whose sum counts 1/(2 pi).
+/// Counterpart for modes exp(-q d)/q on a rectangle: a corner function, whose sum is to be
+/// multiplied by 1/(2 pi).
 double buried(const WaveCompliance& of, Traction traction, Axis axis, double x, double y,
               double d) {
   if (traction == Traction::shear_y || (traction == Traction::pressure && axis == Axis::y)) {
@@ -69,18 +71,18 @@ double buried(const WaveCompliance& of, Traction traction, Axis axis, double x, 
          (of.along - of.across) * kernels::buried_along(x, y, d);
 }
 
-/// A wavenumber that is not 0, in the direction in which even components have their mean.
+/// Non-zero wavevector near 0, in the direction in which even components have their mean.
 std::array<double, 2> moved_from_zero(double kx, double ky, double longest) {
   if (kx != 0 || ky != 0) return {kx, ky};
   return {shortest_wave / longest, shortest_wave / longest};
 }
 
-/// Waves of a traction less those of the closed forms, near and far.
+/// Fourier modes of a traction less those of the closed forms, near and far.
 struct DisplacementRest {
   const Stack& stack;
   Traction traction;
   Axis axis;
-  WaveCompliance near, far;  // of the top layer; of the substrate less that
+  WaveCompliance near, far;  // of the top layer; of the substrate less that of the top layer
   double distance, longest;
 
   DisplacementRest(const Stack& of, Traction load, Axis along)
@@ -107,16 +109,17 @@ struct DisplacementRest {
   }
 };
 
-/// Primitive in x of what a line load does at a distance d whose wave has the displacement
-/// exp(-k d)/k: with ln(reference/r) where it is even.
+/// Primitive in x of the displacement due to a line load at a distance d whose Fourier mode is
+/// exp(-k d)/k: with ln(reference/r) if it is even.
 double distant_line_primitive(double x, double d, bool odd, double reference) {
   const double log = std::log((x * x + d * d) / (reference * reference)), angle = std::atan(x / d);
   if (odd) return (x * angle - 0.5 * d * log) / std::numbers::pi;
   return -(0.5 * x * log - x + d * angle) / std::numbers::pi;
 }
 
-/// Displacement under a uniform traction: of a body at rest far below, as the mean plane of an
-/// elastic substrate is; on a rigid one layers are compressed and sheared by a finite amount.
+/// Displacement due to a uniform traction: zero for an elastic substrate, whose mean plane is at
+/// rest at infinite depth; on a rigid substrate layers are compressed and sheared by a finite
+/// amount.
 double uniform_displacement(const Stack& stack, Traction traction, Axis axis) {
   if (!stack.substrate.is_rigid() || traction_along(axis) != traction) return 0.0;
   double sum = 0.0;
@@ -132,14 +135,14 @@ double highest_stress_wave(const Stack& stack, int layer, double z) {
   return deepest_stress_wave / (layer > 0 ? z : 2 * stack.layers[0].thickness - z);
 }
 
-/// Stress of a wave of a traction from that of the tractions along x.
+/// Stress due to a Fourier mode of a traction, from that of the tractions along x.
 template <class Decays>
 kernels::Stress stress_of(const kernels::LayeredWave& wave, Traction traction, int layer,
                           const Decays& decays, double c, double s) {
   if (traction == Traction::pressure) return wave.under_pressure(layer, decays, c, s);
   if (traction == Traction::shear_x) return wave.under_shear_x(layer, decays, c, s);
-  const auto turned = wave.under_shear_x(layer, decays, s, c);
-  return {turned[1], turned[0], turned[2], turned[4], turned[3], turned[5]};
+  const auto rotated = wave.under_shear_x(layer, decays, s, c);
+  return {rotated[1], rotated[0], rotated[2], rotated[4], rotated[3], rotated[5]};
 }
 
 }  // namespace
@@ -148,7 +151,7 @@ Field layered_compliance(const Stack& stack, Traction traction, Axis axis, const
                          const CellOffsets& offsets) {
   Field table = cell_compliance(stack.elastic(0), traction, axis, grid, offsets);
   if (stack.layers.empty()) return table;
-  // Far away the substrate acts, at a distance that leaves the near field to the top layer.
+  // At large distances the substrate acts, at a depth that leaves the near field to the top layer.
   const DisplacementRest rest(stack, traction, axis);
   const double scale = grid.dx / (2 * std::numbers::pi);
   const Field distant = corner_sums(offsets, grid.dy / grid.dx, [&](double x, double y) {
@@ -181,7 +184,7 @@ CellInfluence layered_compliance_of_cell(const Stack& stack, Traction traction, 
     const double factor = component(rest.far, traction, axis, 1.0, 0.0);
     const double reference = grid.period.reference > 0 ? grid.period.reference : grid.dx;
     std::vector<double> x = CellOffsets::lattice(nx, 1).in_metres(grid.dx, grid.dy).x;
-    x.push_back(reference);  // which may lie within the length over which stiff layers bend
+    x.push_back(reference);  // which may lie within the bending length of stiff layers
     Field added = kernels::ring_strip_sums(rest.waves(), grid.dx, x);
     const auto line = [&](double at) {
       return distant_line_primitive(at, rest.distance, parity.odd_x, reference);
@@ -198,7 +201,8 @@ CellInfluence layered_compliance_of_cell(const Stack& stack, Traction traction, 
 
 namespace {
 
-/// Stress at a depth of a wave of a traction less that of a half-space of the layer that it is in.
+/// Stress at a depth due to a Fourier mode of a traction less that of a half-space of the same
+/// layer.
 kernels::RingWaves stress_rest(const Stack& stack, Traction traction, double z, Tensor tensor) {
   const int layer = stack.layer_at(z);
   const double nu = stack.elastic(layer).nu, longest = std::max(longest_length(stack), z);
@@ -258,9 +262,9 @@ CellInfluence layered_stress_of_cell(const Stack& stack, Traction traction, cons
 
 namespace {
 
-/// Displacement along an axis under the waves of eigenstrain in a layer of cells, [6], from the
-/// mean stress of a traction there: Betti, the work of a traction on the displacement is that of
-/// its stress on the eigenstrain.
+/// Displacement along an axis due to Fourier modes of eigenstrain in a layer of cells, [6], from
+/// the mean stress due to a traction there. Betti's theorem: the work of a traction on the
+/// displacement equals that of its stress on the eigenstrain.
 struct ResidualWaves {
   Stack stack;
   Traction traction;
@@ -283,7 +287,7 @@ struct ResidualWaves {
     const auto stress = stress_of(wave, traction, own, wave.mean(own, z0, z1), kx / q, ky / q);
     for (int c = 0; c < 6; ++c) values[c] = (z1 - z0) * betti_factor(traction, c) * stress[c];
   }
-  /// Less that of a half-space of the layer's own constants.
+  /// Less that of a half-space with the constants of the layer.
   kernels::RingWaves rest() const {
     const auto at = [waves = *this, wave = kernels::LayeredWave(stack)](double kx, double ky,
                                                                         double* values) mutable {

@@ -6,17 +6,17 @@
 namespace samcontact::operators {
 
 CellInfluence Medium::stress_influence(Traction, const Grid&, double) const {
-  throw std::logic_error("a medium does not know the stress of waves");
+  throw std::logic_error("this medium has no Fourier modes of stress");
 }
 
 CellInfluence Medium::residual_influence(Axis, const Grid&, int) const {
-  throw std::logic_error("a medium does not know the displacement of waves");
+  throw std::logic_error("this medium has no Fourier modes of displacement");
 }
 
 SharedHeatMedium heat_of(const Medium& medium) {
   if (auto heat = medium.heat()) return heat;
   throw std::invalid_argument(
-      "a layered body has no frictional heat: give a homogeneous body instead");
+      "frictional heating of a layered body is not supported: use a homogeneous body");
 }
 
 std::optional<double> Medium::normal_ratio(Traction, const Medium& other) const {

@@ -17,19 +17,19 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// u_z of pressure: by its moments far away.
+/// u_z due to pressure: by multipole moments at large distances.
 Field pressure_sums(const CellOffsets& offsets, double aspect) {
   const Offsets metres = offsets.in_metres(1.0, aspect);
   const std::vector<double>&x = metres.x, &y = metres.y;
   const kernels::FarDisplacement far(1.0, aspect);
   Field sums(x.size() * y.size());
-#pragma omp parallel for schedule(dynamic) if (500.0 * sums.size() > worth_threads)
+#pragma omp parallel for schedule(dynamic) if (500.0 * sums.size() > min_parallel_operations)
   for (std::ptrdiff_t j = 0; j < std::ssize(y); ++j) {
     double* row = sums.data() + j * x.size();
     far.evaluate(x.data(), y[j], x.size(), row);
-    if (y[j] >= far.begin()) continue;
+    if (y[j] >= far.valid_from()) continue;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      if (x[i] >= far.begin()) continue;
+      if (x[i] >= far.valid_from()) continue;
       row[i] = kernels::corner_sum_2d<1>(x[i], y[j], 0.5, 0.5 * aspect, [](double s, double t) {
         return std::array{kernels::pressure_displacement(s, t)};
       })[0];
@@ -38,16 +38,16 @@ Field pressure_sums(const CellOffsets& offsets, double aspect) {
   return sums;
 }
 
-/// Places of xx, yy, zz, yz, xz, xy where x and y are exchanged, and of xx, yy, yz, xz, xy.
+/// Indices of xx, yy, zz, yz, xz, xy after x and y are exchanged, and of xx, yy, yz, xz, xy.
 constexpr std::array<std::size_t, 6> exchanged_full{1, 0, 2, 4, 3, 5},
     exchanged_deviator{1, 0, 3, 2, 4, 5};
 
 /// Components xx, yy, zz, yz, xz, xy with x and y exchanged.
-std::array<double, 6> turned(const std::array<double, 6>& s) {
+std::array<double, 6> rotated(const std::array<double, 6>& s) {
   return {s[1], s[0], s[2], s[4], s[3], s[5]};
 }
 
-/// Corner sums of a row of cells without end, of the functions of a strip: [component][i].
+/// Corner sums of an infinite row of cells, from the functions of a strip: [component][i].
 template <class Function>
 Field strip_sums(int nx, double d, const Function& function) {
   Field sums(6 * static_cast<std::size_t>(nx));
@@ -70,7 +70,7 @@ kernels::Stress strip_stress(Traction traction, double x, double z, double nu) {
   return kernels::strip_antiplane_stress(x, z);
 }
 
-/// Stress below a uniform load: the body cannot stretch in its plane.
+/// Stress below a uniform load: in-plane strain is zero.
 std::vector<double> uniform_stress(Traction traction, double nu) {
   if (traction == Traction::pressure) {
     const double along = -nu / (1 - nu);
@@ -80,7 +80,7 @@ std::vector<double> uniform_stress(Traction traction, double nu) {
   return {0.0, 0.0, 0.0, -1.0, 0.0, 0.0};
 }
 
-/// Displacement along an axis under a wave, times the shear modulus.
+/// Displacement along an axis due to a Fourier mode, times the shear modulus.
 double wave_displacement(Traction traction, Axis axis, double kx, double ky, double nu) {
   if (traction == Traction::shear_y) {
     return wave_displacement(Traction::shear_x, exchanged(axis), ky, kx, nu);
@@ -90,7 +90,7 @@ double wave_displacement(Traction traction, Axis axis, double kx, double ky, dou
   return u[static_cast<int>(axis)];
 }
 
-/// Primitive of what a line load at x = 0 does whose wave has the displacement 1/k: even, with
+/// Primitive of the displacement due to a line load at x = 0 whose Fourier mode is 1/k: even, with
 /// ln(reference/x), or odd, a step.
 double line_primitive(double x, bool odd, double reference) {
   if (odd) return 0.5 * std::fabs(x);
@@ -118,14 +118,14 @@ kernels::Stress select(kernels::Stress s, Tensor tensor) {
 kernels::Stress wave_stress(Traction traction, double kx, double ky, double z, double nu) {
   if (traction == Traction::pressure) return kernels::pressure_wave_stress(kx, ky, z, nu);
   if (traction == Traction::shear_x) return kernels::shear_wave_stress(kx, ky, z, nu);
-  return turned(kernels::shear_wave_stress(ky, kx, z, nu));
+  return rotated(kernels::shear_wave_stress(ky, kx, z, nu));
 }
 
 kernels::Stress wave_mean(Traction traction, double kx, double ky, double z0, double z1,
                           double nu) {
   if (traction == Traction::pressure) return kernels::pressure_wave_mean(kx, ky, z0, z1, nu);
   if (traction == Traction::shear_x) return kernels::shear_wave_mean(kx, ky, z0, z1, nu);
-  return turned(kernels::shear_wave_mean(ky, kx, z0, z1, nu));
+  return rotated(kernels::shear_wave_mean(ky, kx, z0, z1, nu));
 }
 
 Field selected(Field six, Tensor tensor) {
@@ -155,7 +155,8 @@ double compliance_corner(Traction traction, Axis axis, double x, double y, doubl
     return axis == Axis::z ? kernels::pressure_displacement(x, y)
                            : kernels::along_displacement(x, y, nu);
   }
-  // Betti: what pressure does to the side is what shear does downwards, seen from the other.
+  // Betti's theorem: the tangential displacement due to pressure follows from the normal
+  // displacement due to shear.
   return axis == Axis::y ? kernels::cross_displacement(x, y, nu)
                          : kernels::shear_displacement(x, y);
 }
@@ -197,7 +198,7 @@ CellInfluence compliance_of_cell(const Elastic& elastic, Traction traction, Axis
     Field sums(nx, 0.0);
     if (parity.odd_y) return sums;
     const double factor = softness * wave_displacement(traction, axis, 1.0, 0.0, nu);
-    // With both directions periodic the reference is of no account.
+    // With both directions periodic the reference has no effect.
     const double reference = grid.period.reference > 0 ? grid.period.reference : grid.dx;
     for (int i = 0; i < nx; ++i) {
       sums[i] = factor * (line_primitive((i + 0.5) * grid.dx, parity.odd_x, reference) -
@@ -211,7 +212,7 @@ CellInfluence compliance_of_cell(const Elastic& elastic, Traction traction, Axis
 kernels::Stress stress_corner(Traction traction, double x, double y, double z, double nu) {
   if (traction == Traction::pressure) return kernels::pressure_stress(x, y, z, nu);
   if (traction == Traction::shear_x) return kernels::shear_stress(x, y, z, nu);
-  return turned(kernels::shear_stress(y, x, z, nu));
+  return rotated(kernels::shear_stress(y, x, z, nu));
 }
 
 Field cell_stress(double nu, Traction traction, const Grid& grid, const CellOffsets& offsets,
@@ -245,7 +246,7 @@ CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, dou
 std::array<double, 6> residual_corner(Axis axis, double x, double y, double z, double nu) {
   if (axis == Axis::z) return kernels::eigenstrain_displacement(x, y, z, nu);
   if (axis == Axis::x) return kernels::eigenstrain_side_displacement(x, y, z, nu);
-  return turned(kernels::eigenstrain_side_displacement(y, x, z, nu));
+  return rotated(kernels::eigenstrain_side_displacement(y, x, z, nu));
 }
 
 Field cell_residual_displacement(double nu, Axis axis, const Grid& grid, const CellOffsets& offsets,
@@ -263,7 +264,8 @@ Field cell_residual_displacement(double nu, Axis axis, const Grid& grid, const C
 
 CellInfluence residual_of_cell(double nu, Axis axis, const Grid& grid, int layer) {
   const double z0 = layer * grid.dz, z1 = (layer + 1) * grid.dz, h = grid.dz;
-  // Betti: the work of a traction on the displacement is that of its stress on the eigenstrain.
+  // Betti's theorem: the work of a traction on the displacement equals that of its stress on the
+  // eigenstrain.
   const Traction traction = traction_along(axis);
   CellInfluence influence;
   std::array<double, 6> factors{};

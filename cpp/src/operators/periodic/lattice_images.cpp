@@ -11,11 +11,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of the interpolation.
+/// Relative error of the interpolation.
 constexpr double digits = 28.0;
 
-/// Growth of the error of polynomials over -1..1 for a function whose nearest singularities lie at
-/// x on the real line and at y beside it.
+/// Growth of the error of polynomials over -1..1 for a function whose nearest singularities are at
+/// x on the real line and at y off it.
 double growth(double x, double y) {
   const double beyond = std::max(x, 1.0 + 1e-6);
   return std::min(beyond + std::sqrt(beyond * beyond - 1), y + std::sqrt(1 + y * y));
@@ -103,7 +103,7 @@ LatticeImages LatticeImages::of_cells(const LatticeAxis& x, const LatticeAxis& y
 LatticeImages LatticeImages::of_strips(const LatticeAxis& x) {
   const double ratio =
       growth(((x.apart + 1) * x.period - 0.5 * x.d) / std::max(x.extent(), 0.5 * x.d), INFINITY);
-  // A wave's own infinity at k = 0 is no more than a constant.
+  // The singularity of a mode at k = 0 contributes only a constant.
   return {LatticeModes::of_strips(x), Points(x, ratio), Points({}, ratio), 1.0};
 }
 

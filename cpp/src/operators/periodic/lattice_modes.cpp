@@ -19,7 +19,7 @@ double of_images(double k, const LatticeAxis& axis) {
   return sum;
 }
 
-/// What a cell's length does to a wave, times the length.
+/// Transform of a cell of length d.
 double of_cell(double k, double d) { return k == 0 ? d : 2 * std::sin(0.5 * k * d) / k; }
 
 }  // namespace
@@ -41,7 +41,8 @@ void LatticeModes::push(double x, double y, double w) {
 
 void LatticeModes::add_lattice(const LatticeAxis& x, const LatticeAxis& y,
                                const LatticeWindow& window, double q1) {
-  // Without a period along x, waves that vary along y die out beside the load.
+  // Without a period along x, modes that vary along y decay with the distance from the load along
+  // x.
   const double beside = std::max(8 * y.period, 1.1 * y.distance()) + x.d;
   const double period_x = x.period > 0 ? x.period : x.extent() + beside;
   const int nx = static_cast<int>(window.end * q1 * period_x / (2 * pi));
@@ -49,9 +50,9 @@ void LatticeModes::add_lattice(const LatticeAxis& x, const LatticeAxis& y,
   for (int n = x.period > 0 ? 0 : 1; n <= ny; ++n) {
     for (int m = n == 0 ? 1 : 0; m <= nx; ++m) {
       const double k_x = 2 * pi * m / period_x, k_y = 2 * pi * n / y.period;
-      const double twins = (m > 0 ? 2.0 : 1.0) * (n > 0 ? 2.0 : 1.0);
+      const double multiplicity = (m > 0 ? 2.0 : 1.0) * (n > 0 ? 2.0 : 1.0);
       push(k_x, k_y,
-           twins / (period_x * y.period) * window.at(std::hypot(k_x, k_y) / q1) *
+           multiplicity / (period_x * y.period) * window.at(std::hypot(k_x, k_y) / q1) *
                of_cell(k_x, x.length) * of_cell(k_y, y.length));
     }
   }
@@ -80,7 +81,7 @@ void LatticeModes::subtract_integral(const LatticeAxis& x, const LatticeAxis& y,
 
 LatticeModes LatticeModes::of_cells(const LatticeAxis& x, const LatticeAxis& y,
                                     const LatticeWindow& window) {
-  // To the nearest edge of an image.
+  // Distance to the nearest edge of an image.
   double distance = y.distance() - y.edge();
   if (x.period > 0) distance = std::min(distance, x.distance() - x.edge());
   const double q1 = window.split(distance);

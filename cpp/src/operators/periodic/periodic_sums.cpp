@@ -7,10 +7,10 @@
 namespace samcontact::operators {
 namespace {
 
-/// Of the grids of one contact: the finest, coarser ones, and their boxes.
-constexpr std::size_t most_tables = 8;
+/// Number of cached tables: grids of one contact, the finest, coarser ones, and their boxes.
+constexpr std::size_t max_tables = 8;
 
-/// An offset in a period, and whether it is the mirror image of the one meant; period 0: none.
+/// Offset in a period, and whether it is the mirror image of the given one; period 0: not periodic.
 struct Folded {
   int offset;
   bool mirrored = false;
@@ -22,7 +22,7 @@ struct Folded {
   }
 };
 
-/// A table of one component on offsets that are folded into `columns` of them.
+/// Table of one component from offsets folded into `columns` columns.
 void unfold(const double* table, int columns, const Period& period, const CellOffsets& offsets,
             const kernels::Parity& parity, double* out) {
   for (const int j : offsets.y) {
@@ -49,11 +49,11 @@ Axis exchanged(Axis axis) {
 }
 
 Grid exchanged(const Grid& grid) {
-  Grid turned = grid;
-  std::swap(turned.nx, turned.ny);
-  std::swap(turned.dx, turned.dy);
-  std::swap(turned.period.x, turned.period.y);
-  return turned;
+  Grid rotated = grid;
+  std::swap(rotated.nx, rotated.ny);
+  std::swap(rotated.dx, rotated.dy);
+  std::swap(rotated.period.x, rotated.period.y);
+  return rotated;
 }
 
 std::shared_ptr<const PeriodicTable> PeriodicSums::table(const Grid& grid, int cells_x,
@@ -68,7 +68,7 @@ std::shared_ptr<const PeriodicTable> PeriodicSums::table(const Grid& grid, int c
     tables_.push_front(
         std::make_shared<const PeriodicTable>(grid.dx, grid.dy, grid.period, cells_x, step,
                                               tables_.empty() ? nullptr : tables_.front().get()));
-    if (tables_.size() > most_tables) tables_.pop_back();
+    if (tables_.size() > max_tables) tables_.pop_back();
   }
   return tables_.front();
 }
@@ -81,18 +81,18 @@ std::shared_ptr<const Field> PeriodicSums::sums(const std::shared_ptr<const Peri
       named_, [&](const Named& kept) { return kept.name == name && kept.table == table; });
   if (found != named_.end()) return found->sums;
   named_.push_front({name, table, std::make_shared<const Field>(table->sum(influence))});
-  if (named_.size() > most_tables) named_.pop_back();
+  if (named_.size() > max_tables) named_.pop_back();
   return named_.front().sums;
 }
 
 Field PeriodicSums::sum(const Grid& grid, const CellOffsets& offsets, const Make& make,
                         std::span<const int> order, int name, int step) const {
   const bool direct = PeriodicTable::is_direct(grid);
-  const Grid turned = direct ? grid : exchanged(grid);
+  const Grid rotated = direct ? grid : exchanged(grid);
   const CellOffsets along = direct ? offsets : CellOffsets{offsets.y, offsets.x};
   const int cells_x = 1 + *std::max_element(along.x.begin(), along.x.end());
-  const auto table = this->table(turned, cells_x, step);
-  const CellInfluence influence = make(turned, !direct);
+  const auto table = this->table(rotated, cells_x, step);
+  const CellInfluence influence = make(rotated, !direct);
   const auto sums = this->sums(table, influence, name);
   const std::size_t count = influence.parities.size(), nx = offsets.x.size(), ny = offsets.y.size();
   const std::size_t part = static_cast<std::size_t>(table->columns()) * table->rows();
@@ -100,7 +100,7 @@ Field PeriodicSums::sum(const Grid& grid, const CellOffsets& offsets, const Make
   Field one(nx * ny);
   for (std::size_t c = 0; c < count; ++c) {
     double* to = out.data() + (direct ? c : order[c]) * nx * ny;
-    unfold(sums->data() + c * part, table->columns(), turned.period, along, influence.parities[c],
+    unfold(sums->data() + c * part, table->columns(), rotated.period, along, influence.parities[c],
            direct ? to : one.data());
     if (direct) continue;
     for (std::size_t j = 0; j < ny; ++j) {

@@ -8,10 +8,11 @@
 namespace samcontact::operators {
 namespace {
 
-/// Periods along y beyond which a row of loads cannot be told from a uniform strip: exp(-2 pi 6).
+/// Distance in periods along y beyond which a row of loads is equivalent to a uniform strip: exp(-2
+/// pi 6).
 constexpr double uniform_from = 6.0;
 
-/// The first offsets of a period and its images: apart images to each side are added one by one.
+/// First offsets of a period and their images: `apart` images to each side are added one by one.
 template <class Visit>
 void for_each_image(const LatticeAxis& axis, int cells, int i, const Visit& visit) {
   for (int n = -axis.apart; n <= axis.apart; ++n) visit(i + n * cells);
@@ -47,7 +48,7 @@ PeriodicTable::PeriodicTable(double dx, double dy, const Period& period, int cel
       near_x_.cells =
           std::min(x_.cells, static_cast<int>(std::floor(uniform_from * y_.period / dx + 0.5)) + 1);
     }
-    // Images near enough to make the rest vary faster than over the offsets.
+    // Images so near that the remainder would vary faster than over the offsets.
     const double smooth = std::max(near_x_.extent(), y_.extent());
     while (near_x_.period > 0 && near_x_.distance() < 0.99 * smooth) ++near_x_.apart;
     while (y_.distance() < 0.99 * smooth) ++y_.apart;
@@ -85,8 +86,10 @@ Field PeriodicTable::near_sum(const CellInfluence& influence) const {
 
 namespace {
 
-/// Cells of a period that lie at this offset or at its mirror image.
-double twins(int offset, int period) { return offset == 0 || 2 * offset == period ? 1.0 : 2.0; }
+/// Number of cells of a period at this offset or at its mirror image.
+double multiplicity(int offset, int period) {
+  return offset == 0 || 2 * offset == period ? 1.0 : 2.0;
+}
 
 }  // namespace
 
@@ -105,7 +108,7 @@ Field PeriodicTable::strips(const CellInfluence& influence) const {
     if (influence.parities[c].odd_x || influence.parities[c].odd_y) continue;
     double total = 0.0;
     for (std::size_t i = 0; i < nx; ++i) {
-      total += twins(static_cast<int>(i), period_.x) * values[i];
+      total += multiplicity(static_cast<int>(i), period_.x) * values[i];
     }
     const double shift = (influence.uniform[c] - total) / period_.x;
     for (std::size_t i = 0; i < nx; ++i) values[i] += shift;
@@ -127,15 +130,15 @@ Field PeriodicTable::sum(const CellInfluence& influence) const {
     const double* from = cells.data() + c * near * ny;
     for (std::size_t j = 0; j < ny; ++j) std::copy_n(from + j * near, near, to + j * nx);
     if (parity.odd_y) continue;
-    // The constants that the images left open: uniform loads, and rows of them, are known.
+    // Constants that the images leave open: uniform loads, and rows of them, are known.
     double total = 0.0;
     for (std::size_t i = 0; i < nx; ++i) {
       double row = 0.0;
       for (std::size_t j = 0; j < ny && i < near; ++j) {
-        row += twins(static_cast<int>(j), period_.y) * to[j * nx + i];
+        row += multiplicity(static_cast<int>(j), period_.y) * to[j * nx + i];
       }
       if (square) {
-        total += twins(static_cast<int>(i), period_.x) * row;
+        total += multiplicity(static_cast<int>(i), period_.x) * row;
         continue;
       }
       const double shift = (rows[c * nx + i] - row) / period_.y;

@@ -33,7 +33,7 @@ Complex turn(int component) {
 /// Sign of a component under kx -> -kx: A(-kx) = D A(kx) D.
 double mirror_sign(int component) { return component >= 4 ? -1.0 : 1.0; }
 
-/// The factor by which a kernel's real quarter spectrum enters the real tensor.
+/// Factor of the real quarter spectrum of a kernel in the real tensor.
 double real_factor(kernels::Parity parity, int out, int in) {
   Complex factor = turn(out) / turn(in);
   for (int n = parity.odd_x + parity.odd_y; n > 0; --n) factor *= Complex(0, -1);

@@ -20,7 +20,7 @@ constexpr int matrix = 6 * width;  // [in][out]
 using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = double;
 
 /// sum += matrices applied to the strain of one row of sources in y. The matrix of the first source
-/// is given, that of the next lies `step` doubles further.
+/// is given; the next ones are `step` doubles apart.
 SAMCONTACT_MULTIVERSION
 void add_row(const double* first, std::ptrdiff_t step, const double* strain, int count,
              Lanes* sum) {
@@ -68,20 +68,21 @@ void subtract_plane(const double* nodes, int nx, int ny, const double* along_x, 
   }
 }
 
-/// By how much the error falls with each coarse cell over half a period.
+/// Factor by which the error decreases with each coarse cell over half a period.
 constexpr double rate = 2.6;
 
-/// Coarse cells over half a period for a tolerance. Measured on boxes full of strain: the error is
-/// 10^-(1 + 0.42 cells) of the largest stress.
+/// Number of coarse cells over half a period for a tolerance. Measured on boxes full of strain: the
+/// error is 10^-(1 + 0.42 cells) of the largest stress.
 int cells_over_period(double tol) {
   return std::max(static_cast<int>(std::ceil((-std::log10(tol) - 1.0) / 0.42)), 2);
 }
 
-/// Of waves, in units of the tolerance.
+/// Truncation of the Fourier modes, in units of the tolerance.
 constexpr double neglected = 0.03;
 
-/// Over an axis whose length is `ratio` half periods, where `cells` are needed over one. Over a
-/// shorter axis polynomials converge faster: by `rate` and the ratio with each cell.
+/// Number of coarse cells over an axis whose length is `ratio` half periods, if `cells` are needed
+/// over one. Over a shorter axis polynomials converge faster: by `rate` and the ratio with each
+/// cell.
 int cells_over_depth(double ratio, int cells) {
   const double needed = ratio < 1 ? cells / (1 - std::log(ratio) / std::log(rate)) : cells * ratio;
   return std::clamp(static_cast<int>(std::ceil(needed)), 1, 4 * cells);
@@ -127,7 +128,7 @@ ImageCorrection::Axis ImageCorrection::make_axis(int fine, double d, double exte
     points.row(a) = row;
   }
   // Cells w with sum_a w_a mean_a(T) = T(x_i) d / cell for every polynomial T; and the values at
-  // x_i of the polynomials that are 1 at one cell's centre and 0 at the others'.
+  // x_i of the polynomials that are 1 at the centre of one cell and 0 at the others.
   const auto moments = cell_means.transpose().partialPivLu();
   const auto interpolants = points.transpose().partialPivLu();
   for (int i = 0; i < fine; ++i) {
@@ -170,7 +171,7 @@ ImageCorrection::ImageCorrection(const Grid& grid, const VolumeTransform& transf
   build_layers(grid, body, tol);
 }
 
-ImageCorrection::Axis ImageCorrection::joined(const std::vector<Axis>& layers) {
+ImageCorrection::Axis ImageCorrection::stacked(const std::vector<Axis>& layers) {
   Axis all;
   for (const Axis& axis : layers) {
     all.fine += axis.fine;
@@ -205,7 +206,7 @@ void ImageCorrection::build_layers(const Grid& grid, const Stack& body, double t
     layer.cells = coarse;
     layer.cell = depth / coarse;
   }
-  z_ = joined(axes);
+  z_ = stacked(axes);
   const layers::SweptStack stack(layers, body.substrate.is_rigid());
   influence_ = image_influence(stack, {x_.cell, x_.coarse, period_x_},
                                {y_.cell, y_.coarse, period_y_}, neglected * tol);
@@ -218,7 +219,8 @@ Field ImageCorrection::coarse_strain(Tensor tensor, const double* strain) const 
   const std::size_t plane = static_cast<std::size_t>(x_.fine) * y_.fine;
   const int coarse_plane = cx * cy;
   Field layers(static_cast<std::size_t>(parts) * nz * coarse_plane, 0.0);
-#pragma omp parallel for schedule(static) if (2.0 * parts * nz * cy * plane > worth_threads)
+#pragma omp parallel for schedule(static) if (2.0 * parts * nz * cy * plane > \
+                                                  min_parallel_operations)
   for (int ck = 0; ck < parts * nz; ++ck) {
     const auto parity = kernels::component_parity(places[ck / nz]);
     plane_moments(strain + ck * plane, x_.fine, y_.fine, x_.moments[parity.odd_x].data(), cx,
@@ -250,7 +252,7 @@ Field ImageCorrection::coarse_stress(const Field& strain) const {
   const int wide = 2 * cx - 1, offsets = wide * (2 * cy - 1);
   Field stress(strain.size(), 0.0);
 #pragma omp parallel for schedule(static) if (12.0 * strain.size() * strain.size() / 6 > \
-                                                  worth_threads)
+                                                  min_parallel_operations)
   for (int target = 0; target < cz * cx; ++target) {
     const int z = target / cx, x = target % cx;
     for (int y = 0; y < cy; ++y) {

@@ -19,22 +19,22 @@ using Matrix = Eigen::MatrixXd;
 constexpr int tensor = 6;
 constexpr int pairs = tensor * tensor;
 
-/// Of the stress `out` under the strain `in`.
+/// Parity of the stress `out` due to the strain `in`.
 kernels::Parity pair_parity(int in, int out) {
   const auto a = kernels::component_parity(in), b = kernels::component_parity(out);
   return {a.odd_x != b.odd_x, a.odd_y != b.odd_y, false};
 }
 
-/// What a wave in the turned frame, where 13 and 23 carry i, counts beside sines and cosines.
+/// Factor of sines and cosines for a mode in the rotated frame, where 13 and 23 contain i.
 double pair_sign(int in, int out) {
-  const auto turned = [](int component) { return component == 3 || component == 4; };
-  if (turned(in) != turned(out)) return turned(in) ? -1.0 : 1.0;
+  const auto rotated = [](int component) { return component == 3 || component == 4; };
+  if (rotated(in) != rotated(out)) return rotated(in) ? -1.0 : 1.0;
   const auto [odd_x, odd_y, odd_z] = pair_parity(in, out);
   return odd_x && odd_y ? -1.0 : 1.0;
 }
 
-/// Places of pairs of components, in groups of one parity: odd in neither direction, in x, in y, in
-/// both.
+/// Indices of pairs of components, in groups of one parity: odd in neither direction, in x, in y,
+/// in both.
 struct Groups {
   std::array<int, pairs> place{};
   std::array<int, 5> first{};
@@ -52,7 +52,7 @@ struct Groups {
   }
 };
 
-/// Stress of waves of unit eigenstrain in each layer of cells.
+/// Stress due to Fourier modes of unit eigenstrain in each layer of cells.
 class WaveInfluence {
  public:
   explicit WaveInfluence(const layers::SweptStack& stack)
@@ -66,7 +66,7 @@ class WaveInfluence {
   Eigen::Index layer_pairs() const { return static_cast<Eigen::Index>(nz_) * nz_; }
   const Groups& groups() const { return groups_; }
 
-  /// Of up to `width` waves, a column each: [pair of components][field layer][source layer].
+  /// For up to `width` modes, one per column: [pair of components][field layer][source layer].
   void evaluate(const double* kx, const double* ky, int count, double* values) {
     std::ranges::fill(modes_, 0.0);
     for (int n = 0; n < count; ++n) {
@@ -112,7 +112,7 @@ class WaveInfluence {
   Field modes_, strain_, stress_;
 };
 
-/// Waves at offsets >= 0 along one axis.
+/// Fourier modes at offsets >= 0 along one axis.
 struct Trigonometric {
   Eigen::ArrayXd even, odd;
 
@@ -124,7 +124,7 @@ struct Trigonometric {
   }
 };
 
-/// Adds waves, a row each, to the sums at offsets x + cells of x times y.
+/// Adds modes, one per row, to the sums at offsets x + cells of x times y.
 void add_waves(const WaveInfluence& influence, const Matrix& waves, const LatticeModes& modes,
                std::size_t first, const LatticeAxis& x, const LatticeAxis& y, Matrix& sums) {
   const Eigen::Index count = waves.cols();
@@ -149,7 +149,7 @@ void add_waves(const WaveInfluence& influence, const Matrix& waves, const Lattic
   }
 }
 
-/// From sums at offsets >= 0.
+/// Values at all offsets, from sums at offsets >= 0.
 Field at_all_offsets(const WaveInfluence& influence, const Matrix& sums, int cx, int cy) {
   const std::ptrdiff_t wide = 2 * cx - 1, offsets = wide * (2 * cy - 1);
   const Eigen::Index layer_pairs = influence.layer_pairs();
@@ -180,7 +180,7 @@ Field image_influence(const layers::SweptStack& coarse, const LatticeAxis& x, co
   const auto modes = LatticeModes::of_cells(x, y, LatticeWindow::within(tol));
   const Eigen::Index rows = static_cast<Eigen::Index>(pairs) * influence.layer_pairs();
   Matrix sums = Matrix::Zero(rows, static_cast<Eigen::Index>(x.cells) * y.cells);
-  // What is the same everywhere acts like a plate.
+  // A uniform eigenstrain acts like a plate.
   Matrix uniform(rows, 1);
   const double none = 0.0;
   influence.evaluate(&none, &none, 1, uniform.data());

@@ -16,8 +16,8 @@ namespace {
 
 using layers::width;
 
-/// With yz and xz multiplied by i all is real; what is stored lacks (-i) for each mirrored
-/// direction in which the component is odd.
+/// With yz and xz multiplied by i all numbers are real; stored spectra lack a factor (-i) for each
+/// mirrored direction in which the component is odd.
 layers::Layout make_layout(const VolumeSpectrum& spectrum) {
   layers::Layout at{spectrum.nz,
                     spectrum.tensor == Tensor::deviator,
@@ -33,7 +33,7 @@ layers::Layout make_layout(const VolumeSpectrum& spectrum) {
   return at;
 }
 
-/// That of one block alone, one layer after the other.
+/// Layout of one block alone, one layer after the other.
 layers::Layout block_layout(const layers::Layout& of, int parts) {
   layers::Layout at = of;
   at.component_step = static_cast<std::size_t>(width) * parts;
@@ -98,7 +98,7 @@ LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
   // The transform is not normalised.
   const double unit_cell = 1.0 / (static_cast<double>(transform.mx()) * transform.my());
   for (int i = found.first; i < std::min(found.last, transform.modes()); ++i) {
-    // Places of a block beside the first and the last have a share of 0.
+    // Positions of a block outside the first and the last wavenumber have weight 0.
     const auto wave = wave_alias(grid, transform, i, ky, alias_x, alias_y, share, blends);
     if (!wave) continue;
     stack_.fill_mode(wave->kx, wave->ky, wave->share * unit_cell,
@@ -109,7 +109,7 @@ LayerResidualStress::Pass LayerResidualStress::pass(const Grid& grid,
 
 void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
   const layers::Layout layout = make_layout(spectrum), block = block_layout(layout, spectrum.parts);
-#pragma omp parallel if (per_number * spectrum.data.size() > worth_threads)
+#pragma omp parallel if (per_number * spectrum.data.size() > min_parallel_operations)
   {
     const FlushDenormals flush;
     layers::Scratch scratch(stack_, spectrum.parts);
@@ -119,7 +119,7 @@ void LayerResidualStress::apply(VolumeSpectrum& spectrum) const {
       for (int kx = 0; kx < spectrum.modes; kx += width) {
         double* values = spectrum.row(ky, 0, 0) + static_cast<std::ptrdiff_t>(kx) * spectrum.parts;
         const double* added = nullptr;
-        // The first pass, that of the wavenumbers themselves, comes last: it replaces the strain.
+        // The first pass, that of the wavenumbers themselves, is last: it replaces the strain.
         for (auto pass = passes_[ky].rbegin(); pass != passes_[ky].rend(); ++pass) {
           if (kx < pass->first || kx >= pass->last) continue;
           const bool is_own = std::next(pass) == passes_[ky].rend();

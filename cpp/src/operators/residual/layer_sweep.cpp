@@ -10,10 +10,10 @@
 namespace samcontact::operators::layers {
 namespace {
 
-/// Keeps the wave of wavenumber 0, which has no amplitude, from a division by 0.
+/// Avoids a division by 0 for the wavenumber 0, which has no amplitude.
 constexpr double tiny = 1e-30;
 
-/// The wave that the sums over all cells of a layer, as seen from the next one, send out of it.
+/// Mode that leaves a layer, from the sums over all its cells as received by the next layer.
 SAMCONTACT_INLINE Wave left_by(const Mode& mode, const Constants& k, const Sums& r) {
   const Lanes step = r.d - r.c;
   const Lanes w = mode[thickness] * (r.w - step) + mode[leaving_shift] * step;
@@ -21,7 +21,7 @@ SAMCONTACT_INLINE Wave left_by(const Mode& mode, const Constants& k, const Sums&
   return {{-g * ((1 - k.kappa) * (r.c + r.d) + k.kappa * w), -g * k.kappa * step}, -g * r.o};
 }
 
-/// Sums over cells that would send a wave into a layer.
+/// Sums over cells that are equivalent to a mode entering a layer.
 SAMCONTACT_INLINE Sums that_send(const Mode& mode, const Constants& k, const Wave& wave) {
   const Lanes over = 1.0 / (mode[leaving] + tiny);
   Sums r;
@@ -33,7 +33,7 @@ SAMCONTACT_INLINE Sums that_send(const Mode& mode, const Constants& k, const Wav
   return r;
 }
 
-/// One block and all that its sweep works on.
+/// One block and the data of its sweep.
 template <int parts>
 struct Block {
   const SweptStack& stack;
@@ -42,7 +42,7 @@ struct Block {
   const double* row;
   int step;
   const double* values;
-  Turned* turned;
+  Rotated* rotated;
   Sums* below;
   LayerWaves* waves;
 
@@ -50,8 +50,8 @@ struct Block {
     return {row + static_cast<std::ptrdiff_t>(layer.mode) * step, step};
   }
 
-  /// Eigenstress of the cells of a layer, and the wave that leaves it at its top. Of the layer
-  /// without end also the integrals over the cells below, as nothing comes back from there.
+  /// Eigenstress of the cells of a layer, and the mode that leaves it at its top. For the infinite
+  /// layer also the integrals over the cells below, as nothing returns from there.
   SAMCONTACT_INLINE void rise(int n) const {
     const auto& layer = stack.layers()[n];
     const Mode at = mode(layer);
@@ -65,12 +65,12 @@ struct Block {
         sums[p].recede(at[decay]);
       }
       if (!used[k]) {
-        for (int p = 0; p < parts; ++p) turned[k * parts + p] = Turned{};
+        for (int p = 0; p < parts; ++p) rotated[k * parts + p] = Rotated{};
         continue;
       }
       load<parts>(layout, values, k, v);
       for (int p = 0; p < parts; ++p) {
-        Turned& t = turned[k * parts + p];
+        Rotated& t = rotated[k * parts + p];
         eigenstress(at, constants, v[p], t);
         sums[p].add(t, -1.0);
       }
@@ -81,7 +81,7 @@ struct Block {
     }
   }
 
-  /// The wave that leaves a layer at its bottom.
+  /// Mode that leaves a layer at its bottom.
   SAMCONTACT_INLINE void sink(int n) const {
     const auto& layer = stack.layers()[n];
     const Mode at = mode(layer);
@@ -89,7 +89,7 @@ struct Block {
     for (int k = layer.first; k < layer.last; ++k) {
       for (int p = 0; p < parts; ++p) {
         sums[p].recede(at[decay]);
-        if (k < layout.nz) sums[p].add(turned[k * parts + p], 1.0);
+        if (k < layout.nz) sums[p].add(rotated[k * parts + p], 1.0);
       }
     }
     const Constants constants(layer);
@@ -98,7 +98,7 @@ struct Block {
     }
   }
 
-  /// The integrals over what lies below each cell of a layer, with the wave from its bottom.
+  /// Integrals over the material below each cell of a layer, with the mode from its bottom.
   SAMCONTACT_INLINE void integrate_below(int n) const {
     const auto& layer = stack.layers()[n];
     const Mode at = mode(layer);
@@ -111,12 +111,12 @@ struct Block {
       for (int p = 0; p < parts; ++p) {
         if (k < layout.nz) below[k * parts + p] = sums[p].integrals(at);
         sums[p].recede(at[decay]);
-        if (k < layout.nz) sums[p].add(turned[k * parts + p], -1.0);
+        if (k < layout.nz) sums[p].add(rotated[k * parts + p], -1.0);
       }
     }
   }
 
-  /// Downwards: the integrals over what lies above, with the wave from the layer's top, and the
+  /// Downwards: integrals over the material above, with the mode from the top of the layer, and the
   /// stress.
   SAMCONTACT_INLINE void finish(int n, const Target& target) const {
     const auto& layer = stack.layers()[n];
@@ -129,13 +129,13 @@ struct Block {
     }
     for (int k = layer.first; k < std::min(layer.last, layout.nz); ++k) {
       for (int p = 0; p < parts; ++p) {
-        const Turned& t = turned[k * parts + p];
+        const Rotated& t = rotated[k * parts + p];
         Sums up = above[p].integrals(at), down = below[k * parts + p];
         up.add_own(at, t, 1.0);
         down.add_own(at, t, -1.0);
-        Turned stress;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled at once
+        Rotated stress;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled at once
         infinite_space(constants, up, down, t, stress);
-        turn_back(at, stress, layout.deviator, v[p]);
+        rotate_back(at, stress, layout.deviator, v[p]);
         above[p].recede(at[decay]);
         above[p].add(t, 1.0);
       }
@@ -178,7 +178,7 @@ constexpr std::size_t numbers = sizeof(T) / sizeof(double);
 
 Scratch::Scratch(const SweptStack& stack, int parts) {
   const auto cells = static_cast<std::size_t>(stack.cells()), layers = stack.layers().size();
-  turned.resize(cells * parts * numbers<Turned>);
+  rotated.resize(cells * parts * numbers<Rotated>);
   below.resize(cells * parts * numbers<Sums>);
   interfaces.resize(layers * numbers<Interfaces>);
   waves.resize(layers * parts * numbers<LayerWaves>);
@@ -187,15 +187,15 @@ Scratch::Scratch(const SweptStack& stack, int parts) {
 void sweep(const SweptStack& stack, int parts, const Layout& layout, const char* used,
            const double* row, int step, const double* values, const Target& target,
            Scratch& scratch) {
-  auto* turned = reinterpret_cast<Turned*>(scratch.turned.data());
+  auto* rotated = reinterpret_cast<Rotated*>(scratch.rotated.data());
   auto* below = reinterpret_cast<Sums*>(scratch.below.data());
   auto* interfaces = reinterpret_cast<Interfaces*>(scratch.interfaces.data());
   auto* waves = reinterpret_cast<LayerWaves*>(scratch.waves.data());
   if (parts == 2) {
-    sweep_complex({stack, layout, used, row, step, values, turned, below, waves}, interfaces,
+    sweep_complex({stack, layout, used, row, step, values, rotated, below, waves}, interfaces,
                   target);
   } else {
-    sweep_real({stack, layout, used, row, step, values, turned, below, waves}, interfaces, target);
+    sweep_real({stack, layout, used, row, step, values, rotated, below, waves}, interfaces, target);
   }
 }
 

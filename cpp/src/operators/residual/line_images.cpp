@@ -9,7 +9,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// The grid with one cell along its periodic direction.
+/// Grid with one cell along its periodic direction.
 Grid line_of(const Grid& grid) {
   const bool along_x = grid.period.x == 0;
   Grid line(along_x ? grid.nx : 1, along_x ? 1 : grid.ny, grid.dx, grid.dy, grid.nz, grid.dz);
@@ -22,7 +22,7 @@ VolumeTransform transform_of(const Grid& line, const VolumeTransform& box, int f
   return {line, box.symmetry(), along_x ? factor * box.mx() : 0, along_x ? 0 : factor * box.my()};
 }
 
-/// The field of images falls with the square of their distance.
+/// The field of images decreases with the square of their distance.
 int longer(double tol) {
   return std::clamp(static_cast<int>(std::ceil(0.6 / std::sqrt(tol))), 4, 1024);
 }

@@ -48,9 +48,9 @@ ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransfo
   const fft::ParitySpectrum spectrum(transform.mx(), transform.my());
   const CornerLattice lattice{grid.nx, grid.ny, grid.dy / grid.dx};
   const double dz = grid.dz / grid.dx;
-  // Lengths are in units of dx, so the displacement is too.
+  // Lengths are in units of dx, and so is the displacement.
   const double factor = grid.dx / (2 * std::numbers::pi);
-  // A deviator's zz is -(xx + yy).
+  // zz of a deviator is -(xx + yy).
   const auto corner = [nu, axis, tensor](double x, double y, double z) -> std::array<double, 6> {
     const auto d = residual_corner(axis, x, y, z, nu);
     if (tensor == Tensor::full) return d;
@@ -83,7 +83,7 @@ ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransfo
     const Field table = tables(k);
     for (std::size_t c = 0; c < places.size(); ++c) {
       const double* from = table.data() + places[c] * plane;
-      // A deviator's zz is -(xx + yy).
+      // zz of a deviator is -(xx + yy).
       const double* less =
           tensor == Tensor::deviator && places[c] < 2 ? &table[2 * plane] : nullptr;
       Field quarter(spectrum.size(), 0.0);
@@ -100,7 +100,7 @@ void ResidualDisplacement::apply(const VolumeSpectrum& strain, double* displacem
   const int hx = strain.mx / 2 + 1;
   const auto places = components(tensor_);
   Field sum(strain.mh * strain.row_size());
-#pragma omp parallel for schedule(static) if (2.0 * strain.data.size() > worth_threads)
+#pragma omp parallel for schedule(static) if (2.0 * strain.data.size() > min_parallel_operations)
   for (int ky = 0; ky < strain.mh; ++ky) {
     double* out = sum.data() + ky * strain.row_size();
     for (int c = 0; c < strain.components; ++c) {

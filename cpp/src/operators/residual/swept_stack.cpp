@@ -10,10 +10,10 @@
 namespace samcontact::operators::layers {
 namespace {
 
-/// How far from a face of cells an interface may lie, in layers of cells.
+/// Allowed distance of an interface from a boundary between cells, in layers of cells.
 constexpr double off_face = 1e-6;
 
-/// Those of one thickness of cells.
+/// Coefficients for one thickness of cells.
 void fill_coefficients(double kx, double ky, double h, double weight, double* mode, int step) {
   const double q = std::hypot(kx, ky), x = q * h;
   const auto set = [&](Coefficient c, double value) {
@@ -48,10 +48,10 @@ std::vector<SweptLayer> swept_layers(const Stack& body, int nz, double dz) {
     const auto& [elastic, thickness] = body.layers[n];
     const double bottom = top + thickness, face = bottom / dz;
     if (face <= nz + off_face && std::fabs(face - std::round(face)) > off_face) {
-      throw std::invalid_argument("the bottom of layers[" + std::to_string(n) + "], at " +
-                                  to_text(bottom) +
-                                  " m, must lie between layers of cells, got dz = " + to_text(dz) +
-                                  " m: take a part of the thickness");
+      throw std::invalid_argument(
+          "the bottom of layers[" + std::to_string(n) + "], at " + to_text(bottom) +
+          " m, must coincide with a cell boundary, got dz = " + to_text(dz) +
+          " m: use a whole fraction of the thickness");
     }
     const int last = face < nz ? static_cast<int>(std::lround(face)) : nz;
     const double within = face > nz + off_face ? nz * dz - top : thickness;
@@ -64,9 +64,9 @@ std::vector<SweptLayer> swept_layers(const Stack& body, int nz, double dz) {
   if (!body.substrate.is_rigid()) {
     found.push_back({body.substrate, INFINITY, nz - first, dz});
   } else if (first < nz) {
-    throw std::invalid_argument("layers of cells must end above the rigid substrate, at " +
-                                to_text(top) + " m, got " + std::to_string(nz) +
-                                " of dz = " + to_text(dz) + " m");
+    throw std::invalid_argument("the grid must end above the rigid substrate, at " + to_text(top) +
+                                " m, got " + std::to_string(nz) + " layers of dz = " + to_text(dz) +
+                                " m");
   }
   return found;
 }

@@ -10,8 +10,8 @@
 namespace samcontact::operators {
 namespace {
 
-/// Share of a wavenumber, relative to the highest; with that of its alias 1. Three derivatives are
-/// continuous.
+/// Weight of a wavenumber, relative to the highest; it and that of its alias add up to 1. Three
+/// derivatives are continuous.
 double blended(double k) { return rising((2 - blended_from - k) / (2 * (1 - blended_from))); }
 
 }  // namespace
@@ -21,7 +21,7 @@ std::optional<WaveAlias> wave_alias(const Grid& grid, const VolumeTransform& tra
                                     const decltype(ResidualSettings::share)& share, bool blends) {
   // mx and my are even
   const int mx = transform.mx(), my = transform.my();
-  // A single cell that repeats itself knows uniform fields only.
+  // A single cell that is repeated periodically has uniform fields only.
   const bool varies_x = grid.period.x != 1, varies_y = grid.period.y != 1;
   if ((alias_x && !varies_x) || (alias_y && !varies_y)) return std::nullopt;
   const int stored_x = i <= mx / 2 ? i : i - mx;
@@ -34,7 +34,7 @@ std::optional<WaveAlias> wave_alias(const Grid& grid, const VolumeTransform& tra
   const auto along_x = [&](int n) { return two_pi * n / (mx * grid.dx); };
   const auto along_y = [&](int n) { return two_pi * n / (my * grid.dy); };
   double weight = blends ? blended(std::abs(2.0 * x / mx)) * blended(std::abs(2.0 * y / my)) : 1.0;
-  // That of the wave that is stored, also for its alias.
+  // Factor of the stored mode, also for its alias.
   if (share) weight *= share(along_x(own), along_y(varies_y ? ky : 0));
   return WaveAlias{along_x(x), along_y(y), weight};
 }

@@ -8,8 +8,8 @@
 namespace samcontact::operators {
 namespace {
 
-/// Coarse cells along a box; eight of them fit into the shortest distance across the seam of
-/// periods longer than it by an eighth.
+/// Number of coarse cells along a box; eight of them fit into the shortest distance across the seam
+/// of periods longer than it by an eighth.
 constexpr int coarse_count = 64;
 
 int coarse_factor(int cells) { return std::max(2, cells / coarse_count); }
@@ -38,8 +38,8 @@ CoarseGrid::CoarseGrid(int nx, int ny)
 void CoarseGrid::gather(const double* field, double* coarse) const {
   const int nx = x_.cells, ny = y_.cells, cx = x_.coarse_cells(), cy = y_.coarse_cells();
   Field rows(static_cast<std::size_t>(nx) * cy);
-  // Threads gather, each row for itself, so that no sum depends on their number.
-#pragma omp parallel if (static_cast<std::ptrdiff_t>(nx) * ny >= worth_threads_cells)
+  // Each thread gathers whole rows, so that no sum depends on the number of threads.
+#pragma omp parallel if (static_cast<std::ptrdiff_t>(nx) * ny >= min_parallel_cells)
   {
 #pragma omp for schedule(static)
     for (int i = 0; i < nx; ++i) {
@@ -70,7 +70,7 @@ void CoarseGrid::gather(const double* field, double* coarse) const {
 
 void CoarseGrid::add(const double* coarse, double* field) const {
   const int nx = x_.cells, ny = y_.cells, cy = y_.coarse_cells();
-#pragma omp parallel if (static_cast<std::ptrdiff_t>(nx) * ny >= worth_threads_cells)
+#pragma omp parallel if (static_cast<std::ptrdiff_t>(nx) * ny >= min_parallel_cells)
   {
     Field row(cy);
 #pragma omp for schedule(static)

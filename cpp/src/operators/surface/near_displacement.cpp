@@ -17,7 +17,7 @@ fft::PeriodicTransform transform_for(const Grid& box) {
   return {nx, ny, fft::convolution_size(nx, box.period.x), fft::convolution_size(ny, box.period.y)};
 }
 
-/// A period that the surface has is best, where it is not too long.
+/// The period of the surface is used if it is not too long.
 int choose_period(int size, int period) {
   return period > 0 && period % 2 == 0 && period <= size ? period : size;
 }
@@ -40,7 +40,7 @@ int short_period_y(const Grid& box) {
 
 Field periodic_spectrum(const fft::PeriodicTransform& transform, const Grid& box,
                         const std::function<Field(const CellOffsets&)>& influence) {
-  // A single cell that repeats itself has one offset, and empty cells beside it.
+  // A single cell that is repeated periodically has one offset, and empty cells next to it.
   const int nx = box.period.x == 1 ? 1 : transform.hx(),
             ny = box.period.y == 1 ? 1 : transform.hy();
   const Field table = influence(CellOffsets::lattice(nx, ny));

@@ -69,7 +69,7 @@ double SurfaceInfluence::wave_compliance(double wavenumber) const {
 Field SurfaceInfluence::even(const Grid& grid, const CellOffsets& offsets) const {
   Field table = elastic(grid, offsets);
   if (!is_heated()) return table;
-  // Tables of heat ascend.
+  // Tables of heat need ascending offsets.
   const CellOffsets sorted{ascending(offsets.x), ascending(offsets.y)};
   const auto place = [](const std::vector<int>& values, int n) {
     return std::lower_bound(values.begin(), values.end(), n) - values.begin();

@@ -9,7 +9,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// Coefficients of the coupling below this share of those of shear are the rounding of bodies whose
+/// Coupling coefficients below this fraction of those of shear are rounding errors of bodies whose
 /// coupling cancels.
 constexpr double negligible = 1e-13;
 
@@ -24,7 +24,7 @@ TangentialInfluence::TangentialInfluence(SharedMedium body1, SharedMedium body2)
 
 Field TangentialInfluence::table(Traction traction, Axis axis, const Grid& grid,
                                  const CellOffsets& offsets) const {
-  // On body 1 a shear is reversed, and its displacement along the surface counts with a minus.
+  // On body 1 shear is reversed, and its tangential displacement counts with a minus.
   const double sign = sign_of(traction, shear_sign(0)) * (axis == Axis::z ? 1.0 : shear_sign(0));
   Field sum = body2_->compliance(traction, axis, grid, offsets);
   const bool same = *body1_ == *body2_;

@@ -12,7 +12,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// Rows of a table [j][i] to those of a wider quarter.
+/// Copies rows of a table [j][i] to those of a wider quarter.
 template <class Put>
 void for_rows(const double* table, const KernelOffsets& of, double* quarter, int hx,
               const Put& put) {
@@ -65,7 +65,7 @@ void TractionStress::prepare(Traction traction, const TractionStress* shallower)
   if (heat_ && traction == Traction::pressure) {
     heat.resize(first);
     const KernelOffsets offsets(grid_, transform_->mx(), transform_->my());
-    // Not in parallel: a table asks whether to stop, and may throw.
+    // Not in parallel: the computation of a table checks for an interrupt, and may throw.
     for (int k = first; k < layers(); ++k) {
       heat.push_back(parts_of(heat_->at(depths_[k], grid_, offsets), tensor_));
     }
@@ -88,7 +88,7 @@ Field TractionStress::build(Part part, const std::vector<std::vector<ParityParts
   const auto build_at = [&](int k) {
     build(part, k, heat.empty() ? std::vector<ParityParts>{} : heat[k], spectrum, built);
   };
-  if (layers() - first == 1) {  // within which threads share the work
+  if (layers() - first == 1) {  // threads share the work inside
     build_at(first);
     return built;
   }
@@ -136,7 +136,7 @@ void TractionStress::add(Part part, kernels::Parity input, const Field& traction
   const Field& spectra = spectra_[static_cast<int>(part)];
   const int hx = out.mx / 2 + 1;
   const auto places = components(tensor_);
-#pragma omp parallel for schedule(static) if (2.0 * out.data.size() > worth_threads)
+#pragma omp parallel for schedule(static) if (2.0 * out.data.size() > min_parallel_operations)
   for (int ky = 0; ky < out.mh; ++ky) {
     const double* in = traction.data() + ky * transform_->row_size();
     for (int c = 0; c < out.components; ++c) {

@@ -11,11 +11,11 @@
 namespace samcontact::operators {
 namespace {
 
-/// The images of a long narrow box would come too near to its ends: the short period is at least
-/// this part of the long one.
+/// The images of a long narrow box would come too close to its ends: the shorter period is at least
+/// this fraction of the longer one.
 constexpr double shortest_period = 0.25;
-/// Beside a surface that is periodic in one direction, what is not uniform along it dies out as
-/// exp(-2 pi x) with the distance in periods.
+/// On a surface that is periodic in one direction, fields that vary along it decay as exp(-2 pi x)
+/// with the distance x in periods.
 constexpr double clear_periods = 2.0;
 
 VolumeTransform make_transform(const Grid& grid, const VolumeOptions& options) {
@@ -30,7 +30,7 @@ VolumeTransform make_transform(const Grid& grid, const VolumeOptions& options) {
   return {grid, options.symmetry, mx, my};
 }
 
-/// Of the layers' middles.
+/// Mid-depths of the layers.
 std::vector<double> stressed_depths(const Grid& grid, const Medium& medium) {
   std::vector<double> depths = grid.z();
   depths.resize(medium.stressed_layers(grid));
@@ -50,7 +50,7 @@ VolumeOperators::VolumeOperators(const Grid& grid, SharedMedium medium,
       traction_stress_(grid, transform_, medium_, options.heat, stressed_depths(grid, *medium_),
                        options.tensor) {
   if (!shallower_) return;
-  // One of them is enough.
+  // One of them suffices.
   const std::lock_guard lock(shallower_->mutex_);
   shallower_->shallower_.reset();
 }
@@ -106,7 +106,7 @@ void VolumeOperators::for_each_layer(
     release_shallower();
   }
   const std::size_t layer_size = count(options_.tensor) * transform_.plane_size();
-#pragma omp parallel if (per_number * layer_size * grid_.nz > worth_threads)
+#pragma omp parallel if (per_number * layer_size * grid_.nz > min_parallel_operations)
   {
     Field layer(layer_size);
 #pragma omp for schedule(dynamic)

@@ -15,17 +15,18 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Low pass, 1 at q = 0 and gone at a part of the highest wavenumber of nodes `factor` cells apart:
-/// a step smoothed by a Gaussian, even in q, so that the rest is of short range.
-double low_pass(double q, int factor, double gone_at, double sharpness) {
-  const double gone = gone_at * pi / factor, a = sharpness, b = 2 * a / gone;
+/// Low-pass filter, 1 at q = 0 and negligible at a fraction of the highest wavenumber of nodes
+/// `factor` cells apart: a step smoothed by a Gaussian, even in q, so that the remainder has a
+/// short range.
+double low_pass(double q, int factor, double cutoff_fraction, double sharpness) {
+  const double cutoff = cutoff_fraction * pi / factor, a = sharpness, b = 2 * a / cutoff;
   return (std::erf(a + b * q) + std::erf(a - b * q)) / (2 * std::erf(a));
 }
 
-/// Of some offsets in cells from 0 on, those between nodes.
+/// Number of nodes within a number of cells.
 int nodes_in(int cells, int spacing) { return (cells + spacing - 1) / spacing; }
 
-/// Puts the inside [j][i] of a square into a table.
+/// Copies the inner part [j][i] of a square into a table.
 void replace(const Field& inside, int cells, double* table, int width) {
   for (int j = 0; j < cells; ++j) {
     std::copy_n(inside.data() + static_cast<std::ptrdiff_t>(j) * cells, cells,
@@ -45,7 +46,7 @@ double BandTables::window_gain(Band band, double k) const {
 double BandTables::share(Band band, double kx, double ky) const {
   const double q = std::hypot(kx, ky);
   const auto pass = [&](int spacing, double sharpness) {
-    return low_pass(q, spacing, bands_.gone_at, sharpness);
+    return low_pass(q, spacing, bands_.cutoff_fraction, sharpness);
   };
   const double middle = pass(bands_.middle_spacing, bands_.middle_sharpness);
   const double far = pass(bands_.far_spacing, bands_.far_sharpness);
@@ -107,8 +108,8 @@ std::shared_ptr<const BandTables::Split> BandTables::split(const Key& key, const
   return kept_.emplace(key, std::move(split)).first->second;
 }
 
-/// Divides tables [component][j][i] at nodes 0..nx - 1, 0..ny - 1 by what the window of a band
-/// makes of their waves. mx, my: period.
+/// Divides tables [component][j][i] at nodes 0..nx - 1, 0..ny - 1 by the factors of their Fourier
+/// modes due to the window of a band. mx, my: period.
 void BandTables::sharpen(Band band, const KernelOffsets& offsets, int mx, int my,
                          const Parities& parities, Field& tables) const {
   const auto [nx, ny] = offsets;
@@ -118,7 +119,7 @@ void BandTables::sharpen(Band band, const KernelOffsets& offsets, int mx, int my
     Field factor(count);
     for (int n = 0; n < count; ++n) {
       const double part = static_cast<double>(n) / (count - 1);
-      const double above = (part - bands_.clear_band) / (1 - bands_.clear_band);
+      const double above = (part - bands_.passband_fraction) / (1 - bands_.passband_fraction);
       factor[n] = rising(1 - above) / window_gain(band, part * pi / bands_.spacing(band));
     }
     return factor;
@@ -150,7 +151,7 @@ Field BandTables::tables(Band band, const Key& key, const KernelOffsets& offsets
                          const Parities& parities, const Exact& exact) const {
   const auto parts = split(key, parities, exact);
   if (band == Band::far) {
-    return repeated_ ? joined_far_tables(*parts, offsets, parities, key)
+    return repeated_ ? periodic_far_tables(*parts, offsets, parities, key)
                      : far_tables(*parts, offsets, parities, exact);
   }
   const Field& from = band == Band::near ? parts->near : parts->middle;
@@ -219,7 +220,7 @@ Field BandTables::far_tables(const Split& split, const KernelOffsets& offsets,
       std::copy_n(split.far.data() + (c * kept + j) * kept, inner,
                   table + static_cast<std::size_t>(j) * nx);
     }
-    // The last offsets occur to empty nodes only.
+    // The last offsets occur between empty nodes only.
     for (int j = 0; j < ny; ++j) {
       for (int i = 0; i < nx; ++i) {
         const auto fades = [this](int n, int count) {
@@ -254,13 +255,13 @@ void BandTables::compare(const Parities& parities, const Field& whole, Split& sp
   }
 }
 
-Field BandTables::joined_far_tables(const Split& split, const KernelOffsets& offsets,
-                                    const Parities& parities, const Key& key) const {
+Field BandTables::periodic_far_tables(const Split& split, const KernelOffsets& offsets,
+                                      const Parities& parities, const Key& key) const {
   const auto [what, traction, at, tensor] = key;
   const int kept = nodes_in(middle_.reach(), bands_.far_spacing);
   const auto [nx, ny] = offsets;
   const std::size_t plane = static_cast<std::size_t>(nx) * ny;
-  if (what == What::heat) throw std::logic_error("heat on a surface whose ends are joined");
+  if (what == What::heat) throw std::logic_error("heating of a periodic surface");
   Field out = what == What::stress
                   ? repeated_->stress(traction, at, tensor)
                   : repeated_->residual_displacement(axis_along(traction), static_cast<int>(at));

@@ -34,7 +34,7 @@ class BandMedium : public VolumeMedium {
                                                   const VolumeTransform& transform,
                                                   const ResidualSettings& settings) const override {
     const double step = tables_->bands().spacing(band_), dx = grid.dx / step, dy = grid.dy / step;
-    // A node has the strain of its cells.
+    // A node represents the strain of its cells.
     const auto gain = [tables = tables_, band = band_,
                        known = std::make_shared<std::unordered_map<double, double>>()](double k) {
       const auto [at, is_new] = known->try_emplace(k, 0.0);

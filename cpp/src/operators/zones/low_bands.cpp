@@ -8,7 +8,7 @@
 
 namespace samcontact::operators {
 
-/// Numbers that are 0, of one thread: what it has once taken stays with it.
+/// Zero-initialised numbers of one thread, kept between calls.
 double* of_zeros(std::size_t count) {
   static thread_local Field buffer;
   if (buffer.size() < count) buffer.resize(count);
@@ -16,7 +16,7 @@ double* of_zeros(std::size_t count) {
   return buffer.data();
 }
 
-/// The nodes of a band, with the strain's spectrum.
+/// Nodes of a band, with the spectrum of the strain.
 struct LowBands::Lattice {
   NodePlanes planes;
   ZoneTables::Operators operators;
@@ -101,7 +101,7 @@ void LowBands::spread_layer(int k, const Field& strain) {
   const std::size_t plane = planes.plane_size();
   Field folded;
   const double* nodes = sheets;
-  if (planes.is_joined()) {
+  if (planes.is_periodic()) {
     folded.assign(parts * plane, 0.0);
     for (int c = 0; c < parts; ++c) planes.fold(sheets + c * sheet, folded.data() + c * plane);
     nodes = folded.data();

@@ -18,7 +18,7 @@ double window(int width, double nodes) {
 
 int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-/// Numbers of one thread and one user: what it has once taken stays with it.
+/// Work space of one thread and one use, kept between calls.
 template <int user>
 double* scratch(std::size_t count) {
   static thread_local Field buffer;
@@ -41,7 +41,7 @@ inline __attribute__((always_inline)) void with_width(int width, const Work& wor
   }
 }
 
-/// Weighted sums of numbers in a row are added.
+/// Adds weighted sums of consecutive numbers.
 SAMCONTACT_MULTIVERSION
 void add_windows(const double* from, const double* w, int width, int count, double* to) {
   with_width(width, [=](auto n) __attribute__((always_inline)) {
@@ -88,7 +88,7 @@ void sum_of_rows(const double* from, std::ptrdiff_t pitch, const double* w, int 
 
 WindowTransform::WindowTransform(int width) {
   const auto points = kernels::gauss_legendre(60);
-  // The window is even: half of the points.
+  // The window is even: half of the points suffice.
   for (std::size_t n = points.size() / 2; n < points.size(); ++n) {
     const double at = width * (points[n].at - 0.5);
     points_.emplace_back(at, points[n].weight * (width * window(width, at)));
@@ -126,7 +126,7 @@ const double* Nodes::weights(int cell) const {
 NodeSpread::NodeSpread(int factor, int width, const Box& cells)
     : x_(factor, width, cells.i0, cells.nx), y_(factor, width, cells.j0, cells.ny) {}
 
-// Cells of one phase are `factor` apart and reach nodes one after the other.
+// Cells of one phase are `factor` apart and contribute to consecutive nodes.
 
 void Nodes::spread(const double* cells, int first_cell, int count, double* nodes) const {
   const int ends = width_ - 1;

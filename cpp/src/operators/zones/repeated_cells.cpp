@@ -13,8 +13,8 @@ Grid nodes_of(const Grid& cells, int step) {
   return nodes;
 }
 
-/// The cells that act, of nodes whose axes may be exchanged.
-Grid turned_if(bool turned, const Grid& cells) { return turned ? exchanged(cells) : cells; }
+/// Acting cells of nodes whose axes may be exchanged.
+Grid rotated_if(bool rotated, const Grid& cells) { return rotated ? exchanged(cells) : cells; }
 
 }  // namespace
 
@@ -31,8 +31,8 @@ CellOffsets RepeatedCells::offsets(int nx, int ny) const {
 }
 
 Field RepeatedCells::sum(const PeriodicSums::Make& make) const {
-  const auto of_nodes = [&](const Grid& own, bool turned) {
-    CellInfluence influence = make(own, turned);
+  const auto of_nodes = [&](const Grid& own, bool rotated) {
+    CellInfluence influence = make(own, rotated);
     for (double& uniform : influence.uniform) uniform /= static_cast<double>(step_) * step_;
     return influence;
   };
@@ -41,9 +41,9 @@ Field RepeatedCells::sum(const PeriodicSums::Make& make) const {
 }
 
 Field RepeatedCells::stress(Traction traction, double z, Tensor tensor) const {
-  const auto make = [&](const Grid&, bool turned) {
-    const Grid cells = turned_if(turned, cells_);
-    const Traction kind = turned ? exchanged(traction) : traction;
+  const auto make = [&](const Grid&, bool rotated) {
+    const Grid cells = rotated_if(rotated, cells_);
+    const Traction kind = rotated ? exchanged(traction) : traction;
     CellInfluence influence = medium_->stress_influence(kind, cells, z);
     influence.cell = [this, kind, cells, z](int nx, int ny) {
       return medium_->stress(kind, cells, offsets(nx, ny), z, Tensor::full);
@@ -54,9 +54,9 @@ Field RepeatedCells::stress(Traction traction, double z, Tensor tensor) const {
 }
 
 Field RepeatedCells::residual_displacement(Axis axis, int layer) const {
-  return sum([&](const Grid&, bool turned) {
-    const Grid cells = turned_if(turned, cells_);
-    const Axis along = turned ? exchanged(axis) : axis;
+  return sum([&](const Grid&, bool rotated) {
+    const Grid cells = rotated_if(rotated, cells_);
+    const Axis along = rotated ? exchanged(axis) : axis;
     CellInfluence influence = medium_->residual_influence(along, cells, layer);
     influence.cell = [this, along, cells, layer](int nx, int ny) {
       return medium_->residual_displacement(along, cells, offsets(nx, ny), layer);

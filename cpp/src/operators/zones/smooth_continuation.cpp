@@ -12,19 +12,19 @@
 namespace samcontact::operators {
 namespace {
 
-/// The problem is ill-conditioned by design: what it cannot tell is smooth.
-constexpr double least_value = 1e-7;
-/// Where a table begins to fade out and is gone, in widths of the square.
-constexpr int fades_from = 2, gone_at = 6;
+/// The problem is ill-conditioned by design: the undetermined part is smooth.
+constexpr double min_value = 1e-7;
+/// Distances at which a table begins to fade out and ends, in widths of the square.
+constexpr int fade_start = 2, fade_end = 6;
 
-/// What a coarse lattice holds, by the distance in cells.
-Eigen::VectorXd low_pass(int factor, int count, double clear_band) {
+/// Low-pass filter of a coarse lattice, by the distance in cells.
+Eigen::VectorXd low_pass(int factor, int count, double passband_fraction) {
   constexpr int points = 4096;
   const double highest = std::numbers::pi / factor;
   Eigen::VectorXd filter = Eigen::VectorXd::Zero(count);
   for (int n = 0; n < points; ++n) {
     const double part = (n + 0.5) / points, turn = 2 * std::cos(part * highest);
-    const double weight = rising((1 - part) / (1 - clear_band)) / (points * factor);
+    const double weight = rising((1 - part) / (1 - passband_fraction)) / (points * factor);
     // Chebyshev's recurrence.
     double before = 0.5 * turn, cosine = 1.0;
     for (double& sum : filter) {
@@ -37,13 +37,13 @@ Eigen::VectorXd low_pass(int factor, int count, double clear_band) {
 
 }  // namespace
 
-SmoothContinuation::SmoothContinuation(int factor, int cells, double clear_band, int step)
-    : cells_(cells), reach_(gone_at * cells), step_(step), fade_(reach_) {
+SmoothContinuation::SmoothContinuation(int factor, int cells, double passband_fraction, int step)
+    : cells_(cells), reach_(fade_end * cells), step_(step), fade_(reach_) {
   for (int n = 0; n < reach_; ++n) {
-    fade_[n] = rising(static_cast<double>(reach_ - n) / (reach_ - fades_from * cells));
+    fade_[n] = rising(static_cast<double>(reach_ - n) / (reach_ - fade_start * cells));
   }
-  const double cut = clear_band * std::numbers::pi / factor;
-  const Eigen::VectorXd filter = low_pass(factor, 2 * reach_, clear_band);
+  const double cut = passband_fraction * std::numbers::pi / factor;
+  const Eigen::VectorXd filter = low_pass(factor, 2 * reach_, passband_fraction);
   for (const bool odd : {false, true}) {
     axes_[odd] = make_axis(cells, reach_, cut, odd);
     axes_[odd].low = make_low(filter, odd);
@@ -55,7 +55,7 @@ SmoothContinuation::Axis SmoothContinuation::make_axis(int cells, int reach, dou
     return d == 0 ? cut / std::numbers::pi : std::sin(cut * d) / (std::numbers::pi * d);
   };
   const double sign = odd ? -1.0 : 1.0;
-  // Of the pair at +-n: its value at n where it is normalised, and how often it occurs.
+  // Pair at +-n: its normalised value at n, and its multiplicity.
   const auto unit = [&](int n) { return n == 0 ? (odd ? 0.0 : 1.0) : std::sqrt(0.5); };
   Axis axis{{}, {}, Eigen::MatrixXd(cells, reach), Eigen::VectorXd(cells), {}};
   Eigen::MatrixXd sines(cells, cells);
@@ -106,7 +106,7 @@ Field SmoothContinuation::inside(const double* table, kernels::Parity parity) co
   Eigen::MatrixXd parts = y.vectors.transpose() * seen * x.vectors;
   for (int j = 0; j < cells_; ++j) {
     for (int i = 0; i < cells_; ++i) {
-      parts(j, i) /= std::max(1 - y.values[j] * x.values[i], least_value);
+      parts(j, i) /= std::max(1 - y.values[j] * x.values[i], min_value);
     }
   }
   const Rows found =

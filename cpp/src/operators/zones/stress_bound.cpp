@@ -12,7 +12,7 @@
 namespace samcontact::operators {
 namespace {
 
-/// Depths whose spectra are taken together.
+/// Number of depths whose spectra are computed together.
 constexpr std::size_t together = 8;
 constexpr int parts = 5;
 
@@ -27,13 +27,13 @@ void put_von_mises(const double* s, std::size_t plane, double* out) {
   for (std::size_t n = 0; n < plane; ++n) out[n] = von_mises(s + n, plane);
 }
 
-/// Adds the von Mises stress of a table [component][j][i], as it is at each offset.
+/// Adds the von Mises stress of a table [component][j][i] at each offset.
 void add_norm(const Field& table, Field& sum) {
   for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += von_mises(table.data() + n, sum.size());
 }
 
-/// Von Mises stress of what a unit traction does near its cell [j][i]: of all that is even or odd
-/// alike, and the sum of these.
+/// Von Mises stress near a cell due to a unit traction on it [j][i]: of components with equal
+/// parities together, and the sum over parities.
 Field near_norm(const ZoneTables& tables, Traction kind, double depth, const Grid& around,
                 const KernelOffsets& offsets) {
   Field table = tables.medium(Band::near)->stress(kind, around, offsets, depth, Tensor::deviator);
@@ -56,7 +56,7 @@ Field near_norm(const ZoneTables& tables, Traction kind, double depth, const Gri
 }
 
 NodePlanes middle_planes(const ZoneTables& tables) {
-  // The corners of the last blocks lie one cell further.
+  // The corners of the last blocks are one cell further.
   Box cells = Box::surface(tables.grid());
   cells.nx += tables.split().middle_spacing;
   cells.ny += tables.split().middle_spacing;
@@ -66,7 +66,7 @@ NodePlanes middle_planes(const ZoneTables& tables) {
 }  // namespace
 
 struct StressBound::Group {
-  int first;  // number of its first depth
+  int first;  // index of its first depth
   std::vector<double> depths;
   bool has_middle;
   TractionStress middle, far;
@@ -94,7 +94,7 @@ StressBound::StressBound(std::shared_ptr<const ZoneTables> tables,
       middle_transform_(middle_.lattice(), Symmetry::none),
       far_transform_(far_.lattice(), Symmetry::none) {
   const Grid& grid = tables_->grid();
-  const double ends = tables_->split().middle_bound * std::min(grid.dx, grid.dy);
+  const double ends = tables_->split().middle_bound_depth * std::min(grid.dx, grid.dy);
   for (std::size_t n = 0; n < depths.size();) {
     std::size_t end = std::min(n + together, depths.size());
     const bool has_middle = depths[n] < ends;
@@ -139,8 +139,8 @@ Field StressBound::at_corners(const Field& nodes, const std::array<double, 3>& s
 Field StressBound::near_part(double depth, const Tractions& tractions) const {
   const Grid& grid = tables_->grid();
   const int reach = tables_->split().near_range;
-  const bool joined = tables_->is_joined();
-  if (depth >= tables_->split().near_bound * std::min(grid.dx, grid.dy)) return {};
+  const bool periodic = tables_->is_periodic();
+  if (depth >= tables_->split().near_bound_depth * std::min(grid.dx, grid.dy)) return {};
   Field sum(grid.surface_size(), 0.0);
   Grid around(2 * reach, 2 * reach, grid.dx, grid.dy);
   around.period = {2 * reach, 2 * reach, 0.0};
@@ -154,10 +154,10 @@ Field StressBound::near_part(double depth, const Tractions& tractions) const {
         const double load = std::fabs(field[static_cast<std::size_t>(i) * grid.ny + j]);
         if (load == 0) continue;
         for (int x = i - reach + 1; x < i + reach; ++x) {
-          if (!joined && (x < 0 || x >= grid.nx)) continue;
+          if (!periodic && (x < 0 || x >= grid.nx)) continue;
           const double* row = norm.data() + std::abs(x - i);
           double* to = sum.data() + static_cast<std::size_t>((x + grid.nx) % grid.nx) * grid.ny;
-          if (joined && (j < reach - 1 || j + reach > grid.ny)) {
+          if (periodic && (j < reach - 1 || j + reach > grid.ny)) {
             for (int y = j - reach + 1; y < j + reach; ++y) {
               to[(y + grid.ny) % grid.ny] +=
                   load * row[static_cast<std::ptrdiff_t>(std::abs(y - j)) * offsets.nx];

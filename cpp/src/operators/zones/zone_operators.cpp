@@ -12,8 +12,8 @@
 namespace samcontact::operators {
 namespace {
 
-/// Weights of the strain along one axis, of a zone of `count` cells and its ring, so many before
-/// and after, where it fades out from a part on.
+/// Weights of the strain along one axis, for a zone of `count` cells and its margins of given
+/// widths, in which it fades out from a fraction on.
 Field fades(int before, int count, int after, double fades_from) {
   Field weights(before + count + after);
   for (int n = 0; n < before + count + after; ++n) {
@@ -28,13 +28,14 @@ Field fades(int before, int count, int after, double fades_from) {
 }  // namespace
 
 struct ZoneOperators::Around {
-  Box box;                // zone and ring, layers of all zones in it
+  Box box;                // zone and margin, with the layers of all zones in it
   int mx, my;             // the plane
-  std::vector<int> near;  // of the neighbours, those that have cells in it; its own zone first
+  std::vector<int> near;  // neighbours with cells in it; its own zone first
   ZoneTables::Operators operators;
-  Field fade_x, fade_y;               // weights of the strain in it
-  std::array<Field, 3> displacement;  // by axis, [i][j] of the plane, of the zone's own strain
-  VolumeSpectrum spectrum;            // of that strain
+  Field fade_x, fade_y;  // weights of the strain in it
+  std::array<Field, 3>
+      displacement;         // by axis, [i][j] of the plane, due to the strain of the zone itself
+  VolumeSpectrum spectrum;  // of that strain
 };
 
 ZoneOperators::ZoneOperators(std::shared_ptr<const ZoneTables> tables, std::vector<Box> zones)
@@ -56,7 +57,7 @@ ZoneOperators::~ZoneOperators() = default;
 
 void ZoneOperators::find_neighbours() {
   shifts_ = {{0, 0}};
-  for (int x = -1; x <= 1 && tables_->is_joined(); ++x) {
+  for (int x = -1; x <= 1 && tables_->is_periodic(); ++x) {
     for (int y = -1; y <= 1; ++y) {
       if (x != 0 || y != 0) shifts_.push_back({x * grid_.nx, y * grid_.ny});
     }
@@ -70,11 +71,11 @@ void ZoneOperators::find_neighbours() {
 
 void ZoneOperators::add_ring(int number) {
   const Box& zone = zones_[number];
-  const double fades_from = tables_->split().ring_fades_from;
+  const double fades_from = tables_->split().margin_fade_fraction;
   std::vector<Box> boxes;
   boxes.reserve(neighbours_.size());
   for (const Neighbour& neighbour : neighbours_) boxes.push_back(neighbour.box);
-  Box box = with_ring(zone, boxes, tables_->split());
+  Box box = zone_with_margin(zone, boxes, tables_->split());
   const int x0 = zone.i0 - box.i0, x1 = box.nx - zone.nx - x0;
   const int y0 = zone.j0 - box.j0, y1 = box.ny - zone.ny - y0;
   std::vector<int> inside;
@@ -83,7 +84,7 @@ void ZoneOperators::add_ring(int number) {
     inside.push_back(static_cast<int>(n));
     box.nz = std::max(box.nz, boxes[n].nz);
   }
-  // Deeper strain of others is as far away as the ring's end.
+  // Strain of other zones at larger depths is as far away as the end of the margin.
   const int ring = std::max({x0, x1, y0, y1});
   box.nz = std::min(box.nz, zone.nz + static_cast<int>(std::ceil(ring * grid_.dx / grid_.dz)));
   const int mx = fft::fast_plane_size(box.nx), my = fft::fast_plane_size(box.ny);
@@ -103,7 +104,7 @@ void ZoneOperators::add_ring(int number) {
 
 void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
   low_.transform(strain);
-  // Not in the loop over zones: what is kept is made once, by all threads.
+  // Not in the loop over zones: cached data are built once, by all threads.
   for (const Around& around : around_) {
     std::ignore = around.operators->residual_stress();
     for (const Axis axis : axes) std::ignore = around.operators->residual_displacement(axis);
@@ -234,7 +235,7 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   cut(tractions.shear_y, here.shear_y);
   add_others(zone, strain);
   const fft::RowRun rows{box.i0 - around.box.i0, box.nx};
-  // A plane with a period has no images to be found from the strain.
+  // A periodic plane needs no image correction from the strain.
   const double unused = 0.0;
   Field sum(parts * size);
   const auto with_low = [&](int k, const double* stress) {

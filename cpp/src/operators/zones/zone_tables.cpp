@@ -9,21 +9,21 @@
 namespace samcontact::operators {
 namespace {
 
-/// Tables have so many layers, times a whole number: they outlast zones that grow.
+/// Tables have a multiple of this number of layers, so that they can be reused for zones that grow.
 constexpr int layers_at_once = 8;
 
-/// The node of a period that one is.
+/// Index of a node within its period.
 int folded(int node, int period) { return ((node % period) + period) % period; }
 
 }  // namespace
 
-NodePlanes::NodePlanes(NodeSpread nodes, const Grid& lattice, bool joined)
-    : nodes_(std::move(nodes)), lattice_(lattice), joined_(joined), sheet_(nodes_.box()) {
-  if (!joined_) sheet_.nx = lattice_.nx, sheet_.ny = lattice_.ny;
+NodePlanes::NodePlanes(NodeSpread nodes, const Grid& lattice, bool periodic)
+    : nodes_(std::move(nodes)), lattice_(lattice), periodic_(periodic), sheet_(nodes_.box()) {
+  if (!periodic_) sheet_.nx = lattice_.nx, sheet_.ny = lattice_.ny;
 }
 
 Box NodePlanes::own() const {
-  return joined_ ? Box{0, 0, lattice_.nx, lattice_.ny, 1} : nodes_.box();
+  return periodic_ ? Box{0, 0, lattice_.nx, lattice_.ny, 1} : nodes_.box();
 }
 
 void NodePlanes::fold(const double* sheet, double* plane) const {
@@ -35,14 +35,14 @@ void NodePlanes::fold(const double* sheet, double* plane) const {
 }
 
 void NodePlanes::spread(const double* cells, int pitch, const Box& box, double* plane) const {
-  if (!joined_) return nodes_.spread(cells, pitch, box, plane, sheet_.ny);
+  if (!periodic_) return nodes_.spread(cells, pitch, box, plane, sheet_.ny);
   Field sheet(sheet_size(), 0.0);
   nodes_.spread(cells, pitch, box, sheet.data(), sheet_.ny);
   fold(sheet.data(), plane);
 }
 
 const double* NodePlanes::sheet_of(const double* plane, Field& room) const {
-  if (!joined_) return plane;
+  if (!periodic_) return plane;
   const int nx = lattice_.nx, ny = lattice_.ny;
   room.resize(sheet_size());
   double* to = room.data();
@@ -57,7 +57,7 @@ std::vector<fft::RowRun> NodePlanes::rows_of(const std::vector<Box>& boxes) cons
   std::vector<char> used(lattice_.nx, 0);
   for (const Box& box : boxes) {
     for (int a = box.i0; a < box.i0 + box.nx; ++a) {
-      used[joined_ ? folded(a, lattice_.nx) : a - sheet_.i0] = 1;
+      used[periodic_ ? folded(a, lattice_.nx) : a - sheet_.i0] = 1;
     }
   }
   return fft::runs_of(used);
@@ -80,8 +80,8 @@ bool can_be_split(const Grid& grid, const BandSplit& split) {
          grid.period.y == grid.ny;
 }
 
-Box with_ring(const Box& zone, const std::vector<Box>& zones, const BandSplit& split) {
-  const int ring = split.near_range, more = std::max(0, split.wide_ring - ring);
+Box zone_with_margin(const Box& zone, const std::vector<Box>& zones, const BandSplit& split) {
+  const int ring = split.near_range, more = std::max(0, split.wide_margin - ring);
   const Box box{zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring, zone.nz};
   Box wide = box;
   for (const Box& other : zones) {
@@ -121,14 +121,14 @@ NodePlanes ZoneTables::far_planes(const NodePlanes& middle, int layers) const {
 NodePlanes ZoneTables::planes(Band band, NodeSpread nodes, int layers) const {
   const int step = split_.spacing(band);
   const auto count = [&](int cells, int reached) {
-    if (is_joined()) return cells / step;
-    if (band == Band::middle) return fft::fast_plane_size(reached + split_.middle_ring);
+    if (is_periodic()) return cells / step;
+    if (band == Band::middle) return fft::fast_plane_size(reached + split_.middle_gap);
     return fft::fast_plane_size(2 * (reached + split_.fading_nodes)) / 2;
   };
   Grid lattice(count(grid_.nx, nodes.x().count()), count(grid_.ny, nodes.y().count()),
                step * grid_.dx, step * grid_.dy, layers, grid_.dz);
-  if (is_joined() || band == Band::middle) lattice.period = {lattice.nx, lattice.ny, 0.0};
-  return {std::move(nodes), lattice, is_joined()};
+  if (is_periodic() || band == Band::middle) lattice.period = {lattice.nx, lattice.ny, 0.0};
+  return {std::move(nodes), lattice, is_periodic()};
 }
 
 ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {
@@ -140,7 +140,7 @@ ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {
   if (!place) {
     const VolumeOptions options{tensor_, Symmetry::none, ResidualMethod::fast, image_tol_,
                                 heat(band)};
-    // Those of fewer layers come just before.
+    // Tables of fewer layers come just before.
     Operators shallower;
     if (at != kept_.begin()) {
       const auto& [key, of_key] = *std::prev(at);
@@ -173,7 +173,7 @@ Field ZoneTables::borrow(std::size_t count) const {
     field = std::move(*found);
     spare_.erase(found);
   } else {
-    // They are too small for what zones have become, which go on growing a little.
+    // They are too small for the present zones, which continue to grow slightly.
     spare_.clear();
     field.reserve(count + count / 4);
   }

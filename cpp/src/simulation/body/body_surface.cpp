@@ -8,7 +8,7 @@ namespace samcontact::simulation {
 
 using operators::Axis;
 
-void BodySurface::open(Field& gap) {
+void BodySurface::add_displacement_to(Field& gap) {
   rim_displacement_ = 0.0;
   const Field& lift = outside_.displacement[static_cast<int>(Axis::z)];
   if (!lift.empty()) {
@@ -23,7 +23,7 @@ void BodySurface::open(Field& gap) {
   rim_displacement_ += largest_at_rim(surface, displacement, true);
 }
 
-/// On a box from the mirror planes on.
+/// On a stored box, on one side of the mirror planes.
 void BodySurface::add_displacement(const Box& box, const Field& displacement, Axis axis,
                                    double factor, double* to) const {
   const Grid& grid = scene_.grid;
@@ -45,13 +45,13 @@ void BodySurface::add_displacement(const Box& box, const Field& displacement, Ax
     const double weight = is_image ? mirrored_x * factor : factor;
     add(i, u, weight * (1 - part));
     if (part > 0) add(i + side, u, weight * part);
-    // Zones know of the grid only: what lies beyond it displaces as the last row, nearly.
+    // Zones have no displacement beyond the grid: that of the last row is close to it.
     if (split_ && i - side == (offset_ > 0 ? grid.nx : -1)) add(i, u, weight * part);
   }
 }
 
 std::span<const Axis> BodySurface::axes() const {
-  // Mirror images slide alike.
+  // Mirror images have equal tangential displacements.
   if (scene_.friction.sticks() && copies_ == 1) return operators::all_axes;
   return operators::normal_axis;
 }
@@ -59,32 +59,32 @@ std::span<const Axis> BodySurface::axes() const {
 void BodySurface::begin(ZoneVolume* volume, bool split, const Field& before) {
   volume_ = volume;
   split_ = split;
-  slid_before_ = {};
+  displaced_before_ = {};
   if (before.empty() || volume_ == nullptr) return;
   volume_->transform(before, axes());
   for (const Axis axis : {Axis::x, Axis::y}) {
-    Field& u = slid_before_[static_cast<int>(axis)];
+    Field& u = displaced_before_[static_cast<int>(axis)];
     u.resize(volume_->surface().surface_size());
     volume_->displacement(axis, u.data());
   }
 }
 
-void BodySurface::slide(Field& free_slip) const {
+void BodySurface::add_tangential_displacement_to(Field& free_slip) const {
   if (!strained_ || axes().size() == 1) return;
   const Box& surface = volume_->surface();
   Field u(surface.surface_size());
   for (const Axis axis : {Axis::x, Axis::y}) {
     const int a = static_cast<int>(axis);
     volume_->displacement(axis, u.data());
-    // What the strain outside of the zones does, it has done before.
-    const Field& before = slid_before_[a];
+    // The displacement due to strain outside the zones is unchanged in the increment.
+    const Field& before = displaced_before_[a];
     for (std::size_t i = 0; i < before.size(); ++i) u[i] -= before[i];
     add_displacement(surface, u, axis, -operators::shear_sign(body_),
                      free_slip.data() + a * scene_.grid.surface_size());
   }
 }
 
-/// Outside of the box it falls off.
+/// Outside the box the displacement decreases.
 double BodySurface::largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const {
   double largest = 0.0;
   for (int i = 0; i < box.nx; ++i) {
@@ -101,7 +101,7 @@ double BodySurface::largest_at_rim(const Box& box, const Field& displacement, bo
 
 Box BodySurface::seen() const {
   Box seen = Box::surface(scene_.grid);
-  // Zones know of the grid only.
+  // Zones have no displacement beyond the grid.
   if (offset_ == 0 || split_) return seen;
   ++seen.nx;
   if (offset_ < 0) --seen.i0;
@@ -112,7 +112,7 @@ bool BodySurface::may_touch_outside(const Field& gap, double reach) const {
   if (rim_displacement_ == 0) return false;
   const Grid& grid = scene_.grid;
   const Box whole = known(), seen = this->seen();
-  // A row of the grid that lies between two of the body shows both.
+  // A row of the grid between two rows of the body needs both.
   const int first = whole.i0 - seen.i0, end = first + whole.nx - (seen.nx - grid.nx);
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = 0; j < grid.ny; ++j) {

@@ -16,17 +16,16 @@ namespace {
 
 using operators::Tensor;
 
-/// Memory of an increment in which all of a box flows and that is divided; as measured,
-/// docs/developer/data_layout.md has the parts. Of a cell that is stored, of the plane of
-/// wavenumbers times layers, of coefficients there, which mirrors do not divide; of a backstress;
-/// of the exact method.
+/// Memory of an increment with plastic flow in the whole box that is subdivided, measured (parts in
+/// docs/developer/data_layout.md): per stored cell; per plane wavenumber and layer; per coefficient
+/// there, which mirrors do not reduce; per backstress; for the exact method.
 constexpr double cell_bytes = 290, spectrum_bytes = 160, table_bytes = 150, backstress_bytes = 80,
                  exact_bytes = 1200;
 
-/// Of a cell of zones, all included, and of the grid above them.
+/// Per cell of zones, total, and per cell of the grid above them.
 constexpr double zone_bytes = 600, lattice_bytes = 40;
 
-/// Before zones of the volume are taken instead of others, which are given back.
+/// Called before the volume operators of zones replace others, which are released.
 void require_memory_of(const Zones& zones, double bytes, double before) {
   const Box& box = zones.around();
   require_memory(bytes - before, "the plastic zone, " + std::to_string(box.nx) + " x " +
@@ -34,7 +33,7 @@ void require_memory_of(const Zones& zones, double bytes, double before) {
                                      " cells,");
 }
 
-/// Memory of an increment in zones of a body.
+/// Memory of an increment in the zones of a body [byte].
 double bytes_of(const Zones& zones, bool split, const Grid& grid, fft::Symmetry symmetry,
                 std::size_t terms, operators::ResidualMethod method) {
   if (zones.empty()) return 0.0;
@@ -47,7 +46,7 @@ double bytes_of(const Zones& zones, bool split, const Grid& grid, fft::Symmetry 
   }
   const auto stored = static_cast<double>(box.volume_size()),
              whole = static_cast<double>(whole_box(box, grid, symmetry).volume_size());
-  // What does not repeat itself is padded to twice its length.
+  // Directions that are not periodic are padded to twice their length.
   const Period& period = grid.period;
   const double planes = period.x > 0 && period.y > 0 ? 0.25 : 1.0;
   const bool exact = method == operators::ResidualMethod::exact;
@@ -84,7 +83,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     return bytes_of(of, are_split, scene_.grid, symmetry_, terms, method_);
   };
   require_memory_of(zones, bytes(zones, split), bytes(this->zones(), split_));
-  // The old one first: the two together may not fit.
+  // Release the old one first: both together may exceed the memory.
   volume_.reset();
   const int parts = operators::count(tensor_);
   const std::size_t cells = zones.cells();
@@ -92,7 +91,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
                                   : PlasticFields{zones, Field(parts * cells, 0.0),
                                                   Field(cells, 0.0), Field(cells * 5 * terms, 0.0)};
   const Field before = met_ && surface_.axes().size() > 1 ? met_->strain(zones) : Field{};
-  // What is in the zones by now includes the last guess.
+  // Strain in the zones at this stage includes the last estimate.
   const Zones& old = cells_.zones();
   for (int c = 0; c < parts; ++c) {
     copy_common(strain_.data() + c * old.cells(), old, fields.strain.data() + c * cells, zones);
@@ -138,7 +137,7 @@ void PlasticBody::transform(bool active) {
   if (strained_) volume_->transform(strain_, surface_.axes());
 }
 
-void PlasticBody::meet(const operators::Tractions& tractions) {
+void PlasticBody::set_tractions(const operators::Tractions& tractions) {
   tractions_ = &tractions;
   if (offset_ != 0) seen_ = seen_from_body(tractions, scene_.grid, offset_);
 }
@@ -162,18 +161,18 @@ void PlasticBody::activate(std::uint32_t cell, const plasticity::Tensor& deviato
 
 double PlasticBody::find_stress(ActiveCells& active) {
   const CellHistory::Limits limits = cells_.first_limits();
-  std::vector<std::vector<Seen>> seen;  // by zone and layer
-  for (const Box& box : zones().boxes()) seen.emplace_back(box.nz);
+  std::vector<std::vector<LayerCheck>> checked;  // by zone and layer
+  for (const Box& box : zones().boxes()) checked.emplace_back(box.nz);
   const auto look = [&](std::size_t zone, int k, const double* layer) {
     const Field sum = with_given_stress(zone, k, layer);
     const std::size_t plane = zones().boxes()[zone].surface_size();
-    seen[zone][k] = look_at_layer(zones().first(zone) + k * plane, plane,
-                                  sum.empty() ? layer : sum.data(), limits, active);
+    checked[zone][k] = check_layer(zones().first(zone) + k * plane, plane,
+                                   sum.empty() ? layer : sum.data(), limits, active);
   };
   volume_->for_each_layer(strained_, strain_, tractions(), operators::shear_sign(index_), look);
   double largest = 0.0;
-  for (const auto& layers : seen) {
-    for (const Seen& layer : layers) {
+  for (const auto& layers : checked) {
+    for (const LayerCheck& layer : layers) {
       largest = std::max(largest, layer.largest);
       for (const auto& [cell, deviator] : layer.yielding) activate(cell, deviator, active);
     }
@@ -194,13 +193,14 @@ Field PlasticBody::with_given_stress(std::size_t zone, int k, const double* laye
   return sum;
 }
 
-PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plane,
-                                             const double* layer, const CellHistory::Limits& limits,
-                                             ActiveCells& active) const {
+PlasticBody::LayerCheck PlasticBody::check_layer(std::size_t first, std::size_t plane,
+                                                 const double* layer,
+                                                 const CellHistory::Limits& limits,
+                                                 ActiveCells& active) const {
   const bool deviator = tensor_ == Tensor::deviator, kinematic = cells_.has_backstress();
   const double* s[6];
   for (int c = 0; c < 6; ++c) s[c] = layer + (deviator ? (c < 3 ? c : c - 1) : c) * plane;
-  Seen seen;
+  LayerCheck checked;
   double highest = 0.0;
   for (std::size_t i = 0; i < plane; ++i) {
     const std::size_t cell = first + i;
@@ -227,16 +227,16 @@ PlasticBody::Seen PlasticBody::look_at_layer(std::size_t first, std::size_t plan
     if (number >= 0) {
       active.stress[number] = t;
     } else {
-      seen.yielding.emplace_back(static_cast<std::uint32_t>(cell), t);
+      checked.yielding.emplace_back(static_cast<std::uint32_t>(cell), t);
     }
   }
-  seen.largest = highest;
-  return seen;
+  checked.largest = highest;
+  return checked;
 }
 
 std::shared_ptr<const PlasticState> PlasticBody::finish() {
   const Box box = from_planes_on(zones().around(), scene_.grid, symmetry_);
-  // Before there is memory for the history twice.
+  // Release before the history is copied.
   volume_.reset();
   given_stress_.clear();
   const PlasticFields fields = cells_.finish(std::move(strain_));

@@ -6,13 +6,14 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Elastic stress above this part of the yield stress belongs into the box. More where a weak layer
-/// lies below what flows and apart from it: no rim says that flow above has brought it to yield.
+/// Cells with elastic stress above this fraction of the yield stress belong to the box. A larger
+/// margin is needed for a weak layer below the zone of plastic flow and apart from it: no flow in
+/// the outermost cells indicates its yield.
 constexpr double near = 0.9, near_weak = 0.7;
-/// The same where zones, or layers below the grid, are to hold what yields.
+/// Counterparts for zones, or layers below the grid, that must contain the cells that yield.
 constexpr double beyond_weak = 0.8;
 
-/// Cells of a surface beyond which a bound of the stress says where a body may yield.
+/// Number of surface cells above which a bound of the stress is used to find yield.
 constexpr std::size_t large_surface = 65000;
 
 }  // namespace
@@ -20,7 +21,8 @@ constexpr std::size_t large_surface = 65000;
 Box YieldSearch::near_yield(const operators::Tractions& tractions, const YieldScan& scan,
                             const Sources& sources) const {
   const YieldLimit limit{strength_, weakest_, near, near_weak, sources.deviator(body_)};
-  // Where stress that the scan does not know is less than the rest, the scan finds what may yield.
+  // If stress unknown to the scan is smaller than the rest, the scan finds the cells that may
+  // yield.
   return scan.box(tractions, sign(), limit)
       .united(sources.box_beyond(body_, strength_, weakest_, 1 - near));
 }
@@ -31,7 +33,7 @@ Box YieldSearch::yield_below(const operators::Tractions& tractions, const YieldS
   const YieldLimit limit{strength_, 1.0, share, std::min(share, beyond_weak),
                          sources.deviator(body_)};
   const Box below = scan.box_below(tractions, sign(), limit);
-  // Flow above may have brought a weak layer to yield in the grid as well.
+  // Plastic flow above may have brought a weak layer to yield in the grid as well.
   return strength_.weakens() ? below.united(scan.box(tractions, sign(), limit)) : below;
 }
 

@@ -8,22 +8,23 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Cells around what must be in a box.
+/// Margin around the required cells of a box [cells].
 constexpr int margin = 2;
-/// The largest box, in widths of the grid,
-constexpr int most_widths = 3;
-/// or in cells where those are long: a single row with its margins is five rows wide.
+/// Maximum size of a box, in grid widths,
+constexpr int max_widths = 3;
+/// or in cells, for long cells: a single row with its margins is five rows wide.
 constexpr int always_allowed = 16;
 
-/// [begin, end) with a margin, within [0, n) unless it reaches the end of that.
+/// Adds a margin to [begin, end), within [0, n) unless the range reaches its end.
 void widen(int n, int& begin, int& end) {
   begin = begin > 0 ? std::max(0, begin - margin) : begin - margin;
   end = end < n ? std::min(n, end + margin) : end + margin;
 }
 
-/// One extent of a box that holds [begin, end), and had `before` cells: with room to grow, and a
-/// count that transforms fast. It stays in the grid's n cells where they hold what is needed. As
-/// much is added at both ends: contacts that are mirror images have boxes that are.
+/// Extent of a box that contains [begin, end) and had `before` cells: with a margin for growth, and
+/// a number of cells with a fast transform. It stays within the n cells of the grid if these
+/// contain the required ones. Equal numbers are added at both ends, so that mirror-symmetric
+/// contacts have mirror-symmetric boxes.
 void fit_extent(int n, int before, bool mirrored, int& begin, int& end) {
   if (mirrored) {
     begin = std::min(begin, n - end);
@@ -62,7 +63,7 @@ Box BoxChoice::with_margin(const Box& box) const {
 Box BoxChoice::fitted(const Box& needed, const Box& before) const {
   const Box old = before.empty() ? Box{} : whole(before);
   int i0 = needed.i0, i1 = needed.i0 + needed.nx, j0 = needed.j0, j1 = needed.j0 + needed.ny;
-  // A box has no ends where the surface has none.
+  // The box is periodic if the surface is.
   if (grid_.period.x > 0) {
     i0 = 0;
     i1 = grid_.nx;
@@ -104,8 +105,8 @@ Box BoxChoice::stored(Box box) const {
   return box;
 }
 
-bool has_no_end(const Box& box, const Grid& grid) {
-  const double width = most_widths * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
+bool is_unbounded(const Box& box, const Grid& grid) {
+  const double width = max_widths * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
   const double depth = std::max(width, 2 * grid.nz * grid.dz);
   const Box all = box.united(Box::surface(grid));
   const auto too_far = [](int cells, double length, double most) {

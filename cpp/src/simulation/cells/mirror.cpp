@@ -20,7 +20,7 @@ fft::Symmetry symmetry_of(const Field& field, const Grid& grid, kernels::Parity 
   const auto at = [&](int i, int j) { return field[static_cast<std::size_t>(i) * grid.ny + j]; };
   double largest = 0.0;
   for (const double value : field) {
-    // A gap is infinite where there is no body.
+    // A gap is infinite in cells without a body.
     if (std::isfinite(value)) largest = std::max(largest, std::fabs(value));
   }
   const double rounding = 1e-10 * largest;

@@ -7,7 +7,7 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Parts of a cell below this are rounding.
+/// Smaller fractions of a cell are rounding.
 constexpr double rounding = 1e-6;
 
 double snapped(double cells) {
@@ -48,7 +48,7 @@ double Relief::at(const Field& field, int row, int j, int ny) const {
 
 Field seen_from_body(const Field& field, const Grid& grid, double offset, Beyond beyond) {
   if (offset == 0 || field.empty()) return field;
-  // The body's cell i covers parts of the grid's cells i and i + side.
+  // Cell i of the body covers parts of the grid cells i and i + side.
   const int side = offset > 0 ? -1 : 1;
   const double part = std::fabs(offset);
   Field out(field.size());
@@ -72,8 +72,8 @@ operators::Tractions seen_from_body(const operators::Tractions& tractions, const
 
 namespace {
 
-/// A gap at row x of a column where bodies end.
-double beside_end(const Field& gap, const Grid& grid, double x, int j) {
+/// Gap at row x of a column in which the bodies end.
+double next_to_end(const Field& gap, const Grid& grid, double x, int j) {
   const auto at = [&](int row) { return gap[static_cast<std::size_t>(row) * grid.ny + j]; };
   const double inside = std::clamp(x, 0.0, grid.nx - 1.0);
   const double nearest = at(static_cast<int>(std::lround(inside)));
@@ -90,7 +90,7 @@ double beside_end(const Field& gap, const Grid& grid, double x, int j) {
 Field shifted_gap(const Field& gap, const Grid& grid, double shift) {
   if (shift == 0) return gap;
   Field out(gap.size());
-  // Lagrange polynomials through up to four rows; at the ends they extrapolate.
+  // Lagrange polynomials through up to four rows; they extrapolate at the ends.
   const int points = std::min(4, grid.nx);
   for (int i = 0; i < grid.nx; ++i) {
     const double x = i - shift;
@@ -106,9 +106,9 @@ Field shifted_gap(const Field& gap, const Grid& grid, double shift) {
       const double* from = gap.data() + static_cast<std::size_t>(first + n) * grid.ny;
       for (int j = 0; j < grid.ny; ++j) to[j] += weight * from[j];
     }
-    // A row without a body makes infinities of both signs, or none that is a number.
+    // A row without a body yields infinities of both signs, or NaN.
     for (int j = 0; j < grid.ny; ++j) {
-      if (!std::isfinite(to[j])) to[j] = beside_end(gap, grid, x, j);
+      if (!std::isfinite(to[j])) to[j] = next_to_end(gap, grid, x, j);
     }
   }
   return out;

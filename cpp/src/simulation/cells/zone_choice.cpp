@@ -15,15 +15,15 @@ namespace {
 
 using operators::Band;
 
-/// Points of a transform over those of a plane.
-double padding(bool joined) { return joined ? 1.0 : 4.0; }
+/// Ratio of the points of a transform to those of a plane.
+double padding(bool periodic) { return periodic ? 1.0 : 4.0; }
 
-/// Cells around what must be in a zone, and below it.
+/// Margin around the required cells of a zone, and below them [cells].
 constexpr int margin = 1;
 
 bool meet(const Box& a, const Box& b) { return !a.intersected(b).empty(); }
 
-/// The parts of a box beside another, whose layers do not matter: whole rows in x, or in y.
+/// Parts of a box outside another one, whose layers do not matter: whole rows in x, or in y.
 std::vector<Box> beside(const Box& box, const Box& other, bool rows_in_x) {
   const Box common = box.intersected(other);
   const int i1 = box.i0 + box.nx, j1 = box.j0 + box.ny;
@@ -43,7 +43,7 @@ std::vector<Box> beside(const Box& box, const Box& other, bool rows_in_x) {
   return parts;
 }
 
-/// The smallest box around what others do not hold of one.
+/// Smallest box around the cells of a box that no zone contains.
 Box left_over(const Box& box, const std::vector<Box>& zones) {
   std::vector<Box> parts{box};
   for (const Box& zone : zones) {
@@ -58,31 +58,31 @@ Box left_over(const Box& box, const std::vector<Box>& zones) {
   return around(parts);
 }
 
-/// Unites and cuts boxes to zones that cost least.
+/// Merging and cutting of boxes to the zones of least cost.
 class Merging {
  public:
   explicit Merging(const operators::BandSplit& split) : split_(split) {}
 
-  /// Of a zone that stands alone.
+  /// Cost of an isolated zone.
   double cost(const Box& zone) const { return cost(std::vector{zone}); }
   double cost(const std::vector<Box>& zones) const {
     return std::accumulate(zones.begin(), zones.end(), 0.0, [&](double sum, const Box& zone) {
-      const Box box = operators::with_ring(zone, zones, split_);
+      const Box box = operators::zone_with_margin(zone, zones, split_);
       const double plane =
           static_cast<double>(fft::fast_plane_size(box.nx)) * fft::fast_plane_size(box.ny);
       return sum + plane * zone.nz;
     });
   }
   void unite(std::vector<Box>& boxes) const;
-  /// The same cells in disjoint boxes.
+  /// Disjoint boxes with the same cells.
   std::vector<Box> made_disjoint(const std::vector<Box>& boxes) const;
 
  private:
-  /// The cheapest way to hold the cells of two boxes that meet without uniting them: one of them as
-  /// deep as both need, and what the other has beside it.
+  /// Cheapest way to cover two overlapping boxes without merging them: one of them as deep as both
+  /// require, and the part of the other outside it.
   std::vector<Box> parted(const Box& a, const Box& b) const;
-  /// Whether two of the boxes cost less as one. One that would meet others is only made of two that
-  /// meet: else it might be cut into the two again.
+  /// Whether two of the boxes cost less as one. A merged box that would overlap others is made only
+  /// from two that overlap: otherwise it might be cut into these two again.
   bool better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) const;
 
   const operators::BandSplit& split_;
@@ -145,7 +145,7 @@ std::vector<Box> Merging::made_disjoint(const std::vector<Box>& boxes) const {
   return zones;
 }
 
-/// The box around all columns that hang together with one, which are crossed out.
+/// Box around all columns connected to one column; the columns are removed.
 Box taken_out(Columns& columns, int i, int j) {
   const Box& window = columns.window;
   Box box;
@@ -221,23 +221,23 @@ std::vector<Box> merged(const std::vector<Box>& boxes, const operators::BandSpli
 }
 
 double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
-                     const operators::BandSplit& split, bool joined) {
+                     const operators::BandSplit& split, bool periodic) {
   const Merging merging(split);
   Box all = surface;
   for (const Box& zone : zones) all = all.united(zone);
   const auto nodes = [&](int cells, Band band, int more) {
-    return static_cast<double>(cells) / split.spacing(band) + (joined ? 0 : more);
+    return static_cast<double>(cells) / split.spacing(band) + (periodic ? 0 : more);
   };
   const auto planes = [&](Band band, int more) {
     return nodes(all.nx, band, more) * nodes(all.ny, band, more);
   };
   const double middle = planes(Band::middle, 2 * split.window_width);
   const double far = planes(Band::far, 2 * split.window_width + split.fading_nodes);
-  return merging.cost(zones) + (middle + padding(joined) * far) * all.nz;
+  return merging.cost(zones) + (middle + padding(periodic) * far) * all.nz;
 }
 
-double cost_of_box(const Box& box, bool joined) {
-  return padding(joined) * box.nx * box.ny * box.nz;
+double cost_of_box(const Box& box, bool periodic) {
+  return padding(periodic) * box.nx * box.ny * box.nz;
 }
 
 }  // namespace samcontact::simulation

@@ -43,15 +43,15 @@ double increment_error(const State& one, const State& two) {
   return error;
 }
 
-/// The difference of one and two parts that is allowed for an error `tol` of the extrapolated
-/// result: that error is of second order where the difference is of first, and was found to be up
-/// to 1100 times its square (largest pressure and plastic strain, point by point; two balls to 8
-/// GPa, 3 to 20 cells per radius).
+/// Difference between solutions in one and in two parts that is allowed for an error `tol` of the
+/// extrapolated result: that error is of second order while the difference is of first, and was
+/// found to be up to 1100 times its square (largest pressure and plastic strain, point by point;
+/// two balls to 8 GPa, 3 to 20 cells per radius).
 double allowed_difference(double tol) { return 0.03 * std::sqrt(tol); }
 
-/// Second order from two solutions of first order, of an increment in one and in two parts
-/// (Richardson): plastic strain 2 twice - once. Where a cell flows in one of them only, `twice`.
-/// start: with the bodies where they come to.
+/// Second-order result from two solutions of first order, of an increment in one and in two parts
+/// (Richardson): plastic strain 2 twice - once. In cells with plastic flow in only one of them,
+/// `twice`. start: with the bodies at their final positions.
 State extrapolated(const State& start, const State& once, const State& twice) {
   State state = twice;
   for (int b = 0; b < 2; ++b) {
@@ -89,7 +89,7 @@ State extrapolated(const State& start, const State& once, const State& twice) {
   return state;
 }
 
-/// A part of the way from a state to the target.
+/// Target for a fraction of an increment from a state.
 Target between(const State& from, const Target& target, double fraction) {
   Target part = target;
   if (fraction == 1.0) return part;
@@ -119,7 +119,7 @@ Target between(const State& from, const Target& target, double fraction) {
   return part;
 }
 
-/// Flow and slip of an earlier part of the increment.
+/// Adds plastic flow and slip of an earlier sub-increment.
 void add_part(const State& earlier, State& state) {
   for (int b = 0; b < 2; ++b) state.flowed[b] |= earlier.flowed[b];
   if (!earlier.slip_work.empty()) {
@@ -131,8 +131,9 @@ void add_part(const State& earlier, State& state) {
   contact::add_scaled(1.0, earlier.slip, state.slip);
 }
 
-/// Parts of one increment that the tolerance may ask for: each is solved three or four times.
-constexpr int most_parts = 64;
+/// Maximum number of sub-increments that the tolerance may require: each is solved three or four
+/// times.
+constexpr int max_parts = 64;
 
 }  // namespace
 
@@ -150,13 +151,13 @@ Division::Division(const State& from, const Target& target, const Settings& sett
 }
 
 Target Division::part_of(const State& from, double start, double end) const {
-  // The remaining way from the moment reached: (end - start) of (1 - start).
+  // The remaining part of the increment from the present state: (end - start) of (1 - start).
   Target part = between(from, target_, end == 1.0 ? 1.0 : (end - start) / (1.0 - start));
-  // Of motions all is the way of the increment, not what remains.
+  // Prescribed motions are given for the whole increment, not for its remainder.
   for (auto& given : part.tangential) {
     if (!given.is_force()) given.value *= 1.0 - start;
   }
-  if (!from.scene().march.is_on()) return part;
+  if (!from.scene().transient_heating.is_on()) return part;
   part.duration *= end - start;
   for (auto& heat : part.heating) heat.age = part.duration;
   part.past = from.heat_so_far();
@@ -179,7 +180,7 @@ State Division::increment(const State& from, const Target& part) {
 State Division::solve(const State& from, double start, double end) {
   const Target part = part_of(from, start, end);
   State state = increment(moved_to(from, end), part);
-  if (from.scene().march.is_on()) state.time = from.time + part.duration;
+  if (from.scene().transient_heating.is_on()) state.time = from.time + part.duration;
   return state;
 }
 
@@ -190,10 +191,10 @@ std::optional<State> Division::extrapolate(const State& once, double end, double
   add_part(half, twice);
   const double allowed = allowed_difference(settings_.increment_tol);
   const double error = increment_error(once, twice);
-  // The difference is of second order in the part.
+  // The difference is of second order in the length of the sub-increment.
   factor = std::clamp(0.9 * std::sqrt(allowed / std::max(error, 1e-300)), 0.2, 4.0);
   if (error > allowed) return std::nullopt;
-  // What the extrapolation leaves above the yield stress flows.
+  // Stress above the yield stress after the extrapolation causes further plastic flow.
   const State sum = extrapolated(moved_to(moment_, end), once, twice);
   Target rest = part_of(moment_, done_, end);
   for (auto& given : rest.tangential) {
@@ -212,13 +213,13 @@ std::optional<State> Division::next_part(double end, double& factor) {
 }
 
 void Division::refuse(const std::string& parts) const {
-  // The length of parts goes with the fourth root of the tolerance.
+  // The length of sub-increments is proportional to the fourth root of the tolerance.
   const double enough = settings_.increment_tol / std::pow(done_, 4);
-  const bool known = short_parts_ >= most_parts && enough < 1.0;
-  throw std::invalid_argument("increment_tol " + to_text(settings_.increment_tol) + " asks for " +
-                              parts + " of the increment to " + describe(target_) +
-                              ": take smaller increments or a larger tolerance" +
-                              (known ? ", about " + to_short_text(enough) : ""));
+  const bool known = short_parts_ >= max_parts && enough < 1.0;
+  throw std::invalid_argument("increment_tol = " + to_text(settings_.increment_tol) +
+                              " would require " + parts + " of the increment to " +
+                              describe(target_) + ": use smaller increments, or increment_tol " +
+                              (known ? ">= " + to_short_text(enough) : "larger than this"));
 }
 
 State Division::walk() {
@@ -230,7 +231,7 @@ State Division::walk() {
       std::optional<State> next = next_part(goal, factor);
       if (!next) {
         length = factor * (goal - done_);
-        if (length < least) refuse("parts smaller than " + to_text(least));
+        if (length < least) refuse("sub-increments smaller than " + to_text(least));
         continue;
       }
       add_part(moment_, *next);
@@ -238,9 +239,9 @@ State Division::walk() {
       ++substeps_;
       length = std::min(factor * (goal - done_), 1.0 - goal);
       done_ = goal;
-      if (factor < 2.0) ++short_parts_;  // the tolerance keeps them short, not convergence
-      if (short_parts_ >= most_parts && done_ < 1.0)
-        refuse("more than " + std::to_string(most_parts) + " parts");
+      if (factor < 2.0) ++short_parts_;  // limited by the tolerance, not by convergence
+      if (short_parts_ >= max_parts && done_ < 1.0)
+        refuse("more than " + std::to_string(max_parts) + " sub-increments");
     } catch (const ConvergenceError&) {
       length = 0.5 * (goal - done_);
       ++counters_.halvings;

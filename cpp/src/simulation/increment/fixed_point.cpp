@@ -18,21 +18,22 @@ namespace {
 using contact::Anderson;
 using contact::norm;
 
-/// Steps that the acceleration remembers, and of many unknown numbers, where they are much memory
-/// and an evaluation more in ten to thirty is less.
+/// Number of steps used by the acceleration; smaller for many unknowns, for which the memory
+/// matters more than one additional evaluation in ten to thirty.
 constexpr int anderson_depth = 8, depth_of_many = 3;
 constexpr std::size_t many = 2'000'000;
-/// The contact is solved this much more tightly than the plastic fixed point.
-constexpr double contact_share = 1e-2;
-/// Coarsest and finest tolerance of a contact solve inside the fixed point.
+/// Tolerance of the contact relative to that of the plastic fixed-point iteration.
+constexpr double contact_tol_ratio = 1e-2;
+/// Largest and smallest tolerance of a contact solve inside the fixed-point iteration.
 constexpr double loosest = 1e-6, tightest = 1e-12;
-/// Plastic strain increments below this part of the strain at yield are not resolved further: the
-/// relative change is taken of the larger of the two.
+/// Plastic strain increments below this fraction of the strain at yield are not resolved further:
+/// the relative change refers to the larger of the two.
 constexpr double negligible = 1e-2;
-/// With this much below yield everywhere the loosest contact tolerance decides that all is elastic.
+/// If the stress is below yield by this fraction everywhere, the loosest contact tolerance suffices
+/// for an elastic increment.
 constexpr double safe_headroom = 1e-3;
-/// A residual this much larger than the best one means that the acceleration went astray.
-constexpr double astray = 10.0;
+/// A residual this much larger than the best one indicates that the acceleration diverges.
+constexpr double divergence_factor = 10.0;
 
 bool any(const Field& field) {
   return std::any_of(field.begin(), field.end(), [](double v) { return v != 0; });
@@ -47,24 +48,24 @@ class FixedPoint {
         settings_(task.settings),
         counters_(task.counters),
         problem_(task),
-        elastic_tol_(std::max(contact_share * settings_.tol, tightest)),
+        elastic_tol_(std::max(contact_tol_ratio * settings_.tol, tightest)),
         contact_tol_(problem_.has_plastic_body() ? loosest : elastic_tol_) {}
 
   State solve() {
     x_ = problem_.first_guess();
     evaluate();
     if (!any(mapped_) && any(x_)) {
-      // Nothing flows this time.
+      // No plastic flow in this attempt.
       std::fill(x_.begin(), x_.end(), 0.0);
       evaluate();
     }
     while (result_.grown && !any(mapped_)) evaluate();
-    // Plastic flow only widens the contact: what is too large now will not fit later.
+    // Plastic flow only widens the contact: a contact that is too large now will not fit later.
     if (settings_.on_border == contact::OnBorder::error && !target_.is_prescribed()) {
       const contact::Solution& contact = result_.contact;
       const Field repulsion = contact::repulsion(law_, contact.tractions.pressure, contact.gap);
-      const auto complaint = contact::border_complaint(grid_, repulsion, describe(target_));
-      if (!complaint.empty()) throw contact::too_small(grid_, repulsion, complaint);
+      const auto warning = contact::edge_warning(grid_, repulsion, describe(target_));
+      if (!warning.empty()) throw contact::too_small(grid_, repulsion, warning);
     }
     if (problem_.has_plastic_body()) ++counters_.yield_checks;
     if (!any(mapped_) && contact_tol_ > elastic_tol_) {
@@ -81,16 +82,17 @@ class FixedPoint {
     }
 
     ++counters_.plastic_solves;
-    int before = 0;  // until boxes grew
+    int before = 0;  // until boxes have grown
     bool restarted = false;
     for (int n = 1; n <= settings_.max_iterations; ++n) {
       check_interrupt();
       if (!std::exchange(restarted, false)) advance();
-      result_.grown = problem_.zones().look_beyond(residual_) || result_.grown;
+      result_.grown = problem_.zones().grow_when_settled(residual_) || result_.grown;
       const double finest = contact_tolerance(settings_.tol);
-      // Cells outside a box that has grown may flow too: look at them before accepting.
+      // Cells outside a box that has grown may flow too: check them before accepting.
       if (!result_.grown && residual_ <= settings_.tol && result_.excess <= settings_.tol) {
-        // The wanted tolerance moves a little with every iterate: twice it is near enough.
+        // The required tolerance changes slightly with every iterate: twice its value is close
+        // enough.
         if (contact_tol_ > 2 * finest) {
           contact_tol_ = finest;
           coarse_ = true;
@@ -110,20 +112,21 @@ class FixedPoint {
 
  private:
   ConvergenceError not_converged() const {
-    return {"the plastic increment to " + describe(target_) + " did not converge in " +
-                std::to_string(settings_.max_iterations) + " iterations: relative change " +
-                to_short_text(residual_) + ", yield excess " + to_short_text(result_.excess) +
-                ", tol " + to_text(settings_.tol) +
-                "; take smaller increments, residual_stress = \"fast\", more "
-                "max_iterations or a larger tol",
+    return {"plastic strain did not converge at " + describe(target_) + ": relative change " +
+                to_short_text(residual_) + ", yield violation " + to_short_text(result_.excess) +
+                " after " + std::to_string(settings_.max_iterations) + " iterations, tol " +
+                to_text(settings_.tol) +
+                ": use smaller increments, residual_stress = \"fast\", or a larger max_iterations "
+                "or tol",
             settings_.max_iterations, residual_};
   }
 
-  /// An error of the contact pressure is felt relative to what drives the flow, the trial stress's
-  /// overshoot of the yield stress: the smaller that is, the tighter the contact must be.
+  /// The effect of an error of the contact pressure is relative to the excess of the trial stress
+  /// over the yield stress, which drives plastic flow: the smaller the excess, the smaller the
+  /// contact tolerance must be.
   double contact_tolerance(double residual) const {
     const double share = std::clamp(result_.overshoot, negligible, 1.0);
-    return std::clamp(contact_share * share * residual, tightest, loosest);
+    return std::clamp(contact_tol_ratio * share * residual, tightest, loosest);
   }
 
   /// mapped = G(x).
@@ -151,11 +154,11 @@ class FixedPoint {
       best_x_ = anderson_.last_x(x_);
       best_f_ = anderson_.last_f();
     }
-    // Vectors of unknowns are most of the memory of large contacts: f takes the place of G(x).
+    // Vectors of unknowns are most of the memory of large contacts: f replaces G(x).
     Field f = std::move(mapped_);
     for (std::size_t i = 0; i < f.size(); ++i) f[i] -= x_[i];
-    if (change_ > astray * best_) {
-      // Start anew from the best point with a damped plain step.
+    if (change_ > divergence_factor * best_) {
+      // Restart from the best point with a damped plain step.
       anderson_.reset();
       const std::size_t n = x_.size();
       x_ = best_x_;
@@ -170,7 +173,7 @@ class FixedPoint {
     ++counters_.plastic_iterations;
   }
 
-  /// In boxes that have grown.
+  /// Restart in boxes that have grown.
   void restart() {
     anderson_.reset();
     best_ = INFINITY;
@@ -198,10 +201,11 @@ class FixedPoint {
   Anderson anderson_{anderson_depth};
   Field x_, mapped_, best_x_, best_f_;
   PlasticIncrement::Result result_;
-  const double elastic_tol_;  // of the contact where nothing flows
+  const double elastic_tol_;  // of the contact in an elastic increment
   double contact_tol_, change_ = 0.0, residual_ = 1.0, best_ = INFINITY;
-  bool is_best_ = false;  // whether the best point is the last one, which the acceleration keeps
-  bool coarse_ = false;   // whether the last residual tells little, as its contact was too coarse
+  bool is_best_ = false;  // whether the best point is the last one, which the acceleration stores
+  bool coarse_ = false;   // whether the last residual is unreliable because the tolerance of its
+                          // contact was too large
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
   return symmetry;
 }
 
-bool has_twins(const IncrementTask& task, const Sources& sources) {
+bool bodies_are_mirror_images(const IncrementTask& task, const Sources& sources) {
   const auto& [upper, lower] = task.scene().bodies;
   if (!upper.is_plastic() || upper != lower || task.scene().friction.slides() ||
       !is_free_of_shear(task))
@@ -34,14 +34,14 @@ bool has_twins(const IncrementTask& task, const Sources& sources) {
   if (task.target.heating[0] != task.target.heating[1] ||
       task.target.past[0] != task.target.past[1])
     return false;
-  // Two laws cannot be compared.
+  // Two softening laws cannot be compared.
   if (task.settings.softening[0] || task.settings.softening[1]) return false;
-  // They may be worn by different depths.
+  // The worn depths may differ.
   if (!task.scene().reliefs[0].worn.empty() || !task.scene().reliefs[1].worn.empty()) return false;
-  // Shear acts on the two in opposite directions.
+  // Shear acts on the two bodies in opposite directions.
   if (!task.target.tractions.shear_x.empty() || !task.target.tractions.shear_y.empty())
     return false;
-  // What varies from cell to cell is not compared.
+  // Stress that varies from cell to cell is not compared.
   if (!sources.all_smooth(0) || !sources.all_smooth(1)) return false;
   const auto offset = task.from.placement().offset;
   return offset[0] == offset[1] && same(task.from.plastic[0], task.from.plastic[1]);

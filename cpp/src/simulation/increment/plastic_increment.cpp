@@ -26,7 +26,7 @@ PlasticIncrement::PlasticIncrement(const IncrementTask& task)
                task.from.eigenstrain, task.from.method),
       slip_(task),
       symmetry_(symmetry_of(task, tractions_, sources_)),
-      twins_(has_twins(task, sources_)),
+      mirror_images_(bodies_are_mirror_images(task, sources_)),
       guess_(task, symmetry_),
       zones_(task, symmetry_, guess_, tractions_, sources_, bodies_, active_) {
   make_bodies();
@@ -35,18 +35,18 @@ PlasticIncrement::PlasticIncrement(const IncrementTask& task)
 
 void PlasticIncrement::make_bodies() {
   bodies_.reserve(2);
-  for (int b = twins_ ? 1 : 0; b < 2; ++b) {
+  for (int b = mirror_images_ ? 1 : 0; b < 2; ++b) {
     if (!task_.scene().bodies[b].is_plastic()) continue;
     const auto number = static_cast<std::uint8_t>(bodies_.size());
-    const PlasticBody& body = bodies_.emplace_back(task_.from, b, number, twins_ ? 2 : 1, symmetry_,
-                                                   task_.target.heating[b]);
+    const PlasticBody& body = bodies_.emplace_back(task_.from, b, number, mirror_images_ ? 2 : 1,
+                                                   symmetry_, task_.target.heating[b]);
     if (body.tensor() == Tensor::full) active_.keep_trace();
   }
 }
 
 void PlasticIncrement::scatter(const Field& guess) {
   const std::ptrdiff_t count = active_.size();
-#pragma omp parallel for schedule(static) if (30.0 * count > worth_threads)
+#pragma omp parallel for schedule(static) if (30.0 * count > min_parallel_operations)
   for (std::ptrdiff_t n = 0; n < count; ++n) {
     const auto [b, cell] = active_.cells[n];
     bodies_[b].set_strain(cell, active_.strain(guess, n));
@@ -64,7 +64,8 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
   } else {
     contact::ContactSettings settings;
     settings.tol = tol;
-    // An iterate may be larger than the solution: the border is checked once, at the end.
+    // The contact of an iterate may be larger than that of the solution: the edge of the grid is
+    // checked once, at the end.
     settings.on_border = contact::OnBorder::warn;
     if (slip_.is_on()) {
       solution = slip_.solve(gap, tractions_.pressure, settings);
@@ -76,7 +77,7 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
     task_.counters.contact_iterations += solution.iterations;
     tractions_ = solution.tractions;
   }
-  for (PlasticBody& body : bodies_) body.meet(tractions_);
+  for (PlasticBody& body : bodies_) body.set_tractions(tractions_);
   return solution;
 }
 
@@ -87,7 +88,7 @@ void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& res
   double excess = 0.0, overshoot = 0.0;
   Field yield_strains(count);
 #pragma omp parallel for schedule(static) \
-    reduction(max : excess, overshoot) if (400.0 * count > worth_threads)
+    reduction(max : excess, overshoot) if (400.0 * count > min_parallel_operations)
   for (std::ptrdiff_t n = 0; n < count; ++n) {
     const auto [b, cell] = active_.cells[n];
     const PlasticBody& body = bodies_[b];
@@ -118,8 +119,8 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
   for (PlasticBody& body : bodies_) {
     body.transform(active_.size() > 0);
     if (task_.target.is_prescribed()) continue;
-    body.surface().open(gap_);
-    if (slip != nullptr) body.surface().slide(*slip);
+    body.surface().add_displacement_to(gap_);
+    if (slip != nullptr) body.surface().add_tangential_displacement_to(*slip);
   }
   Result result;
   result.contact = solve_contact(gap_, contact_tol);
@@ -161,7 +162,7 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
     state.flow_boxes[i] = whole_boxes(body.zones().boxes(), task_.scene().grid, symmetry_);
     state.plastic[i] = body.finish();
   }
-  if (!twins_) return;
+  if (!mirror_images_) return;
   state.softening[0] = state.softening[i];
   state.plastic[0] = state.plastic[i];
   state.flow_boxes[0] = state.flow_boxes[i];

@@ -12,28 +12,29 @@
 namespace samcontact::simulation {
 namespace {
 
-/// How far both bodies move on, on the mean [m].
-double way_of(const State& state) {
+/// Mean travel of both bodies in the increment [m].
+double mean_travel(const State& state) {
   return 0.5 * (state.advance[0] + state.advance[1]) * state.scene().grid.dx;
 }
 
-/// Where its way differs by so much from that of the tractions, a body's displacement is carried by
-/// its own [cells]: below, the difference of both is the slip times a strain.
-constexpr double least_apart = 0.5;
-/// Tractions that went on by more lengths of the grid displace nothing in it.
+/// If the travel of a body differs from that of the tractions by this much, its displacement is
+/// transported by its own travel [cells]: below, the difference between the two is slip times a
+/// strain.
+constexpr double min_travel_difference = 0.5;
+/// Tractions that have moved by more grid lengths cause no displacement in the grid.
 constexpr double farthest = 2.0;
 
 operators::Tractions for_each(const operators::Tractions& tractions, const auto& change) {
   return {change(tractions.pressure), change(tractions.shear_x), change(tractions.shear_y)};
 }
 
-/// Tractions where they were on the surface of a body that has moved on by some cells.
+/// Tractions at their positions on the surface of a body that has moved by some cells.
 operators::Tractions taken_along(const operators::Tractions& tractions, const Grid& grid,
                                  int cells) {
   return for_each(tractions, [&](const Field& field) { return moved(field, grid, cells); });
 }
 
-/// Whether some of a surface field leaves the grid as it moves on by some cells.
+/// Whether a part of a surface field leaves the grid when it moves by some cells.
 bool is_cut(const Field& field, const Grid& grid, int cells) {
   const auto size = static_cast<std::ptrdiff_t>(field.size());
   const auto lost = std::min(size, static_cast<std::ptrdiff_t>(std::abs(cells)) * grid.ny);
@@ -41,7 +42,7 @@ bool is_cut(const Field& field, const Grid& grid, int cells) {
   return std::any_of(begin, begin + lost, [](double v) { return v != 0; });
 }
 
-/// The grid with some more rows of cells on either side, and fields of it there.
+/// Grid with some additional rows of cells on both sides, and fields on it.
 class Widened {
  public:
   Widened(const Grid& grid, int rows) : wide_(grid), from_(rows * grid.surface_size() / grid.nx) {
@@ -54,7 +55,7 @@ class Widened {
     std::copy(field.begin(), field.end(), out.begin() + from_);
     return out;
   }
-  /// Of the wide grid: its part in the grid.
+  /// Part of a wide field in the grid.
   auto begin_of(const Field& wide) const { return wide.begin() + from_; }
 
  private:
@@ -62,8 +63,8 @@ class Widened {
   std::ptrdiff_t from_;
 };
 
-/// What a body displaces along the surface [2][i][j] where tractions went on by its way [cells],
-/// less what it does where they did by `cells` and those that left the grid are lost.
+/// Tangential displacement of a body [2][i][j] due to tractions moved by its travel [cells], less
+/// that due to tractions moved by `cells` without those that left the grid.
 Field displaced_otherwise(const Scene& scene, int body, const operators::Tractions& tractions,
                           double way, int cells) {
   const Grid& grid = scene.grid;
@@ -87,24 +88,25 @@ Field displaced_otherwise(const Scene& scene, int body, const operators::Tractio
   return slid;
 }
 
-/// Slip that goes with what the bodies' own ways [cells] make of a displacement that the tractions
-/// carry by whole cells; empty: none.
-Field slip_of_ways(const Scene& scene, const operators::Tractions& tractions, const Travel& ways,
-                   int cells) {
+/// Slip due to the difference between the travel of the bodies [cells] and the whole cells by which
+/// the tractions move; empty: none.
+Field slip_of_travel(const Scene& scene, const operators::Tractions& tractions,
+                     const Travel& travel, int cells) {
   const bool cut = is_cut(tractions.pressure, scene.grid, cells);
   Field slip;
   for (int b = 0; b < 2; ++b) {
-    const bool apart = std::fabs(ways[b] - cells) >= least_apart;
+    const bool apart = std::fabs(travel[b] - cells) >= min_travel_difference;
     if (scene.media[b]->is_rigid() || !(cut || apart)) continue;
     slip.resize(2 * scene.grid.surface_size(), 0.0);
-    // What body 2 displaced before, it does not slip back.
+    // Previous displacement of body 2 is not slip in the opposite direction.
     contact::add_scaled(operators::shear_sign(b),
-                        displaced_otherwise(scene, b, tractions, ways[b], cells), slip);
+                        displaced_otherwise(scene, b, tractions, travel[b], cells), slip);
   }
   return slip;
 }
 
-/// What the shear of the increment starts from, before plastic strain slides the bodies.
+/// State from which the shear of the increment starts, before the displacement due to plastic
+/// strain.
 contact::ContactHistory contact_before(const IncrementTask& task) {
   const Grid& grid = task.scene().grid;
   const Travel& by = task.from.advance;
@@ -115,7 +117,7 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
     before.shear = shear_vectors(task.from.tractions);
     before.gap = simulation::gap(task.from);
   } else {
-    // Tractions of a moved state lie where its contact does, not where its cells came to.
+    // Tractions of a moved state lie at its contact, not at the new positions of their cells.
     const Placement then = task.scene().placement(advanced(task.from.travel, {-by[0], -by[1]}));
     const Placement now = task.from.placement();
     const int followed = std::max(task.scene().followed(), 0);
@@ -125,10 +127,10 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
     before.has_moved = true;
     before.pressure = carried.pressure;
     before.shear = shear_vectors(carried);
-    // Parts of a cell move the grid, not the surface of the body that it follows.
+    // Fractions of a cell move the grid, not the surface of the body that it follows.
     const double own = task.scene().followed() < 0 ? 0.5 * (by[0] + by[1]) : by[followed];
-    const Travel ways{by[0] - own + cells, by[1] - own + cells};
-    before.free_slip = slip_of_ways(task.scene(), task.from.tractions, ways, cells);
+    const Travel travel{by[0] - own + cells, by[1] - own + cells};
+    before.free_slip = slip_of_travel(task.scene(), task.from.tractions, travel, cells);
   }
   before.shear.resize(2 * grid.surface_size(), 0.0);
   return before;
@@ -141,9 +143,9 @@ contact::TangentialDrive tangential_drive(const IncrementTask& task) {
   if (!drive[0].is_force()) {
     drive[0].value += (task.from.advance[0] - task.from.advance[1]) * task.scene().grid.dx;
   }
-  // The turn slips where particles are on their way.
+  // Slip due to rotation is evaluated at the mean positions of particles during the increment.
   if (!drive[1].is_force())
-    drive[1].value -= contact::spin_lead * way_of(task.from) * drive[2].value;
+    drive[1].value -= contact::spin_lead * mean_travel(task.from) * drive[2].value;
   return drive;
 }
 
@@ -205,7 +207,7 @@ void SlipHistory::remember(const operators::Tractions& tractions, State& state) 
   }
   const auto& motion = shear_.motion;
   state.motion[0] += motion[0];
-  state.motion[1] += motion[1] + contact::spin_lead * way_of(task_.from) * motion[2];
+  state.motion[1] += motion[1] + contact::spin_lead * mean_travel(task_.from) * motion[2];
   state.motion[2] += motion[2];
   state.friction_work += shear_.friction_work;
   state.shear_symmetry = common(state.shear_symmetry, symmetry_of(tangential_drive(task_)));

@@ -45,7 +45,8 @@ std::shared_ptr<const BoxField> ThermalSoftening::factor(int body, const Box& bo
   }
   const std::string name = "softening of body " + std::to_string(body + 1);
   Field factor = law(rise, box);
-  require(factor.size() == rise.size(), name, "a value for each cell of the grid",
+  require(factor.size() == rise.size(), name,
+          "one value for each cell of the grid, " + std::to_string(rise.size()),
           static_cast<double>(factor.size()));
   for (const double f : factor) require(f > 0 && f <= 1, name, "in (0, 1]", f);
   if (*std::min_element(factor.begin(), factor.end()) == 1) return nullptr;

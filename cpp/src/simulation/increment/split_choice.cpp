@@ -9,14 +9,15 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Of the work of one box, that of zones must be less than this part.
-constexpr double worth = 0.7;
-/// Where nothing is padded, rings and what zones do one by one count for more.
-constexpr double worth_joined = 0.45;
-/// Of bodies that move: each increment needs new zones, and once what lies outside of them.
-constexpr double worth_moving = 0.4;
+/// Zones are used if their work is less than this fraction of that of one box.
+constexpr double max_work_ratio = 0.7;
+/// On periodic surfaces nothing is padded, so that margins and the work done zone by zone count for
+/// more.
+constexpr double max_work_ratio_periodic = 0.45;
+/// Moving bodies need new zones in each increment, and once the effect of the strain outside them.
+constexpr double max_work_ratio_moving = 0.4;
 
-/// As deep as some cells.
+/// Columns down to some cells.
 Columns columns_of(const std::vector<Cell>& cells) {
   Columns columns;
   for (const auto& [i, j, k] : cells) columns.window = columns.window.united({i, j, 1, 1, 1});
@@ -40,7 +41,7 @@ bool SplitChoice::is_allowed() const {
 bool SplitChoice::is_cold_and_at_rest() const {
   const auto hot = [](const operators::Heating& heating) { return heating.factor != 0; };
   return task_.from.travel == Travel{} && task_.from.advance == Travel{} &&
-         !task_.scene().march.is_on() &&
+         !task_.scene().transient_heating.is_on() &&
          std::none_of(task_.target.heating.begin(), task_.target.heating.end(), hot);
 }
 
@@ -50,19 +51,19 @@ std::vector<Box> SplitChoice::merged_zones(const std::vector<Box>& boxes) const 
 
 bool SplitChoice::is_worthwhile(const PlasticBody& body, const std::vector<Box>& boxes) const {
   if (boxes.size() < 2) return false;
-  const bool joined = task_.scene().grid.period.is_on();
+  const bool periodic = task_.scene().grid.period.is_on();
   const double cost =
-      cost_of_zones(boxes, Box::surface(task_.scene().grid), task_.scene().split, joined);
+      cost_of_zones(boxes, Box::surface(task_.scene().grid), task_.scene().split, periodic);
   const Box window = window_of(tractions_, task_.scene().grid), all = around(boxes);
   if (task_.from.travel != Travel{} && !window.empty()) {
-    // One box leaves behind what does not flow.
+    // One box does not include strain outside the present plastic flow.
     const Box needed = choice_.in_grid_or({}, window.united({0, 0, 0, 0, all.nz}));
-    return cost <
-           worth_moving * cost_of_box(choice_.fitted(choice_.with_margin(needed), {}), joined);
+    return cost < max_work_ratio_moving *
+                      cost_of_box(choice_.fitted(choice_.with_margin(needed), {}), periodic);
   }
   const Box box = choice_.with_margin(all.united(window));
-  return cost < (joined ? worth_joined : worth) *
-                    cost_of_box(choice_.fitted(box, body.zones().around()), joined);
+  return cost < (periodic ? max_work_ratio_periodic : max_work_ratio) *
+                    cost_of_box(choice_.fitted(box, body.zones().around()), periodic);
 }
 
 std::vector<Box> SplitChoice::zones_to_begin_with(const PlasticBody& body) const {

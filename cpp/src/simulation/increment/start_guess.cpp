@@ -13,9 +13,9 @@ double StartGuess::part_of_last_motion() const {
   if (!last || by == Travel{} || last->symmetry != symmetry_) return 0.0;
   const int main = std::fabs(last->advance[0]) > std::fabs(last->advance[1]) ? 0 : 1;
   const double ratio = by[main] / last->advance[main];
-  const bool same_way =
+  const bool same_direction =
       std::fabs(by[1 - main] - ratio * last->advance[1 - main]) <= 1e-6 * std::fabs(by[main]);
-  if (!same_way || !(ratio > 0 && ratio <= 2)) return 0.0;
+  if (!same_direction || !(ratio > 0 && ratio <= 2)) return 0.0;
   const auto near = [](double a, double b) { return std::fabs(a - b) <= 0.05 * std::fabs(b); };
   const double normal = task_.target.drive.normal.value;
   if (task_.target.is_load() && !near(normal, task_.from.load)) return 0.0;
@@ -27,9 +27,9 @@ double StartGuess::part_of_last_load() const {
   const auto& last = task_.from.last_flow;
   const bool stands = task_.from.advance == Travel{} && last && last->advance == Travel{};
   if (!stands || last->symmetry != symmetry_ || task_.target.is_prescribed()) return 0.0;
-  // How soft bodies are comes from the contact before they flow.
+  // Softening follows from the contact before plastic flow.
   if (task_.settings.softening[0] || task_.settings.softening[1]) return 0.0;
-  // Flow goes on alike where the contact changes little.
+  // Plastic flow continues in the same way if the contact changes little.
   if (task_.from.load < 2 * last->load) return 0.0;
   const double value = task_.target.drive.normal.value;
   const double ratio = task_.target.is_load() ? (value - task_.from.load) / last->load
@@ -46,7 +46,7 @@ bool StartGuess::is_steady() const {
 }
 
 Field StartGuess::find(std::vector<PlasticBody>& bodies, ActiveCells& active) const {
-  // The same way, with steps that may be longer or shorter.
+  // Motion in the same direction, with increments that may be longer or shorter.
   const double ratio = std::max(part_of_last_motion(), part_of_last_load());
   if (ratio == 0) return {};
   Field guess;
@@ -69,11 +69,11 @@ void StartGuess::remember(const std::vector<PlasticBody>& bodies, const ActiveCe
   state.last_flow = nullptr;
   const bool stands = task_.from.advance == Travel{};
   if (stands && task_.target.is_prescribed()) return;
-  auto flow = std::make_shared<Flow>();
+  auto flow = std::make_shared<PlasticIncrementGuess>();
   flow->symmetry = symmetry_;
   flow->advance = task_.from.advance;
   flow->load = state.load - task_.from.load;
-  // Prescribed tractions have none.
+  // Undefined for prescribed tractions.
   const double approach = state.approach - task_.from.approach;
   if (std::isfinite(approach)) flow->approach = approach;
   const std::size_t parts = active.components();

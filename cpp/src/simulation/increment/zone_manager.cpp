@@ -11,17 +11,16 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Material that past flow left at the yield stress creeps when it is unloaded, far from the
-/// contact too: flow below this part of the largest strain does not make a box grow beyond the
-/// grid.
+/// Material that past flow left at the yield stress creeps during unloading, far from the contact
+/// too: flow below this fraction of the largest strain does not make a box grow beyond the grid.
 constexpr double negligible_flow = 1e-4;
 
-/// The relative change from which on pressures hardly reach further.
-constexpr double settles = 0.05;
-/// Cells by which a zone grows where its rim flows.
+/// Relative change below which the extent of the pressure hardly changes.
+constexpr double nearly_converged_change = 0.05;
+/// Cells by which a zone grows if its outermost cells have plastic flow.
 constexpr int growth = 2;
 
-/// Whether zones hold all neighbours of a cell.
+/// Whether zones contain all neighbours of a cell.
 bool holds_around(const Zones& zones, const Cell& cell, const Period& period) {
   const auto within = [](int n, int length) { return length > 0 ? (n + length) % length : n; };
   for (int i = cell.i - 1; i <= cell.i + 1; ++i) {
@@ -58,19 +57,20 @@ void ZoneManager::soften() {
 
 void ZoneManager::set_zones(PlasticBody& body, const Zones& zones, bool split) {
   const Box whole = choice_.whole(zones.around());
-  if (has_no_end(whole, task_.scene().grid)) throw flows_as_a_whole(body);
+  if (is_unbounded(whole, task_.scene().grid)) throw unbounded_zone_error(body);
   body.set_zones(zones, split, sources_, active_);
   softening_.extend(body, whole);
 }
 
-std::invalid_argument ZoneManager::flows_as_a_whole(const PlasticBody& body) const {
+std::invalid_argument ZoneManager::unbounded_zone_error(const PlasticBody& body) const {
   return std::invalid_argument(
-      "at " + describe(task_.target) + " plastic flow of body " + std::to_string(body.index() + 1) +
-      " has no end: the half-space yields as a whole, or farther than three widths of the grid. "
-      "Take a smaller load, or a wider grid");
+      "at " + describe(task_.target) + " the plastic zone of body " +
+      std::to_string(body.index() + 1) +
+      " is unbounded (whole half-space, or beyond three grid widths): reduce the load or widen the "
+      "grid");
 }
 
-/// Its whole box; empty before there is one.
+/// Whole box around its zones; empty if there are none.
 Box ZoneManager::whole_or_none(const PlasticBody& body) const {
   return body.zones().empty() ? Box{} : choice_.whole(body.zones().around());
 }
@@ -96,14 +96,14 @@ bool ZoneManager::fit(const Field& gap) {
     Box needed = now;
     if (!scanned_) {
       const YieldScan& scan = *task_.scans[body.index()];
-      // The load of a given approach comes out of the solution.
+      // Under approach control the load is a result.
       if (!task_.target.is_approach() && body.search().yields_everywhere(body.tractions(), scan))
-        throw flows_as_a_whole(body);
+        throw unbounded_zone_error(body);
       const Box near = body.search().near_yield(body.tractions(), scan, sources_);
       if (!near.empty()) needed = choice_.in_grid_or(now, needed.united(choice_.with_margin(near)));
     }
     if (needed.empty()) continue;
-    // The stress is that of the tractions over the box: it must hold all of them.
+    // The stress is that of the tractions over the box: it must contain all of them.
     needed = needed.united(window);
     if (touches) needed = needed.united(body.surface().seen());
     if (body.zones().count() == 1 && now.contains(needed)) continue;
@@ -131,7 +131,7 @@ bool ZoneManager::grow_at_rim() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     PlasticBody& body = bodies_[b];
     if (body.is_split()) {
-      grown = grow_zones(body, rims_that_flow(b)) || grown;
+      grown = grow_zones(body, rims_with_flow(b)) || grown;
       continue;
     }
     const Box box = body.zones().around();
@@ -153,7 +153,7 @@ bool ZoneManager::grow_beyond() {
       continue;
     }
     const YieldScan& scan = *task_.scans[body.index()];
-    if (body.search().yields_everywhere(body.tractions(), scan)) throw flows_as_a_whole(body);
+    if (body.search().yields_everywhere(body.tractions(), scan)) throw unbounded_zone_error(body);
     const Box box = body.zones().around();
     Box needed = whole_or_none(body);
     if (!box.empty()) {
@@ -210,7 +210,7 @@ bool ZoneManager::grow_zones(PlasticBody& body, std::vector<Box> more) {
   return true;
 }
 
-std::vector<Box> ZoneManager::rims_that_flow(std::size_t b) const {
+std::vector<Box> ZoneManager::rims_with_flow(std::size_t b) const {
   const Zones& zones = bodies_[b].zones();
   std::vector<Box> needed(zones.count());
   for (std::size_t n = 0; n < active_.size(); ++n) {
@@ -228,9 +228,9 @@ std::vector<Box> ZoneManager::rims_that_flow(std::size_t b) const {
   return needed;
 }
 
-bool ZoneManager::look_beyond(double residual) {
-  if (looked_ || residual > settles) return false;
-  looked_ = true;
+bool ZoneManager::grow_when_settled(double residual) {
+  if (checked_outside_ || residual > nearly_converged_change) return false;
+  checked_outside_ = true;
   bool grown = false;
   for (PlasticBody& body : bodies_) {
     if (body.is_split()) grown = grow_for_yield(body) || grown;

@@ -11,16 +11,17 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Two bodies with a box each and one for what lies outside of it, and fields on demand.
-constexpr std::size_t most_kept = 6;
-/// Cells beyond which the operators of a box that was outgrown are not kept.
+/// Number of kept operators: two bodies with one box each and one for the strain outside it, and
+/// fields on demand.
+constexpr std::size_t max_kept = 6;
+/// Number of cells above which the operators of a box that has become too small are released.
 constexpr std::size_t large_box = 1'000'000;
 
 }  // namespace
 
 void require_volume(const Grid& grid, const Media& media, int body) {
   if (!grid.has_volume()) {
-    throw std::invalid_argument("the grid has no dz: fields below the surface need layers");
+    throw std::invalid_argument("the grid has no dz: fields below the surface require layers");
   }
   if (media[body]->is_rigid()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
@@ -112,7 +113,7 @@ OperatorCache::Operators OperatorCache::volume(int body, const Box& box, operato
   kept_.push_front({media_[body], size, tensor, method, symmetry, heating,
                     std::make_shared<operators::VolumeOperators>(size.grid(grid_), media_[body],
                                                                  options, shallower)});
-  if (kept_.size() > most_kept) kept_.pop_back();
+  if (kept_.size() > max_kept) kept_.pop_back();
   return kept_.front().operators;
 }
 

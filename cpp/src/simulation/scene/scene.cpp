@@ -12,12 +12,13 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Where the volume has no bottom: depth of fields in radii of a contact, and fewest layers.
+/// Depth of fields in contact radii if the number of layers is not limited, and minimum number of
+/// layers.
 constexpr double depth_in_radii = 1.5;
 constexpr int fewest_layers = 8;
 
-/// Radius of the spots in contact, a circle's from its mean chord, along the direction in which
-/// they are shorter [m].
+/// Radius of the spots in contact: that of a circle with their mean chord, along the direction in
+/// which they are shorter [m].
 double spot_radius(const Field& repulsion, const Grid& grid) {
   std::size_t cells = 0, chords_x = 0, chords_y = 0;
   const auto touches = [&](int i, int j) {
@@ -49,7 +50,7 @@ Media media_of(const plasticity::Body& body1, const plasticity::Body& body2) {
 
 Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
              Field initial_gap_, const contact::FrictionLaw& friction_, double image_tol,
-             const HeatMarch& march_, int reach_, Reliefs reliefs_,
+             const TransientHeating& transient_heating_, int reach_, Reliefs reliefs_,
              const operators::BandSplit& split_, contact::SharedContactLaw contact_law_)
     : grid(grid_),
       bodies{body1, body2},
@@ -60,29 +61,30 @@ Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity:
       partial_slip(friction.sticks() ? std::make_unique<const contact::PartialSlipContact>(
                                            grid_, media[0], media[1], friction, contact_law)
                                      : nullptr),
-      march(march_),
+      transient_heating(transient_heating_),
       reach(reach_),
       split((require_valid(split_), split_)),
       reliefs(std::move(reliefs_)),
       cache(grid, media, friction, contact_law, image_tol, split),
       symmetry_(symmetry_of(initial_gap, grid_)) {
-  // Throws for bodies that have no contact.
+  // Throws for bodies without a contact solution.
   if (!friction.sticks()) cache.solver({});
   symmetry_ = common(symmetry_, friction.symmetry());
 }
 
 int Scene::followed() const {
-  // Without plastic strain or relief nothing tells one place of a body from another.
-  const auto remembers = [this](int body) {
+  // Without plastic strain or relief all positions on a body are equivalent.
+  const auto has_history = [this](int body) {
     return bodies[body].is_plastic() || !reliefs[body].heights.empty();
   };
-  return remembers(1) ? 1 : remembers(0) ? 0 : -1;
+  return has_history(1) ? 1 : has_history(0) ? 0 : -1;
 }
 
 Placement Scene::placement(const Travel& travel) const {
   const int body = followed();
   if (body >= 0 || !friction.sticks()) return {travel, body};
-  // What sticks remembers the shear, which is carried by the mean of both ways.
+  // Under partial slip the shear is transported with the surface, by the mean travel of both
+  // bodies.
   const double mean = 0.5 * (travel[0] + travel[1]);
   return {Travel{mean, mean}, 1};
 }
@@ -134,7 +136,7 @@ fft::Symmetry Scene::symmetry_of_worn(int body, const Travel& travel) const {
       worn[static_cast<std::size_t>(i) * grid.ny + j] = relief.worn_at(i + first, j, grid.ny);
     }
   }
-  // Of what lies beside the grid along x only the rows are known to be alike.
+  // Beyond the grid along x only the symmetry across the rows is known.
   return common(symmetry_of(worn, grid), fft::Symmetry::y);
 }
 
@@ -144,9 +146,10 @@ Strength Scene::strength(int body, const Travel& travel) const {
 
 operators::HeatHistory Scene::heat_history(int body, const operators::Heating& heating) const {
   return heat_of(*media[body])
-      ->history(
-          grid, heating,
-          {.shortest = march.shortest, .longest = march.longest, .in_depth = grid.has_volume()});
+      ->history(grid, heating,
+                {.shortest = transient_heating.shortest,
+                 .longest = transient_heating.longest,
+                 .in_depth = grid.has_volume()});
 }
 
 Box Scene::volume_below(const Field& repulsion) const {

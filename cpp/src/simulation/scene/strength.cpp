@@ -12,21 +12,21 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Layers that can be counted.
-constexpr double most_layers = 1e6;
-/// A change of strength that asks for a look of its own, a part of the yield stress; at most so
-/// many looks.
-constexpr double smallest_step = 0.05, most_steps = 40.0;
+/// Maximum number of layers.
+constexpr double max_layers = 1e6;
+/// Change of strength, relative to the yield stress, that requires a check at an additional depth;
+/// maximum number of such depths.
+constexpr double smallest_step = 0.05, max_steps = 40.0;
 
-/// What bears less than this part of what lies above is weak.
-constexpr double weak = 0.9;
+/// A layer is weak if its strength is less than this fraction of that above.
+constexpr double weak_ratio = 0.9;
 
 double von_mises(const std::array<double, 3>& s) {
   return std::sqrt(3 * second_invariant(s[0], s[1], 0.0, 0.0, s[2]));
 }
 
-/// What bears any pressure [Pa].
-constexpr double any_pressure = 1e30;
+/// Stands for unlimited pressure [Pa].
+constexpr double unlimited_pressure = 1e30;
 
 /// Depths at which a profile of a material has a kink, and both sides of interfaces.
 std::vector<double> kinks(const plasticity::Body& body) {
@@ -58,9 +58,9 @@ Strength::Strength(const plasticity::Body& body, const Grid& grid, const Relief&
   OverDepth variation{kinks(body), {0.0}};
   if (variation.depth.empty()) return;
   const double deepest = variation.depth.back();
-  require(!(dz > 0) || deepest <= most_layers * dz,
-          "the deepest z of a yield profile or residual stress, or of layers,",
-          "at most " + to_text(most_layers * dz) + " m, " + to_text(most_layers) + " layers of dz",
+  require(!(dz > 0) || deepest <= max_layers * dz,
+          "the maximum depth of a yield profile, residual stress or layers",
+          "at most " + to_text(max_layers * dz) + " m, " + to_text(max_layers) + " layers of dz",
           deepest);
   for (std::size_t n = 1; n < variation.depth.size(); ++n) {
     const double above = variation.depth[n - 1], below = variation.depth[n];
@@ -76,16 +76,16 @@ Strength::Strength(const plasticity::Body& body, const Grid& grid, const Relief&
   variation_ = std::move(variation);
   double most = 0.0;
   for (const double z : variation_->depth) {
-    most = std::max(most, bearing_at(z));
-    most_above_.depth.push_back(z);
-    most_above_.value.push_back(most);
+    most = std::max(most, yield_pressure_at(z));
+    max_above_.depth.push_back(z);
+    max_above_.value.push_back(most);
     weakens_ = weakens_ || is_weak_at(z);
   }
 }
 
 double Strength::change(double above, double below) const {
   const plasticity::Material& material = body_.at(above);
-  // Both sides of an interface are looked at, and what does not yield is not.
+  // Both sides of an interface are checked; elastic material is not.
   if (&body_.at(below) != &material || !material.is_plastic()) return 0.0;
   const double one = material.yield_factor(above), two = material.yield_factor(below);
   const double change = std::fabs(two - one) / std::max(one, two);
@@ -96,21 +96,21 @@ double Strength::change(double above, double below) const {
   return change + von_mises({x - mean, y - mean, of(xy)}) / material.smallest_yield_stress();
 }
 
-double Strength::bearing_at(double z) const {
+double Strength::yield_pressure_at(double z) const {
   const plasticity::Material& material = body_.at(z);
-  if (!material.is_plastic()) return any_pressure;
+  if (!material.is_plastic()) return unlimited_pressure;
   const auto& stress = material.initial_stress;
   const double helping = stress ? 0.5 * (stress->xx.at(z) + stress->yy.at(z)) : 0.0;
   return yield_stress_at(z) - helping;
 }
 
 bool Strength::is_weak_at(double z) const {
-  return !most_above_.depth.empty() && bearing_at(z) < weak * most_above_.at(z);
+  return !max_above_.depth.empty() && yield_pressure_at(z) < weak_ratio * max_above_.at(z);
 }
 
 bool Strength::differs(int above, int below) const {
   if (!variation_) return false;
-  const double step = std::max(smallest_step, variation_->value.back() / most_steps);
+  const double step = std::max(smallest_step, variation_->value.back() / max_steps);
   return is_interface(above, below) ||
          variation_->at(mid_depth(below)) - variation_->at(mid_depth(above)) > step;
 }
@@ -156,7 +156,7 @@ Field Strength::factor(const Box& box) const {
   for (int n = 0; n < body_.count(); ++n) graded |= body_.material(n).yield_profile.has_value();
   if (!graded) return {};
   Field out(box.volume_size());
-  // Whole layers are alike.
+  // Cells of one layer have equal values.
   double known = -1.0, value = 0.0;
   for_cells(box, [&](std::size_t n, double z) {
     if (z != known) value = body_.at(z).yield_factor(known = z);
@@ -186,19 +186,19 @@ void Strength::add_stress(const Box& box, operators::Tensor tensor, Field& sum) 
 }
 
 std::vector<LayerLimit> Strength::limits(const std::vector<LayerRange>& ranges, double softening,
-                                         double share, double share_of_weak) const {
+                                         double share, double weak_share) const {
   std::vector<LayerLimit> limits;
   limits.reserve(ranges.size());
   for (const auto& [layer, first, end] : ranges) {
     const double z = mid_depth(layer);
     const int last = std::min(end + worn_layers_, layers_ + 1);
-    double part = is_weak_at(z) ? share_of_weak : share;
+    double part = is_weak_at(z) ? weak_share : share;
     for (int k = first; k < last && weakens_; ++k) {
-      if (is_weak_at(mid_depth(k))) part = std::min(share, share_of_weak);
+      if (is_weak_at(mid_depth(k))) part = std::min(share, weak_share);
     }
     const double factor = part * softening;
     LayerLimit limit{factor * yield_stress_at(z), start_at(z)};
-    // Worn cells are as strong as deeper ones; far down they are alike.
+    // Worn cells have the strength of deeper ones; at large depths all are equal.
     for (int k = first; k < last; ++k) {
       auto other = start_at(mid_depth(k));
       for (int c = 0; c < 3; ++c) other[c] = part * (other[c] - limit.start[c]);

@@ -12,12 +12,12 @@ namespace {
 
 using operators::Tensor;
 
-/// Cells of a level are at most this part of the depths that it serves: the stress of a uniform
-/// cell then differs by about a percent from that of the pressure it averages.
+/// Cells of a level are at most this fraction of the depths for which it is used: the stress of a
+/// uniform cell then differs by about a percent from that of the pressure it averages.
 constexpr double cells_per_depth = 8.0;
-/// Depths follow each other by at most this part of the depth, or half a cell.
+/// Consecutive depths differ by at most this fraction of the depth, or half a cell.
 constexpr double depth_step = 0.125;
-constexpr int most_layers = 1'000'000;
+constexpr int max_layers = 1'000'000;
 
 Grid coarsened(const Grid& grid, int factor) {
   const auto cells = [factor](int n) { return (n + factor - 1) / factor; };
@@ -33,11 +33,12 @@ std::vector<double> depths(const Grid& grid, const std::vector<LayerRange>& rang
   return z;
 }
 
-/// As deep as the window is wide, or the grid or what changes with depth if they are deeper.
+/// Down to a depth of one grid width, or of the grid or the last change of strength if they are
+/// deeper.
 std::vector<int> scanned_layers(const Grid& grid, const Strength& strength) {
   const double half = 0.5 * std::min(grid.dx, grid.dy);
   const double width = std::max(grid.nx * grid.dx, grid.ny * grid.dy);
-  const int wide = std::min(cells_over(width, grid.dz), most_layers);
+  const int wide = std::min(cells_over(width, grid.dz), max_layers);
   const int graded = strength.is_graded() ? strength.layers() + 1 : 0;
   const int deepest = std::max({grid.nz, wide, graded});
   std::vector<int> layers;
@@ -53,8 +54,8 @@ std::vector<int> scanned_layers(const Grid& grid, const Strength& strength) {
   return layers;
 }
 
-/// Layers of a part of those that are looked at. A strength that changes is that of all layers
-/// between those above and below.
+/// Layer ranges of a part of the searched layers. A strength that depends on depth represents all
+/// layers between the ones above and below.
 std::vector<LayerRange> ranges_of(const std::vector<int>& layers, std::size_t begin,
                                   std::size_t end, bool graded) {
   std::vector<LayerRange> ranges;
@@ -71,7 +72,7 @@ std::vector<LayerRange> all_ranges(const Grid& grid, const Strength& strength) {
   return ranges_of(layers, 0, layers.size(), strength.is_graded());
 }
 
-/// Adds a deviator [component][k][i][j] of the grid, in the middle of coarser cells.
+/// Adds a deviator [component][k][i][j] of the grid, sampled in the middle of coarser cells.
 void add_sampled(const Field& fine, const Grid& grid, const Grid& coarse, int factor, Field& sum) {
   double* to = sum.data();
   const std::size_t plane = grid.surface_size();
@@ -86,7 +87,7 @@ void add_sampled(const Field& fine, const Grid& grid, const Grid& coarse, int fa
   }
 }
 
-/// Means over factor x factor cells; beyond the border nothing.
+/// Means over factor x factor cells; zero beyond the edges.
 Field average(const Field& fine, const Grid& grid, const Grid& coarse, int factor) {
   if (factor == 1) return fine;
   Field means(coarse.surface_size(), 0.0);
@@ -170,7 +171,7 @@ void YieldScan::for_beyond(const Level& level, const operators::Tractions& tract
           continue;
         }
         const int i0 = i * level.factor, j0 = j * level.factor;
-        // Up to the next depth that is looked at.
+        // Down to the next searched depth.
         use(Box{i0, j0, std::min(level.factor, grid_.nx - i0),
                 std::min(level.factor, grid_.ny - j0), level.ranges[k].end});
       }
@@ -215,7 +216,7 @@ Columns YieldScan::columns(const operators::Tractions& tractions, double shear_s
 bool YieldScan::is_beyond_everywhere(const operators::Tractions& tractions, double shear_sign,
                                      const YieldLimit& limit) const {
   if (grid_.period.x == 0 || grid_.period.y == 0) return false;
-  // There is nothing but the mean left of the stress at the depth of a period.
+  // At the depth of one period only the mean of the stress is left.
   const Level& level = below_.empty() ? *levels_.back() : *below_.back();
   const Box found = level_box(level, tractions, shear_sign, limit);
   return found.nz > level.ranges.back().layer && found.surface_size() == grid_.surface_size();
@@ -247,7 +248,7 @@ Columns ZoneScan::columns(const operators::Tractions& tractions, double shear_si
   const std::vector<LayerLimit> limits = limit.of(ranges_);
   operators::StressBound::Given given{{}, limit.past};
   for (const LayerLimit& layer : limits) given.start.push_back(layer.start);
-  // Of blocks, by depth.
+  // Indices of blocks, by depth.
   std::vector<std::vector<std::size_t>> beyond(ranges_.size());
   bound_.for_each_depth(tractions, shear_sign, given, [&](int depth, const double* bound) {
     for (std::size_t n = 0; n < static_cast<std::size_t>(nx) * ny; ++n) {
@@ -260,7 +261,7 @@ Columns ZoneScan::columns(const operators::Tractions& tractions, double shear_si
       const int i0 = static_cast<int>(n / ny) * block, j0 = static_cast<int>(n % ny) * block;
       for (int i = i0; i < std::min(grid_.nx, i0 + block); ++i) {
         for (int j = j0; j < std::min(grid_.ny, j0 + block); ++j) {
-          // Down to the next depth that is looked at.
+          // Down to the next searched depth.
           columns.depth[static_cast<std::size_t>(i) * grid_.ny + j] = ranges_[d].end;
         }
       }

@@ -15,7 +15,7 @@ namespace {
 
 using operators::Tensor;
 
-/// The components of a tensor, from all six of a stress.
+/// Components of a tensor, from all six of a stress.
 Field components_of(const Field& stress, Tensor tensor) {
   if (tensor == Tensor::full) return stress;
   const std::size_t cells = stress.size() / 6;
@@ -30,7 +30,7 @@ Field components_of(const Field& stress, Tensor tensor) {
   return out;
 }
 
-/// The box of all cells of a region whose stress [6][k][i][j] is beyond the limits of its layers.
+/// Box of all cells of a region whose stress [6][k][i][j] exceeds the limits of its layers.
 Box cells_beyond(const Field& stress, const Box& region, const std::vector<LayerLimit>& limits) {
   const Field s = components_of(stress, Tensor::deviator);
   const std::size_t cells = region.volume_size();
@@ -49,7 +49,7 @@ Box cells_beyond(const Field& stress, const Box& region, const std::vector<Layer
   return found;
 }
 
-/// Whether a box ends where a region does, but for the ends of the grid.
+/// Whether a box reaches the end of a region, other than at the ends of the grid.
 bool reaches_end(const Box& box, const Box& region, const Grid& grid) {
   const int i1 = region.i0 + region.nx, j1 = region.j0 + region.ny;
   return (box.i0 == region.i0 && region.i0 > 0) || (box.j0 == region.j0 && region.j0 > 0) ||
@@ -83,10 +83,10 @@ void require_followed(const Eigenstrains& strains, const Scene& scene, const Tra
         scene.friction.sticks() ? travel[0] == travel[1] : travel[b] == std::round(travel[b]);
     if (!strains[b] || follows) continue;
     throw std::invalid_argument(
-        "an eigenstrain moves with a body by whole cells only where no body can yield or has a "
-        "relief, and with stick and slip by the same way of both: take such an advance, or give "
-        "body " +
-        std::to_string(b + 1) + " a relief of zeros");
+        "without an elastic-plastic body or a relief, a body with an eigenstrain must advance by "
+        "whole cells, and under partial slip both bodies by equal distances: change advance, or "
+        "set a relief of zeros for body " +
+        std::to_string(b + 1));
   }
 }
 
@@ -121,7 +121,7 @@ Box Eigenstrain::box_beyond(int body, const Strength& strength, double softening
     for (int k = 0; k < region.nz; ++k) layers.push_back({k, k, k + 1});
     const Box found = cells_beyond(stress_of(*strains_[body], scene_, body, method_, region),
                                    region, strength.limits(layers, softening, share, share));
-    if (!reaches_end(found, region, grid) || has_no_end(region, grid)) return found;
+    if (!reaches_end(found, region, grid) || is_unbounded(region, grid)) return found;
   }
 }
 

@@ -10,10 +10,10 @@ using operators::Tensor;
 
 namespace {
 
-/// Cells of a surface up to which stress at all depths is kept that yield is looked for at.
+/// Number of surface cells up to which the stress at all depths of the search for yield is stored.
 constexpr std::size_t small_surface = 200'000;
 
-/// To a component of a tensor, from all six, `plane` numbers each.
+/// Copies one component of a tensor, from all six, `plane` numbers each.
 void put_component(const double* stress, std::size_t plane, int component, Tensor tensor,
                    double* to) {
   const bool deviator = tensor == Tensor::deviator && component < 3;

@@ -9,7 +9,7 @@
 namespace samcontact::simulation {
 namespace {
 
-/// The surfaces before the bodies deform.
+/// The undeformed surfaces.
 class Undeformed : public Source {
  public:
   Undeformed(const Scene& scene, const Travel& travel) : scene_(scene), travel_(travel) {}
@@ -24,11 +24,11 @@ class Undeformed : public Source {
  private:
   const Scene& scene_;
   Travel travel_;
-  mutable Field gap_;  // empty before it is asked for
+  mutable Field gap_;  // empty until first used
 };
 
-/// The stress of the bodies before any contact. It depends on depth only: the search of cells that
-/// yield has it from their strength.
+/// Initial stress of the bodies. It depends on depth only, and the search for yield obtains it from
+/// their strength.
 class InitialStress : public Source {
  public:
   InitialStress(const Scene& scene, const Travel& travel) : scene_(scene), travel_(travel) {}

@@ -12,9 +12,9 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Cells from the start of a body's way.
+/// Maximum distance from the origin of a body [cells].
 constexpr int farthest = 1 << 30;
-constexpr auto no_fit = "the arrays of a plastic history do not fit its zones";
+constexpr auto no_fit = "the arrays of a plastic history do not match its zones";
 
 void require_that(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
@@ -24,7 +24,7 @@ bool is_one_of(fft::Symmetry symmetry) {
   return symmetry >= fft::Symmetry::none && symmetry <= fft::Symmetry::xy;
 }
 
-/// Whether it is one, in cells that can be counted.
+/// Whether it is a valid box, within the range of cell indices.
 bool is_box(const Box& box, const Grid& grid) {
   const auto counted = [](int first, int count) {
     return std::abs(static_cast<long>(first)) < farthest && count >= 0 && count < farthest;
@@ -40,7 +40,7 @@ bool is_consistent(const BoxField& field, const Grid& grid) {
   return is_box(field.box, grid) && field.values.size() == field.box.volume_size();
 }
 
-void require_consistent(const Flow& flow) {
+void require_consistent(const PlasticIncrementGuess& flow) {
   bool fits = is_one_of(flow.symmetry) && std::isfinite(flow.load) && std::isfinite(flow.approach);
   for (const auto& body : flow.bodies) {
     const std::size_t n = body.cells.size();
@@ -50,7 +50,7 @@ void require_consistent(const Flow& flow) {
                     std::abs(static_cast<long>(cell.j)) < farthest && cell.k >= 0;
            });
   }
-  require_that(fits, "the flow of the last increment has impossible parts");
+  require_that(fits, "the plastic strain increment of the last increment is invalid");
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ PlasticRecord record(const PlasticState& history) {
           std::move(fields.backstress)};
 }
 
-std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Grid& grid,
-                                           std::size_t backstresses) {
+std::shared_ptr<const PlasticState> from_record(const PlasticRecord& record, const Grid& grid,
+                                                std::size_t backstresses) {
   const auto& [symmetry, tensor, origin, box, zones, strain, equivalent, backstress] = record;
   require_that(is_one_of(symmetry), "mirrored must be 0, 1 or 2");
   require_that(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator,
@@ -78,14 +78,14 @@ std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Gr
   }
   const Box part = stored_part(grid, symmetry);
   require_that(is_box(box, grid) && !box.empty() && box.nz > 0 &&
-                   !has_no_end({0, 0, 1, 1, box.nz}, grid) &&
+                   !is_unbounded({0, 0, 1, 1, box.nz}, grid) &&
                    (symmetry == fft::Symmetry::none || box.j0 == part.j0) &&
                    (symmetry != fft::Symmetry::xy || box.i0 == part.i0),
-               "the box of a plastic history does not fit the grid");
+               "the box of a plastic history does not match the grid");
   std::size_t cells = 0;
   for (const Box& zone : zones) {
     require_that(is_box(zone, grid) && !zone.empty() && zone.nz > 0 && box.contains(zone),
-                 "the zones of a plastic history are not in its box");
+                 "the zones of a plastic history must lie inside its box");
     cells += zone.volume_size();
     require_that(cells <= equivalent.size(), no_fit);
   }
@@ -93,7 +93,7 @@ std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Gr
                    strain.size() == operators::count(tensor) * cells &&
                    backstress.size() == 5 * backstresses * cells,
                no_fit);
-  require_that(are_disjoint(zones), "the zones of a plastic history have cells in common");
+  require_that(are_disjoint(zones), "the zones of a plastic history overlap");
   return std::make_shared<const PlasticState>(
       nullptr, symmetry, tensor, PlasticFields{Zones(zones), strain, equivalent, backstress}, box,
       origin);
@@ -103,10 +103,11 @@ void require_consistent(const State& state) {
   using operators::ResidualMethod;
   const Grid& grid = state.scene().grid;
   const auto fits = [&](const Field& field) { return field.size() == grid.surface_size(); };
-  require_that(fits(state.tractions.pressure), "the pressure does not fit the grid");
+  require_that(fits(state.tractions.pressure), "the pressure does not match the grid");
   for (const Field* field : {&state.tractions.shear_x, &state.tractions.shear_y, &state.contact_gap,
                              &state.slip_power}) {
-    require_that(field->empty() || fits(*field), "shear, gap or power of slip do not fit the grid");
+    require_that(field->empty() || fits(*field),
+                 "shear, gap or slip power does not match the grid");
   }
   for (const double way : state.travel) {
     require_that(std::fabs(way) < farthest, "travel is out of range");
@@ -116,15 +117,14 @@ void require_consistent(const State& state) {
   require_that(is_one_of(state.past_symmetry), "past_symmetry must be 0, 1 or 2");
   for (int b = 0; b < 2; ++b) {
     for (const Box& box : state.flow_boxes[b]) {
-      require_that(is_box(box, grid) && !box.empty() && !has_no_end(box, grid),
-                   "the boxes of plastic flow are too far from the grid");
+      require_that(is_box(box, grid) && !box.empty() && !is_unbounded(box, grid),
+                   "the boxes of plastic flow are empty or too far from the grid");
     }
-    require_that(are_disjoint(state.flow_boxes[b]),
-                 "the boxes of plastic flow have cells in common");
+    require_that(are_disjoint(state.flow_boxes[b]), "the boxes of plastic flow overlap");
     require_that(
         !state.softening[b] || (is_consistent(*state.softening[b], grid) &&
                                 state.softening[b]->box.contains(around(state.flow_boxes[b]))),
-        "the softening of a body does not fit the grid");
+        "the softening of a body does not match the grid");
   }
   if (state.last_flow) require_consistent(*state.last_flow);
 }

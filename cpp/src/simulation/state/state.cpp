@@ -15,7 +15,7 @@ namespace samcontact::simulation {
 
 namespace {
 
-/// Sets the start of bodies that attract each other: apart, just before they touch.
+/// Initial state of surfaces with attraction: separated, just before contact.
 void part(State& state) {
   const Scene& scene = state.scene();
   const Field pull = contact::attraction(*scene.contact_law, scene.initial_gap);
@@ -37,7 +37,7 @@ State::State(std::shared_ptr<const Scene> scene, operators::ResidualMethod metho
 
 PastHeat State::heat_so_far() const {
   PastHeat so_far = past;
-  if (!scene_->march.is_on() || time == 0) return so_far;
+  if (!scene_->transient_heating.is_on() || time == 0) return so_far;
   for (int b = 0; b < 2; ++b) {
     if (b == 1 && heating[0] == heating[1] && past[0] == past[1] &&
         scene_->media[0] == scene_->media[1]) {

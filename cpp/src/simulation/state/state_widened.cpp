@@ -7,10 +7,11 @@
 namespace samcontact::simulation {
 namespace {
 
-/// How many cells more there are before the first one, as many as behind the last.
+/// Number of cells added before the first one, equal to that added after the last.
 int cells_before(int from, int to) {
   if (to < from || (to - from) % 2 != 0) {
-    throw std::invalid_argument("a window widens by whole cells, as many on either side");
+    throw std::invalid_argument(
+        "a grid can be enlarged only by equal numbers of whole cells on both sides");
   }
   return (to - from) / 2;
 }
@@ -21,7 +22,8 @@ State State::widened(std::shared_ptr<const Scene> to) const {
   const Grid &from = scene_->grid, &grid = to->grid;
   const int i = cells_before(from.nx, grid.nx), j = cells_before(from.ny, grid.ny);
   if (past[0] || past[1] || softening[0] || softening[1]) {
-    throw std::invalid_argument("past heat and softening are known in their window only");
+    throw std::invalid_argument(
+        "a grid with a heat history or thermal softening cannot be enlarged");
   }
   State state = *this;
   const Box before = Box::surface(from).moved(i, j);
@@ -42,11 +44,11 @@ State State::widened(std::shared_ptr<const Scene> to) const {
     for (Box& box : state.flow_boxes[b]) box = box.moved(i, j);
   }
   if (last_flow) {
-    Flow flow = *last_flow;
+    PlasticIncrementGuess flow = *last_flow;
     for (auto& body : flow.bodies) {
       for (Cell& cell : body.cells) cell = {cell.i + i, cell.j + j, cell.k};
     }
-    state.last_flow = std::make_shared<const Flow>(std::move(flow));
+    state.last_flow = std::make_shared<const PlasticIncrementGuess>(std::move(flow));
   }
   state.scene_ = std::move(to);
   return state;

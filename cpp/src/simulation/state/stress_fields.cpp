@@ -19,7 +19,7 @@ void add(const Field& from, Field& to) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
 }
 
-/// Mirror planes that its stress has; the exact operators know of none.
+/// Mirror planes of the stress of a history; the exact operators support none.
 fft::Symmetry stress_symmetry(const State& state, int body, bool with_tractions) {
   if (state.method == operators::ResidualMethod::exact) return fft::Symmetry::none;
   const fft::Symmetry of_strain = state.plastic[body]->symmetry();
@@ -34,7 +34,7 @@ Field stress_of_strain(const State& state, int body, const Box& region) {
   return stress_of(*state.plastic[body], state.scene(), body, state.method, region);
 }
 
-/// region: all of the window.
+/// region: the whole grid.
 Field total_stress(const State& state, int body, bool with_tractions, const Box& region) {
   const Grid& grid = state.scene().grid;
   state.scene().require_volume(body);
@@ -67,8 +67,8 @@ Field total_stress(const State& state, int body, bool with_tractions, const Box&
                            ->stress(strain.data(), with_tractions ? &here : nullptr, sign);
     put_unfolded(part, stored, symmetry, grid, region, out);
   };
-  // In the box the very stress that the flow was computed with: the fast operator depends a little
-  // on the period.
+  // In the box, exactly the stress from which the plastic flow was computed: the fast operator
+  // depends slightly on the period.
   const bool exact = state.method == operators::ResidualMethod::exact;
   if (exact || box != around) put(around);
   if (!exact) put(box);

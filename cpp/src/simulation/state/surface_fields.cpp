@@ -29,7 +29,7 @@ Field residual_displacement(const State& state, int body, operators::Axis axis, 
   const Grid& grid = state.scene().grid;
   fft::Symmetry symmetry = state.plastic[body]->symmetry();
   const Box own = whole_box(state.plastic[body]->box(), grid, symmetry);
-  // Its operators are there already.
+  // The operators of the box exist already.
   const bool inside = !is_elsewhere(state, body) && own.contains(surface);
   const Box around = inside ? own
                             : acting_box(*unfolded(state.plastic[body], grid, fft::Symmetry::none),
@@ -66,10 +66,10 @@ Field residual_displacement(const State& state, int body, operators::Axis axis) 
     zones.transform(history.strain(all), {&axis, 1});
     Field own(grid.surface_size());
     zones.displacement(axis, own.data());
-    // They know of the grid only.
+    // Zones have no displacement beyond the grid.
     return seen_from_body(own, grid, -offset, Beyond::as_last);
   }
-  // A body between cells shows parts of what lies a row beyond the grid.
+  // A body offset by a fraction of a cell needs one row beyond the grid.
   const int more = offset == 0 ? 0 : 1;
   Grid wide = grid;
   wide.nx += 2 * more;

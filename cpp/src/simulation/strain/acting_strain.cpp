@@ -68,7 +68,7 @@ Field displacement_of(const PlasticState& history, const Scene& scene, int body,
 
 Field displacement_of(const PlasticState& history, const Scene& scene, int body,
                       operators::ResidualMethod method, operators::Axis axis, double offset) {
-  // A body between cells shows parts of what lies a row beyond the grid.
+  // A body offset by a fraction of a cell needs one row beyond the grid.
   const int more = offset == 0 ? 0 : 1;
   const Grid& grid = scene.grid;
   Grid wide = grid;

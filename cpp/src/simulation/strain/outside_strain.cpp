@@ -9,7 +9,7 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Over some zones, 0 in others.
+/// Strain over some zones, 0 in others.
 Field strain_without(const PlasticState& history, const Zones& over, const Zones& others) {
   Field strain = history.strain(over);
   const Field nothing(others.cells(), 0.0);

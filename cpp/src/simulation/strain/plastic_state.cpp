@@ -10,7 +10,7 @@ using operators::Tensor;
 
 namespace {
 
-/// Cells from a mirror plane on, seen in it, but for those in the plane.
+/// Mirror image of cells on one side of a mirror plane, without those in the plane.
 void reflect(int cells, int& begin, int& count) {
   const int end = cells - begin;
   begin = end - count;
@@ -105,7 +105,7 @@ std::shared_ptr<const PlasticState> PlasticState::moved(int along_x, int along_y
 
 PlasticState PlasticState::unfolded(const Grid& grid, fft::Symmetry symmetry) const {
   Box whole = whole_box(box_, grid, symmetry_);
-  // From the planes that remain on.
+  // On one side of the remaining planes.
   const Box stored = stored_part(grid, symmetry);
   if (symmetry != fft::Symmetry::none) {
     whole.ny -= stored.j0 - whole.j0;

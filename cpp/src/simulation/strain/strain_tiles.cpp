@@ -16,7 +16,7 @@ bool is_zero(const double* values, std::size_t n) {
   return std::all_of(values, values + n, [](double v) { return v == 0; });
 }
 
-/// The part of a box outside of which all its fields are zero; from the surface down.
+/// Part of a box, from the surface down, outside of which all its fields are zero.
 Box part_in_use(const Field& values, const Box& box) {
   Box used;
   const double* row = values.data();

@@ -10,22 +10,22 @@
 
 namespace samcontact::contact {
 
-/// The history is kept in single precision: it only steers the next iterate, whose residual is
-/// computed anew.
+/// The history is stored in single precision: it only steers the next iterate, whose residual is
+/// computed again in double precision.
 class Anderson {
  public:
   explicit Anderson(int depth) : depth_(depth) {}
 
   void reset();
-  /// Steps that the history has from the next call on.
+  /// Number of steps in the history from the next call on.
   void set_depth(int depth) { depth_ = depth; }
 
-  /// x: where the residual f = G(x) - x was taken; replaced by the next iterate. From one call to
-  /// the next x may become longer: the new entries were zero before, in x and in f.
+  /// x: point at which the residual f = G(x) - x was evaluated; replaced by the next iterate. x may
+  /// become longer between calls: new entries were zero before, in x and in f.
   void next(Field& x, Field f);
 
-  /// Residual of the last call, empty before; and where that was, from what it was replaced by, as
-  /// far as the history knows.
+  /// Residual of the last call, empty before the first; and its point, reconstructed from its
+  /// successor as far as the history allows.
   const Field& last_f() const { return last_f_; }
   Field last_x(const Field& x) const;
 
@@ -38,7 +38,7 @@ class Anderson {
 
   int depth_;
   Field last_f_;
-  std::vector<float> last_dx_;  // of the step that it led to
+  std::vector<float> last_dx_;  // of the last step
   std::deque<Step> steps_;      // oldest first
   Eigen::MatrixXd gram_;        // of the df
 };

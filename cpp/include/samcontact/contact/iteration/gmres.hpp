@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The generalised minimal residual method for linear systems that are not symmetric (Saad &
-// Schultz 1986, doi:10.1137/0907058), preconditioned from the right.
+// Generalised minimal residual method (GMRES) for non-symmetric linear systems (Saad & Schultz
+// 1986, doi:10.1137/0907058), with right preconditioning.
 #pragma once
 
 #include <functional>
@@ -9,13 +9,13 @@
 
 namespace samcontact::contact {
 
-/// out = what a linear map makes of v.
+/// out = image of v under a linear map.
 using LinearMap = std::function<void(const Field& v, Field& out)>;
 
-/// x with A x = b nearly: until the residual is below gain times |b|, or after most_steps, each of
-/// which keeps one vector. Starts from zero. The precondition must be linear too. Returns the
-/// steps.
+/// Solves A x = b approximately: until the residual is below gain times |b|, or after max_steps
+/// steps, each of which stores one vector. Starts from zero. The preconditioner must be linear too.
+/// Returns the number of steps.
 int gmres(const LinearMap& apply, const LinearMap& precondition, const Field& b, double gain,
-          int most_steps, Field& x);
+          int max_steps, Field& x);
 
 }  // namespace samcontact::contact

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Friction laws: the largest shear of a cell as a function of its pressure.
+// Friction laws: maximum shear of a cell as a function of its pressure.
 //
-// A law is a struct here and an alternative of FrictionLaw::Laws. It says its name, its parameters
-// and what they may be; checks, bindings and case files take it from there.
+// Each law is a struct here and an alternative of FrictionLaw::Laws. The struct declares its name,
+// its parameters and their ranges; checks, bindings and case files read them from there.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,10 @@
 
 namespace samcontact::contact {
 
-/// Body 1 slides over body 2 towards +x everywhere: the shear is mu p, and is not solved for.
-struct GrossSliding {
+/// Body 1 slides over body 2 towards +x everywhere: the shear is mu p and is not an unknown.
+struct FullSliding {
   static constexpr auto name = "gross_sliding",
-                        says = "Gross sliding along x, with the shear mu p.";
+                        says = "Full sliding along x with the shear stress mu p.";
   static constexpr bool sticks = false;
   double coefficient;
 
@@ -31,12 +31,12 @@ struct GrossSliding {
   }
   double bound(double pressure) const { return coefficient * pressure; }
   double ratio(double) const { return coefficient; }
-  bool operator==(const GrossSliding&) const = default;
+  bool operator==(const FullSliding&) const = default;
 };
 
-/// At most mu p.
+/// Shear of at most mu p.
 struct Coulomb {
-  static constexpr auto name = "coulomb", says = "Coulomb's law: the shear is at most mu p.";
+  static constexpr auto name = "coulomb", says = "Coulomb friction: shear stress of at most mu p.";
   static constexpr bool sticks = true;
   double coefficient;
 
@@ -49,9 +49,10 @@ struct Coulomb {
   bool operator==(const Coulomb&) const = default;
 };
 
-/// At most k, at any pressure.
+/// Shear of at most k at any pressure.
 struct Tresca {
-  static constexpr auto name = "tresca", says = "A shear of at most k, at any pressure.";
+  static constexpr auto name = "tresca",
+                        says = "Tresca friction: shear stress of at most k at any pressure.";
   static constexpr bool sticks = true;
   double limit;
 
@@ -64,9 +65,11 @@ struct Tresca {
   bool operator==(const Tresca&) const = default;
 };
 
-/// At most mu p, and at most k.
+/// Shear of at most mu p and at most k.
 struct CappedCoulomb {
-  static constexpr auto name = "capped_coulomb", says = "A shear of at most mu p, and at most k.";
+  static constexpr auto name = "capped_coulomb",
+                        says =
+                            "Capped Coulomb friction: shear stress of at most mu p and at most k.";
   static constexpr bool sticks = true;
   double coefficient, limit;
 
@@ -82,50 +85,51 @@ struct CappedCoulomb {
   bool operator==(const CappedCoulomb&) const = default;
 };
 
-/// What is told of a law to those who make one by name.
+/// Description of a law for callers that create it by name.
 struct FrictionDescription {
   std::string name, says;
   bool sticks;
   std::vector<LawParameter> parameters;
 };
 
-/// One of the laws, its parameters checked.
+/// One of the laws, with checked parameters.
 class FrictionLaw {
  public:
-  using Laws = std::variant<GrossSliding, Coulomb, Tresca, CappedCoulomb>;
+  using Laws = std::variant<FullSliding, Coulomb, Tresca, CappedCoulomb>;
   using Values = std::map<std::string, double>;
 
-  /// Throws std::invalid_argument naming the parameter, its value and what is allowed.
+  /// Throws std::invalid_argument with the name of the parameter, its value and the allowed range.
   explicit FrictionLaw(Laws law);
   static FrictionLaw named(const std::string& name, const Values& values);
   static std::vector<FrictionDescription> descriptions();
 
-  /// Whether cells stick below the bound, and the shear is solved for.
+  /// Whether cells stick below the bound, so that the shear is an unknown.
   bool sticks() const;
-  /// The largest shear under a pressure [Pa]; 0 out of contact, infinite without slip.
+  /// Maximum shear under a pressure [Pa]; 0 out of contact, infinite if slip is prevented.
   double bound(double pressure) const;
-  /// The same of all cells.
+  /// Maximum shear of each cell [Pa].
   Field bound(Field pressure) const;
-  /// The largest shear over a pressure >= 0 [-]; it does not grow with the pressure, so that
-  /// friction holds at most ratio(0) times the load.
+  /// Maximum shear over a pressure >= 0 [-]; it does not increase with the pressure, so that
+  /// friction carries at most ratio(0) times the load.
   double ratio(double pressure) const;
   bool is_frictionless() const { return bound(1.0) == 0; }
   bool prevents_slip() const;
 
-  /// Whether the bodies slide everywhere, and with friction.
+  /// Whether the bodies are in full sliding with friction.
   bool slides() const { return shear_over_pressure(1) > 0; }
-  /// Of gross sliding, else 0: shear s_x over the pressure on body 1 or 2 (index 0 or 1), mu on
-  /// body 2, -mu on body 1.
+  /// Shear s_x over the pressure on body 1 or 2 (index 0 or 1) in full sliding, else 0: mu on body
+  /// 2, -mu on body 1.
   double shear_over_pressure(int body) const;
-  /// Tractions on body 2 that follow from a pressure [Pa]: the shear of gross sliding, or none.
+  /// Tractions on body 2 that follow from a pressure [Pa]: with the shear of full sliding, or
+  /// without shear.
   operators::Tractions tractions(Field pressure) const;
-  /// Mirror planes that these leave.
+  /// Mirror planes of these tractions.
   fft::Symmetry symmetry() const;
 
   bool operator==(const FrictionLaw&) const = default;
 
  private:
-  /// What the function returns for the law itself.
+  /// Result of a function that is called with the law itself.
   template <class Function>
   decltype(auto) visit(Function&& function) const {
     return std::visit(std::forward<Function>(function), law_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inner iteration of contact: preconditioned conjugate gradient on a working set of cells that
-// changes by many cells at a time.
+// Inner iteration of the normal contact: preconditioned conjugate gradient on a working set of
+// cells, which changes by many cells at a time.
 #pragma once
 
 #include "samcontact/contact/normal/complementarity.hpp"
@@ -8,26 +8,27 @@
 
 namespace samcontact::contact {
 
-/// A contact problem on a box, with a cheap operator.
+/// Contact problem on a box with an approximate operator.
 struct NearProblem {
   const NearOperators& operators;
-  Field gap;  // initial gap of the box, with what the cheap operator misses [m]
+  Field gap;  // initial gap of the box, corrected for the error of the approximate operator [m]
   Given normal;
   double cell_area;
-  double self_influence;  // u of a cell under its own unit pressure [m/Pa]
+  double self_influence;  // displacement of a cell under a unit pressure on it [m/Pa]
 };
 
 struct ActiveSetResult {
   Field pressure;
   int iterations = 0;
-  bool negative_curvature = false;  // ended by it: the operator is indefinite on the working set
-  double operations = 0.0;          // of the transforms, in the unit of fft::filter_cost
+  bool negative_curvature =
+      false;  // whether the iteration ended because the operator is indefinite on the working set
+  double operations = 0.0;  // operations of the transforms, in units of fft::filter_cost
 };
 
-/// Lowers the complementarity error, as seen by the cheap operator, below tol. `displacement` is
-/// that of the start `pressure`. trim: a rough start, which first loses the cells whose gap exceeds
-/// what their own pressure makes. May end before tol, after max_iterations or when rounding leaves
-/// no descent: the caller judges the result.
+/// Reduces the complementarity error, evaluated with the approximate operator, below tol.
+/// `displacement` is that of the start `pressure`. trim: for a rough start, first removes the cells
+/// whose gap exceeds the displacement due to their own pressure. May end before tol is reached,
+/// after max_iterations or if rounding leaves no descent: the caller checks the result.
 ActiveSetResult solve_active_set(const NearProblem& problem, Field pressure, Field displacement,
                                  bool trim, double tol, int max_iterations);
 

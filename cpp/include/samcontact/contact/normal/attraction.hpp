@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A contact in terms of its repulsion: what attraction displaces and bears is taken off first, so
-// that all solvers ask for p >= 0.
+// Contact problem in terms of the repulsion: displacement and load due to attraction are subtracted
+// first, so that all solvers require p >= 0.
 #pragma once
 
 #include "samcontact/base/grid.hpp"
@@ -10,21 +10,21 @@
 
 namespace samcontact::contact {
 
-/// The attraction at given gaps, as a traction that does not change. Exact where the law does not
-/// depend on the gap. Holds a reference to the gap.
+/// Attraction at given gaps as a constant traction. Exact if the law does not depend on the gap.
+/// Keeps a reference to the gap.
 class Attraction {
  public:
   Attraction(const ContactLaw& law, const Grid& grid,
              const operators::NormalDisplacement& displacement, const Field& gap);
 
-  /// The gap of the undeformed surfaces with the displacement due to the attraction [m].
+  /// Gap of the undeformed surfaces plus the displacement due to the attraction [m].
   const Field& gap() const { return pull_.empty() ? given_ : attracted_; }
-  /// A load with the force of the attraction; an approach as it is. Throws std::invalid_argument
-  /// for a tension beyond that force.
+  /// Load plus the force of the attraction; an approach is unchanged. Throws std::invalid_argument
+  /// for a tension above that force.
   Given normal(const Given& normal) const;
-  /// Of a pressure, which may be empty.
+  /// Repulsion of a pressure, which may be empty.
   Field repulsion(Field pressure) const;
-  /// The solution of a contact driven so, from that for the repulsion.
+  /// Solution of the contact with attraction, from the solution for the repulsion.
   Solution with_attraction(Solution solution, const Given& normal) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between a grid and the one with half as many cells along x and y.
+// Transfer between a grid and the grid with half as many cells along x and y.
 #pragma once
 
 #include "samcontact/base/aligned.hpp"
@@ -7,18 +7,19 @@
 
 namespace samcontact::contact {
 
-/// Cells twice as long; with an odd number of cells the last one sticks out.
+/// Grid of cells twice as long; with an odd number of cells the last coarse cell extends beyond the
+/// grid.
 Grid coarsened(const Grid& grid);
 
-/// Mean of each coarse cell's part of a field.
+/// Mean of a field over the part of each coarse cell that lies in the grid.
 Field coarsened(const Grid& grid, const Field& field);
 
 /// Linear interpolation of a coarse field at the cells of `grid`, constant beyond the outermost
 /// centres: positive where the coarse field is.
 Field refined(const Grid& grid, const Field& coarse);
 
-/// Values of cells without contact become the mean of their neighbours with it, so that an
-/// interpolation at the edge has some.
+/// Replaces the values of cells out of contact by the mean of their neighbours in contact, for
+/// interpolation at the edge of the contact.
 Field filled_outwards(const Grid& grid, const Field& pressure, const Field& values);
 
 }  // namespace samcontact::contact

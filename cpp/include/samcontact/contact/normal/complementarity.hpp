@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frictionless contact problem on a grid: p >= 0, g = h + K p - delta >= 0, p g = 0. What all
-// its solvers share. Where surfaces attract each other, p is the repulsion (see Attraction).
+// Frictionless contact problem on a grid: p >= 0, g = h + K p - delta >= 0, p g = 0. Data and
+// functions shared by its solvers. With attraction, p is the repulsion (see Attraction).
 #pragma once
 
 #include <cmath>
@@ -16,49 +16,52 @@ namespace samcontact::contact {
 
 struct Solution {
   operators::Tractions tractions;  // on body 2
-  Field gap;                       // [i][j] [m]; +inf where there is no body
+  Field gap;                       // [i][j] [m]; +inf in cells without a body
   RigidMotion motion;
   double load = 0.0;  // [N]
-  /// max over cells of |min(p / max p, g / max u)|: pressure where there is a gap, and gap or
-  /// penetration where there is pressure, each relative to its own scale.
+  /// max over cells of |min(p / max p, g / max u)|: pressure in open cells, and gap or
+  /// interpenetration in closed cells, each relative to its own scale.
   double error = 0.0;
-  /// Gaps up to this are none [m]: rounding, where displacement has no mean.
+  /// Gaps up to this value count as closed [m]: rounding, where the displacement has no mean.
   double rounding = 0.0;
-  /// Conjugate-gradient steps on the grid itself; those on coarser grids do not count.
+  /// Conjugate-gradient steps on the grid itself, not on coarser grids.
   int iterations = 0;
   /// Applications of the exact operators (pressure or shear to displacement) on the grid itself.
   int operator_applications = 0;
-  /// Transforms of the whole solve, coarse grids and preconditioner included, in applications of
-  /// the exact operator.
+  /// Transforms of the whole solve, including coarse grids and preconditioner, as a number of
+  /// applications of the exact operator.
   double work = 0.0;
   bool converged = true;
-  /// Steps that met a direction in which the operator is not positive: frictional heat can do that.
+  /// Number of steps along a direction in which the operator is not positive, as may occur with
+  /// frictional heat.
   int negative_curvatures = 0;
-  /// Which border the contact touches and the remedy; empty when it touches none.
-  std::string border_complaint;
+  /// Message that names the edges of the grid reached by the contact and the remedy; empty: none.
+  std::string edge_warning;
 };
 
 bool all_finite(const Field& field);
-/// Whether all of a solution is; comparisons with NaN are false, so that it may look converged.
+/// Whether all of a solution is finite; comparisons with NaN are false, so that such a solution may
+/// appear to have converged.
 bool is_finite(const Solution& solution);
 
-/// Mean of a field over the cells with pressure; 0 without any.
+/// Mean of a field over the cells with pressure; 0 if there are none.
 double contact_mean(const Field& pressure, const Field& field);
 
-/// The error of Solution, from pressure, displacement and gap; gaps up to `rounding` [m] are none.
+/// Error of a Solution, from pressure, displacement and gap; gaps up to `rounding` [m] count as
+/// closed.
 double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap,
                              double rounding = 0.0);
 
-/// The same with displacement and gap as functions of the cell.
+/// Error with displacement and gap as functions of the cell.
 template <class Displacement, class Gap>
 double complementarity_error(const Field& pressure, const Displacement& displacement,
                              const Gap& gap) {
   const std::size_t n = pressure.size();
   const double p_max = largest_of(n, [&](std::size_t i) { return pressure[i]; });
-  // Heat may raise a surface more than pressure lowers it.
+  // Thermal expansion of a surface may exceed its elastic compression.
   const double u_max = largest_of(n, [&](std::size_t i) { return std::fabs(displacement(i)); });
   if (p_max <= 0 || u_max <= 0) {
-    // No pressure yet: any penetration counts in full.
+    // Without pressure, any interpenetration counts in full.
     return largest_of(n, [&](std::size_t i) { return -gap(i); }) > 0 ? 1.0 : 0.0;
   }
   const double over_p = 1.0 / p_max, over_u = 1.0 / u_max;
@@ -68,12 +71,12 @@ double complementarity_error(const Field& pressure, const Displacement& displace
   });
 }
 
-/// Multiplies the pressure so that it sums to `sum`, and returns the factor; a pressure that is
-/// zero everywhere becomes uniform.
+/// Scales the pressure to the sum `sum` and returns the factor; a pressure that is zero everywhere
+/// becomes uniform.
 double scale_to_sum(Field& pressure, double sum);
 
-/// gap = initial gap + displacement - approach. Returns the approach: under load the mean of the
-/// rest over the contact, else the one given.
+/// gap = initial gap + displacement - approach. Returns the approach: under load control the mean
+/// of initial gap + displacement over the contact, otherwise the given one.
 double close_gap(const Field& initial_gap, const Field& displacement, const Field& pressure,
                  Given normal, Field& gap);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is given of a contact, and what moves in answer.
+// Prescribed quantities of a contact (load or approach), and the resulting rigid-body motion.
 #pragma once
 
 #include <string>
@@ -10,8 +10,7 @@
 
 namespace samcontact::contact {
 
-/// One degree of freedom of the bodies' rigid motion: the motion itself, or the force that brings
-/// it about.
+/// One degree of freedom of the rigid-body motion: the motion itself, or the corresponding force.
 struct Given {
   enum class Kind { motion, force } kind;
   double value;  // [m] or [N]
@@ -21,13 +20,13 @@ struct Given {
   bool is_force() const { return kind == Kind::force; }
 };
 
-/// Of body 1 against body 2, since they touched undeformed.
+/// Motion of body 1 relative to body 2 since the undeformed bodies touched.
 struct RigidMotion {
   double approach = 0.0;  // [m]
 };
 
-/// What drives a contact: each degree of freedom that the law of the contact leaves open. Gross
-/// sliding leaves the normal one.
+/// Prescribed values of all degrees of freedom that the contact law leaves open. Full sliding
+/// leaves only the normal one.
 struct Drive {
   Given normal;
 
@@ -35,15 +34,16 @@ struct Drive {
   static Drive approach(double metre) { return {Given::motion(metre)}; }
 };
 
-/// For messages.
+/// Drive in words, for messages.
 std::string describe(const Drive& drive);
 
-/// Throws std::invalid_argument, naming the argument, unless a contact of this law can be driven
-/// so: loads below zero need an attraction.
+/// Throws std::invalid_argument with the name of the argument if the drive is not possible with
+/// this contact law: negative loads require an attraction.
 void require_valid(const Drive& drive, const ContactLaw& law);
 /// Throws std::invalid_argument unless a surface field has the shape of the grid and is finite.
 void require_surface(const Field& field, const Grid& grid, const std::string& name);
-/// The same of a gap, which is +inf in cells without a body, finite in at least one.
+/// Throws std::invalid_argument unless a gap has the shape of the grid and is finite in at least
+/// one cell, and finite or +inf (no body) in all others.
 void require_gap(const Field& gap, const Grid& grid, const std::string& name);
 
 }  // namespace samcontact::contact

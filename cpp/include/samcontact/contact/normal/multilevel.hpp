@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The elastic contact solver: a start from coarser grids, the active-set iteration with a cheap
-// operator, and the exact operator around it, which corrects and judges.
+// Solver for the normal elastic contact: start from coarser grids, active-set iteration with an
+// approximate operator, and an outer iteration with the exact operator, which corrects and checks
+// the result.
 #pragma once
 
 #include <memory>
@@ -11,8 +12,9 @@
 
 namespace samcontact::contact {
 
-/// Solves p >= 0, g >= 0, p g = 0 on one grid, as often as wanted. Keeps the operators of the grid
-/// and, made when first needed, of coarser grids and the cheap one. Thread-safe.
+/// Solves p >= 0, g >= 0, p g = 0 on one grid, for any number of gaps and drives. Keeps the exact
+/// operator of the grid and, once needed, those of coarser grids and the approximate ones.
+/// Thread-safe.
 class Multilevel {
  public:
   Multilevel(const Grid& grid, const operators::SurfaceInfluence& influence);
@@ -22,12 +24,11 @@ class Multilevel {
   Multilevel(const Multilevel&) = delete;
   Multilevel& operator=(const Multilevel&) = delete;
 
-  /// The exact operator of the grid.
+  /// Exact operator of the grid.
   const operators::SurfaceDisplacement& displacement() const;
 
   /// Starts from `pressure`, or from a coarser grid if that is zero everywhere. Returns converged =
-  /// false after max_iterations. Cells of infinite gap, where there is no body, stay out of
-  /// contact.
+  /// false after max_iterations. Cells of infinite gap (no body) stay out of contact.
   Solution solve(const Field& initial_gap, Given normal, Field pressure, double tol,
                  int max_iterations) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Constrained conjugate gradient without preconditioner: slow but steady, for what the active-set
-// iteration cannot settle.
+// Constrained conjugate gradient method without preconditioner: slow but robust, for problems in
+// which the active-set iteration does not settle.
 #pragma once
 
 #include "samcontact/contact/normal/complementarity.hpp"
@@ -10,8 +10,8 @@ namespace samcontact::contact {
 
 /// Conjugate gradient on the cells in contact with projection to p >= 0 (Polonsky & Keer 1999,
 /// doi:10.1016/S0043-1648(99)00113-1), for a given load or approach. Starts from `pressure`; stops
-/// when the error, but for gaps up to `rounding` [m], is below tol. Returns converged = false after
-/// max_iterations.
+/// when the error, with gaps up to `rounding` [m] counted as closed, is below tol. Returns
+/// converged = false after max_iterations.
 Solution polonsky_keer(const operators::NormalDisplacement& displacement, const Field& initial_gap,
                        double cell_area, Given normal, Field pressure, double tol,
                        int max_iterations, double rounding = 0.0);

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The spectral preconditioner of contact: the inverse of the periodic elastic operator, 1/K^ ~ E*
-// |q|/2, seen from the cells of a working set. Heat is left out: with it K^ may be negative.
+// Spectral preconditioner of the normal contact: inverse of the periodic elastic operator, 1/K^ ~
+// E* |q|/2, restricted to the cells of a working set. Heat is omitted: with heat K^ may be
+// negative.
 #pragma once
 
 #include "samcontact/operators/surface/near_displacement.hpp"
 
 namespace samcontact::contact {
 
-/// On boxes with little padding. None at all costs a quarter more steps where
-/// contact touches opposite borders.
+/// On boxes with little padding. Without any padding a quarter more steps are needed if the contact
+/// touches opposite edges.
 class Preconditioner {
  public:
-  /// near: the cheap operator of the same box, whose spectrum is taken where it is the one wanted.
+  /// near: approximate operator of the box, whose spectrum is used if it is the required one.
   Preconditioner(const Grid& box, const operators::SurfaceInfluence& influence,
                  const operators::NearDisplacement& near);
 
@@ -25,7 +26,7 @@ class Preconditioner {
   Field inverse_;  // real quarter spectrum [ky][kx]
 };
 
-/// A cheap operator and its preconditioner, both of one box size.
+/// Approximate operator and its preconditioner, of one box size.
 struct NearOperators {
   operators::NearDisplacement displacement;
   Preconditioner preconditioner;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a change of the working set is decided from, in two sweeps over all cells: on large grids
-// they take as long as their fields take from memory.
+// Data for a change of the working set, from two sweeps over all cells: on large grids the time of
+// a sweep is that of reading its fields from memory.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace samcontact::contact {
 
-/// Of pressure p, gap h and rest = h + u. Sums do not depend on the number of threads.
+/// Totals of pressure p, gap h and rest = h + u. Sums do not depend on the number of threads.
 struct Totals {
   double contacts = 0.0;          // cells with p > 0
   double rest_in_contact = 0.0;   // sum of rest where p > 0
@@ -21,16 +21,16 @@ struct Totals {
 };
 Totals totals(const Field& pressure, const Field& rest, const Field& gap);
 
-/// What the cells of a working set are chosen from.
+/// State of a cell, from which the cells of a working set are chosen.
 enum CellState : unsigned char { idle, working, penetrating };
 
 struct Survey {
-  double error = 0.0;           // of Solution
-  std::size_t working = 0;      // p above `hold` times the gap
-  std::size_t dropped = 0;      // p > 0, but not above
-  std::size_t penetrating = 0;  // p <= 0, rest below the approach
+  double error = 0.0;           // error of a Solution
+  std::size_t working = 0;      // cells with p above `hold` times the gap
+  std::size_t dropped = 0;      // cells with p > 0, but not above
+  std::size_t penetrating = 0;  // cells with p <= 0 and rest below the approach
 };
-/// Notes the state of each cell.
+/// Determines the state of each cell.
 Survey survey(const Field& pressure, const Field& rest, double approach, double hold,
               const Totals& scales, std::vector<unsigned char>& states);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A set of cells as runs of neighbours, and the sweeps of the conjugate gradient over it: few, and
-// none over cells that have nothing to say.
+// Set of cells stored as runs of neighbours, and the conjugate-gradient sweeps over it: few sweeps,
+// which skip all other cells.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@ struct Sums {
   double plain = 0.0, product = 0.0;
 };
 
-/// Sums and extremes do not depend on the number of threads.
+/// Sums and extrema do not depend on the number of threads.
 class CellRuns {
  public:
-  /// The cells i with chosen[i] == value; all are 0 or 1.
+  /// Cells i with chosen[i] == value; all entries are 0 or 1.
   void assign(const std::vector<unsigned char>& chosen, bool value);
 
   std::size_t size() const { return size_; }
@@ -27,11 +27,11 @@ class CellRuns {
   Sums sums(const Field& a, const Field& b) const;
   /// t = beta t - (z - mean).
   void turn(double beta, const Field& z, double mean, Field& t) const;
-  /// y += factor x. Returns the lowest y - shift, at most 0.
+  /// y += factor x. Returns the minimum of y - shift, at most 0.
   double add(double factor, const Field& x, Field& y, double shift) const;
-  /// The lowest y - shift, at most 0.
+  /// Minimum of y - shift, at most 0.
   double lowest(const Field& y, double shift) const;
-  /// r = y - shift. Returns the largest |r|.
+  /// r = y - shift. Returns the maximum |r|.
   double subtract(const Field& y, double shift, Field& r) const;
 
   struct Run {
@@ -43,7 +43,7 @@ class CellRuns {
   double extreme(const Part& part) const;
 
   std::vector<Run> runs_;
-  std::vector<std::size_t> chunks_;  // the first run of each, and the number of runs
+  std::vector<std::size_t> chunks_;  // first run of each chunk, and the number of runs
   std::size_t size_ = 0;
 };
 

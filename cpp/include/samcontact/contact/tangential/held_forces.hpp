@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forces along the surface that friction cannot hold are refused, by name.
+// Checks that tangential forces and torque are below the friction limit.
 #pragma once
 
 #include "samcontact/base/grid.hpp"
@@ -7,18 +7,20 @@
 
 namespace samcontact::contact {
 
-/// Names of the motions along the surface, and of the turn.
+/// Names of the tangential motions and of the rotation, for messages.
 struct MotionNames {
   const char *along, *turn;
 };
 inline constexpr MotionNames increment_motions{"shift", "twist"},
     rolling_motions{"creepage", "spin"};
 
-/// Throws std::invalid_argument where no shear has the force, under any pressure of this load [N].
+/// Throws std::invalid_argument if the force exceeds the friction limit for any pressure with this
+/// load [N].
 void require_held(const TangentialDrive& drive, const FrictionLaw& friction, double load,
                   const MotionNames& motions);
 
-/// The same under a pressure, of the torque too, and of both together.
+/// Throws std::invalid_argument if forces or torque exceed the friction limit under a given
+/// pressure, individually or together.
 void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
                   const FrictionLaw& friction, const MotionNames& motions);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shear under a given pressure on a grid: the box of the contact, a start from coarser boxes, and
-// the iteration of stick and slip on each.
+// the partial-slip iteration on each box.
 #pragma once
 
 #include <array>
@@ -15,16 +15,18 @@
 
 namespace samcontact::contact {
 
-/// The three rigid motions along the surface: x, y, and the turn about z at the origin of the grid.
+/// Three tangential rigid motions: along x, along y, and rotation about z at the origin of the
+/// grid.
 using TangentialDrive = std::array<Given, 3>;
 inline constexpr TangentialDrive held{Given::motion(0), Given::motion(0), Given::motion(0)};
 
-/// Along x and y, and the turn: of each whether its value is a force, else a motion.
+/// Drive along x and y and about z: for each whether its value is a force, else a motion.
 TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
                                  const std::array<double, 3>& values);
 
-/// How the shear before an increment lets the surfaces slide in a box, for several solves of it.
-struct SlidBefore {
+/// Tangential displacement due to the shear before an increment, in a box, for several solves of
+/// the increment.
+struct PreviousDisplacement {
   Box box;
   Field displacement;  // [2][i][j] [m]
 };
@@ -33,39 +35,40 @@ struct SlidBefore {
 struct ShearTask {
   const Field& pressure;  // [i][j] [Pa]
   const FrictionLaw& friction;
-  /// Before this increment, on body 2 [Pa]; empty: none.
+  /// Shear before this increment, on body 2 [Pa]; empty: none.
   const Field& previous_shear;
-  /// Slip of body 1 over body 2 in this increment but for the rigid motion and what the change of
-  /// the shear does [m]; empty: none.
+  /// Slip of body 1 relative to body 2 in this increment that is due neither to the rigid motion
+  /// nor to the change of the shear [m]; empty: none.
   const Field& free_slip;
   /// Motions of this increment [m, m, rad], or total forces at its end [N, N, N m].
   TangentialDrive drive = held;
-  SlidBefore* slid = nullptr;  // kept by the caller of several solves
-  /// [xx, xy, yy][i][j] What a cell slips in touch of the rigid motion; without, all of it.
-  const Field* in_touch = nullptr;
-  /// Cells [i][j] of the start; without, those below their bound.
+  PreviousDisplacement* slid = nullptr;  // owned by a caller with several solves
+  /// [xx, xy, yy][i][j] Part of the slip due to the rigid motion that occurs in contact; null: all
+  /// of it.
+  const Field* slip_part = nullptr;
+  /// Sticking cells [i][j] of the start; null: cells below their bound.
   const std::vector<unsigned char>* sticking = nullptr;
-  /// The contact rolls steadily towards +x. Motions, free_slip, slip and friction_work are per way
-  /// that it rolls [-, -, 1/m, N]: motions are creepages and spin.
+  /// Whether the contact is in steady rolling towards +x. Motions, free_slip, slip and
+  /// friction_work are then per distance rolled [-, -, 1/m, N]; the motions are creepages and spin.
   bool rolls = false;
 };
 
 struct ShearSolution {
-  Field shear, slip;                    // [2][i][j] [Pa], [m]; slip is 0 where the contact sticks
-  std::vector<unsigned char> sticking;  // [i][j]; without pressure nothing sticks
+  Field shear, slip;                    // [2][i][j] [Pa], [m]; slip is 0 in sticking cells
+  std::vector<unsigned char> sticking;  // [i][j]; cells without pressure do not stick
   std::array<double, 3> motion{};       // of this increment [m, m, rad]
   std::array<double, 3> force{};        // [N, N, N m]
   double friction_work = 0.0;           // of this increment [J]
   double error = 0.0;                   // natural residual e_t
-  double energy_gap = 0.0;              // [J]; no number where friction prevents slip
+  double energy_gap = 0.0;              // [J]; NaN if friction prevents slip
   int steps = 0, iterations = 0, fallbacks = 0;
   int operator_applications = 0;  // of C on the box of the contact
-  /// Transforms of the whole solve in applications on the box of the contact.
+  /// Transforms of the whole solve, as a number of applications on the box of the contact.
   double work = 0.0;
   bool converged = true;
 };
 
-/// Keeps the operators of the box used last and of coarser ones. Thread-safe.
+/// Keeps the operators of the last box and of coarser boxes. Thread-safe.
 class ShearSolver {
  public:
   ShearSolver(const Grid& grid, operators::TangentialInfluence influence);
@@ -75,11 +78,11 @@ class ShearSolver {
   ShearSolver(const ShearSolver&) = delete;
   ShearSolver& operator=(const ShearSolver&) = delete;
 
-  /// Starts from `shear` and from `motion` of the forces that are given, or from coarser boxes if
-  /// the shear is empty.
-  /// Where the iteration ends beyond tol, converged is false. The forces must be possible.
+  /// Starts from `shear` and, for prescribed forces, from `motion`; from coarser boxes if the shear
+  /// is empty. If the iteration ends above tol, converged is false. The forces must be below the
+  /// friction limit.
   ShearSolution solve(const ShearTask& task, const Field& shear,
-                      const std::array<double, 3>& motion, double tol, int most_steps) const;
+                      const std::array<double, 3>& motion, double tol, int max_steps) const;
 
  private:
   class Level;
@@ -91,13 +94,13 @@ class ShearSolver {
   std::unique_ptr<Kept> kept_;
 };
 
-/// Of a cell along x: a step of the contact takes the slip of a turn where its cells are so far
-/// from where they end, back to where they came from.
+/// Offset along x [cells] at which a step of the contact takes the slip due to spin: from the end
+/// positions of its cells back towards their start.
 constexpr double spin_lead = 1.0 / 6;
 
 /// Forces of a shear [2][i][j] on a grid about its origin [N, N, N m].
 std::array<double, 3> forces(const Grid& grid, const Field& shear);
-/// The largest forces that friction holds under a pressure: along the surface, and the torque.
+/// Friction limits under a pressure: tangential force, and torque.
 struct LargestForces {
   double along, torque;
 };

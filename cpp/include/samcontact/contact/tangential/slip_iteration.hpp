@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What iterations of stick and slip have in common: the cells that slip, whose shear stays on the
-// circle of its bound, and when the iteration ends.
+// Common parts of the partial-slip iterations: the slipping cells, whose shear stays on the circle
+// of its bound, and the end of the iteration.
 #pragma once
 
 #include <cmath>
@@ -10,9 +10,10 @@
 
 namespace samcontact::contact {
 
-/// A shear of this share of its bound is on it.
+/// A shear of at least this fraction of its bound is on the circle.
 constexpr double on_circle = 1 - 1e-9;
-/// Directions in which the cells that are free make up this share of a motion decide it.
+/// Minimum fraction of a motion that the free cells must make up in a direction for it to be
+/// determined by them.
 constexpr double decisive = 1e-10;
 
 class SlipIteration {
@@ -23,18 +24,18 @@ class SlipIteration {
   SlipIteration& operator=(const SlipIteration&) = delete;
   SlipIteration& operator=(SlipIteration&&) = delete;
 
-  /// Steps until the natural residual is below tol; where steps gain little, another method helps.
-  /// Converged = false after most_steps.
-  ShearResult run(double tol, int most_steps);
+  /// Iterates until the natural residual is below tol; if steps gain little, a fallback is used.
+  /// converged is false after max_steps.
+  ShearResult run(double tol, int max_steps);
 
  protected:
-  /// self_influence: of one cell on what it slips, without sign [m/Pa].
+  /// self_influence: magnitude of the displacement of a cell under its own unit shear [m/Pa].
   SlipIteration(const ShearProblem& problem, ShearApplier& operators, ShearStart start,
                 double self_influence);
 
   double length(std::size_t i) const { return length_of(r_.shear[i], r_.shear[m_ + i]); }
   bool is_slipping(std::size_t i) const { return r_.slipping[i] != 0; }
-  /// Of the slip, along the shear.
+  /// Component of the slip along the shear.
   double outward(std::size_t i) const {
     return normal_[i] * r_.slip[i] + normal_[m_ + i] * r_.slip[m_ + i];
   }
@@ -43,40 +44,42 @@ class SlipIteration {
     return length_of(r_.shear[i] + rho * r_.slip[i], r_.shear[m_ + i] + rho * r_.slip[m_ + i]);
   }
 
-  /// Cells whose shear is on its bound.
+  /// Marks the cells whose shear is at its bound as slipping.
   void take_slipping();
-  /// A cell without shear or bound sticks.
+  /// Scales the shear of a slipping cell to its bound; a cell without shear or bound sticks.
   void put_on_circle(std::size_t i);
-  /// All that slip, and those beyond their bound, which slip then.
+  /// Scales the shear of slipping cells, and of cells beyond their bound, which become slipping, to
+  /// the bound.
   void slip_beyond_bound();
   void take_normals();
-  /// Slipping cells stick where they would slip against their shear, sticking ones on their bound
-  /// slip where they would leave it by this stiffness.
+  /// Slipping cells stick if they would slip against their shear; sticking cells at their bound
+  /// slip if they would leave it with this stiffness.
   void change_sides(double rho);
-  /// Leaves slipping cells their tangent.
+  /// Restricts slipping cells to the tangent of their circle.
   void project_free(Field& v) const;
-  /// P (C + lambda) v, nearly: a step gains no more than the cheap operator is good for.
+  /// P (C + lambda) v approximately: the accuracy of a step is limited by that of the approximate
+  /// operator.
   void apply(const Field& v, Field& out);
 
   const ShearProblem& problem_;
   ShearApplier& operators_;
   const std::size_t m_;
   const double self_influence_;
-  bool gains_little_ = false;  // a step did, after the first
+  bool gains_little_ = false;  // whether a step gained little, after the first
   ShearResult r_;
-  Field normal_, lambda_;  // directions of the shear, and what its turn costs
+  Field normal_, lambda_;  // directions of the shear, and the stiffness of its rotation
 
  private:
-  /// Whether forces change with their motions while the cells that slip go on to do so.
+  /// Whether forces change with their motions while the slipping cells keep slipping.
   bool forces_follow() const;
   void stick_everywhere();
-  /// Motions, slip, normals and error of the present shear.
+  /// Computes motions, slip, normals and error of the present shear.
   virtual void evaluate() = 0;
-  /// Which cells slip, from what they slip.
+  /// Chooses the slipping cells from the slip.
   virtual void choose_sets() = 0;
-  /// One linear solve, and the shear that it leads to.
+  /// Solves one linear system and updates the shear.
   virtual void step(double tol) = 0;
-  /// Where steps are in vain.
+  /// Replaces steps that gain nothing.
   virtual void fall_back(double tol) = 0;
   void finish();
 };

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stick and slip of a contact that rolls steadily towards +x by one cell after the other: what
-// slips is what came from the cell ahead and is displaced otherwise now.
+// Partial slip in steady rolling towards +x, coupled from cell to cell: the slip is the change of
+// displacement of the material that comes from the next cell ahead.
 #pragma once
 
 #include "samcontact/contact/tangential/shear_problem.hpp"
 
 namespace samcontact::contact {
 
-/// The slip while the contact rolls by one cell is w = b - (1 - T) C s, T u the displacement of the
-/// next cell ahead: not the gradient of anything, but stick and slip are the same. A problem with
-/// `carried` one row of cells; rows run along +x. Semismooth Newton, in the motions of given forces
-/// too; where the error does not fall, the contact is rolled by 4, 2, 1 cells at once until it is
-/// steady, for which the box of the operators has `rolling_margin` rows of cells ahead. Returns
-/// converged = false after most_steps.
+/// The slip per cell rolled is w = b - (1 - T) C s, where T u is the displacement of the next cell
+/// ahead. It is not the gradient of any function, but the conditions of stick and slip are
+/// unchanged. The problem has `carried` equal to one row of cells; rows run along +x. Semismooth
+/// Newton, including the motions of prescribed forces; if the error does not fall, the contact is
+/// rolled by steps of 4, 2 and 1 cells until it is steady, for which the box of the operators has
+/// `rolling_margin` rows of cells ahead. Returns converged = false after max_steps.
 ShearResult solve_steady_rolling(const ShearProblem& problem, ShearApplier& operators,
-                                 ShearStart start, double tol, int most_steps);
+                                 ShearStart start, double tol, int max_steps);
 
 constexpr int rolling_margin = 4;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The spectral preconditioner of stick and slip: the inverse of the periodic tangential operator, a
-// symmetric 2 x 2 matrix for each wavenumber.
+// Spectral preconditioner of partial slip: inverse of the periodic tangential operator, a symmetric
+// 2 x 2 matrix for each wavenumber.
 #pragma once
 
 #include <vector>
@@ -26,7 +26,7 @@ class TangentialPreconditioner {
   std::vector<operators::MatrixKernel> inverse_;
 };
 
-/// C of a box, exact and cheap, and its preconditioner.
+/// Exact and approximate operator C of a box, and its preconditioner.
 struct ShearOperators {
   operators::TangentialDisplacement displacement;
   operators::NearTangential near;

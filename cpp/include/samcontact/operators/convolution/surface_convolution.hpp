@@ -11,7 +11,7 @@
 
 namespace samcontact::operators {
 
-/// Offsets 0..nx-1, 0..ny-1 that a convolution asks of its kernels.
+/// Offsets 0..nx-1, 0..ny-1 at which a convolution needs its kernels.
 struct KernelOffsets {
   int nx, ny;
   /// For planes of a grid, transformed on mx x my points.
@@ -19,13 +19,13 @@ struct KernelOffsets {
   KernelOffsets(int nx_, int ny_) : nx(nx_), ny(ny_) {}
 };
 
-/// A kernel that is even or odd in x and in y: table [j][i] of offsets >= 0, or its spectrum.
+/// Kernel that is even or odd in x and in y: table [j][i] of offsets >= 0, or its spectrum.
 struct ParityKernel {
   kernels::Parity parity;
   Field quarter;
 };
 
-/// What one component of a field contributes to one of another.
+/// Kernel from one component of a field to one of another.
 struct MatrixKernel {
   int out = 0, in = 0;
   ParityKernel kernel;
@@ -34,8 +34,8 @@ struct MatrixKernel {
 class SurfaceConvolution {
  public:
   explicit SurfaceConvolution(const Grid& grid);
-  /// Around periods of mx x my cells, even, not shorter than the grid: where they are shorter than
-  /// it takes, cells act through their nearest image.
+  /// Periodic on mx x my cells, even, not shorter than the grid: if shorter than full padding,
+  /// cells act through their nearest image.
   SurfaceConvolution(const Grid& grid, int mx, int my);
 
   int mx() const { return transform_.mx(); }
@@ -50,11 +50,11 @@ class SurfaceConvolution {
   /// array. `work` is scratch that the caller keeps from call to call.
   void apply(std::span<const ParityKernel> kernels, const double* in, double* out,
              ComplexField& work) const;
-  /// The same of `inputs` fields one after the other to `outputs` fields.
+  /// Convolution of `inputs` consecutive fields to `outputs` fields.
   void apply(std::span<const MatrixKernel> kernels, int inputs, const double* in, int outputs,
              double* out, ComplexField& work) const;
 
-  /// Operations of one application from one field to one, in the unit of fft::filter_cost.
+  /// Operations of one application from one field to one, in units of fft::filter_cost.
   double cost() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tensor fields of a layered box in the plane's wavenumber space.
+// Spectra over x and y of tensor fields in a layered box.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace samcontact::operators {
 
-/// Which components a field has: all six, or the five of a deviator, whose zz is -(xx + yy).
+/// Components of a field: all six, or the five of a deviator, whose zz is -(xx + yy).
 enum class Tensor { full, deviator };
 
 /// Components in the order of the field, as indices of xx, yy, zz, yz, xz, xy.
@@ -22,16 +22,16 @@ inline std::span<const int> components(Tensor tensor) {
 inline int count(Tensor tensor) { return tensor == Tensor::full ? 6 : 5; }
 
 /// Spectra of the components on nz layers, [ky][component][layer][kx], as the transform stores
-/// them: all that one wavenumber ky needs lies together.
+/// them: all data of one wavenumber ky are adjacent.
 struct VolumeSpectrum {
   Symmetry symmetry;
   Tensor tensor;
   int components, nz, mx, my, mh, modes, parts, pitch;
   Field data;
-  /// Layers that may be non-zero; the others are skipped by transforms and products.
+  /// Layers that may be non-zero; transforms and products skip the others.
   std::vector<char> used;
 
-  /// Of zeros; in memory that is lent, of what is in there.
+  /// Filled with zeros; in lent memory, with its content.
   VolumeSpectrum(const VolumeTransform& transform, int nz, Tensor tensor, Field memory = {});
 
   std::size_t row_size() const { return static_cast<std::size_t>(pitch) * parts; }
@@ -47,8 +47,8 @@ struct VolumeSpectrum {
   }
 };
 
-/// tensor: [component][k][i][j], the spectrum's components on the stored cells. Finds the layers
-/// that are all zero and skips them.
+/// tensor: [component][k][i][j], the components of the spectrum on the stored cells. Finds the
+/// layers that are all zero and skips them.
 void forward(const VolumeTransform& transform, const double* tensor, VolumeSpectrum& out);
 
 /// One layer, [component][i][j]. Thread-safe for different layers.
@@ -56,7 +56,7 @@ void forward(const VolumeTransform& transform, const double* tensor, VolumeSpect
              int layer);
 
 /// One layer back to real space, [component][i][j]; destroys it in the spectrum. Thread-safe for
-/// different layers. rows: as VolumeTransform::inverse has them.
+/// different layers. rows: as in VolumeTransform::inverse.
 void inverse(const VolumeTransform& transform, VolumeSpectrum& spectrum, int layer, double* tensor,
              std::span<const fft::RowRun> rows = {});
 /// All layers, [component][k][i][j].

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plane transforms of a box: of whole planes, or of the half or quarter that mirror planes
-// leave. What is stored of a spectrum follows from it.
+// Plane transforms of a box: of whole planes, or of the half or quarter on one side of the mirror
+// planes. They determine the storage of a spectrum.
 #pragma once
 
 #include <memory>
@@ -16,16 +16,16 @@ using fft::Symmetry;
 
 class VolumeTransform {
  public:
-  /// Of the whole planes of a grid, also where only a part is stored; padded sizes are at least the
+  /// For the whole planes of a grid, even if only a part is stored; padded sizes are at least the
   /// given ones.
-  VolumeTransform(const Grid& grid, Symmetry symmetry, int least_mx = 0, int least_my = 0);
+  VolumeTransform(const Grid& grid, Symmetry symmetry, int min_mx = 0, int min_my = 0);
 
   Symmetry symmetry() const { return symmetry_; }
   /// Stored cells of a plane.
   int nx() const { return fft::stored_cells(nx_, symmetry_ == Symmetry::xy); }
   int ny() const { return fft::stored_cells(ny_, symmetry_ != Symmetry::none); }
   std::size_t plane_size() const { return static_cast<std::size_t>(nx()) * ny(); }
-  /// Padded sizes, and the wavenumbers stored: ky = 0..my/2, kx = 0..mx-1 or 0..mx/2.
+  /// Padded sizes, and the stored wavenumbers: ky = 0..my/2, kx = 0..mx-1 or 0..mx/2.
   int mx() const { return mx_; }
   int my() const { return my_; }
   int mh() const { return my_ / 2 + 1; }
@@ -37,15 +37,15 @@ class VolumeTransform {
   int pitch() const { return (modes() + lanes - 1) / lanes * lanes; }
   std::size_t row_size() const { return static_cast<std::size_t>(pitch()) * parts(); }
 
-  /// Planes of the components of one layer. Spectra in rows `stride` doubles apart; one thread.
+  /// Planes of the components of one layer. Spectra in rows `stride` doubles apart; on one thread.
   using Plane = fft::MirroredTransform::Plane;
   void forward(std::span<const Plane> planes, std::size_t stride) const;
-  /// rows: of whole planes [i][j], those that are brought back; none: all.
+  /// rows: rows of whole planes [i][j] that are transformed back; none: all.
   void inverse(std::span<const Plane> planes, std::size_t stride,
                std::span<const fft::RowRun> rows = {}) const;
 
   /// One plane, even or odd in mirrored directions; the spectrum [ky][kx] in rows of row_size().
-  /// Threaded where whole.
+  /// Uses threads for whole planes.
   Field forward(const double* plane, kernels::Parity parity = {}) const;
   void inverse(Field& spectrum, double* plane, kernels::Parity parity = {}) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What heat of any flux into a body does to it: temperature, displacement and stress.
+// Temperature, displacement and stress of a body due to any heat flux into it.
 #pragma once
 
 #include <mutex>
@@ -11,14 +11,14 @@
 
 namespace samcontact::operators {
 
-/// Fields [i][j] over a grid of a flux there, times the factor of a heating. Keeps the kernels that
-/// it was asked for. Thread-safe.
+/// Fields [i][j] over a grid due to a flux on it, times the factor of a heating. Keeps the kernels
+/// that were used. Thread-safe.
 class FluxHeat {
  public:
   FluxHeat(const Grid& grid, SharedHeatMedium body, const Heating& heating);
 
   const Heating& heating() const { return temperature_.heating(); }
-  /// Rise [depth][i][j] [K] by a flux [i][j] [W/m^2].
+  /// Temperature rise [depth][i][j] [K] due to a flux [i][j] [W/m^2].
   Field temperature(const Field& flux, std::span<const double> depths) const {
     return temperature_.rise(flux.data(), depths);
   }
@@ -34,7 +34,7 @@ class FluxHeat {
   HeatStress stress_;
   SurfaceConvolution convolution_;
   mutable std::mutex mutex_;
-  mutable std::vector<ParityKernel> displacement_;  // when it was asked for
+  mutable std::vector<ParityKernel> displacement_;  // built on first use
 };
 
 }  // namespace samcontact::operators

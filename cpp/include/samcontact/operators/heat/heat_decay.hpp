@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the modes of a level decay over a time, and what a constant flux over that time leaves.
+// Decay factors of the modes of a level over a time, and amplitudes after a constant flux over that
+// time.
 #pragma once
 
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace samcontact::operators {
 
-/// exp(-lambda x) and (1 - exp(-lambda x))/lambda, lambda = decay + s^2, as products of what
-/// depends on the mode and on s.
+/// exp(-lambda x) and (1 - exp(-lambda x))/lambda, lambda = decay + s^2, as products of factors
+/// that depend on the mode and on s.
 class Decay {
  public:
   Decay(const HeatLevel& level, double x);

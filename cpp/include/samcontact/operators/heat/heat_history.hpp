@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the heat of the past does to a half-space: temperature, displacement and stress at a later
-// moment, for a flux that was constant during each time step. Neither memory nor work depend on the
-// number of steps.
+// Temperature, displacement and stress of a half-space due to its heat history, for a flux that was
+// constant during each time step. Neither memory nor work depend on the number of steps.
 #pragma once
 
 #include <memory>
@@ -17,42 +16,42 @@
 namespace samcontact::operators {
 
 struct HeatHistorySettings {
-  /// Shortest `ahead`, commonly the shortest time step [s]; flux may be added over any time. Fields
-  /// at an earlier moment take the newest flux from tables, and are right if it was added over at
+  /// Shortest `ahead`, usually the shortest time step [s]; flux may be added over any time. Fields
+  /// at an earlier time take the newest flux from tables, and are correct if it was added over at
   /// least this time.
   double shortest = 0.0;
-  /// How long heat is followed [s]. Errors of displacement and stress grow slowly beyond.
+  /// Time over which heat is followed [s]. Errors of displacement and stress grow slowly beyond.
   double longest = 0.0;
-  double tolerance = 1e-6;  // roughly, relative to the largest value
-  bool in_depth = true;     // false: only the surface's displacement and fields at z = 0
+  double tolerance = 1e-6;  // approximate, relative to the largest value
+  bool in_depth = true;     // false: only the surface displacement and fields at z = 0
 };
 
 enum class HeatQuantity { temperature, displacement, stress };
 struct HeatPlan;
 
-/// Copies share what does not change.
+/// Copies share the constant data.
 class HeatHistory {
  public:
   /// The body moves through the grid with (speed_x, speed_y) [m/s].
   HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic& elastic, double speed_x,
               double speed_y, const HeatHistorySettings& settings);
 
-  /// The clock advances by dt [s], with the flux [i][j] into the body [W/m^2].
+  /// Advances the time by dt [s], with the flux [i][j] into the body [W/m^2].
   void add(const double* flux, double dt);
 
-  // Fields `ahead` seconds from now, if no heat enters until then.
+  // Fields `ahead` seconds after the present time, without heat flux until then.
 
-  /// Rise of temperature [depth][i][j] [K].
+  /// Temperature rise [depth][i][j] [K].
   Field temperature(double ahead, std::span<const double> depths) const;
   /// u_z of the surface [i][j] [m], positive into the body, zero at infinity.
   Field displacement(double ahead) const;
   /// Stress [component][depth][i][j] [Pa], components xx, yy, zz, yz, xz, xy.
   Field stress(double ahead, std::span<const double> depths) const;
 
-  /// What add() changes; set_state() takes what state() of an equal history gave.
+  /// Data that add() changes; set_state() accepts the result of state() of an equal history.
   std::vector<double> state() const;
   void set_state(std::span<const double> state);
-  /// Numbers of 8 bytes that a copy owns.
+  /// Size of a copy in numbers of 8 bytes.
   std::size_t size() const;
 
  private:
@@ -77,10 +76,10 @@ class HeatHistory {
 
   std::shared_ptr<const HeatPlan> plan_;
 
-  /// Of all heat before the newest flux, by generation.
+  /// Modes of all heat before the newest flux, by generation.
   std::vector<ComplexField> modes_;
-  std::vector<double> filled_;  // time collected in a level's youngest generation
-  std::vector<int> youngest_;   // of a level
+  std::vector<double> filled_;  // time collected in the youngest generation of a level
+  std::vector<int> youngest_;   // generation of a level
   Field near_;                  // fields of NearHeat, [rate][i][j]
   ComplexField newest_;         // amplitudes of the newest flux
   Field flux_;                  // the newest flux, constant over the time

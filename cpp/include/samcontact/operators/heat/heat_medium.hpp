@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What heat that enters a body does to it, where that is known: apart from the medium of elastic
-// fields, so that a body without kernels of heat has none of these functions.
+// Thermal coefficients of a body, where available: separate from the medium of elastic fields, so
+// that a body without thermal kernels has none of these functions.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 
 namespace samcontact::operators {
 
-/// Thermal stress of a unit pressure on one cell of dx x dy, see heating.hpp. Immutable and
+/// Thermal stress due to a unit pressure on one cell of dx x dy, see heating.hpp. Immutable and
 /// thread-safe.
 class ThermalStress {
  public:
   virtual ~ThermalStress() = default;
-  /// At a depth z >= 0 [m], components xx, yy, zz, yz, xz, xy [-].
+  /// Stress at a depth z >= 0 [m], components xx, yy, zz, yz, xz, xy [-].
   virtual std::array<ParityParts, 6> stress(const Heating& heating, double dx, double dy, double z,
                                             const Offsets& offsets) const = 0;
 
@@ -28,14 +28,13 @@ class ThermalStress {
 };
 using SharedThermalStress = std::shared_ptr<const ThermalStress>;
 
-/// All coefficients of heat of one body.
+/// All thermal coefficients of one body.
 class HeatMedium : public ThermalStress {
  public:
-  /// Normal displacement of the surface, positive into the body, per unit pressure on a cell
-  /// [m/Pa].
+  /// Normal surface displacement, positive into the body, per unit pressure on a cell [m/Pa].
   virtual ParityParts displacement(const Heating& heating, double dx, double dy,
                                    const Offsets& offsets) const = 0;
-  /// An empty history of heat that enters as `heating` says.
+  /// Empty history of the heat described by `heating`.
   virtual HeatHistory history(const Grid& grid, const Heating& heating,
                               const HeatHistorySettings& settings) const = 0;
 };

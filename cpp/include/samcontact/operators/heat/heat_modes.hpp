@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wavenumbers on which the history of a heated half-space is kept (heat_history.hpp).
+// Wavenumbers that represent the history of a heated half-space (heat_history.hpp).
 //
 // A body heated through its surface is the half z > 0 of an infinite one with sources 2 q on z = 0:
 // modes exp(i w.x) cos(s z) decay by exp(-(w^2 + i w.V/kappa + s^2) kappa t) and nothing else. The
-// plane of w is divided among levels by smooth windows: rings that shrink by two from level to
-// level and, last, a disc around w = 0. A ring's part of any kernel dies out within its own period,
-// so that its sum over a lattice of wavenumbers has no images; each level's lattice is twice as
-// fine. Greengard & Lin (2000), doi:10.1006/acha.2000.0310, treat the heat kernel likewise.
+// plane of w is divided among levels by smooth windows: rings that shrink by a factor of two from
+// level to level and, last, a disc around w = 0. The part of a kernel in a ring vanishes within the
+// period of the level, so that its sum over a lattice of wavenumbers has no images; the lattice of
+// each level is twice as fine as that of the previous one. Greengard & Lin (2000),
+// doi:10.1006/acha.2000.0310, treat the heat kernel likewise.
 //
-// A moving body carries its heat away; on a periodic lattice it would come back. Each level
-// therefore keeps its heat in a few generations by age, and drops the oldest once it is farther
-// away than the level's kernels reach.
+// A moving body carries its heat away; on a periodic lattice it would return. Each level therefore
+// stores its heat in a few generations by age, and drops the oldest once it is farther away than
+// the range of the kernels of the level.
 //
-// Wavenumbers far beyond the cells' count only for heat younger than it takes to cross a cell. When
-// a body at rest is followed in such short steps they are left to NearHeat (heat_near.hpp).
+// Wavenumbers far beyond those of the cells matter only for heat younger than the time to diffuse
+// across a cell. If a body at rest is followed in such short steps, they are left to NearHeat
+// (heat_near.hpp).
 //
-// Lengths are in units of dx, times t stand for kappa t / dx^2.
+// Lengths are in units of dx; times t stand for kappa t / dx^2.
 #pragma once
 
 #include <cstddef>
@@ -27,12 +29,12 @@
 
 namespace samcontact::operators {
 
-/// A wavenumber (w1, w2) of a level's lattice, number (a, b) of it, b >= 0.
+/// Wavenumber (w1, w2) of the lattice of a level, with indices (a, b), b >= 0.
 struct HeatMode {
   int a, b;
   double w1, w2, w;
   Complex decay;  // w^2 + i w.V/kappa
-  double source;  // window, shape of a cell and weight of the lattice
+  double source;  // product of window, shape of a cell and weight of the lattice
 };
 
 /// Modes of similar w with their nodes in s: numbers are stored [s][mode] from `offset` on.
@@ -42,42 +44,43 @@ struct HeatBlock {
 
 struct HeatLevel {
   double dw1 = 0.0, dw2 = 0.0;
-  double clear = 0.0;            // distance from which on kernels vanish
+  double clear = 0.0;            // distance beyond which kernels vanish
   double generation = 0.0;       // time over which heat is collected in one generation
   int reach_a = 0, reach_b = 0;  // largest |a|, b
   std::vector<HeatMode> modes;
   std::vector<HeatBlock> blocks;
   std::vector<double> s, weight;  // sum of weight f(s) = (2/pi) integral over s >= 0
-  // All but level 0: exp(i a dw1 x), [point][a + reach_a], and [b][point], of cells and of the few
-  // points on which the level's fields are computed before they are interpolated.
+  // All levels but level 0: exp(i a dw1 x), [point][a + reach_a], and [b][point], at cells and at
+  // the few points on which the fields of the level are computed before they are interpolated.
   ComplexField cells_x, cells_y, points_x, points_y;
   int points = 0;
-  /// From the points of this level to those of the one before, or to the cells: [to][from].
+  /// Interpolation from the points of this level to those of the previous one, or to the cells:
+  /// [to][from].
   Field refine_x, refine_y;
 };
 
 struct HeatResolution {
-  double shortest;  // least age of heat
-  double longest;   // greatest age of heat
+  double shortest;  // minimum age of heat
+  double longest;   // maximum age of heat
   double tolerance;
-  bool in_depth;  // fields below the surface too
+  bool in_depth;  // whether fields below the surface are required
 };
 
-/// How finely modes are resolved, and which part of them is left to NearHeat.
+/// Resolution of modes, and the part of them that is left to NearHeat.
 struct HeatScales {
   double sharpness;  // sqrt(ln(1/tolerance))
-  double cutoff;     // largest wavenumber that still counts
-  bool is_split;     // whether a part is not kept
+  double cutoff;     // largest significant wavenumber
+  bool is_split;     // whether a part is left to NearHeat
   double step;       // between nodes s = scale sinh(n step)
 
   HeatScales(const HeatResolution& resolution, bool moving);
-  /// Smallest wavenumber of which a part is not kept.
+  /// Smallest wavenumber of which a part is left to NearHeat.
   static constexpr double split_begin = 0.4;
-  /// Wavenumber from which on nothing is kept.
+  /// Wavenumber beyond which everything is left to NearHeat.
   double split_end() const;
-  /// Distance at which the kernels of what is not kept end.
+  /// Range of the kernels of the part left to NearHeat.
   double split_reach() const;
-  /// Part of a wavenumber that is kept; 1 unless is_split.
+  /// Part of a wavenumber that is represented by modes; 1 unless is_split.
   double split(double w) const;
   /// Weight of depth z in the sums over s: cos(s z) with its unresolved end faded out.
   double fade(double sz) const;
@@ -88,16 +91,16 @@ class HeatModes {
   HeatModes(const Grid& grid, double speed_x, double speed_y, const HeatResolution& resolution);
 
   const std::vector<HeatLevel>& levels() const { return levels_; }
-  /// Complex numbers kept for all modes and nodes; modes alone.
+  /// Number of complex numbers stored for all modes and nodes; number of modes.
   std::size_t size() const { return size_; }
   std::size_t mode_count() const { return mode_count_; }
-  /// How many generations a level keeps: one, for ever, at rest.
+  /// Number of generations of a level: a single one of all ages for a body at rest.
   int generations() const { return moving() ? 3 : 1; }
   const fft::PaddedTransform& transform() const { return transform_; }
   int nx() const { return transform_.nx(); }
   int ny() const { return transform_.ny(); }
 
-  /// Amplitudes of all modes, level by level, of a flux [i][j].
+  /// Amplitudes of all modes, level by level, for a flux [i][j].
   void project(const double* flux, ComplexField& amplitudes) const;
   /// plane[i][j] += (or =) sum over the modes; amplitudes as in project(), without its factors.
   void evaluate(const Complex* amplitudes, double* plane) const;

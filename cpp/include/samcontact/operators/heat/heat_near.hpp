@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a heat history that is so young and so fine that it stays within a few cells: large
+// Part of a heat history that is so young and so fine that it stays within a few cells: large
 // wavenumbers w of a body at rest (see heat_modes.hpp).
 //
-// exp(-lambda t), t not too short, is a smooth function of ln lambda: its values at a few rates
-// give it at all others. So a few fields that decay at these rates replace all modes, and the
-// modes' sums are short tables that are convolved with them.
+// For times t that are not too short, exp(-lambda t) is a smooth function of ln lambda: its values
+// at a few rates determine it at all others. A few fields that decay at these rates therefore
+// replace all modes, and the sums over modes are short tables that are convolved with these fields.
 #pragma once
 
 #include <array>
@@ -14,25 +14,25 @@
 
 namespace samcontact::operators {
 
-/// Tables [rate][i][j] of a kernel's offsets >= 0; components as they are filled.
+/// Tables [rate][i][j] of a kernel at offsets >= 0; components are added as required.
 struct NearTables {
   std::array<Field, 6> components;
 };
 
 class NearHeat {
  public:
-  /// Of what `modes` split off; nothing unless they are split. Keeps a reference.
+  /// The part that `modes` leaves; nothing unless it is split. Keeps a reference.
   explicit NearHeat(const HeatModes& modes);
 
   const std::vector<double>& rates() const { return rates_; }
-  /// From this depth on nothing is left.
+  /// Depth below which this part vanishes.
   double depth() const { return depth_; }
 
   NearTables temperature(double z) const;
   NearTables displacement() const;
   NearTables stress(double z, double nu) const;
 
-  /// Spectra of all rates' fields [rate][i][j] at an age.
+  /// Spectra of the fields of all rates [rate][i][j] at an age.
   ComplexField spectra(const Field& fields, double age) const;
   /// plane[i][j] += sum over rates of tables * fields.
   void add(const Field& tables, bool odd_x, bool odd_y, const ComplexField& spectra,
@@ -41,7 +41,7 @@ class NearHeat {
  private:
   template <class Symbol>
   NearTables tabulate(double z, int components, const Symbol& symbol) const;
-  /// cos or sin of offset times wavenumber of the transform, [offset][number].
+  /// cos or sin of offset times wavenumber of the transform, [offset][wavenumber].
   static Field waves(int m, int offsets, bool odd);
 
   const HeatModes& modes_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all copies of a history of heat share: modes, near fields and tables.
+// Data shared by all copies of a heat history: modes, near fields and tables.
 #pragma once
 
 #include <map>
@@ -38,7 +38,7 @@ struct HeatPlan {
   HeatModes modes;
   NearHeat near;
 
-  /// Of the modes' dimensionless amplitudes.
+  /// Unit of the dimensionless amplitudes of the modes.
   double scale(HeatQuantity quantity) const {
     const double nu = elastic.nu, k = thermal.conductivity, alpha = thermal.expansion;
     switch (quantity) {
@@ -52,7 +52,7 @@ struct HeatPlan {
   }
   double aged(double time) const { return thermal.diffusivity * time / (grid.dx * grid.dx); }
 
-  /// Tables of a depth (over dx), kept: a simulation asks for the same depths at every step.
+  /// Tables at a depth (in units of dx), cached: a simulation uses the same depths in every step.
   std::shared_ptr<const NearTables> tables(HeatQuantity quantity, double z) const {
     const std::lock_guard lock(mutex);
     const std::pair key(static_cast<int>(quantity), z);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stress influence of one heated cell, kept by depth for all grids of the same cells: the tables of
-// a moving source take longer than all else that is built for a box.
+// Stress influence of one heated cell, cached by depth for all grids of equal cells: the tables of
+// a moving source take longer than all other data of a box.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace samcontact::operators {
 
-/// The components of a tensor from all six.
+/// Components of a tensor, from all six.
 std::vector<ParityParts> parts_of(std::array<ParityParts, 6> stress, Tensor tensor);
 
 /// Thread-safe.
@@ -27,12 +27,13 @@ class HeatStress {
 
   /// For boxes of cells of `widest`.
   HeatStress(const Grid& widest, SharedThermalStress body, const Heating& heating);
-  /// Keeps no table.
+  /// Without a cache.
   HeatStress(SharedThermalStress body, const Heating& heating);
 
   const Heating& heating() const { return heating_; }
   const SharedThermalStress& body() const { return body_; }
-  /// At a depth, on offsets of the cells of a grid; of others than the widest one's if need be.
+  /// Tables at a depth, on offsets of the cells of a grid; computed for other offsets than those of
+  /// the widest grid if necessary.
   Tables at(double z, const Grid& grid, const KernelOffsets& offsets) const;
   std::size_t bytes() const;
 
@@ -41,7 +42,7 @@ class HeatStress {
 
   SharedThermalStress body_;
   Heating heating_;
-  std::optional<Grid> widest_;  // none: no table is kept
+  std::optional<Grid> widest_;  // none: nothing is cached
   mutable std::mutex mutex_;
   mutable std::map<double, std::shared_ptr<const Tables>> kept_;
 };

@@ -6,15 +6,15 @@
 
 namespace samcontact::operators {
 
-/// Temperature T at a depth; P and its slope, P'' - w^2 P = -T, P' = 0 at the surface and P = 0 far
-/// below; w P at the surface.
+/// Temperature T at a depth; P and its slope, P'' - w^2 P = -T, P' = 0 at the surface and P = 0 at
+/// infinite depth; w P at the surface.
 template <class Number>
 struct ThermalProfile {
   Number t, p, slope, base;
 };
 
-/// (1 - nu) sigma/(E alpha) of components xx, yy, zz, yz, xz, xy; yz and xz over -i. P is the
-/// potential of displacements, Goodier's, and the image that frees the surface is in `base`.
+/// (1 - nu) sigma/(E alpha) of components xx, yy, zz, yz, xz, xy; yz and xz over -i. P is Goodier's
+/// displacement potential, and the image that frees the surface is in `base`.
 template <class Number>
 Number heat_stress_symbol(int component, double nu, double z, double w1, double w2,
                           const ThermalProfile<Number>& at) {

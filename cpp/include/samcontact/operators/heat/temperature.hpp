@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rise of temperature in a body that frictional heat enters.
+// Temperature rise in a body due to frictional heat.
 #pragma once
 
 #include <map>
@@ -14,14 +14,14 @@
 
 namespace samcontact::operators {
 
-/// Under any pressure on a grid; keeps the kernels of the depths it was asked for. Thread-safe.
+/// For any pressure on a grid; keeps the kernels of the depths used. Thread-safe.
 class Temperature {
  public:
   Temperature(const Grid& grid, const Heating& heating);
 
   const Grid& grid() const { return grid_; }
   const Heating& heating() const { return heating_; }
-  /// Rise [depth][i][j] [K] under a pressure [i][j] [Pa].
+  /// Temperature rise [depth][i][j] [K] due to a pressure [i][j] [Pa].
   Field rise(const double* pressure, std::span<const double> depths) const;
   std::size_t bytes() const;
 

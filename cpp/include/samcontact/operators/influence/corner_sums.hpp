@@ -13,7 +13,7 @@
 
 namespace samcontact::operators {
 
-/// The edges of cells at offsets, in half cells from the centre of the source, each once.
+/// Edges of cells at offsets, in half cells from the centre of the source, without repetition.
 inline std::vector<int> edges_of(const std::vector<int>& offsets) {
   std::vector<int> edges;
   for (const int n : offsets) edges.insert(edges.end(), {2 * n - 1, 2 * n + 1});
@@ -22,8 +22,8 @@ inline std::vector<int> edges_of(const std::vector<int>& offsets) {
   return edges;
 }
 
-/// A function of x and y at edges, [component][y][x]. exchanged: its components' places where x and
-/// y change places; then half of the values of square cells do.
+/// Function of x and y at edges, [component][y][x]. exchanged: index of each component after x and
+/// y are exchanged; half of the values of square cells then follow from the others.
 template <std::size_t N, class Function>
 Field values_at(const std::vector<int>& at_x, const std::vector<int>& at_y, double aspect,
                 const std::array<std::size_t, N>* exchanged, const Function& function) {
@@ -34,9 +34,9 @@ Field values_at(const std::vector<int>& at_x, const std::vector<int>& at_y, doub
   };
   const bool symmetric = exchanged != nullptr && aspect == 1;
   Field values(N * size);
-  // action(place, x, y, place that has the same value where x and y are exchanged, or -1)
+  // action(place, x, y, place of the equal value with x and y exchanged, or -1)
   const auto for_rows = [&](const auto& action) {
-#pragma omp parallel for schedule(dynamic) if (100.0 * size > worth_threads)
+#pragma omp parallel for schedule(dynamic) if (100.0 * size > min_parallel_operations)
     for (std::ptrdiff_t row = 0; row < std::ssize(at_y); ++row) {
       const std::ptrdiff_t i = symmetric ? place_in(at_x, at_y[row]) : -1;
       for (std::size_t n = 0; n < at_x.size(); ++n) {
@@ -60,8 +60,8 @@ Field values_at(const std::vector<int>& at_x, const std::vector<int>& at_y, doub
   return values;
 }
 
-/// Corner sums of a cell of 1 by `aspect`, each corner evaluated once however many cells share it:
-/// [component][j][i] of the first `count` components. exchanged: see values_at.
+/// Corner sums of a cell of 1 by `aspect`, with each corner evaluated once however many cells share
+/// it: [component][j][i] of the first `count` components. exchanged: see values_at.
 template <std::size_t N, class Corner>
 Field corner_sums(const CellOffsets& offsets, double aspect, int count, const Corner& corner,
                   const std::array<std::size_t, N>* exchanged = nullptr) {
@@ -80,7 +80,7 @@ Field corner_sums(const CellOffsets& offsets, double aspect, int count, const Co
   const auto from_x = lower_edges(offsets.x, at_x), from_y = lower_edges(offsets.y, at_y);
   Field sums(count * from_x.size() * from_y.size());
   const std::ptrdiff_t rows = count * std::ssize(from_y);
-#pragma omp parallel for schedule(static) if (10.0 * sums.size() > worth_threads)
+#pragma omp parallel for schedule(static) if (10.0 * sums.size() > min_parallel_operations)
   for (std::ptrdiff_t row = 0; row < rows; ++row) {
     const std::size_t c = row / from_y.size(), j = from_y[row % from_y.size()];
     const double* lower = corners.data() + c * corners_size + j * at_x.size();
@@ -94,7 +94,7 @@ Field corner_sums(const CellOffsets& offsets, double aspect, int count, const Co
   return sums;
 }
 
-/// Of one component.
+/// Corner sums of one component.
 template <class Corner>
 Field corner_sums(const CellOffsets& offsets, double aspect, const Corner& corner) {
   return corner_sums<1>(offsets, aspect, 1,

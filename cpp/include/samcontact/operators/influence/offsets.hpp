@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Offsets from a cell at which tables of influence coefficients are asked for.
+// Offsets from a cell at which tables of influence coefficients are evaluated.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The homogeneous half-space: a medium with closed forms for all coefficients.
+// Homogeneous half-space: a medium with closed forms for all coefficients.
 #pragma once
 
 #include "samcontact/base/elastic.hpp"
@@ -7,7 +7,7 @@
 
 namespace samcontact::operators {
 
-/// Of E = infinity: a rigid body, whose compliance is 0 and which has no other fields.
+/// For E = infinity: a rigid body, whose compliance is 0 and which has no other fields.
 SharedMedium half_space(const Elastic& elastic);
 
 }  // namespace samcontact::operators

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Layers on a substrate: a medium with coefficients from its waves.
+// Layers on a substrate: a medium with coefficients from its Fourier modes.
 #pragma once
 
 #include "samcontact/base/stack.hpp"
@@ -7,7 +7,7 @@
 
 namespace samcontact::operators {
 
-/// Neighbours that are alike are one; a half_space() where only the substrate is left.
+/// Adjacent layers of identical material are merged; a half_space() if only the substrate is left.
 SharedMedium medium_of(const Stack& stack);
 
 }  // namespace samcontact::operators

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A medium that stands for another one in some operators of the volume, and knows nothing else.
+// Substitute of a medium that has coefficients of some volume operators only.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace samcontact::operators {
 
-/// What is not overridden throws std::logic_error.
+/// Functions that are not overridden throw std::logic_error.
 class VolumeMedium : public Medium {
  public:
   Field stress(Traction, const Grid&, const KernelOffsets&, double, Tensor) const override {
@@ -27,7 +27,7 @@ class VolumeMedium : public Medium {
 
  private:
   [[noreturn]] static void fail() {
-    throw std::logic_error("a medium knows its volume only, and not all of that");
+    throw std::logic_error("this medium has coefficients of some volume operators only");
   }
 };
 

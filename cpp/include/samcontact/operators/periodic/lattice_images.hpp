@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The smooth part of a lattice sum: what images do that are too many and too far to be added one by
+// Smooth part of a lattice sum: the images that are too many and too far away to be added one by
 // one, at any offsets.
 #pragma once
 
@@ -18,14 +18,14 @@ class LatticeImages {
  public:
   using Wave = std::function<void(double kx, double ky, double* components)>;
 
-  /// Of cells, y periodic; without a period along x, waves that are uniform along y are left out.
-  /// like: of another grid, whose factors are taken where they are the same.
+  /// For cells, y periodic; without a period along x, modes that are uniform along y are omitted.
+  /// like: of another grid, whose factors are reused if they are equal.
   static LatticeImages of_cells(const LatticeAxis& x, const LatticeAxis& y,
                                 const LatticeImages* like = nullptr);
-  /// Of strips that are uniform along y, x periodic. One row of offsets.
+  /// For strips that are uniform along y, x periodic. One row of offsets.
   static LatticeImages of_strips(const LatticeAxis& x);
 
-  /// Adds the images to a table [component][j][i], even components to a constant.
+  /// Adds the images to a table [component][j][i]; even components up to a constant.
   void add(const Wave& wave, const std::vector<kernels::Parity>& parities, Field& table) const;
 
  private:
@@ -33,7 +33,7 @@ class LatticeImages {
   struct Points {
     std::vector<double> nodes;
     Eigen::MatrixXd even, odd;  // offset x node
-    /// ratio: by which the error falls with each point on both sides.
+    /// ratio: factor by which the error decreases with each point on both sides.
     Points(const LatticeAxis& axis, double ratio);
   };
   /// Factors of even and odd components at the nodes: node x mode.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The waves of all images that a lattice repeats without end. A window divides the wavenumbers. Of
-// short waves nothing of these images arrives; of the long ones, which their symbol gives, all
-// images are the sum over the waves of the lattice less the integral over all waves, the cell
-// itself.
+// Fourier modes of all images of an infinite lattice. A window divides the wavenumbers. Short waves
+// of these images do not reach the cells; for long waves, which are known from their symbol, the
+// sum of all images is the sum over the modes of the lattice less the integral over all modes,
+// which is the cell itself.
 #pragma once
 
 #include <algorithm>
@@ -10,28 +10,28 @@
 
 namespace samcontact::operators {
 
-/// Offsets 0, d, .. (cells - 1) d along one axis, of a lattice that repeats after `period` [m].
+/// Offsets 0, d, .. (cells - 1) d along one axis, of a lattice with the period `period` [m].
 struct LatticeAxis {
   double d = 1.0;
   int cells = 1;
   double period = 0.0;  // 0: none
-  double length = d;    // of the cell that acts
+  double length = d;    // of the acting cell
   int apart = 0;        // images up to this one are added one by one
 
   double extent() const { return (cells - 1) * d; }
-  /// From the middle of a cell to beyond its edge: the same for all cells that are not large, so
-  /// that finer and coarser grids of a period have the same wavenumbers and points.
+  /// Distance from the middle of a cell to beyond its edge: equal for all cells that are not large,
+  /// so that finer and coarser grids of a period have the same wavenumbers and points.
   double edge() const { return std::max(0.5 * d, period / 64); }
-  /// From the farthest offset to the first image that is not added.
+  /// Distance from the farthest offset to the first image that is not added individually.
   double distance() const { return (apart + 1) * period - extent(); }
 };
 
-/// The window g = erfc((q/q_1 - 1)/s)/2. Its steps are Gaussians: what lies above it reaches as far
-/// as reach/(s q_1) and no farther.
+/// Window g = erfc((q/q_1 - 1)/s)/2. Its steps are Gaussians: the part above it has a range of
+/// reach/(s q_1).
 struct LatticeWindow {
   double steepness = 0.2, reach = 10.5, end = 1 + 5.6 * 0.2;
 
-  /// What is neglected, relative to the whole; 1e-12 by default.
+  /// Window with the given truncation error relative to the whole; 1e-12 by default.
   static LatticeWindow within(double tol);
   double at(double q) const;
   /// First wavenumber of short waves, for images at this distance.
@@ -42,18 +42,18 @@ struct LatticeWindow {
 struct LatticeModes {
   std::vector<double> kx, ky, weight;
 
-  /// Of cells, y periodic; without a period along x, waves that are uniform along y are left out.
+  /// For cells, y periodic; without a period along x, modes that are uniform along y are omitted.
   static LatticeModes of_cells(const LatticeAxis& x, const LatticeAxis& y,
                                const LatticeWindow& window = {});
-  /// Of strips that are uniform along y, x periodic. One row of offsets.
+  /// For strips that are uniform along y, x periodic. One row of offsets.
   static LatticeModes of_strips(const LatticeAxis& x);
 
  private:
   void push(double x, double y, double w);
-  /// The sum over the waves of a lattice, windowed at q1.
+  /// Adds the sum over the modes of a lattice, windowed at q1.
   void add_lattice(const LatticeAxis& x, const LatticeAxis& y, const LatticeWindow& window,
                    double q1);
-  /// Less the integral over all waves, for a cell and the images that are added one by one.
+  /// Subtracts the integral over all modes, for a cell and the images that are added one by one.
   void subtract_integral(const LatticeAxis& x, const LatticeAxis& y, const LatticeWindow& window,
                          double q1);
 };

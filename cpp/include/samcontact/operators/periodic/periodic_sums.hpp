@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of influence coefficients on periodic grids, for any offsets: folded into one period, and
-// with x and y exchanged where the tables ask for it.
+// with x and y exchanged if the tables require it.
 #pragma once
 
 #include <array>
@@ -17,22 +17,22 @@
 
 namespace samcontact::operators {
 
-/// With x and y exchanged.
+/// Traction after x and y are exchanged.
 Traction exchanged(Traction traction);
 Axis exchanged(Axis axis);
 Grid exchanged(const Grid& grid);
-/// Where the components xx, yy, zz, yz, xz, xy then are.
+/// Positions of the components xx, yy, zz, yz, xz, xy after the exchange.
 inline constexpr std::array<int, 6> exchanged_components{1, 0, 2, 4, 3, 5};
 
-/// Thread-safe. Keeps what the last grids needed, and the sums of those that have a name.
+/// Thread-safe. Caches the data of the last grids, and the sums of named influences.
 class PeriodicSums {
  public:
-  /// The influence of one cell of a grid, of the grid's own axes or of the exchanged ones.
+  /// Influence of one cell of a grid, on the axes of the grid or on exchanged axes.
   using Make = std::function<CellInfluence(const Grid& grid, bool exchanged)>;
 
-  /// Tables [component][j][i] on a periodic grid. order: of the components once exchanged. name: of
-  /// an influence that is asked for again, not negative. step: by which the grid is coarser than
-  /// the cell; uniform loads are then those of a cell at each of its places alone.
+  /// Tables [component][j][i] on a periodic grid. order: of the components after an exchange. name:
+  /// of an influence that is needed again, not negative. step: factor by which the grid is coarser
+  /// than the cell; uniform loads are then those of a cell at each of its positions alone.
   Field sum(const Grid& grid, const CellOffsets& offsets, const Make& make,
             std::span<const int> order, int name = -1, int step = 1) const;
 
@@ -47,7 +47,7 @@ class PeriodicSums {
                                     const CellInfluence& influence, int name) const;
 
   mutable std::mutex mutex_, named_mutex_;
-  mutable std::list<std::shared_ptr<const PeriodicTable>> tables_;  // the latest first
+  mutable std::list<std::shared_ptr<const PeriodicTable>> tables_;  // most recently used first
   mutable std::list<Named> named_;
 };
 

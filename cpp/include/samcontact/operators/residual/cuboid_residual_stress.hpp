@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Residual stress of eigenstrain (plastic strain) in a layered box, exact: every cuboid acts on
+// Exact residual stress due to eigenstrain (plastic strain) in a layered box: every cuboid acts on
 // every cell centre through closed-form influence coefficients.
 //
-// In x and y the sum is a convolution, done by zero-padded transforms. Over the layers the
-// full-space part depends on z - z' and the image part is sum_m z^m K_m(z + z'), m = 0, 1, 2; per
-// wavenumber it is summed directly: the tensors of a wavenumber fit into the cache and the sum is a
-// product of real matrices.
+// In x and y the sum is a convolution, evaluated by zero-padded transforms. Over the layers the
+// full-space part depends on z - z' and the image part is sum_m z^m K_m(z + z'), m = 0, 1, 2; it is
+// summed directly for each wavenumber: the tensors of a wavenumber fit into the cache and the sum
+// is a product of real matrices.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ namespace samcontact::operators {
 
 class CuboidResidualStress : public ResidualStress {
  public:
-  /// The grid's layers start at the surface. The transform has no symmetry.
+  /// The layers of the grid start at the surface. The transform has no symmetry.
   CuboidResidualStress(const Grid& grid, const VolumeTransform& transform, const Elastic& elastic);
 
   void apply(VolumeSpectrum& spectrum) const override;
@@ -45,8 +45,8 @@ class CuboidResidualStress : public ResidualStress {
   int nz_, lanes_;  // lanes_: mx/2 + 1 rounded up to whole blocks
   double dz_;       // in units of dx
   std::vector<Term> full_terms_, image_terms_[3];
-  std::vector<double> full_signs_;  // per pair: its sign when z - z' changes sign
-  std::vector<double> inside_;      // per pair: what is subtracted inside the source
+  std::vector<double> full_signs_;  // per pair: its sign if z - z' changes sign
+  std::vector<double> inside_;      // per pair: term subtracted inside the source
   Field full_;                      // [ky][kernel][z - z' >= 0][lane]
   Field image_;                     // [ky][kernel][z + z'][lane]
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes the periodic images away from a residual stress that was computed with a periodic operator.
+// Removal of the periodic images from a residual stress that was computed with a periodic operator.
 //
 // Inside the box the field of all images is smooth: the nearest is half a period away. It is
-// therefore found from the polynomial moments of the eigenstrain on a few coarse cells of each
+// therefore computed from the polynomial moments of the eigenstrain on a few coarse cells of each
 // layer of the body, through influence coefficients summed over the lattice of images, and
-// interpolated by polynomials. The error falls exponentially with the number of coarse cells.
+// interpolated by polynomials. The error decreases exponentially with the number of coarse cells.
 #pragma once
 
 #include "samcontact/base/grid.hpp"
@@ -15,12 +15,12 @@ namespace samcontact::operators {
 
 class ImageCorrection : public Images {
  public:
-  /// transform: gives the period, at least twice the box less one cell, and the cells that are
-  /// stored; grid: the whole box. tol: the error that is allowed, relative to the largest stress.
+  /// transform: defines the period, at least twice the box less one cell, and the stored cells;
+  /// grid: the whole box. tol: allowed error, relative to the largest stress.
   ImageCorrection(const Grid& grid, const VolumeTransform& transform, const Stack& body,
                   double tol);
 
-  /// On the coarse cells.
+  /// Stress on the coarse cells.
   Field stress(Tensor tensor, const double* strain) const override;
   void subtract(Tensor tensor, const Field& images, int layer, double* stress) const override;
 
@@ -32,9 +32,9 @@ class ImageCorrection : public Images {
     int fine = 0, coarse = 0;  // fine: the stored cells
     double cell = 0.0;         // size of a coarse cell
     /// [coarse][fine]: coarse cells with the same moments as the fine ones, for components that are
-    /// even and odd in a mirror; without one the two are equal.
+    /// even and odd in a mirror; without a mirror the two are equal.
     Field moments[2];
-    /// [coarse][fine], likewise: on the mirror itself what is odd vanishes.
+    /// [coarse][fine], likewise: on the mirror plane odd components vanish.
     Field interpolants[2];
   };
   /// means: polynomials through means over the coarse cells and their means over the fine ones,
@@ -42,9 +42,9 @@ class ImageCorrection : public Images {
   static Axis make_axis(int fine, double d, double extent, int coarse, int order, bool mirrored,
                         bool means);
 
-  /// Of layers one below the other.
-  static Axis joined(const std::vector<Axis>& layers);
-  /// Also makes the axis along z.
+  /// Axis over adjacent layers.
+  static Axis stacked(const std::vector<Axis>& layers);
+  /// Also builds the axis along z.
   void build_layers(const Grid& grid, const Stack& body, double tol);
   Field coarse_strain(Tensor tensor, const double* strain) const;
   Field coarse_stress(const Field& strain) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Waves between the interfaces of layers, of eight wavenumbers at a time: eqs. (44) to (46) of
+// Fourier modes between the interfaces of layers, eight wavenumbers at a time: eqs. (44) to (46) of
 // docs/theory/layers.md.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace samcontact::operators::layers {
 
-/// Amplitudes P and F of a wave, or (T, N), or (q U, q W) times the shear modulus of the first
+/// Amplitudes P and F of a mode, or (T, N), or (q U, q W) times the shear modulus of the first
 /// layer.
 struct Pair {
   Lanes p{}, f{};
@@ -19,7 +19,7 @@ struct Pair {
   SAMCONTACT_INLINE Pair operator*(const Lanes& factor) const { return {p * factor, f * factor}; }
 };
 
-/// Of two columns.
+/// Matrix of two columns.
 struct Matrix {
   Pair first, second;
 
@@ -36,9 +36,9 @@ struct Matrix {
   }
 };
 
-/// Tractions and displacements of waves at y = 0, down and up.
+/// Tractions and displacements of modes at y = 0, downwards and upwards.
 struct Sides {
-  double half;  // of the first layer's shear modulus over the layer's own
+  double half;  // half of the ratio of the shear modulus of the first layer to that of this layer
   double nu;
 
   SAMCONTACT_INLINE static Pair traction_down(const Pair& v) { return {v.p - v.f, v.p}; }
@@ -51,39 +51,39 @@ struct Sides {
   }
 };
 
-/// A wave in the plane of wavevector and depth, and across.
+/// Mode in the plane of wavevector and depth, and across it.
 struct Wave {
   Pair plane;
   Lanes across{};
 };
 
-/// What one layer does to waves: the decay through it, up-waves at its bottom of down-waves there
-/// and of a displacement that what lies below has of itself, down-waves of tractions at its top,
-/// and the displacement there, without traction, of up-waves.
+/// Response of one layer: decay through it; upward modes at its bottom due to downward modes there,
+/// and due to a free displacement of the material below; downward modes due to tractions at its
+/// top, and displacement there, without traction, due to upward modes.
 struct Interfaces {
   Lanes e, y;
   Matrix reflection, of_below, to_amplitude, rising;
   Lanes across_reflection, across_of_below, across_to_amplitude, across_rising;
 
   SAMCONTACT_INLINE Pair decayed(const Pair& v) const { return {(v.p + y * v.f) * e, v.f * e}; }
-  /// From the bottom to the top of the layer and back, of waves at the top.
+  /// Modes at the top of the layer after propagation to its bottom, reflection, and return.
   SAMCONTACT_INLINE Pair returned(const Pair& v) const { return decayed(reflection * decayed(v)); }
 };
 
-/// The waves of one layer: what leaves it, down at its bottom and up at its top, then what enters
-/// it, down at its top (a) and up at its bottom (b).
+/// Modes of one layer: first those that leave it, downwards at its bottom and upwards at its top,
+/// then those that enter it, downwards at its top (a) and upwards at its bottom (b).
 struct LayerWaves {
   Wave down, up, a, b;
 };
 
-/// Of all layers from the bottom up, eq. (45).
+/// All layers from the bottom up, eq. (45).
 SAMCONTACT_INLINE void fill_interfaces(const SweptStack& stack, const double* row, int step,
                                        Interfaces* interfaces) {
   const auto& layers = stack.layers();
   const double mu = layers[0].mu;
   const Lanes one = Lanes{} + 1.0;
   const Pair p{one, Lanes{}}, f{Lanes{}, one};
-  Matrix below{};  // displacement over traction at the top of what lies below
+  Matrix below{};  // displacement over traction at the top of the material below
   Lanes across{};
   for (int n = static_cast<int>(layers.size()) - 1; n >= 0; --n) {
     const auto& layer = layers[n];
@@ -119,13 +119,13 @@ SAMCONTACT_INLINE void fill_interfaces(const SweptStack& stack, const double* ro
   }
 }
 
-/// The waves that enter the layers from those that leave them, eq. (46); the surface is free.
+/// Modes that enter the layers from those that leave them, eq. (46); the surface is free.
 SAMCONTACT_INLINE void reflect(const SweptStack& stack, const Interfaces* interfaces, int parts,
                                LayerWaves* waves) {
   const int count = static_cast<int>(stack.layers().size());
   for (int part = 0; part < parts; ++part) {
-    // Upwards: the displacement that what lies below has of itself, without traction. Until the way
-    // down, a has what arrives at the top of a layer, and b what its bottom returns.
+    // Upwards: free displacement of the material below, without traction. Until the downward pass,
+    // a contains the modes that arrive at the top of a layer, and b those that its bottom returns.
     Wave free;
     for (int n = count - 1; n >= 0; --n) {
       const Interfaces& own = interfaces[n];
@@ -140,7 +140,7 @@ SAMCONTACT_INLINE void reflect(const SweptStack& stack, const Interfaces* interf
       free.plane = own.rising * at.a.plane;
       free.across = own.across_rising * at.a.across;
     }
-    Wave traction;  // downwards, from none
+    Wave traction;  // downwards, initially zero
     for (int n = 0; n < count; ++n) {
       const Interfaces& own = interfaces[n];
       LayerWaves& at = waves[n * parts + part];

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Residual stress of eigenstrain (plastic strain) in a box of layers of cells, by sweeps over them:
-// per wavenumber the Green operator of an infinite space is exp(-q |z - z'|) times a polynomial, so
-// that one pass upwards and one downwards sum all layers of cells; what the surface, and interfaces
-// of a layered body, send back are waves. Time and memory are proportional to the number of cells;
-// no coefficients are stored.
+// Fast residual stress due to eigenstrain (plastic strain) in a box of layers of cells, by sweeps:
+// for each wavenumber the Green operator of an infinite space is exp(-q |z - z'|) times a
+// polynomial, so that one pass upwards and one downwards sum all layers of cells; the contributions
+// of the surface, and of the interfaces of a layered body, are Fourier modes. Time and memory are
+// proportional to the number of cells; no coefficients are stored.
 //
 // The eigenstrain is band-limited in the plane and constant in each layer; the stress is its mean
-// over each layer. Near the highest wavenumber a mode and its alias go over into each other, so
-// that the symbol has no jump and the stress decays as it should. The operator is symmetric and
-// never feeds energy into a strain pattern. It is periodic: where the surface is not, Images takes
-// away what is too much.
+// over each layer. Near the highest wavenumber a mode and its alias are blended, so that the symbol
+// has no jump and the stress decays correctly. The operator is symmetric and never feeds energy
+// into a strain pattern. It is periodic: for a surface that is not, Images removes the images.
 #pragma once
 
 #include <memory>
@@ -22,7 +21,7 @@
 
 namespace samcontact::operators {
 
-/// Stress of the images that a periodic operator sees and the surface does not have, of `strain`
+/// Stress of the images of a periodic operator that the surface does not have, due to `strain`
 /// [component][k][i][j] of the whole box.
 class Images {
  public:
@@ -30,18 +29,18 @@ class Images {
 
   /// Opaque data for subtract().
   virtual Field stress(Tensor tensor, const double* strain) const = 0;
-  /// Takes it from one layer of the stress, [component][i][j].
+  /// Subtracts it from one layer of the stress, [component][i][j].
   virtual void subtract(Tensor tensor, const Field& images, int layer, double* stress) const = 0;
   virtual std::size_t bytes() const = 0;
 };
 
 class LayerResidualStress : public ResidualStress {
  public:
-  /// The grid's layers start at the surface. settings: of the fast method. Throws
-  /// std::invalid_argument where an interface of the body lies inside one of them.
+  /// The layers of the grid start at the surface. settings: of the fast method. Throws
+  /// std::invalid_argument if an interface of the body lies inside a layer of cells.
   LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Stack& body,
                       const ResidualSettings& settings);
-  /// With all images of the transform's period.
+  /// With all images of the period of the transform.
   LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Stack& body)
       : LayerResidualStress(grid, transform, body, Share{}, true) {}
 
@@ -52,24 +51,24 @@ class LayerResidualStress : public ResidualStress {
   std::size_t bytes() const override;
 
  private:
-  /// One sweep over the wavenumbers first <= kx < last of a row, whole blocks, or over aliases of
-  /// them.
+  /// One sweep over the wavenumbers first <= kx < last of a row, in whole blocks, or over their
+  /// aliases.
   struct Pass {
     int first = 0, last = 0;
-    Field modes;  // [number][kx]
+    Field modes;  // [coefficient][kx]
   };
   using Share = decltype(ResidualSettings::share);
   LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Stack& body,
                       const Share& share, bool blends);
-  /// Of one row ky.
+  /// Sweeps of one row ky.
   std::vector<Pass> passes(const Grid& grid, const VolumeTransform& transform, int ky,
                            const Share& share, bool blends) const;
   Pass pass(const Grid& grid, const VolumeTransform& transform, int ky, bool alias_x, bool alias_y,
             const Share& share, bool blends) const;
 
   layers::SweptStack stack_;
-  std::vector<std::vector<Pass>> passes_;  // of each ky, first its own wavenumbers
-  std::shared_ptr<const Images> images_;   // null where the surface has all of them
+  std::vector<std::vector<Pass>> passes_;  // for each ky, first its own wavenumbers
+  std::shared_ptr<const Images> images_;   // null if the surface has all of them
 };
 
 }  // namespace samcontact::operators

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One block of wavenumbers of the fast residual stress: sweeps upwards and downwards through the
-// cells of each layer of the body, and the waves between its interfaces, eqs. (25), (26) and (44)
-// to (46) of docs/theory/layers.md.
+// Fast residual stress of one block of wavenumbers: sweeps upwards and downwards through the cells
+// of each layer of the body, and modes between its interfaces, eqs. (25), (26) and (44) to (46) of
+// docs/theory/layers.md.
 #pragma once
 
 #include "samcontact/operators/convolution/volume_transform.hpp"
@@ -12,16 +12,17 @@ namespace samcontact::operators::layers {
 // Wavenumbers handled together: one AVX-512 register of doubles.
 inline constexpr int width = VolumeTransform::lanes;
 
-/// Where the numbers of a tensor lie.
+/// Storage of a tensor in a spectrum.
 struct Layout {
-  int nz;  // layers of cells, at most those of the body; below there is no strain
+  int nz;  // layers of cells, at most those of the body; there is no strain below
   bool deviator;
-  /// By how many quarter turns the stored xx, yy, zz, yz, xz, xy differ from the turned ones.
+  /// Number of quarter turns by which the stored xx, yy, zz, yz, xz, xy differ from the rotated
+  /// ones.
   int turns[6];
   std::size_t component_step, layer_step;  // of the spectrum, in doubles
 };
 
-/// Where the stress of a block goes, and what is added to it.
+/// Destination of the stress of a block, and the stress that is added to it.
 struct Target {
   Layout layout;
   double* values;
@@ -29,16 +30,16 @@ struct Target {
   const double* more;  // may be null
 };
 
-/// What a sweep needs for itself.
+/// Work space of a sweep.
 struct Scratch {
   Scratch(const SweptStack& stack, int parts);
-  Field turned, below;      // [layer of cells][part]
+  Field rotated, below;     // [layer of cells][part]
   Field interfaces, waves;  // [layer of the body], with [part]
 };
 
-/// Stress of the strain of one block of wavenumbers, of parts (2: re and im, 1: real) numbers each;
-/// target may be where the strain is. used: of each layer of cells, whether it has strain; row: the
-/// numbers of the block, `step` apart; values: its row of component 0 and layer 0.
+/// Stress due to the strain of one block of wavenumbers, with `parts` numbers each (2: re and im,
+/// 1: real); target may be where the strain is. used: whether each layer of cells has strain; row:
+/// the coefficients of the block, `step` apart; values: its row of component 0 and layer 0.
 void sweep(const SweptStack& stack, int parts, const Layout& layout, const char* used,
            const double* row, int step, const double* values, const Target& target,
            Scratch& scratch);

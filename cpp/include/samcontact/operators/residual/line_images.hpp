@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes the images away that a periodic operator sees along one direction, where the surface is
-// periodic along the other: beyond half a period of the latter all that is left of them is plane
-// strain, that of the mean along it.
+// Removal of the images of a periodic operator along one direction, for a surface that is periodic
+// along the other: beyond half a period of the latter their field is plane strain, due to the mean
+// along it.
 #pragma once
 
 #include "samcontact/operators/residual/layer_residual_stress.hpp"
 
 namespace samcontact::operators {
 
-/// Plane strain with the box's own period less that with one many times as long.
+/// Plane strain with the period of the box less that with a period many times as long.
 class LineImages : public Images {
  public:
-  /// transform: of the grid, periodic in one direction. tol: the error that is allowed, relative to
-  /// the largest stress.
+  /// transform: of the grid, periodic in one direction. tol: allowed error, relative to the largest
+  /// stress.
   LineImages(const Grid& grid, const VolumeTransform& transform, const Stack& body, double tol);
 
   Field stress(Tensor tensor, const double* strain) const override;

@@ -14,19 +14,19 @@ namespace samcontact::operators {
 
 class ResidualDisplacement {
  public:
-  /// The grid's layers start at the surface. The displacement does not depend on Young's modulus.
-  /// shallower: the same of fewer layers, which are taken from it; null: none.
+  /// The layers of the grid start at the surface. The displacement does not depend on Young's
+  /// modulus. shallower: operator of fewer layers, whose kernels are taken over; null: none.
   ResidualDisplacement(const Grid& grid, const VolumeTransform& transform, double nu, Axis axis,
                        Tensor tensor, const ResidualDisplacement* shallower);
 
-  /// The same from tables of the first layers under the full tensor, [component][j][i] [m], on the
-  /// offsets of KernelOffsets; those below do nothing.
+  /// From tables of the first layers for the full tensor, [component][j][i] [m], on the offsets of
+  /// KernelOffsets; layers below have no effect.
   ResidualDisplacement(const Grid& grid, const VolumeTransform& transform, Axis axis,
                        const std::function<Field(int layer)>& tables, int layers, Tensor tensor,
                        const ResidualDisplacement* shallower = nullptr);
 
-  /// displacement [i][j] [m] of the eigenstrain whose spectrum is given, which stays: each axis
-  /// takes an inverse transform more.
+  /// displacement [i][j] [m] due to the eigenstrain with the given spectrum, which is not changed:
+  /// each axis needs one more inverse transform.
   void apply(const VolumeSpectrum& strain, double* displacement) const;
 
   int layers() const { return nz_; }
@@ -35,12 +35,13 @@ class ResidualDisplacement {
  private:
   ResidualDisplacement(const VolumeTransform& transform, Axis axis, int layers, Tensor tensor,
                        const ResidualDisplacement* shallower);
-  /// Puts the table of a component on one layer, [j][i] on the quarter plane, into its place.
+  /// Stores the table of a component on one layer, [j][i] on the quarter plane.
   void store(const fft::ParitySpectrum& spectrum, int component, int layer, double* quarter);
 
   const VolumeTransform* transform_;
   Axis axis_;
-  int nz_, first_;  // layers, and which is the first that is not taken from another
+  int nz_,
+      first_;  // number of layers, and the first one that is not taken over from another operator
   Tensor tensor_;
   Field spectra_;  // [ky][component][layer][kx <= mx/2]
 };

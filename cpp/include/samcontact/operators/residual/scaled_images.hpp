@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The residual stress of a lattice of nodes, whose images are those of the cells it stands for.
+// Residual stress of a lattice of nodes, with the images of the cells that the nodes represent.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace samcontact::operators {
 
-/// Images times `scale`.
+/// Images multiplied by `scale`.
 class ScaledImages : public ResidualStress {
  public:
   ScaledImages(std::unique_ptr<ResidualStress> whole, double scale)

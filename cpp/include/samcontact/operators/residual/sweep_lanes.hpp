@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the sweeps of the fast residual stress do with eight wavenumbers at a time: tensors in and
-// out of a spectrum, turned along the wave, and the sums over cells of eqs. (25) and (26) of
-// docs/theory/residual_stress.md.
+// Operations of the fast residual-stress sweeps on eight wavenumbers at a time: tensors from and to
+// a spectrum, rotated into the frame of the wavevector, and the sums over cells of eqs. (25) and
+// (26) of docs/theory/residual_stress.md.
 #pragma once
 
 #include "samcontact/operators/residual/layer_sweep.hpp"
@@ -13,7 +13,7 @@ namespace samcontact::operators::layers {
 using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = double;
 using Loose [[gnu::vector_size(width * sizeof(double)), gnu::may_alias, gnu::aligned(8)]] = double;
 
-/// Numbers of one block of wavenumbers for cells of one thickness.
+/// Coefficients of one block of wavenumbers for cells of one thickness.
 struct Mode {
   Lanes of[coefficient_count];
 
@@ -25,7 +25,7 @@ struct Mode {
   SAMCONTACT_INLINE const Lanes& operator[](Coefficient c) const { return of[c]; }
 };
 
-/// What depends on the material.
+/// Constants of the material.
 struct Constants {
   double nu, kappa, ratio, lame, twice_mu;  // kappa: 1/(2 (1 - nu)); ratio: nu/(1 - nu)
 
@@ -37,15 +37,15 @@ struct Constants {
         twice_mu(2 * layer.mu) {}
 };
 
-/// A symmetric tensor in the frame turned along the wavevector (1 along it, 2 across), with 13 and
-/// 23 multiplied by i: then everything is real.
-struct Turned {
+/// Symmetric tensor in the frame of the wavevector (1 along it, 2 across), with 13 and 23
+/// multiplied by i: all components are then real.
+struct Rotated {
   Lanes t11, t22, t33, t12, t13, t23;
 };
 
 /// v: xx, yy, zz, yz, xz, xy of the strain.
 SAMCONTACT_INLINE void eigenstress(const Mode& mode, const Constants& k, const Lanes* v,
-                                   Turned& t) {
+                                   Rotated& t) {
   const Lanes c = mode[direction_x], s = mode[direction_y];
   const Lanes twice_mu = k.twice_mu * mode[share];
   const Lanes trace = k.lame * mode[share] * (v[0] + v[1] + v[2]);
@@ -59,8 +59,8 @@ SAMCONTACT_INLINE void eigenstress(const Mode& mode, const Constants& k, const L
   t.t23 = twice_mu * (c * v[3] - s * v[4]);
 }
 
-/// Back to xx, yy, zz, yz, xz, xy.
-SAMCONTACT_INLINE void turn_back(const Mode& mode, const Turned& t, bool deviator, Lanes* v) {
+/// Rotates back to xx, yy, zz, yz, xz, xy.
+SAMCONTACT_INLINE void rotate_back(const Mode& mode, const Rotated& t, bool deviator, Lanes* v) {
   const Lanes c = mode[direction_x], s = mode[direction_y];
   const Lanes ax = c * t.t11 - s * t.t12, ay = c * t.t12 - s * t.t22;
   const Lanes bx = s * t.t11 + c * t.t12, by = s * t.t12 + c * t.t22;
@@ -77,11 +77,11 @@ SAMCONTACT_INLINE void turn_back(const Mode& mode, const Turned& t, bool deviato
   }
 }
 
-/// The sums over the cells on one side: c, d and o act through exp(-q r), w through q r exp(-q r).
+/// Sums over the cells on one side: c, d and o act through exp(-q r), w through q r exp(-q r).
 struct Sums {
   Lanes c{}, d{}, w{}, o{};
 
-  /// All cells are one further away.
+  /// Moves all cells away by one.
   SAMCONTACT_INLINE void recede(const Lanes& decay_) {
     c *= decay_;
     d *= decay_;
@@ -89,14 +89,15 @@ struct Sums {
     o *= decay_;
     w += d - c;
   }
-  /// One more cell next to the receiver, above it (sign 1) or below (-1).
-  SAMCONTACT_INLINE void add(const Turned& t, double sign) {
+  /// Adds a cell next to the receiver, above it (sign 1) or below (-1).
+  SAMCONTACT_INLINE void add(const Rotated& t, double sign) {
     c += t.t11 + sign * t.t13;
     d += t.t33 - sign * t.t13;
     w += t.t33 - t.t11 - 2 * sign * t.t13;
     o += t.t12 + sign * t.t23;
   }
-  /// Their integrals, eq. (25) of docs/theory/residual_stress.md, as means over the receiving cell.
+  /// Integrals of the sums, eq. (25) of docs/theory/residual_stress.md, as means over the receiving
+  /// cell.
   SAMCONTACT_INLINE Sums integrals(const Mode& mode) const {
     const Lanes g = mode[other];
     Sums i;
@@ -106,8 +107,8 @@ struct Sums {
     i.o = g * o;
     return i;
   }
-  /// Adds the half of the receiving cell itself that lies on this side.
-  SAMCONTACT_INLINE void add_own(const Mode& mode, const Turned& t, double sign) {
+  /// Adds the half of the receiving cell itself on this side.
+  SAMCONTACT_INLINE void add_own(const Mode& mode, const Rotated& t, double sign) {
     const Lanes g0 = mode[own], g1 = mode[own_linear];
     c += g0 * (t.t11 + sign * t.t13);
     d += g0 * (t.t33 - sign * t.t13);
@@ -118,7 +119,7 @@ struct Sums {
 
 /// Stress of the infinite space from the integrals above and below, eq. (26).
 SAMCONTACT_INLINE void infinite_space(const Constants& k, const Sums& above, const Sums& below,
-                                      const Turned& t, Turned& s) {
+                                      const Rotated& t, Rotated& s) {
   const Lanes c = above.c + below.c, d = above.d + below.d;
   const Lanes trace = k.ratio * (d - c - t.t33);
   const Lanes bulk = k.kappa * (above.w + below.w - c - d);
@@ -131,14 +132,14 @@ SAMCONTACT_INLINE void infinite_space(const Constants& k, const Sums& above, con
   s.t23 = below.o - above.o;
 }
 
-/// Place of component m in the spectrum; a deviator has no zz.
+/// Position of component m in the spectrum; a deviator has no zz.
 template <typename Value>
 SAMCONTACT_INLINE Value* at(const Layout& layout, Value* values, int m, int layer) {
   const int place = layout.deviator && m > 2 ? m - 1 : m;
   return values + place * layout.component_step + layer * layout.layer_step;
 }
 
-/// parts numbers (re + i im, or a real one) times i^turns.
+/// Multiplies `parts` numbers (re + i im, or real) by i^turns.
 template <int parts>
 SAMCONTACT_INLINE void rotate(Lanes* v, int turns) {
   if (turns & 2) {
@@ -153,7 +154,8 @@ SAMCONTACT_INLINE void rotate(Lanes* v, int turns) {
   }
 }
 
-/// Components of one layer, v[part][component], from the spectrum (complex numbers interleaved).
+/// Loads the components of one layer, v[part][component], from the spectrum (complex numbers
+/// interleaved).
 template <int parts>
 SAMCONTACT_INLINE void load(const Layout& layout, const double* values, int layer, Lanes v[][6]) {
   for (int m = 0; m < 6; ++m) {
@@ -181,7 +183,7 @@ SAMCONTACT_INLINE void put(double* to, const double* more, const Lanes& value) {
       more == nullptr ? value : value + *reinterpret_cast<const Loose*>(more);
 }
 
-/// The reverse.
+/// Stores the components of one layer.
 template <int parts>
 SAMCONTACT_INLINE void store(const Target& target, const Lanes v[][6], int layer) {
   const Layout& layout = target.layout;

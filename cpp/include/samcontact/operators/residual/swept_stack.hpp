@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layers of a body as the sweeps of the fast residual stress meet them, and the numbers that a
-// wavenumber has for them.
+// Layers of a body for the sweeps of the fast residual stress, and their coefficients for a
+// wavenumber.
 #pragma once
 
 #include <cmath>
@@ -10,53 +10,53 @@
 
 namespace samcontact::operators::layers {
 
-/// A layer of the body with cells of equal thickness, or with none.
+/// Layer of the body with cells of equal thickness, or without cells.
 struct SweptLayer {
   Elastic elastic;
-  double thickness;  // [m], infinite that of the substrate
+  double thickness;  // [m], infinite for the substrate
   int cells;
-  double cell;  // thickness of one [m]
+  double cell;  // thickness of one cell [m]
 };
 
-/// What a wavenumber q has of numbers for cells, x = q h with their thickness h, means over a cell.
+/// Coefficients of a wavenumber q for cells of thickness h, x = q h, as means over a cell.
 enum Coefficient {
   direction_x,    // kx / q
   direction_y,    // ky / q
   thickness,      // x
   decay,          // exp(-x)
   own,            // (q/2) exp(-q r) over the half of the own cell above or below
-  own_linear,     // the same of q r exp(-q r)
+  own_linear,     // likewise for q r exp(-q r)
   other,          // (q/2) exp(-q r) over a neighbouring cell
-  other_shift,    // what q r exp(-q r) lacks of distance in cells times x, in units of other
+  other_shift,    // missing distance of q r exp(-q r) in cells times x, in units of `other`
   leaving,        // (q/2) exp(-q r) at the face of a cell
-  leaving_shift,  // what q r exp(-q r) has there, in units of leaving
-  share,          // what the stress is multiplied by
+  leaving_shift,  // likewise for q r exp(-q r), in units of `leaving`
+  share,          // factor of the stress
   coefficient_count
 };
 
-/// Those of a body with cells dz thick down to a depth of nz of them; what lies below is a layer of
-/// its own. Throws std::invalid_argument where an interface lies inside one.
+/// Layers of a body with nz cells of thickness dz from the surface down; the part below is a layer
+/// of its own. Throws std::invalid_argument if an interface lies inside a cell.
 std::vector<SweptLayer> swept_layers(const Stack& body, int nz, double dz);
 
 class SweptStack {
  public:
-  /// on_rigid: what the last layer lies on; else it is without end.
+  /// on_rigid: whether the last layer lies on a rigid base; otherwise it is infinite.
   SweptStack(const std::vector<SweptLayer>& layers, bool on_rigid);
   SweptStack(const Stack& body, int nz, double dz)
       : SweptStack(swept_layers(body, nz, dz), body.substrate.is_rigid()) {}
 
-  /// How many numbers are kept of each wavenumber.
+  /// Number of coefficients of each wavenumber.
   int numbers() const { return numbers_; }
-  /// Writes them, `step` apart. kx, ky: the wavevector [1/m].
+  /// Writes the coefficients, `step` apart. kx, ky: wavevector [1/m].
   void fill_mode(double kx, double ky, double weight, double* mode, int step) const;
 
   struct Layer {
     int first, last;      // of its cells
     double nu, lame, mu;  // [-], [Pa], [Pa]
     double depth;         // its thickness [m]
-    double over_cell;     // the same over that of its cells
-    int mode;             // the first coefficient of its cells
-    int through;          // the place of exp(-q depth)
+    double over_cell;     // ratio of its thickness to that of its cells
+    int mode;             // index of the first coefficient of its cells
+    int through;          // index of exp(-q depth)
     bool is_endless() const { return std::isinf(depth); }
   };
   /// From the surface down.
@@ -65,7 +65,7 @@ class SweptStack {
 
  private:
   std::vector<Layer> layers_;
-  std::vector<double> thicknesses_;  // of cells: each has coefficients
+  std::vector<double> thicknesses_;  // of cells: each has its own coefficients
   int numbers_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Near the highest wavenumber a mode and its alias go over into each other: which waves a stored
-// wavenumber stands for, and their shares.
+// Blending of modes with their aliases near the highest wavenumber: the wavevectors that a stored
+// wavenumber represents, and their weights.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace samcontact::operators {
 
-/// Wavenumbers from here on, of the highest one, share their place with their aliases.
+/// Fraction of the highest wavenumber above which modes are blended with their aliases.
 inline constexpr double blended_from = 0.85;
 
 struct WaveAlias {
   double kx, ky, share;  // [1/m], [1/m], [-]
 };
-/// Of stored place i of row ky, or of its alias in a direction; none where it has no share. share:
-/// of ResidualSettings. blends: whether waves share their place with aliases at all.
+/// Wavevector of stored index i of row ky, or of its alias in a direction; none if its weight is
+/// zero. share: of ResidualSettings. blends: whether modes are blended with their aliases at all.
 std::optional<WaveAlias> wave_alias(const Grid& grid, const VolumeTransform& transform, int i,
                                     int ky, bool alias_x, bool alias_y,
                                     const decltype(ResidualSettings::share)& share,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coarse cells over a box: what is smooth is summed on them and interpolated.
+// Coarse cells over a box: smooth fields are summed on them and interpolated.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ struct CoarseAxis {
   int cells, factor;
 
   int coarse_cells() const { return (cells + factor - 1) / factor; }
-  /// The first of the two coarse cells that cell i lies between.
+  /// First of the two coarse cells between which cell i lies.
   int lower(int i) const;
-  /// Share of coarse cell I in cell i.
+  /// Weight of coarse cell I in cell i.
   double weight(int i, int I) const;
-  /// Cells begin(I) <= i < end(I) hold all that have a share of I.
+  /// Cells begin(I) <= i < end(I) are all cells with a weight of I.
   int begin(int I) const;
   int end(int I) const;
 };
@@ -40,8 +40,8 @@ class CoarseGrid {
 
  private:
   CoarseAxis x_, y_;
-  // Along y: the first of the cells that lie beyond the centre of each coarse cell, and the share
-  // of the next coarse cell in each cell.
+  // Along y: first cell beyond the centre of each coarse cell, and weight of the next coarse cell
+  // in each cell.
   std::vector<int> y_begin_;
   Field y_share_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A cheap, nearly exact sliding displacement on a box of cells, made as NearDisplacement is.
+// Approximate tangential surface displacement on a box of cells, constructed like NearDisplacement.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,9 @@ class NearTangential {
  public:
   NearTangential(const Grid& box, const TangentialInfluence& influence);
 
-  /// displacement [m] of shear [Pa], both [2][i][j], different arrays; `work` is scratch.
+  /// displacement [m] due to shear [Pa], both [2][i][j], different arrays; `work` is scratch.
   void apply(const double* shear, double* displacement, ComplexField& work) const;
-  /// Operations of one application, in the unit of fft::filter_cost.
+  /// Operations of one application, in units of fft::filter_cost.
   double cost() const;
 
  private:
@@ -25,7 +25,7 @@ class NearTangential {
   SurfaceConvolution near_;
   std::vector<MatrixKernel> kernels_;
   CoarseGrid coarse_;
-  std::unique_ptr<SurfaceConvolution> far_;  // null where padding is full
+  std::unique_ptr<SurfaceConvolution> far_;  // null with full padding
   std::vector<MatrixKernel> far_kernels_;
 };
 

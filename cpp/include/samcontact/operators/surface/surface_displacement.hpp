@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surface displacement due to pressure, friction and frictional heat: a discrete convolution with
+// Surface displacement due to pressure, friction and frictional heat: discrete convolution with
 // exact coefficients (DC-FFT, Liu, Wang & Liu 2000, doi:10.1016/S0043-1648(00)00427-0).
 #pragma once
 
@@ -10,18 +10,18 @@
 
 namespace samcontact::operators {
 
-/// What an iteration of contact needs of the displacement that closes the gap: a linear operator,
-/// symmetric.
+/// Interface of the displacement that closes the gap, for the contact iterations: a symmetric
+/// linear operator.
 class NormalDisplacement {
  public:
   virtual ~NormalDisplacement() = default;
 
-  /// displacement [m] of pressure [Pa], both [i][j]; may be the same array. `work` is scratch that
-  /// the caller keeps from call to call.
+  /// displacement [m] due to pressure [Pa], both [i][j]; may be the same array. `work` is scratch
+  /// that the caller keeps from call to call.
   virtual void apply(const double* pressure, double* displacement, ComplexField& work) const = 0;
-  /// u_z of a cell under its own unit pressure, without heat [m/Pa].
+  /// u_z of a cell due to a unit pressure on it, without heat [m/Pa].
   virtual double self_influence() const = 0;
-  /// Operations of one application, in the unit of fft::filter_cost.
+  /// Operations of one application, in units of fft::filter_cost.
   virtual double cost() const = 0;
 
  protected:
@@ -32,15 +32,15 @@ class NormalDisplacement {
   NormalDisplacement& operator=(NormalDisplacement&&) = default;
 };
 
-/// Displacement of pressure and all that goes with it: even_ of the part of the influence that is
-/// even, rest_ of what is not (friction between dissimilar bodies, moving heat).
+/// Displacement due to pressure and the proportional shear and heat: even_ from the even part of
+/// the influence, rest_ from the remainder (friction between dissimilar materials, moving heat).
 class SurfaceDisplacement : public NormalDisplacement {
  public:
   SurfaceDisplacement(const Grid& grid, const SurfaceInfluence& influence);
 
-  /// Of the even part.
+  /// Displacement from the even part.
   void apply(const double* pressure, double* displacement, ComplexField& work) const override;
-  /// The same for the rest.
+  /// Displacement from the remainder.
   void apply_rest(const double* pressure, double* displacement, ComplexField& work) const;
 
   bool has_rest() const { return !rest_.empty(); }
@@ -54,8 +54,8 @@ class SurfaceDisplacement : public NormalDisplacement {
 };
 
 /// Displacement of one body along an axis [i][j] [m] due to tractions [i][j], their shear
-/// multiplied by shear_sign, and along z due to the heat that goes with the pressure; kernels built
-/// for this one use.
+/// multiplied by shear_sign, and along z due to the heat proportional to the pressure; the kernels
+/// are built for this call only.
 Field surface_displacement(const Grid& grid, const Medium& medium, const Heating& heating,
                            const Tractions& tractions, double shear_sign, Axis axis);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pressure on one cell, with the shear and heat that it brings, does to the gap around it: the
-// coefficients behind all contact operators, on any grid.
+// Influence of pressure on one cell, with the proportional shear and heat, on the gap: the
+// coefficients of all contact operators, on any grid.
 #pragma once
 
 #include <vector>
@@ -10,22 +10,22 @@
 
 namespace samcontact::operators {
 
-/// The sum over the bodies that touch.
+/// Sum over the bodies in contact.
 class SurfaceInfluence {
  public:
-  /// Adds a body. shear_x: on it, over the pressure [-].
+  /// Adds a body. shear_x: shear on it over the pressure [-].
   void add(const SharedMedium& medium, double shear_x = 0.0, const Heating& heating = {});
 
-  /// The part that is even in x and y, [j][i] [m/Pa].
+  /// Part that is even in x and y, [j][i] [m/Pa].
   Field even(const Grid& grid, const CellOffsets& offsets) const;
-  /// The elastic part of it, which is positive definite.
+  /// Elastic part of the even part, which is positive definite [m/Pa].
   Field elastic(const Grid& grid, const CellOffsets& offsets) const;
-  /// u_z over the pressure of a wave [m/Pa], elastic and even; wavenumber > 0 [1/m].
+  /// u_z over the pressure of a Fourier mode [m/Pa], elastic and even; wavenumber > 0 [1/m].
   double wave_compliance(double wavenumber) const;
 
-  /// All that is not even.
+  /// Parts that are not even.
   std::vector<ParityKernel> rest(const Grid& grid, const KernelOffsets& offsets) const;
-  /// Whether heat enters a body: the operator may then be indefinite.
+  /// Whether a body is heated: the operator may then be indefinite.
   bool is_heated() const;
 
  private:
@@ -34,7 +34,7 @@ class SurfaceInfluence {
     double shear_x;
     Heating heating;
   };
-  /// u_z of a traction on all bodies, that on a body times its weight; empty: zero.
+  /// u_z due to a traction, summed over all bodies with their weights; empty: zero.
   template <class Weight>
   Field sum(Traction traction, const Grid& grid, const CellOffsets& offsets,
             const Weight& weight) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What shear does to the surfaces of two bodies: they slide against each other, and where the
-// bodies are unlike they also move apart, as pressure makes them slide.
+// Surface displacement of two bodies due to shear: relative tangential displacement and, for
+// dissimilar materials, normal displacement; and tangential displacement due to pressure.
 #pragma once
 
 #include <vector>
@@ -11,16 +11,17 @@
 
 namespace samcontact::operators {
 
-/// Coefficients of both bodies: displacement of body 2 against body 1 along the surface, and of
-/// both into the bodies along z, due to tractions on body 2 and their opposites on body 1.
+/// Coefficients of both bodies: tangential displacement of body 2 relative to body 1, and
+/// displacement of both into the bodies along z, due to tractions on body 2 and their opposites on
+/// body 1.
 class TangentialInfluence {
  public:
   TangentialInfluence(SharedMedium body1, SharedMedium body2);
 
   /// [j][i] [m/Pa]; its parity is that of compliance_parity().
   Field table(Traction traction, Axis axis, const Grid& grid, const CellOffsets& offsets) const;
-  /// Displacement over the shear of a wave that runs along it, the least of all directions: that of
-  /// pressure [m/Pa]; wavenumber > 0 [1/m].
+  /// Displacement over the shear of a Fourier mode along its wavevector, the smallest over all
+  /// directions: that of pressure [m/Pa]; wavenumber > 0 [1/m].
   double wave_compliance(double wavenumber) const {
     return body1_->wave_compliance(wavenumber) + body2_->wave_compliance(wavenumber);
   }
@@ -29,20 +30,20 @@ class TangentialInfluence {
   SharedMedium body1_, body2_;
 };
 
-/// C: shear to sliding displacement. Vectors of the surface are [component][i][j].
+/// C: shear to relative tangential displacement. Surface vectors are [component][i][j].
 class TangentialDisplacement {
  public:
   /// Exact on a grid, with full padding.
   TangentialDisplacement(const Grid& grid, const TangentialInfluence& influence);
 
-  /// displacement [m] of shear [Pa], both [2][i][j]; may be the same array. `work` is scratch that
-  /// the caller keeps from call to call.
+  /// displacement [m] due to shear [Pa], both [2][i][j]; may be the same array. `work` is scratch
+  /// that the caller keeps from call to call.
   void apply(const double* shear, double* displacement, ComplexField& work) const;
-  /// Along x of a cell under its own unit shear [m/Pa].
+  /// Displacement along x of a cell due to a unit shear on it [m/Pa].
   double self_influence() const { return self_influence_; }
-  /// The same of the next cell along x.
+  /// Displacement of the next cell along x [m/Pa].
   double neighbour_influence() const { return neighbour_influence_; }
-  /// Operations of one application, in the unit of fft::filter_cost.
+  /// Operations of one application, in units of fft::filter_cost.
   double cost() const { return 2 * convolution_.cost(); }
 
  private:
@@ -55,16 +56,16 @@ class TangentialDisplacement {
 std::vector<MatrixKernel> tangential_kernels(const Grid& grid, const TangentialInfluence& influence,
                                              const KernelOffsets& offsets);
 
-/// B and its transpose: what shear does along z, and pressure along the surface. Bodies alike have
-/// none.
+/// B and its transpose: normal displacement due to shear, and tangential displacement due to
+/// pressure. Zero for identical materials.
 class NormalTangentialCoupling {
  public:
   NormalTangentialCoupling(const Grid& grid, const TangentialInfluence& influence);
 
   bool is_on() const { return !to_normal_.empty(); }
-  /// B s [i][j] [m] of shear [2][i][j] [Pa].
+  /// B s [i][j] [m] for shear [2][i][j] [Pa].
   void normal(const double* shear, double* displacement, ComplexField& work) const;
-  /// B' p [2][i][j] [m] of pressure [i][j] [Pa].
+  /// B' p [2][i][j] [m] for pressure [i][j] [Pa].
   void tangential(const double* pressure, double* displacement, ComplexField& work) const;
 
  private:

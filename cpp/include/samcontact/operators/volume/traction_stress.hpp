@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stress at given depths due to pressure, the heat that goes with it, and shear on the surface:
-// exact coefficients by DC-FFT.
+// Stress at given depths due to pressure, the proportional heat, and shear on the surface: exact
+// coefficients by DC-FFT.
 #pragma once
 
 #include <array>
@@ -16,21 +16,21 @@
 
 namespace samcontact::operators {
 
-/// Quarter spectra per component and depth of each part of the stress, built when they are first
-/// needed. Thread-safe.
+/// Quarter spectra per component and depth of each part of the stress, built on first use.
+/// Thread-safe.
 class TractionStress {
  public:
-  /// heat: that goes with the pressure; null: none.
+  /// heat: proportional to the pressure; null: none.
   TractionStress(const Grid& grid, const VolumeTransform& transform, SharedMedium medium,
                  std::shared_ptr<const HeatStress> heat, std::vector<double> depths, Tensor tensor);
 
-  /// out += stress of tractions [i][j], their shear multiplied by shear_sign, on the first out.nz
-  /// depths; in mirrors they are those of a vector (vector_parity()). All layers of `out` then
-  /// count as used. shallower: the same of the first depths, whose spectra are taken where they are
-  /// there; null: none.
+  /// out += stress due to tractions [i][j], their shear multiplied by shear_sign, at the first
+  /// out.nz depths; in mirrors they are those of a vector (vector_parity()). All layers of `out`
+  /// are then marked as used. shallower: operator of the first depths, whose spectra are taken over
+  /// where they exist; null: none.
   void add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
            const TractionStress* shallower = nullptr) const;
-  /// Of one traction, as its transform is.
+  /// Adds the stress due to one traction, from its spectrum.
   void add(Traction kind, const Field& spectrum, double shear_sign, VolumeSpectrum& out,
            const TractionStress* shallower) const;
 
@@ -38,22 +38,24 @@ class TractionStress {
   std::size_t bytes() const;
 
  private:
-  /// What has spectra of its own. Heat at rest is in those of the pressure; that of a moving source
-  /// has further parts, which are odd in x where those are even (and the reverse), in y, in both.
+  /// Parts with spectra of their own. Heat at rest is included in those of the pressure; that of a
+  /// moving source has further parts, which are odd in x where those are even (and the reverse), in
+  /// y, in both.
   enum class Part { pressure, heat_x, heat_y, heat_xy, shear_x, shear_y };
   static constexpr int part_count = 6;
   static kernels::Parity parity(Part part, int component);
   std::vector<Part> parts(Traction traction) const;
 
-  /// Kernel tables of heat at one depth, by component of tensor_.
+  /// Builds the kernel tables of a traction.
   void prepare(Traction traction, const TractionStress* shallower) const;
-  /// heat: by depth, empty without. first: depths before it are those of `known`.
+  /// heat: by depth, empty without heat. first: depths before it are taken over from `known`.
   Field build(Part part, const std::vector<std::vector<ParityParts>>& heat, int first,
               const Field& known) const;
-  /// Of depth k, whose heat this is.
+  /// Builds the tables at depth k, with the heat at that depth.
   void build(Part part, int k, const std::vector<ParityParts>& heat,
              const fft::ParitySpectrum& spectrum, Field& built) const;
-  /// Of a traction's spectrum, whose plane is even or odd as told in mirrored directions.
+  /// Adds the stress due to the spectrum of a traction with the given parity in mirrored
+  /// directions.
   void add(Part part, kernels::Parity input, const Field& traction, double scale,
            VolumeSpectrum& out) const;
 
@@ -67,7 +69,7 @@ class TractionStress {
   mutable std::array<Field, part_count> spectra_;  // [ky][component][layer][kx <= mx/2]
 };
 
-/// Stress [component][depth][i][j] of tractions at any depths.
+/// Stress [component][depth][i][j] [Pa] due to tractions at any depths.
 Field traction_stress(const Grid& grid, const SharedMedium& medium, const Heating& heating,
                       std::span<const double> depths, const Tractions& tractions);
 

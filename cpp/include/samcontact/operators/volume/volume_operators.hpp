@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All operators of one body's volume, each built when it is first needed.
+// All volume operators of one body, each built on first use.
 #pragma once
 
 #include <array>
@@ -16,21 +16,21 @@ namespace samcontact::operators {
 
 struct VolumeOptions {
   Tensor tensor = Tensor::full;
-  /// Mirror planes of all fields; the exact method knows none.
+  /// Mirror planes of all fields; not supported by the exact method.
   Symmetry symmetry = Symmetry::none;
   ResidualMethod method = ResidualMethod::exact;
   /// Fast method: error due to periodic images, relative to the largest residual stress.
   double image_tol = 1e-3;
-  /// Heat that goes with the pressure; null: none.
+  /// Heat proportional to the pressure; null: none.
   std::shared_ptr<const HeatStress> heat = {};
 };
 
-/// Thread-safe; shared by bodies of one medium. Strain and stress have the
-/// components of options.tensor, [component][k][i][j] on the cells that the symmetry leaves, and so
-/// have tractions and displacement.
+/// Thread-safe; shared by bodies of one medium. Strain and stress have the components of
+/// options.tensor, [component][k][i][j] on the cells stored for the symmetry; tractions and
+/// displacement likewise.
 class VolumeOperators {
  public:
-  /// shallower: the same of fewer layers, whose kernels are taken; null: none.
+  /// shallower: operators of fewer layers, whose kernels are taken over; null: none.
   VolumeOperators(const Grid& grid, SharedMedium medium, const VolumeOptions& options,
                   std::shared_ptr<const VolumeOperators> shallower = {});
 
@@ -41,21 +41,20 @@ class VolumeOperators {
 
   const ResidualStress& residual_stress() const;
   const ResidualDisplacement& residual_displacement(Axis axis) const;
-  /// Stress of an eigenstrain and of tractions; either pointer may be null. shear_sign multiplies
-  /// the shear.
+  /// Stress due to an eigenstrain and to tractions [Pa]; either pointer may be null. shear_sign
+  /// multiplies the shear.
   Field stress(const double* strain, const Tractions* tractions, double shear_sign) const;
-  /// The same layer by layer, in any order and several at once: calls use(layer, stress
-  /// [component][i][j]) for the first ones. spectrum: that of the eigenstrain on entry, zero
-  /// without one; destroyed. It may have fewer layers than the grid where the residual stress has
-  /// no far field. rows: of a layer, those that are asked for, as VolumeTransform::inverse has
-  /// them.
+  /// Stress layer by layer, in any order and from several threads: calls use(layer, stress
+  /// [component][i][j]) for the first layers. spectrum: that of the eigenstrain on entry, zero
+  /// without one; destroyed. It may have fewer layers than the grid if the residual stress has no
+  /// far field. rows: the required rows of a layer, as in VolumeTransform::inverse.
   using Rows = std::function<std::span<const fft::RowRun>(int layer)>;
   void for_each_layer(VolumeSpectrum& spectrum, const double* strain, const Tractions* tractions,
                       double shear_sign,
                       const std::function<void(int layer, const double* stress)>& use,
                       int layers = std::numeric_limits<int>::max(), const Rows& rows = {}) const;
 
-  /// Memory of the kernels built so far.
+  /// Memory of the kernels built so far [byte].
   std::size_t bytes() const;
 
  private:
@@ -63,7 +62,7 @@ class VolumeOperators {
   SharedMedium medium_;
   VolumeOptions options_;
   VolumeTransform transform_;
-  /// Under the mutex: lets go of what is shallower when all kernels are there.
+  /// Releases the shallower operators once all kernels exist; the mutex must be held.
   void release_shallower() const;
 
   mutable std::mutex mutex_;

@@ -1,41 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How operators are split in bands: docs/theory/zones.md.
+// Parameters of the band decomposition of operators: docs/theory/zones.md.
 #pragma once
 
 namespace samcontact::operators {
 
 enum class Band { near, middle, far };
 
-/// The defaults are those of all simulations; finer splits tell what they leave out.
+/// All simulations use the defaults; finer decompositions measure the error of the defaults.
 struct BandSplit {
-  /// Cells between the nodes of middle and far lattices: even numbers, one times the other.
+  /// Spacing of the middle and far nodes [cells]: even numbers, the second an even multiple of the
+  /// first.
   int middle_spacing = 2, far_spacing = 8;
-  /// Cells beyond which the near band has no influence, and where tables of the middle one end,
-  /// which are more than those of the near one.
+  /// Range of the near band, and extent of the tables of the middle band, which is larger [cells].
   int near_range = 6, middle_range = 18;
-  /// a of g for middle and far nodes: the larger, the less aliases and the longer the range.
+  /// Parameter a of the filter g for middle and far nodes: larger values mean less aliasing and a
+  /// longer range.
   double middle_sharpness = 1.6, far_sharpness = 1.5;
-  /// Part of the highest wavenumber of a lattice where its band of residual stress is gone, and up
-  /// to which it holds tables as they are.
-  double gone_at = 0.9, clear_band = 0.8;
-  /// Nodes that a cell reaches: 4, 6, 8 or 10.
+  /// Filter of a lattice as fractions of its highest wavenumber: cutoff of the band of residual
+  /// stress, and end of the passband in which tables are represented exactly.
+  double cutoff_fraction = 0.9, passband_fraction = 0.8;
+  /// Number of nodes of the spreading window: 4, 6, 8 or 10.
   int window_width = 6;
-  /// Cells of the ring around a zone, near_range of one that stands alone, where others are close:
-  /// beyond, the near band is 1e-2 of what it is at its range.
-  int wide_ring = 10;
-  /// Part of the ring from which on the strain in it fades out.
-  double ring_fades_from = 0.75;
-  /// Nodes between the ends of the middle plane, and those at the end of the far lattice that must
-  /// stay empty: there its tables fade out.
-  int middle_ring = 10, fading_nodes = 6;
-  /// Cells of depth below which strain does not move the surface by near and middle bands.
-  double near_moves = 12.0, middle_moves = 30.0;
-  /// Cells of depth below which tractions do not stress the body by near and middle bands.
-  double near_stressed = 18.0, middle_stressed = 60.0;
-  /// Cells of depth below which the bound of the stress of tractions goes without these bands.
-  double near_bound = 10.0, middle_bound = 28.0;
+  /// Margin around a zone with other zones nearby [cells]; near_range for an isolated zone. Beyond
+  /// it the near band is 1e-2 of its value at its range.
+  int wide_margin = 10;
+  /// Fraction of the margin beyond which the strain in it fades out.
+  double margin_fade_fraction = 0.75;
+  /// Number of nodes between the ends of the middle plane, and number of nodes at the end of the
+  /// far lattice that must stay empty, where its tables fade out.
+  int middle_gap = 10, fading_nodes = 6;
+  /// Depths below which strain has no surface displacement by the near and middle bands [cells].
+  double near_displacement_depth = 12.0, middle_displacement_depth = 30.0;
+  /// Depths below which tractions cause no stress by the near and middle bands [cells].
+  double near_stress_depth = 18.0, middle_stress_depth = 60.0;
+  /// Depths below which the bound of the stress due to tractions omits these bands [cells].
+  double near_bound_depth = 10.0, middle_bound_depth = 28.0;
 
-  /// Cells between the nodes of a band.
+  /// Spacing of the nodes of a band [cells].
   int spacing(Band band) const {
     return band == Band::near ? 1 : band == Band::middle ? middle_spacing : far_spacing;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of a medium's coefficients, split in bands: docs/theory/zones.md.
+// Tables of the coefficients of a medium, split into bands: docs/theory/zones.md.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace samcontact::operators {
 
-/// The tables of all bands of one medium. Thread-safe.
+/// Tables of all bands of one medium. Thread-safe.
 class BandTables {
  public:
   BandTables(SharedMedium medium, const Grid& cells, const BandSplit& bands)
@@ -25,8 +25,10 @@ class BandTables {
         cells_(cells),
         bands_(bands),
         window_(bands.window_width),
-        near_(bands.middle_spacing, bands.near_range, bands.clear_band, bands.middle_spacing),
-        middle_(bands.far_spacing, bands.middle_range, bands.clear_band, bands.middle_spacing) {
+        near_(bands.middle_spacing, bands.near_range, bands.passband_fraction,
+              bands.middle_spacing),
+        middle_(bands.far_spacing, bands.middle_range, bands.passband_fraction,
+                bands.middle_spacing) {
     cells_.period = {};
     if (cells.period.is_on())
       repeated_ = std::make_unique<RepeatedCells>(medium_, cells, bands.far_spacing);
@@ -34,22 +36,23 @@ class BandTables {
 
   const SharedMedium& medium() const { return medium_; }
   const BandSplit& bands() const { return bands_; }
-  /// What spreading and gathering make of a wave along one axis, wavenumber in 1/cell.
+  /// Factor of a Fourier mode along one axis after spreading and gathering, wavenumber in 1/cell.
   double window_gain(Band band, double k) const;
-  /// Share of a band in the residual stress of a wave, wavenumbers in 1/cell: the three add up
-  /// to 1.
+  /// Weight of a band in the residual stress of a Fourier mode, wavenumbers in 1/cell: the three
+  /// weights add up to 1.
   double share(Band band, double kx, double ky) const;
 
-  /// Layers whose strain moves the surface by a band: below, that has fallen to 1e-4.
+  /// Number of layers in which strain has a surface displacement by a band: below, it has decreased
+  /// to 1e-4.
   int strained_layers(Band band, const Grid& grid) const {
-    return layers(band, grid, bands_.near_moves, bands_.middle_moves);
+    return layers(band, grid, bands_.near_displacement_depth, bands_.middle_displacement_depth);
   }
-  /// Layers which tractions stress by a band: below, that has fallen to 1e-5.
+  /// Number of layers in which tractions cause stress by a band: below, it has decreased to 1e-5.
   int stressed_layers(Band band, const Grid& grid) const {
-    return layers(band, grid, bands_.near_stressed, bands_.middle_stressed);
+    return layers(band, grid, bands_.near_stress_depth, bands_.middle_stress_depth);
   }
 
-  /// [component][j][i] at nodes 0..offsets - 1 of the band.
+  /// Stress [component][j][i] at nodes 0..offsets - 1 of the band.
   Field stress(Band band, Traction traction, const KernelOffsets& offsets, double z,
                Tensor tensor) const {
     const Key key{What::stress, traction, z, tensor};
@@ -58,7 +61,7 @@ class BandTables {
     });
   }
 
-  /// Of heat, as Medium::heat_stress gives it.
+  /// Thermal stress, in the form of Medium::heat_stress.
   std::array<ParityParts, 6> heat_stress(Band band, const Heating& heating,
                                          const KernelOffsets& offsets, double z) const;
 
@@ -71,7 +74,7 @@ class BandTables {
   }
 
  private:
-  /// And the depth or layer.
+  /// Kind of table; its key also has the depth or layer.
   enum class What { stress, heat, displacement };
   using Key = std::tuple<What, Traction, double, Tensor>;
   using Exact = std::function<Field(const CellOffsets& offsets)>;
@@ -81,16 +84,16 @@ class BandTables {
     for (const int c : components(tensor)) parities.push_back(stress_parity(traction, c));
     return parities;
   }
-  /// [component][j][i]: the short tables of near and middle nodes, and the inside of the far ones.
+  /// [component][j][i]: short tables of near and middle nodes, and inner part of the far table.
   struct Split {
     Field near, middle, far;
-    /// Where ends are joined: `far` less what is exact, and of all even components the sum of what
-    /// near and middle nodes hold, per far node.
+    /// Periodic surfaces: `far` less the exact table, and for all even components the sum
+    /// represented by near and middle nodes, per far node.
     Field less;
     std::vector<double> held;
   };
 
-  /// Of a grid, down to a depth in cells; all of the far band.
+  /// Number of layers of a grid down to a depth in cells; all for the far band.
   int layers(Band band, const Grid& grid, double near, double middle) const {
     if (band == Band::far) return grid.nz;
     const double depth = (band == Band::near ? near : middle) * std::max(cells_.dx, cells_.dy);
@@ -102,8 +105,8 @@ class BandTables {
                const Exact& exact) const;
   Field far_tables(const Split& split, const KernelOffsets& offsets, const Parities& parities,
                    const Exact& exact) const;
-  Field joined_far_tables(const Split& split, const KernelOffsets& offsets,
-                          const Parities& parities, const Key& key) const;
+  Field periodic_far_tables(const Split& split, const KernelOffsets& offsets,
+                            const Parities& parities, const Key& key) const;
   void compare(const Parities& parities, const Field& whole, Split& split) const;
   void sharpen(Band band, const KernelOffsets& offsets, int mx, int my, const Parities& parities,
                Field& tables) const;
@@ -113,7 +116,7 @@ class BandTables {
   BandSplit bands_;
   WindowTransform window_;
   SmoothContinuation near_, middle_;
-  std::unique_ptr<const RepeatedCells> repeated_;  // where the surface repeats itself
+  std::unique_ptr<const RepeatedCells> repeated_;  // on a periodic surface
   mutable std::mutex mutex_;
   mutable std::map<Key, std::shared_ptr<const Split>> kept_;
 };

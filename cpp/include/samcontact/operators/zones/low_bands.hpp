@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The middle and the far band of zones: what strain in zones and tractions do by them, on the nodes
-// of two lattices over all of the surface.
+// Middle and far bands of zones: stress and displacement due to strain in zones and to tractions,
+// on the nodes of two lattices over the whole surface.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 
 namespace samcontact::operators {
 
-/// Not thread-safe; several threads work inside. Digits do not depend on their number.
+/// Not thread-safe; uses several threads itself. Digits do not depend on their number.
 class LowBands {
  public:
-  /// zones, strain: as those of ZoneOperators.
+  /// zones, strain: as in ZoneOperators.
   LowBands(std::shared_ptr<const ZoneTables> tables, const std::vector<Box>& zones);
   ~LowBands();
   LowBands(const LowBands&) = delete;
@@ -21,29 +21,29 @@ class LowBands {
   LowBands(LowBands&&) = delete;
   LowBands& operator=(LowBands&&) = delete;
 
-  /// Takes the strain for what follows.
+  /// Transforms the strain, for the following calls.
   void transform(const Field& strain);
-  /// Adds its displacement of the surface [m] over the grid, [i][j].
+  /// Adds the surface displacement due to the transformed strain [m] over the grid, [i][j].
   void add_displacement(Axis axis, double* out) const;
-  /// Of the strain that was taken, or of none, and of tractions on the grid. What was taken is then
-  /// used up.
+  /// Stress due to the transformed strain, or without strain, and to tractions on the grid. The
+  /// transformed strain is then used up.
   void find_stress(bool strained, const Tractions& tractions, double shear_sign);
-  /// What was found, in the zones: [component][cell].
+  /// Stress in the zones: [component][cell] [Pa].
   const Field& stress() const { return stress_; }
 
  private:
   struct Lattice;
 
-  /// Of the lattices' planes, which ones zones read.
+  /// Finds the rows of the lattice planes that zones read.
   void find_rows();
   void spread_layer(int k, const Field& strain);
-  /// Adds what sheets of far and middle nodes give to the cells of a box, one layer.
+  /// Adds values of far and middle nodes to the cells of a box, one layer.
   void gather(const double* far, const double* middle, const Box& box, double* cells) const;
 
   std::shared_ptr<const ZoneTables> tables_;
   const Grid& grid_;
   const std::vector<Box>& zones_;
-  std::vector<std::size_t> first_;  // cells before each zone's
+  std::vector<std::size_t> first_;  // number of cells before each zone
   std::size_t cells_ = 0;
   int layers_ = 0;
   Tensor tensor_;
@@ -53,7 +53,7 @@ class LowBands {
   Field stress_;
 };
 
-/// Numbers that are 0, of one thread: what it has once taken stays with it.
+/// Zero-initialised numbers of the calling thread, reused between calls.
 double* of_zeros(std::size_t count);
 
 }  // namespace samcontact::operators

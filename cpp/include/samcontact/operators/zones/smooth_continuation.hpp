@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of influence coefficients split in two: what lies near the source, in a few cells, and the
-// rest, so smooth that a coarser lattice holds it.
+// Splitting of tables of influence coefficients: a part near the source, in a few cells, and the
+// remainder, which is so smooth that a coarser lattice represents it.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,42 +11,42 @@
 
 namespace samcontact::operators {
 
-/// Replaces a table inside |x|, |y| < cells by what makes it smoothest: least in the wavenumbers
-/// with |kx| or |ky| beyond a part, clear_band, of the highest of a lattice `factor` times as
-/// coarse, which holds what is below as it is. Beyond that square it stays. The weights of least
-/// squares are those of a square of cells on all of the plane, sines of the difference over it, so
-/// that its eigenvectors are products of Slepian's sequences (1978,
-/// doi:10.1002/j.1538-7305.1978.tb02104.x).
+/// Replaces a table inside |x|, |y| < cells by its smoothest continuation: the one with the least
+/// energy at wavenumbers with |kx| or |ky| above the fraction passband_fraction of the highest
+/// wavenumber of a lattice `factor` times as coarse, which represents lower wavenumbers exactly.
+/// The table is unchanged outside that square. The least-squares weights are those of a square of
+/// cells in the infinite plane, sines of the difference over it, so that its eigenvectors are
+/// products of Slepian's sequences (1978, doi:10.1002/j.1538-7305.1978.tb02104.x).
 class SmoothContinuation {
  public:
   /// step: of rest().
-  SmoothContinuation(int factor, int cells, double clear_band, int step);
+  SmoothContinuation(int factor, int cells, double passband_fraction, int step);
 
   int cells() const { return cells_; }
-  /// Offsets 0..reach() - 1 of a table that are looked at: beyond, it is smooth.
+  /// Offsets 0..reach() - 1 of a table are used: beyond, it is smooth.
   int reach() const { return reach_; }
-  /// table: [j][i], offsets 0..reach() - 1 in both directions. Returns the values inside, [j][i] of
-  /// 0..cells() - 1.
+  /// table: [j][i], offsets 0..reach() - 1 in both directions. Returns the continuation inside,
+  /// [j][i] of 0..cells() - 1.
   Field inside(const double* table, kernels::Parity parity) const;
-  /// What the coarse lattice cannot hold of a table that is smooth inside, [j][i] of every step-th
-  /// offset below reach(): little, around the edge of the square.
+  /// Part of a table, smooth inside, that the coarse lattice cannot represent, [j][i] of every
+  /// step-th offset below reach(): small, around the edge of the square.
   Field rest(const double* table, kernels::Parity parity) const;
 
  private:
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  /// Of sequences that are even or odd: those on the offsets inside, orthonormal.
+  /// Orthonormal even or odd sequences on the offsets inside.
   struct Axis {
     Eigen::MatrixXd vectors;   // [offset inside][number]
-    Eigen::VectorXd values;    // how much of each lies within the band
-    Eigen::MatrixXd seen;      // [offset inside][offset]: the band's part of a table
-    Eigen::VectorXd per_unit;  // of an orthonormal sequence, its value at an offset
-    Eigen::MatrixXd low;       // [every step-th offset][offset]: what the coarse lattice holds
+    Eigen::VectorXd values;    // part of the energy of each sequence within the passband
+    Eigen::MatrixXd seen;      // [offset inside][offset]: passband part of a table
+    Eigen::VectorXd per_unit;  // value of a normalised sequence at an offset
+    Eigen::MatrixXd low;  // [every step-th offset][offset]: part represented by the coarse lattice
   };
   static Axis make_axis(int cells, int reach, double cut, bool odd);
-  /// filter: of differences of offsets.
+  /// filter: as a function of the difference of offsets.
   Eigen::MatrixXd make_low(const Eigen::VectorXd& filter, bool odd) const;
 
-  /// A table that fades out.
+  /// Table multiplied by fade_.
   Rows faded(const double* table) const;
 
   int cells_, reach_, step_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bound of the von Mises stress of tractions, cell by cell: that of what is smooth, plus what
-// lies near each cell of the surface, taken together without regard to signs.
+// Upper bound of the von Mises stress due to tractions, cell by cell: the stress of the smooth
+// bands plus the sum of the absolute near-band contributions of each surface cell.
 #pragma once
 
 #include <array>
@@ -21,19 +21,19 @@ class StressBound {
   StressBound(std::shared_ptr<const ZoneTables> tables, const std::vector<double>& depths);
   ~StressBound();
 
-  /// Cells of a block along x and y, which one bound serves: the first cells are those of the
-  /// grid's first block.
+  /// Size along x and y of a block of cells with a common bound [cells]; the first cells of the
+  /// grid form its first block.
   int block() const { return tables_->split().middle_spacing; }
   int blocks_x() const;
   int blocks_y() const;
 
-  /// What is there besides.
+  /// Stress in addition to that due to tractions.
   struct Given {
     std::vector<std::array<double, 3>> start;  // a deviator at each depth: xx, yy and xy [Pa]
-    DeviatorAt more{};                         // smooth; none: 0
+    DeviatorAt more{};                         // smooth; empty: 0
   };
-  /// Calls use(number of the depth, bound [i][j] of blocks [Pa]), in any order and several at once.
-  /// shear_sign: as everywhere.
+  /// Calls use(index of the depth, bound [i][j] of blocks [Pa]), in any order and from several
+  /// threads. shear_sign: factor of the shear on the body.
   using Use = std::function<void(int depth, const double* bound)>;
   void for_each_depth(const Tractions& tractions, double shear_sign, const Given& given,
                       const Use& use) const;
@@ -41,15 +41,15 @@ class StressBound {
   std::size_t bytes() const;
 
  private:
-  /// Some depths, one after the other.
+  /// Group of depths that are evaluated together.
   struct Group;
   /// Tractions on the cells and on the nodes of both lattices.
   struct Loads;
 
   void look_at(const Group& group, const Loads& loads, double shear_sign, const Given& given,
                const Use& use) const;
-  /// Von Mises stress of what is smooth at the corners of blocks, from nodes [component][a][b], and
-  /// where told a deviator of cells [i][j], its components `step` apart.
+  /// Von Mises stress of the smooth bands at the corners of blocks, from nodes [component][a][b],
+  /// plus optionally a deviator of cells [i][j], whose components are `step` apart.
   Field at_corners(const Field& nodes, const std::array<double, 3>& start, const double* more,
                    std::size_t step) const;
   Field near_part(double depth, const Tractions& tractions) const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What zones of one medium share: the tables of their planes, by band and size, and memory.
+// Data shared by the zones of one medium: tables of their planes, by band and size, and work
+// memory.
 #pragma once
 
 #include <array>
@@ -16,57 +17,57 @@
 
 namespace samcontact::operators {
 
-/// A zone with the ring around it in which strain of others acts on it through the near band: wider
-/// at sides beyond which some are close, since what is cut off there lies beside strain as strong.
-Box with_ring(const Box& zone, const std::vector<Box>& zones, const BandSplit& split);
+/// Zone with the margin in which strain of other zones acts on it through the near band: wider at
+/// sides with other zones nearby, because the truncated part is next to equally strong strain.
+Box zone_with_margin(const Box& zone, const std::vector<Box>& zones, const BandSplit& split);
 
-/// The planes of a band's nodes. Where a surface repeats itself their ends are joined: spreading
-/// and gathering then take a sheet that goes on beyond them, else it is the plane.
+/// Planes of the nodes of a band. On a periodic surface their ends are joined: spreading and
+/// gathering then use a sheet that extends beyond the ends; otherwise the sheet is the plane.
 class NodePlanes {
  public:
-  /// lattice: of the operators on the planes.
-  NodePlanes(NodeSpread nodes, const Grid& lattice, bool joined);
+  /// lattice: of the operators on the planes. periodic: whether the ends are joined.
+  NodePlanes(NodeSpread nodes, const Grid& lattice, bool periodic);
 
   const NodeSpread& nodes() const { return nodes_; }
   const Grid& lattice() const { return lattice_; }
   std::size_t plane_size() const { return lattice_.surface_size(); }
-  /// The nodes of a sheet: its rows are as long as the box.
+  /// Nodes of the sheet: its rows are as long as the box.
   const Box& sheet() const { return sheet_; }
   std::size_t sheet_size() const { return sheet_.surface_size(); }
-  /// The nodes of a plane that a coarser lattice takes, in rows of pitch() numbers.
+  /// Nodes of a plane that a coarser lattice uses, in rows of pitch() numbers.
   Box own() const;
   int pitch() const { return lattice_.ny; }
-  bool is_joined() const { return joined_; }
-  /// Adds a sheet to the plane, with what it has beyond the ends, where these are joined.
+  bool is_periodic() const { return periodic_; }
+  /// Adds a sheet to the plane, including the parts beyond joined ends.
   void fold(const double* sheet, double* plane) const;
-  /// The sheet of a plane, in `room` where they differ.
+  /// Sheet of a plane, in `room` if they differ.
   const double* sheet_of(const double* plane, Field& room) const;
-  /// Adds what the cells of a box, in rows of `pitch` numbers, give to the plane.
+  /// Adds the contribution of the cells of a box, in rows of `pitch` numbers, to the plane.
   void spread(const double* cells, int pitch, const Box& box, double* plane) const;
-  /// Rows of the plane that some boxes of its nodes hold.
+  /// Rows of the plane that contain the given boxes of its nodes.
   std::vector<fft::RowRun> rows_of(const std::vector<Box>& boxes) const;
 
  private:
   NodeSpread nodes_;
   Grid lattice_;
-  bool joined_;
+  bool periodic_;
   Box sheet_;
 };
 
-/// Tractions on the cells of a box, or on nodes, in rows of `pitch` numbers, on the planes of a
-/// lattice.
+/// Tractions on the cells of a box, or on nodes, in rows of `pitch` numbers, spread to the planes
+/// of a lattice.
 Tractions spread(const Tractions& cells, const Box& box, int pitch, const NodePlanes& planes);
 
-/// Whether the operators on a grid can be split in bands: where it repeats itself, it does so along
-/// x and y, in whole far nodes.
+/// Whether the operators on a grid can be split into bands: a periodic grid must be periodic along
+/// x and y, with whole far nodes.
 bool can_be_split(const Grid& grid, const BandSplit& split);
 
-/// The tables that zones of one medium need, kept from one set of zones to the next. Thread-safe.
+/// Tables for the zones of one medium, cached from one set of zones to the next. Thread-safe.
 class ZoneTables {
  public:
   using Operators = std::shared_ptr<const VolumeOperators>;
 
-  /// heating: that goes with the pressure.
+  /// heating: proportional to the pressure.
   ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor, double image_tol,
              const BandSplit& split = {}, const Heating& heating = {});
 
@@ -78,19 +79,20 @@ class ZoneTables {
   const std::shared_ptr<const HeatStress>& heat(Band band) const {
     return heat_[static_cast<int>(band)];
   }
-  bool is_joined() const { return grid_.period.is_on(); }
-  /// What the cells of a box reach, and of those what reaches far nodes; of so many layers.
+  bool is_periodic() const { return grid_.period.is_on(); }
+  /// Planes of the middle nodes of the cells of a box, and of the far nodes of these; with the
+  /// given number of layers.
   NodePlanes middle_planes(const Box& cells, int layers) const;
   NodePlanes far_planes(const NodePlanes& middle, int layers) const;
-  /// On a lattice; of some layers more than it has.
+  /// Operators on a lattice, with some more layers.
   Operators of(Band band, Grid lattice) const;
-  /// Those that nobody uses go.
+  /// Releases the tables that are not in use.
   void forget_unused() const;
-  /// Some numbers, given back for the next set of zones: large fields the system would clear page
-  /// by page each time.
+  /// Number array, to be returned for the next set of zones: the system would clear large new
+  /// arrays page by page each time.
   Field borrow(std::size_t count) const;
   void give_back(Field field) const;
-  /// Of the tables, not of what is lent: that depends on what was solved before.
+  /// Memory of the tables [byte], without lent arrays, whose number depends on earlier solutions.
   std::size_t bytes() const;
 
  private:
@@ -104,7 +106,7 @@ class ZoneTables {
   std::array<std::shared_ptr<const HeatStress>, 3> heat_;
   mutable std::mutex mutex_;
   mutable std::map<std::array<int, 4>, Operators> kept_;
-  mutable std::vector<Field> spare_;  // the smallest first
+  mutable std::vector<Field> spare_;  // smallest first
 };
 
 }  // namespace samcontact::operators

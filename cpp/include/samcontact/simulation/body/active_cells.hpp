@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cells of an increment that flow, or did in one of its iterations: the unknowns.
+// Active cells of an increment, which carry its unknowns: cells with plastic flow in at least one
+// iteration.
 #pragma once
 
 #include <cstdint>
@@ -12,32 +13,32 @@
 
 namespace samcontact::simulation {
 
-/// Appended to while an increment is solved, never reordered.
+/// Grows while an increment is solved; never reordered.
 class ActiveCells {
  public:
   struct Cell {
-    std::uint8_t body;   // index among the inelastic bodies
-    std::uint32_t cell;  // number in that body's zones
+    std::uint8_t body;   // index among the elastic-plastic bodies
+    std::uint32_t cell;  // index in the zones of that body
   };
   std::vector<Cell> cells;
-  std::vector<plasticity::Tensor> stress;  // deviator, of the last evaluation
-  Field equivalent;                        // increment of the last evaluation
+  std::vector<plasticity::Tensor> stress;  // deviator, from the last evaluation
+  Field equivalent;                        // increment from the last evaluation
 
   std::size_t size() const { return cells.size(); }
-  /// Of the strain of a cell in fields of unknowns [cell][component].
+  /// Components of the strain of a cell in fields of unknowns [cell][component].
   int components() const { return components_; }
-  /// Strain with a trace is to be told from all six.
+  /// Uses all six components, for strain with a trace.
   void keep_trace() { components_ = 6; }
 
   void append(const Cell& cell, const plasticity::Tensor& strain_before,
               const plasticity::Tensor& deviator);
-  /// Into other zones of a body, which hold all of its unknowns.
+  /// Moves to other zones of a body, which contain all its unknowns.
   void move(std::uint8_t body, const Zones& from, const Zones& to);
 
-  /// All six components of unknown number n.
+  /// All six components of unknown n.
   plasticity::Tensor get(const Field& unknown, std::size_t n) const;
   void put(const plasticity::Tensor& t, Field& unknown, std::size_t n) const;
-  /// Plastic strain of cell number n before the increment, plus that of a field of unknowns.
+  /// Plastic strain of active cell n before the increment plus its value in a field of unknowns.
   plasticity::Tensor strain(const Field& increment, std::size_t n) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the plastic strain of a body does to the surfaces in contact.
+// Effect of the plastic strain of a body on the surfaces in contact.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ namespace samcontact::simulation {
 
 class BodySurface {
  public:
-  /// copies: 2 where the other body is its mirror image in the contact plane. offset: of the body's
-  /// cells, see Placement.
+  /// copies: 2 if the other body is the mirror image in the contact plane. offset: of the cells of
+  /// the body, see Placement.
   BodySurface(const Scene& scene, int body, int copies, fft::Symmetry symmetry, double offset)
       : scene_(scene),
         body_(body),
@@ -22,28 +22,30 @@ class BodySurface {
         offset_(offset),
         choice_(scene.grid, symmetry) {}
 
-  /// Axes along which the residual displacement matters.
+  /// Axes along which the residual displacement is needed.
   std::span<const operators::Axis> axes() const;
-  /// Other zones. volume: of them, outlives this; null: none. split: see PlasticBody. before: the
-  /// strain in them with which the surfaces met, where axes along the surface matter.
+  /// Sets new zones. volume: of the zones, outlives this object; null: none. split: see
+  /// PlasticBody. before: strain in them for which the tractions were found, if tangential axes are
+  /// needed.
   void begin(ZoneVolume* volume, bool split, const Field& before);
-  /// What the history outside of the zones displaces; its stress is not used.
+  /// Sets the displacement due to the history outside the zones; its stress is not used.
   void take(OutsideStrain outside) { outside_ = std::move(outside); }
-  /// Whether there is a strain in the zones, which the volume has transformed.
+  /// Sets whether there is strain in the zones, which the volume has transformed.
   void set_strained(bool strained) { strained_ = strained; }
 
-  /// Where the residual displacement is known, one layer.
+  /// Surface cells with known residual displacement, one layer.
   Box known() const { return volume_ != nullptr ? choice_.whole(volume_->surface()) : Box{}; }
-  /// The body's cells, of which the grid shows at least parts.
+  /// Cells of the body of which the grid contains at least parts.
   Box seen() const;
-  /// Adds what the plastic strain opens to the gap.
-  void open(Field& gap);
-  /// Adds what the plastic strain of this increment lets body 1 slip over body 2 [2][i][j].
-  void slide(Field& free_slip) const;
-  /// Whether the residual displacement could close the gap where it is not known, and where all
-  /// bodies displace by no more than `reach` [m].
+  /// Adds the normal displacement due to plastic strain to the gap.
+  void add_displacement_to(Field& gap);
+  /// Adds the slip of body 1 relative to body 2 due to the plastic strain of this increment
+  /// [2][i][j].
+  void add_tangential_displacement_to(Field& free_slip) const;
+  /// Whether residual displacement could close the gap in cells where it is not known, if no
+  /// displacement exceeds `reach` [m].
   bool may_touch_outside(const Field& gap, double reach) const;
-  /// Largest residual displacement at the rim of its window [m], of all copies.
+  /// Largest residual displacement in the outermost known cells [m], sum over all copies.
   double rim_displacement() const { return copies_ * rim_displacement_; }
 
  private:
@@ -60,7 +62,7 @@ class BodySurface {
   bool split_ = false, strained_ = false;
   OutsideStrain outside_;
   double rim_displacement_ = 0.0;
-  std::array<Field, 2> slid_before_;  // along x and y, where it is known; empty: not at all
+  std::array<Field, 2> displaced_before_;  // along x and y, in the known cells; empty: none
 };
 
 }  // namespace samcontact::simulation

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hardening and strength of the cells of a body in an increment, and their return to the yield
-// surface.
+// Hardening and yield strength of the cells of a body in an increment, and their radial return.
 #pragma once
 
 #include <array>
@@ -16,27 +15,27 @@
 
 namespace samcontact::simulation {
 
-/// Of disjoint zones, whose cells are numbered.
+/// For the numbered cells of disjoint zones.
 class CellHistory {
  public:
   explicit CellHistory(const plasticity::Body& body) : body_(body) {}
 
-  /// Takes zones, hardening and backstress before the increment, and the strength of the cells.
+  /// Sets zones, hardening and backstress before the increment, and the strength of the cells.
   void take(const Zones& zones, Field equivalent, Field backstress, const Strength& strength);
   const Zones& zones() const { return zones_; }
 
-  /// Factor of the yield stress in a box that holds the zones; null: 1.
+  /// Sets the factor of the yield stress in a box that contains the zones; null: 1.
   void soften(std::shared_ptr<const BoxField> factor);
   const std::shared_ptr<const BoxField>& softening() const { return softening_; }
-  double weakest() const { return weakest_; }  // the smallest factor
+  double weakest() const { return weakest_; }  // minimum factor of the yield stress
 
-  /// Squares of von Mises stresses, over 3.
+  /// Squares of von Mises stresses, divided by 3.
   struct Limits {
-    std::vector<double> first;  // by material, before hardening and its profile
-    double weakest;             // of all cells
+    std::vector<double> first;  // by material, without hardening and profile
+    double weakest;             // minimum over all cells
   };
   Limits first_limits() const;
-  /// The same of a cell, in the increment. second: of its stress, below which the limit of all
+  /// Limit of a cell in the increment. second: of its stress; below it, the limit common to all
   /// cells need not be exact.
   double limit(std::size_t cell, double second, const Limits& limits) const {
     const bool own = second > limits.weakest && (softening_ || equivalent_[cell] > 0);
@@ -45,7 +44,7 @@ class CellHistory {
     return factor_.empty() ? first : first * (factor_[cell] * factor_[cell]);
   }
   bool has_backstress() const { return !backstress_.empty(); }
-  /// Sum of its backstresses: xx, yy, yz, xz, xy.
+  /// Sum of the backstresses of a cell: xx, yy, yz, xz, xy.
   std::array<double, 5> centre(std::size_t cell) const {
     std::array<double, 5> sum{};
     int c = 0;
@@ -56,12 +55,12 @@ class CellHistory {
   }
 
   double strain_at_yield() const { return body_.strain_at_yield(); }
-  /// Radial return of a cell, whose flow was guessed.
+  /// Radial return of a cell with an estimated plastic strain increment.
   plasticity::Return return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
                                 const plasticity::Tensor& guess) const;
-  /// Its history after a flow by `increment`.
+  /// Updates the history of a cell for a plastic strain increment.
   void flow(std::uint32_t cell, const plasticity::Tensor& increment, double equivalent);
-  /// All of it, with the strain; ends the use of this object.
+  /// Complete history, with the strain; this object must not be used afterwards.
   PlasticFields finish(Field strain);
 
  private:
@@ -70,9 +69,9 @@ class CellHistory {
     return body_.material(material_number(cell));
   }
   double yield_limit(std::uint32_t cell) const;
-  /// Factor of the yield stress.
+  /// Factor of the yield stress of a cell.
   double strength_of(std::uint32_t cell) const;
-  /// Of its material, before the increment, into the first places.
+  /// Backstresses of a cell for its material, before the increment, stored in `place`.
   std::span<const plasticity::Tensor> backstresses(std::uint32_t cell,
                                                    plasticity::Tensors& place) const;
 
@@ -81,7 +80,7 @@ class CellHistory {
   Field equivalent_;                     // before the increment
   Field backstress_;                     // before the increment, [term][component][cell]
   Field factor_;                         // of the yield stress, by depth; empty: 1
-  std::vector<std::uint16_t> material_;  // number of each cell's; empty: there is one
+  std::vector<std::uint16_t> material_;  // index for each cell; empty: a single material
   std::shared_ptr<const BoxField> softening_;
   double weakest_ = 1.0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An inelastic body in an increment: the zones that hold its plastic strain and every cell that may
-// flow, and the stress there.
+// Elastic-plastic body in an increment: the zones that contain its plastic strain and all cells
+// that may flow, and the stress there.
 #pragma once
 
 #include <memory>
@@ -19,9 +19,9 @@ namespace samcontact::simulation {
 
 class PlasticBody {
  public:
-  /// from: with the bodies where the increment takes them. number: its own among the inelastic
-  /// bodies. copies: 2 where the other body is its mirror image in the contact plane.
-  /// heating: that goes with the pressure.
+  /// from: with the bodies at their positions after the increment. number: index among the
+  /// elastic-plastic bodies. copies: 2 if the other body is the mirror image in the contact plane.
+  /// heating: proportional to the pressure.
   PlasticBody(const State& from, int index, std::uint8_t number, int copies, fft::Symmetry symmetry,
               const operators::Heating& heating);
 
@@ -29,7 +29,7 @@ class PlasticBody {
   operators::Tensor tensor() const { return tensor_; }
   /// Before the increment; null: none.
   const std::shared_ptr<const PlasticState>& history() const { return history_; }
-  /// Stored: from the mirror planes on.
+  /// Stored zones: the part on one side of the mirror planes.
   const Zones& zones() const { return cells_.zones(); }
   bool is_split() const { return split_; }
   bool strained() const { return strained_; }
@@ -40,40 +40,40 @@ class PlasticBody {
   const BodySurface& surface() const { return surface_; }
   BodySurface& surface() { return surface_; }
 
-  /// Other zones, which hold all unknowns: what is in both stays. split: whether their operators
-  /// are to be those of zones, or that of the box around them, which must hold all tractions then.
-  /// Throws MemoryError.
+  /// Sets new zones, which contain all unknowns; values in common cells are kept. split: whether to
+  /// use the operators of zones, or those of one box around them, which must then contain all
+  /// tractions. Throws MemoryError.
   void set_zones(const Zones& zones, bool split, const Sources& sources, ActiveCells& active);
-  /// Factor of the yield stress in a box that holds its own; null: 1.
+  /// Sets the factor of the yield stress in a box that contains the zones; null: 1.
   void soften(std::shared_ptr<const BoxField> factor);
 
-  /// Of a cell, with its unknowns; transformed next.
+  /// Sets the strain of a cell including its unknowns, to be transformed next.
   void set_strain(std::uint32_t cell, const plasticity::Tensor& strain);
   /// Transforms the strain. active: whether the increment has unknowns.
   void transform(bool active);
-  /// Tractions of the increment; outlive it.
-  void meet(const operators::Tractions& tractions);
-  /// What acts on it, in its own cells.
+  /// Sets the tractions of the increment, which must outlive this object.
+  void set_tractions(const operators::Tractions& tractions);
+  /// Tractions on the body, on its own cells.
   const operators::Tractions& tractions() const { return offset_ != 0 ? seen_ : *tractions_; }
 
-  /// Stress of its active cells; cells that yield and were not active are appended. Returns the
-  /// smallest (yield stress - von Mises)/yield stress of cells that are not active.
+  /// Computes the stress of the active cells; inactive cells that yield are appended. Returns the
+  /// minimum of (yield stress - von Mises stress)/yield stress over the inactive cells.
   double find_stress(ActiveCells& active);
   void activate(std::uint32_t cell, const plasticity::Tensor& deviator, ActiveCells& active);
-  /// The history after the increment; ends the use of this object.
+  /// History after the increment; this object must not be used afterwards.
   std::shared_ptr<const PlasticState> finish();
 
  private:
-  /// What a look at a layer finds: cells that yield and were not active, and the largest square of
-  /// a von Mises stress over its limit of those that are not.
-  struct Seen {
+  /// Result of the yield check of a layer: inactive cells that yield, and the maximum of the
+  /// squared von Mises stress over its limit for the other inactive cells.
+  struct LayerCheck {
     std::vector<std::pair<std::uint32_t, plasticity::Tensor>> yielding;
     double largest = 0.0;
   };
-  /// first: the number of its first cell; plane: how many it has.
-  Seen look_at_layer(std::size_t first, std::size_t plane, const double* layer,
-                     const CellHistory::Limits& limits, ActiveCells& active) const;
-  /// Adds what else stresses a layer.
+  /// first: index of its first cell; plane: its number of cells.
+  LayerCheck check_layer(std::size_t first, std::size_t plane, const double* layer,
+                         const CellHistory::Limits& limits, ActiveCells& active) const;
+  /// Adds all other stress of a layer.
   Field with_given_stress(std::size_t zone, int k, const double* layer) const;
 
   const Scene& scene_;
@@ -84,21 +84,22 @@ class PlasticBody {
   operators::Heating heating_;
   Strength strength_;
   std::shared_ptr<const PlasticState> history_;
-  /// The same as the surfaces met with it, before it was extrapolated.
+  /// History for which the tractions were found, before extrapolation.
   std::shared_ptr<const PlasticState> met_;
   operators::Tensor tensor_ = operators::Tensor::deviator;
-  double offset_ = 0.0;  // of its cells from the grid's, see Placement
+  double offset_ = 0.0;  // of its cells relative to those of the grid, see Placement
   CellHistory cells_;
   YieldSearch search_;
   BodySurface surface_;
   std::unique_ptr<ZoneVolume> volume_;  // null: no zones
   bool split_ = false;
-  Field strain_;             // before the increment plus the last guess
-  std::vector<int> active_;  // per cell: its place among the active ones, or -1
+  Field strain_;             // before the increment plus the last estimate
+  std::vector<int> active_;  // per cell: its index among the active cells, or -1
   bool strained_ = false;
-  std::vector<Field> given_stress_;  // by zone, of all but tractions and the strain in the zones
+  std::vector<Field>
+      given_stress_;  // by zone, due to everything except tractions and the strain in the zones
   const operators::Tractions* tractions_ = nullptr;
-  operators::Tractions seen_;  // from cells at an offset
+  operators::Tractions seen_;  // on cells at an offset
 };
 
 }  // namespace samcontact::simulation

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the stress of tractions and sources comes near the yield stress of a body.
+// Search for cells of a body in which the stress due to tractions and sources comes close to the
+// yield stress.
 #pragma once
 
 #include <optional>
@@ -12,29 +13,29 @@ namespace samcontact::simulation {
 
 class YieldSearch {
  public:
-  /// heating: that goes with the pressure. strength: of the body in the increment.
+  /// heating: proportional to the pressure. strength: of the body in the increment.
   YieldSearch(const Scene& scene, int body, const operators::Heating& heating, Strength strength)
       : scene_(scene), body_(body), heating_(heating), strength_(std::move(strength)) {}
 
-  /// The least factor of the yield stress by softening.
+  /// Sets the minimum factor of the yield stress due to softening.
   void soften(double weakest) { weakest_ = weakest; }
-  // Tractions are those that act on the body, in its own cells.
+  // Tractions are those on the body, on its own cells.
 
-  /// The box of all cells where tractions and sources alone come near yielding.
+  /// Box of all cells in which tractions and sources alone come close to yield.
   Box near_yield(const operators::Tractions& tractions, const YieldScan& scan,
                  const Sources& sources) const;
-  /// The columns of those that yield.
+  /// Columns of the cells that yield.
   const Columns& yielding_columns(const operators::Tractions& tractions, const YieldScan& scan,
                                   const Sources& sources);
-  /// The box of all cells below those of the grid where these alone make it yield; of a body that
-  /// is weak somewhere below, of all cells where they come near.
+  /// Box of all cells below those of the grid that yield due to tractions and sources alone; for a
+  /// body with weak layers below, of all cells close to yield.
   Box yield_below(const operators::Tractions& tractions, const YieldScan& scan,
                   const Sources& sources) const;
-  /// Whether it yields down to any depth.
+  /// Whether the body yields down to any depth.
   bool yields_everywhere(const operators::Tractions& tractions, const YieldScan& scan) const;
 
  private:
-  /// The columns where some tractions go beyond a limit.
+  /// Columns in which tractions exceed a limit.
   struct Yielding {
     operators::Tractions tractions;
     double softening;
@@ -50,7 +51,7 @@ class YieldSearch {
   operators::Heating heating_;
   Strength strength_;
   double weakest_ = 1.0;
-  std::optional<Yielding> yielding_;  // as last looked for
+  std::optional<Yielding> yielding_;  // result of the last search
 };
 
 }  // namespace samcontact::simulation

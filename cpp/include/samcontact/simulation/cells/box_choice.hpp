@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How large the box of a body is that holds its plastic strain: what must be in it, with room to
-// grow.
+// Choice of the box for the plastic strain of a body: the required cells with a margin for growth.
 #pragma once
 
 #include "samcontact/base/box.hpp"
@@ -9,21 +8,22 @@
 
 namespace samcontact::simulation {
 
-/// Whole boxes, but for those that are called stored: the part from the mirror planes on. A box may
-/// reach beyond the grid, below and beside it, but for directions in which it is periodic.
+/// Whole boxes, except those called stored: the part on one side of the mirror planes. A box may
+/// extend beyond the grid, laterally and below, except along periodic directions.
 class BoxChoice {
  public:
   BoxChoice(const Grid& grid, fft::Symmetry symmetry) : grid_(grid), symmetry_(symmetry) {}
 
-  /// Cells around what must be in a box: those of the grid, and beyond where it ends at the border.
+  /// Box with a margin: within the grid, and beyond its edges if the box reaches them.
   Box with_margin(const Box& box) const;
-  /// A stored box for what is needed, instead of the stored box `before`, which may be empty.
+  /// Stored box for the required cells, which replaces the stored box `before`, which may be empty.
   Box fitted(const Box& needed, const Box& before) const;
-  /// What a stored box must hold besides itself where some cells of its rim flow; stored.
+  /// Stored box of additional cells that a stored box must contain because of plastic flow in a
+  /// cell of its outermost layer.
   Box rim_of(const Box& box, const Cell& cell) const;
-  /// What of it lies in the grid or in a stored box.
+  /// Part of the box that lies in the grid or in a stored box.
   Box in_grid_or(const Box& box, const Box& needed) const;
-  /// Part from the mirror planes on of a box that was widened.
+  /// Stored part of a widened box.
   Box stored(Box box) const;
 
   Box whole(const Box& stored) const { return whole_box(stored, grid_, symmetry_); }
@@ -35,8 +35,8 @@ class BoxChoice {
   fft::Symmetry symmetry_;
 };
 
-/// Whether a whole box reaches too far from the grid for anything but a half-space that flows as a
-/// whole.
-bool has_no_end(const Box& box, const Grid& grid);
+/// Whether a whole box extends so far from the grid that only an unbounded plastic zone explains
+/// it.
+bool is_unbounded(const Box& box, const Grid& grid);
 
 }  // namespace samcontact::simulation

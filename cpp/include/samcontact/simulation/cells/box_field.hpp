@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scalar field over the cells of a box.
+// Scalar field over the cells of a box.
 #pragma once
 
 #include "samcontact/base/aligned.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tensor fields of a state: parts of them, and deviators with all their components.
+// Parts of the tensor fields of a state, and conversion from deviators to all six components.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 
 namespace samcontact::simulation {
 
-/// The part of a tensor field over a box that lies in its own.
+/// Part of a tensor field over a box inside its own box.
 Field cut(const Field& tensor, const Box& from, const Box& to);
-/// All six components of the deviator of n cells.
+/// All six components of the deviators of n cells.
 void complete(const double* deviator, std::size_t n, double* full);
-/// All six components of a strain with those of `tensor`.
+/// All six components of a strain that is stored with the components of `tensor`.
 Field six_components(Field strain, operators::Tensor tensor);
 
-/// Puts one of a stored box into that of a region, where the whole box is in it.
+/// Copies a field over a stored box, with its mirror images, into a field over a region.
 void put_unfolded(const Field& part, const Box& stored, fft::Symmetry symmetry, const Grid& grid,
                   const Box& region, Field& out);
 

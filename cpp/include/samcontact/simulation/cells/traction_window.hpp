@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts of the surface on which tractions act.
+// Rectangles of the surface with tractions, and the part of tractions over a box.
 #pragma once
 
 #include "samcontact/base/box.hpp"
@@ -7,12 +7,12 @@
 
 namespace samcontact::simulation {
 
-/// The cells of the grid where tractions act; no layers.
+/// Rectangle of the grid cells with tractions; no layers.
 Box window_of(const operators::Tractions& tractions, const Grid& grid);
-/// The part of the surface fields over a box; 0 beside the grid.
+/// Part of the surface fields over a box; 0 beyond the grid.
 operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,
                             const Box& box);
-/// Shear [2][i][j]; empty where there is none.
+/// Shear [2][i][j] [Pa]; empty without shear.
 Field shear_vectors(const operators::Tractions& tractions);
 
 }  // namespace samcontact::simulation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which small boxes hold the plastic strain of a body where it lies in many places.
+// Choice of small boxes for the plastic strain of a body that lies in many places.
 #pragma once
 
 #include <vector>
@@ -9,31 +9,32 @@
 
 namespace samcontact::simulation {
 
-/// How deep something is needed below each column of a part of the lattice.
+/// Required depth below each column of a part of the lattice.
 struct Columns {
-  Box window;              // its layers do not matter
-  std::vector<int> depth;  // [i][j], in layers; 0: not at all
+  Box window;              // only its surface cells matter
+  std::vector<int> depth;  // [i][j], in layers; 0: none
 };
 
-/// Boxes around the groups of neighbouring columns, a few cells wider and deeper.
+/// Boxes around groups of neighbouring columns, a few cells wider and deeper.
 std::vector<Box> boxes_around(const Columns& columns);
 
-/// A box that is some cells wider on all sides, and deeper.
+/// Box that is wider by some cells on all sides, and deeper.
 Box widened(const Box& box, int cells);
 
-/// Boxes of a surface that repeats itself along x and y, or not at all: what lies beyond its ends
-/// is cut off and moved to where it is within.
+/// Boxes on a surface that is periodic along x and y, or not periodic: parts beyond the ends of the
+/// period are cut off and moved into it.
 std::vector<Box> within_period(const std::vector<Box>& boxes, const Period& period);
 
-/// Disjoint boxes that hold all of these: two become one where that costs less; of two that meet,
-/// else one gives way. split: of rings of cells that are swept with zones.
+/// Disjoint boxes that contain all given boxes: two boxes are merged if that costs less; of two
+/// overlapping boxes one is cut otherwise. split: width of the margins that are evaluated with the
+/// zones.
 std::vector<Box> merged(const std::vector<Box>& boxes, const operators::BandSplit& split);
 
-/// Work of an evaluation in such zones and in one box, both in cells of transforms and sweeps,
-/// which only where the surface ends are padded: `joined` says that it repeats itself. surface:
-/// where displacement is known.
+/// Work of an evaluation with these zones and with one box, both in cells of transforms and sweeps;
+/// padding is needed only on a surface that is not periodic (`periodic`: periodic). surface: cells
+/// with known displacement.
 double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
-                     const operators::BandSplit& split, bool joined);
-double cost_of_box(const Box& box, bool joined);
+                     const operators::BandSplit& split, bool periodic);
+double cost_of_box(const Box& box, bool periodic);
 
 }  // namespace samcontact::simulation

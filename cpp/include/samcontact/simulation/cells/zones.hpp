@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Disjoint boxes of cells, and tiles of the lattice that the grid is a part of.
+// Disjoint boxes of cells (zones), and tiles of the lattice that contains the grid.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,18 @@
 
 namespace samcontact::simulation {
 
-/// A cell of the lattice; it may lie beside the grid or below it.
+/// Cell of the lattice; it may lie beyond the edges of the grid or below it.
 struct Cell {
   int i, j, k;
   bool operator==(const Cell&) const = default;
 };
 
-/// Columns of the lattice, by 16 x 16: the first is that of the cells 0 to 15.
+/// Tile of 16 x 16 columns of the lattice: the first one contains the cells 0 to 15.
 using Tile = std::pair<int, int>;
 inline constexpr int tile_width = 16;
 inline int tile_of(int i) { return i >= 0 ? i / tile_width : -((tile_width - 1 - i) / tile_width); }
 
-/// Calls use(tile, part of the box in it) for each that a box has cells of.
+/// Calls use(tile, part of the box in it) for each tile that contains cells of a box.
 template <class Use>
 void for_each_tile(const Box& box, const Use& use) {
   if (box.empty()) return;
@@ -36,8 +36,8 @@ void for_each_tile(const Box& box, const Use& use) {
   }
 }
 
-/// Disjoint boxes, whose cells are numbered one box after the other, [zone][k][i][j]. Fields over
-/// them are [component][cell].
+/// Disjoint boxes; their cells are numbered box by box, [zone][k][i][j]. Fields over them are
+/// [component][cell].
 class Zones {
  public:
   Zones() = default;
@@ -46,10 +46,10 @@ class Zones {
   const std::vector<Box>& boxes() const { return boxes_; }
   std::size_t count() const { return boxes_.size(); }
   bool empty() const { return boxes_.empty(); }
-  /// The smallest box that holds all of them.
+  /// Smallest box around all zones.
   const Box& around() const { return around_; }
   std::size_t cells() const { return first_.back(); }
-  /// Number of a zone's first cell.
+  /// Index of the first cell of a zone.
   std::size_t first(std::size_t zone) const { return first_[zone]; }
 
   Cell cell(std::size_t number) const {
@@ -59,7 +59,7 @@ class Zones {
     return {box.i0 + static_cast<int>(ki % box.nx), box.j0 + static_cast<int>(n % box.ny),
             static_cast<int>(ki / box.nx)};
   }
-  /// The reverse; -1 outside.
+  /// Index of a cell; -1 outside the zones.
   std::ptrdiff_t number(const Cell& cell) const {
     return count() == 1 ? number_in(0, cell) : find(cell);
   }
@@ -78,18 +78,18 @@ class Zones {
   std::ptrdiff_t find(const Cell& cell) const;
 
   std::vector<Box> boxes_;
-  std::vector<std::size_t> first_{0};  // and the number after the last
+  std::vector<std::size_t> first_{0};  // and the index after the last cell
   Box around_;
-  std::map<Tile, std::vector<std::size_t>> by_tile_;  // where there are several
+  std::map<Tile, std::vector<std::size_t>> by_tile_;  // if there are several zones
 };
 
-/// The smallest box that holds all.
+/// Smallest box around all boxes.
 Box around(const std::vector<Box>& boxes);
-/// Copies a field over the cells that both zones have; the rest of `to` stays.
+/// Copies a field over the cells common to both zones; the rest of `to` is unchanged.
 void copy_common(const double* from, const Zones& from_zones, double* to, const Zones& to_zones);
-/// Whether no two boxes have a cell in common.
+/// Whether no two boxes have a common cell.
 bool are_disjoint(const std::vector<Box>& boxes);
-/// Zones that hold all cells that lie in a box and in one of two others at least.
+/// Zones that contain all cells that lie in a box and in at least one of two other sets of zones.
 Zones covering(const Zones& a, const Zones& b, const Box& within);
 
 }  // namespace samcontact::simulation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The way to the target of an increment, in as many parts as convergence and the tolerance of
-// increments ask for.
+// Division of an increment into sub-increments, as required for convergence and by the increment
+// tolerance.
 #pragma once
 
 #include <functional>
@@ -13,30 +13,30 @@ namespace samcontact::simulation {
 
 class Division {
  public:
-  /// scans: those with the heat of a part.
+  /// scans: with the heating of a sub-increment.
   using ScansOf = std::function<const Scans&(const operators::HeatingPair& heating)>;
 
   Division(const State& from, const Target& target, const Settings& settings, Counters& counters,
            ScansOf scans);
 
-  /// The state at the target. Throws ConvergenceError where the smallest part does not converge,
-  /// std::invalid_argument where the tolerance asks for smaller ones, or for too many.
+  /// State at the target. Throws ConvergenceError if the smallest sub-increment does not converge,
+  /// and std::invalid_argument if the tolerance requires smaller ones, or too many.
   State walk();
 
  private:
-  // Places on the way: 0 where it starts, 1 at the target.
+  // Positions along the increment: 0 at its start, 1 at the target.
 
   Target part_of(const State& from, double start, double end) const;
   State moved_to(const State& from, double end) const;
   State increment(const State& from, const Target& part);
   State solve(const State& from, double start, double end);
-  /// The state at the end of the next part; none where its error is too large. factor: of its
-  /// length for the one to try after it.
+  /// State at the end of the next sub-increment; none if its error is too large. factor: factor of
+  /// its length for the next attempt.
   std::optional<State> next_part(double end, double& factor);
-  /// The same from a solution in one part, and one in two.
+  /// Extrapolated state, from one solution in a single step and one in two.
   std::optional<State> extrapolate(const State& once, double end, double& factor);
 
-  /// Throws std::invalid_argument: the tolerance asks for such parts.
+  /// Throws std::invalid_argument: the tolerance would require such sub-increments.
   [[noreturn]] void refuse(const std::string& parts) const;
 
   const State& from_;
@@ -47,7 +47,7 @@ class Division {
   State moment_;
   double done_ = 0.0;
   int iterations_ = 0, substeps_ = 0;
-  int short_parts_ = 0;  // of the substeps, those as short as the tolerance asks for
+  int short_parts_ = 0;  // number of sub-increments whose length is limited by the tolerance
 };
 
 }  // namespace samcontact::simulation

@@ -6,11 +6,11 @@
 
 namespace samcontact::simulation {
 
-/// Mirror planes of the increment: those of the scene, of the target, and of what happened before.
-/// tractions: that are prescribed.
+/// Mirror planes of the increment: those of the grid and bodies, of the target, and of the loading
+/// history. tractions: prescribed tractions.
 fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions& tractions,
                           const Sources& sources);
-/// Whether both bodies are made of the same, and have gone and go through the same.
-bool has_twins(const IncrementTask& task, const Sources& sources);
+/// Whether the two bodies are mirror images: equal materials, histories and loads.
+bool bodies_are_mirror_images(const IncrementTask& task, const Sources& sources);
 
 }  // namespace samcontact::simulation

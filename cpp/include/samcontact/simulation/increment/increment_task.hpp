@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All that an increment is solved from and for.
+// Input of the solution of an increment.
 #pragma once
 
 #include "samcontact/simulation/increment/settings.hpp"
@@ -10,11 +10,11 @@
 
 namespace samcontact::simulation {
 
-/// References to what outlives the increment.
+/// References to objects that outlive the increment.
 struct IncrementTask {
-  const State& from;  // with the bodies where the increment takes them
+  const State& from;  // with the bodies at their positions after the increment
   const Target& target;
-  const Scans& scans;  // by body, null where nothing can yield
+  const Scans& scans;  // by body, null for an elastic body
   const Settings& settings;
   Counters& counters;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fixed point of one increment: contact, stress and radial return for a given guess of the
+// Fixed-point map of one increment: contact, stress and radial return for a given estimate of the
 // plastic strain increment.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace samcontact::simulation {
 class PlasticIncrement {
  public:
   explicit PlasticIncrement(const IncrementTask& task);
-  // Its parts refer to each other.
+  // The members refer to each other.
   PlasticIncrement(const PlasticIncrement&) = delete;
   PlasticIncrement& operator=(const PlasticIncrement&) = delete;
   PlasticIncrement(PlasticIncrement&&) = delete;
@@ -28,32 +28,35 @@ class PlasticIncrement {
 
   struct Result {
     contact::Solution contact;
-    double excess = 0.0;     // largest relative yield excess of the stress
-    double overshoot = 0.0;  // largest relative yield excess of the trial stress
-    /// Euclidean norm, over the cells that flow now or in the guess, of the strain at yield, yield
-    /// stress / 3 G.
+    double excess = 0.0;  // maximum relative violation of the yield condition by the stress
+    double overshoot =
+        0.0;  // maximum relative violation of the yield condition by the trial stress
+    /// Euclidean norm of the strain at yield, yield stress / 3 G, over the cells with plastic flow
+    /// now or in the estimate.
     double yield_strain_norm = 0.0;
-    /// Smallest (yield stress - von Mises)/yield stress of the cells that are not active.
+    /// Minimum of (yield stress - von Mises stress)/yield stress over the inactive cells.
     double headroom = 1.0;
-    bool grown = false;  // a zone was too small: evaluate again before accepting
+    bool grown = false;  // a zone was too small: evaluate again before accepting the result
   };
 
-  /// A guess to start from; may be empty.
+  /// Estimate to start from; may be empty.
   Field first_guess() { return guess_.find(bodies_, active_); }
 
-  /// mapped = G(guess). New active cells are appended to both. contact_tol applies to load and
+  /// mapped = G(guess). Newly active cells are appended to both. contact_tol applies to load and
   /// approach.
   Result evaluate(Field& guess, double contact_tol, Field& mapped);
 
-  /// The zones, which after an evaluation may have to grow: evaluate again then.
+  /// Zones, which may have to grow after an evaluation: the map must then be evaluated again.
   ZoneManager& zones() { return zones_; }
 
-  /// The contact of the last evaluation to a finer tolerance; all else stays.
+  /// Solves the contact of the last evaluation again with a smaller tolerance; everything else is
+  /// unchanged.
   void refine_contact(double contact_tol, Result& result);
 
   bool has_plastic_body() const { return !bodies_.empty(); }
 
-  /// The state after the increment `mapped` of the last evaluation; ends the use of this object.
+  /// State after the increment `mapped` of the last evaluation; this object must not be used
+  /// afterwards.
   State finish(const Field& mapped, const Result& result);
 
  private:
@@ -61,7 +64,7 @@ class PlasticIncrement {
   void scatter(const Field& guess);
   contact::Solution solve_contact(const Field& gap, double tol);
   void return_map(const Field& guess, Field& mapped, Result& result);
-  /// What a body, number b of the inelastic ones, has become.
+  /// Stores the state of elastic-plastic body number b.
   void finish(std::size_t b, const Field& mapped, State& state);
 
   const IncrementTask task_;
@@ -69,12 +72,12 @@ class PlasticIncrement {
   const Sources sources_;
   SlipHistory slip_;
   const fft::Symmetry symmetry_;
-  const bool twins_;  // one body is solved for both
+  const bool mirror_images_;  // whether one body is solved for both
   StartGuess guess_;
-  std::vector<PlasticBody> bodies_;  // inelastic ones
+  std::vector<PlasticBody> bodies_;  // elastic-plastic bodies
   ActiveCells active_;
   ZoneManager zones_;
-  Field gap_;  // without the elastic displacement, of the last evaluation
+  Field gap_;  // without the elastic displacement, from the last evaluation
 };
 
 }  // namespace samcontact::simulation

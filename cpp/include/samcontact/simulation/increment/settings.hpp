@@ -11,27 +11,29 @@
 
 namespace samcontact::simulation {
 
-/// Factor of a body's yield stress from the rise of temperature [K], both [k][i][j] of a box.
+/// Factor of the yield stress of a body as a function of the temperature rise [K], both [k][i][j]
+/// of a box.
 using Softening = std::function<Field(const Field& temperature, const Box& box)>;
 
-/// Defaults and ranges are the caller's.
+/// Defaults and ranges are set by the caller.
 struct Settings {
-  double tol{};  // relative change of the plastic strain increment, and yield excess
-  /// Error of the division into increments, by step doubling; 0: increments as given.
+  double tol{};  // relative change of the plastic strain increment, and relative violation of the
+                 // yield condition
+  /// Error of the division into sub-increments, by step doubling; 0: no subdivision.
   double increment_tol{};
   int max_iterations{};
   contact::OnBorder on_border{};
   operators::ResidualMethod residual_stress{};
   /// Fast residual stress: error due to periodic images, relative to the largest stress.
   double image_tol{};
-  /// How far beyond the grid plastic strain acts along x [cells].
+  /// Distance beyond the grid along x within which plastic strain acts [cells].
   int reach{};
-  /// Plastic strain in one box always, never in small zones.
+  /// Whether plastic strain is always solved in one box, never in small zones.
   bool one_zone = false;
-  /// How the operators of small zones are split in bands.
+  /// Band decomposition of the operators of small zones.
   operators::BandSplit split = {};
   int max_halvings = 8;
-  /// By body; empty: none. Asked once an increment, or part of one.
+  /// By body; empty: none. Called once per increment or sub-increment.
   std::array<Softening, 2> softening = {};
 };
 

@@ -1,39 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies that stick and slip: shear is an unknown of the contact as pressure is, and what the
-// plastic strain does along the surface enters its condition of stick.
+// Partial slip in an increment: shear is an unknown of the contact like the pressure, and the
+// tangential displacement due to plastic strain enters the stick condition.
 #pragma once
 
 #include "samcontact/simulation/increment/increment_task.hpp"
 
 namespace samcontact::simulation {
 
-/// The rigid motion of an increment, where bodies that move on also turn and slide by the
-/// difference of their ways.
+/// Rigid motion of an increment; moving bodies also rotate, and slide by the difference of their
+/// travel.
 contact::TangentialDrive tangential_drive(const IncrementTask& task);
-/// Whether bodies alike that may stick are not sheared.
+/// Whether the contact has no unknown shear: full sliding, or identical materials without
+/// tangential drive and without previous shear.
 bool is_free_of_shear(const IncrementTask& task);
 
 class SlipHistory {
  public:
-  /// Of no use where the contact does not stick and slip, or is prescribed.
+  /// Has no effect in full sliding or under prescribed tractions.
   explicit SlipHistory(const IncrementTask& task);
 
   /// Whether shear is an unknown.
   bool is_on() const { return on_; }
-  /// Slip before plastic strain of the increment slides the bodies, to be added to [2][i][j].
+  /// Slip before the contribution of the plastic strain of the increment, which is to be added to
+  /// [2][i][j].
   Field& begin_slip();
-  /// Pressure and shear over a gap. start: where the iteration starts.
+  /// Pressure and shear for a gap. start: initial pressure of the iteration.
   contact::Solution solve(const Field& gap, const Field& start,
                           const contact::ContactSettings& settings);
-  /// Puts slip, motion and work of the last solution into the state after the increment.
-  /// tractions: of the increment.
+  /// Stores slip, motion and work of the last solution in the state after the increment. tractions:
+  /// of the increment.
   void remember(const operators::Tractions& tractions, State& state) const;
 
  private:
   IncrementTask task_;
   bool on_;
   contact::ContactHistory before_;
-  Field carried_apart_;           // slip that goes with different ways of the bodies
+  Field carried_apart_;           // slip due to different travel of the bodies
   contact::ShearSolution shear_;  // of the last solution
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Thermal softening in an increment: the yield stress of bodies that its contact heats.
+// Thermal softening in an increment: the yield stress of bodies heated by the contact.
 #pragma once
 
 #include <array>
@@ -14,10 +14,11 @@ class ThermalSoftening {
  public:
   explicit ThermalSoftening(const IncrementTask& task);
 
-  /// Softens a body in the volume below its contact and in a box, once: where the first contact
-  /// tells how hot it is. Throws std::invalid_argument for a law that gives no factor.
+  /// Softens a body in the volume below its contact and in a box, once: the first contact of the
+  /// increment gives the temperature rise. Throws std::invalid_argument for a law that does not
+  /// return a factor.
   void apply(PlasticBody& body, const Box& box);
-  /// Softens it by the same contact in another box as well, where it is softened already.
+  /// Softens an already softened body in another box as well, from the same contact.
   void extend(PlasticBody& body, const Box& box) const;
 
  private:
@@ -28,7 +29,7 @@ class ThermalSoftening {
   IncrementTask task_;
   std::array<GivenHeat, 2> given_;
   std::array<double, 2> offsets_;
-  std::array<Field, 2> pressure_;  // on each body, of the first contact; empty before
+  std::array<Field, 2> pressure_;  // on each body, from the first contact; empty before
 };
 
 }  // namespace samcontact::simulation

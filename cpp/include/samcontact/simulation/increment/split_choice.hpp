@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the plastic strain of a body is solved for in small zones, and in which ones.
+// Choice between one box and small zones for the plastic strain of a body, and choice of the zones.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,8 @@ namespace samcontact::simulation {
 
 class SplitChoice {
  public:
-  /// tractions: of the increment, which change with its contact; outlive this, as all.
+  /// tractions: of the increment, which change with its contact. All arguments must outlive this
+  /// object.
   SplitChoice(const IncrementTask& task, fft::Symmetry symmetry, const StartGuess& guess,
               const operators::Tractions& tractions, const Sources& sources)
       : task_(task),
@@ -24,12 +25,12 @@ class SplitChoice {
 
   /// Whether small zones are allowed.
   bool is_allowed() const;
-  /// Whether they are less work than one box.
+  /// Whether they require less work than one box.
   bool is_worthwhile(const PlasticBody& body, const std::vector<Box>& boxes) const;
-  /// Disjoint zones that hold some boxes.
+  /// Disjoint zones that contain the given boxes.
   std::vector<Box> merged_zones(const std::vector<Box>& boxes) const;
-  /// Small zones for a body with a history: those of before; of a body that has moved all history
-  /// in the grid, and where it flows steadily.
+  /// Small zones for a body with a history: the previous zones; for a body that has moved, its
+  /// whole history in the grid and the zone of steady plastic flow.
   std::vector<Box> zones_to_begin_with(const PlasticBody& body) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first guess of the plastic flow of an increment: that of the last one, where the bodies go on
-// in the same way.
+// Initial estimate of the plastic strain increment: that of the last increment, if the loading
+// continues in the same way.
 #pragma once
 
 #include <vector>
@@ -17,18 +17,19 @@ class StartGuess {
   StartGuess(const IncrementTask& task, fft::Symmetry symmetry)
       : task_(task), symmetry_(symmetry) {}
 
-  /// The unknowns of cells that it activates; empty: no guess.
+  /// Unknowns of the cells that it activates; empty: no estimate.
   Field find(std::vector<PlasticBody>& bodies, ActiveCells& active) const;
-  /// Whether the contact goes on and stays the same.
+  /// Whether the contact moves on without change.
   bool is_steady() const;
-  /// Keeps the flow of the increment for the guess of the next one.
+  /// Stores the plastic strain increment for the estimate of the next increment.
   void remember(const std::vector<PlasticBody>& bodies, const ActiveCells& active,
                 const Field& increment, State& state) const;
 
  private:
-  /// Part of the last increment of the same steady motion; 0: it was none.
+  /// Fraction of the last increment of the same steady motion; 0: it was a different one.
   double part_of_last_motion() const;
-  /// The same of a load or approach that goes on in the same direction, at rest.
+  /// Fraction of the last increment of a stationary load or approach in the same direction; 0: it
+  /// was a different one.
   double part_of_last_load() const;
 
   IncrementTask task_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where an increment goes: load or approach, motion, tractions and heat.
+// Target of an increment: load or approach, motion, tractions and heat.
 #pragma once
 
 #include <string>
@@ -12,21 +12,21 @@
 
 namespace samcontact::simulation {
 
-/// Where an increment goes.
+/// Target of an increment.
 struct Target {
   contact::Drive drive = contact::Drive::load(0.0);
-  /// Of bodies that stick and slip, besides the difference of their ways; in the increment.
+  /// Under partial slip: rigid motion in the increment in addition to the difference of travel.
   contact::TangentialDrive tangential = contact::held;
-  /// On body 2; with a pressure no contact is driven and solved. Without shear it has that of the
-  /// law of the contact.
+  /// On body 2; with a prescribed pressure no contact is solved. Without shear, the shear of the
+  /// friction law is used.
   operators::Tractions tractions = {};
-  Travel advance{};                     // on the way there
-  operators::HeatingPair heating = {};  // that goes with the pressure
-  /// Of the increment [s], in a march in time, where it is the age of the heating too; and with
-  /// heat of slip, which is that of the increment on the mean.
+  Travel advance{};                     // travel in the increment [cells]
+  operators::HeatingPair heating = {};  // proportional to the pressure
+  /// Duration of the increment [s] in transient heating, where it also is the age of the heat; and
+  /// with heat due to slip, whose power is the mean over the increment.
   double duration = 0.0;
   PastHeat past = {};     // filled in by the simulation
-  Field slip_power = {};  // the same, of heat of slip
+  Field slip_power = {};  // likewise, power of heat due to slip
   fft::Symmetry past_symmetry = fft::Symmetry::xy;
 
   bool is_prescribed() const { return !tractions.pressure.empty(); }
@@ -34,7 +34,7 @@ struct Target {
   bool is_approach() const { return !is_prescribed() && !drive.normal.is_force(); }
 };
 
-/// The target in words, for messages.
+/// Target in words, for messages.
 std::string describe(const Target& target);
 
 }  // namespace samcontact::simulation

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The zones of the bodies in an increment: where plastic strain is solved for, and how they grow.
+// Plastic subdomains (zones) of the bodies in an increment: where plastic strain is solved for, and
+// how the zones grow.
 #pragma once
 
 #include <stdexcept>
@@ -14,50 +15,52 @@
 
 namespace samcontact::simulation {
 
-/// Zones hold all strain of a body that is solved for, in its one box or, split, in several.
+/// The zones contain all plastic strain of a body that is solved for: one box or, if split,
+/// several.
 class ZoneManager {
  public:
-  /// What it refers to outlives it. tractions: of the increment, which change with its contact.
+  /// All arguments must outlive this object. tractions: of the increment, which change with its
+  /// contact.
   ZoneManager(const IncrementTask& task, fft::Symmetry symmetry, const StartGuess& guess,
               const operators::Tractions& tractions, const Sources& sources,
               std::vector<PlasticBody>& bodies, ActiveCells& active);
 
-  /// Zones for bodies with a history.
+  /// Creates zones for bodies with a history.
   void begin();
   /// Softens the bodies, once.
   void soften();
-  /// Whether zones had to grow for the contact or, at first, for the elastic stress. gap: under
-  /// load; empty where tractions are prescribed.
+  /// Whether zones had to grow for the contact or, initially, for the elastic stress. gap: under
+  /// load; empty for prescribed tractions.
   bool fit(const Field& gap);
-  /// Grows the zones whose rim flows, in the grid.
+  /// Grows the zones with plastic flow in their outermost cells, within the grid.
   bool grow_at_rim();
-  /// Whether a box had to grow beyond the grid, or zones for what yields outside of them, for what
-  /// the last evaluation found. Iterates may flow where the solution does not.
+  /// Whether a box had to grow beyond the grid, or zones for cells outside that yield, after the
+  /// last evaluation. Intermediate iterates may flow where the solution does not.
   bool grow_beyond();
-  /// The same for zones, once: when the relative change says that pressures have nearly settled.
-  /// Growing then does not cost an evaluation.
-  bool look_beyond(double residual);
+  /// Check for yield outside the zones, once, when the relative change indicates that the pressure
+  /// has nearly converged: growing then does not cost an evaluation.
+  bool grow_when_settled(double residual);
 
  private:
   void set_zones(PlasticBody& body, const Zones& zones, bool split = false);
-  /// In one box, which is stored.
+  /// Uses a single stored box.
   void set_box(PlasticBody& body, const Box& box) { set_zones(body, Zones({box})); }
   void take_up_zones(PlasticBody& body);
-  /// Whether zones had to grow for the elastic stress that was found first; there may be none
-  /// before.
+  /// Whether zones had to grow for the first elastic stress; there may be none before.
   bool fit_zones(PlasticBody& body);
   bool grow_zones(PlasticBody& body, std::vector<Box> more);
-  /// What zones must hold besides themselves where cells of their rims flow.
-  std::vector<Box> rims_that_flow(std::size_t b) const;
-  /// Grows zones for what yields outside of them.
+  /// Boxes that the zones must contain in addition because of plastic flow in their outermost
+  /// cells.
+  std::vector<Box> rims_with_flow(std::size_t b) const;
+  /// Grows the zones for cells outside that yield.
   bool grow_for_yield(PlasticBody& body);
-  /// The box around a body's zones, whole; empty before there are some.
+  /// Whole box around the zones of a body; empty if there are none.
   Box whole_or_none(const PlasticBody& body) const;
-  std::invalid_argument flows_as_a_whole(const PlasticBody& body) const;
-  /// Whether a body may touch where its residual displacement is not known.
+  std::invalid_argument unbounded_zone_error(const PlasticBody& body) const;
+  /// Whether a body may be in contact where its residual displacement is not known.
   bool may_touch_outside(const Field& gap) const;
-  /// What the box of a body, number b of the inelastic ones, must hold where cells of its rim flow
-  /// by more than this; stored.
+  /// Stored box that elastic-plastic body number b needs because of plastic flow in the outermost
+  /// cells above `negligible`.
   Box needed_at_rim(std::size_t b, double negligible) const;
 
   IncrementTask task_;
@@ -68,7 +71,7 @@ class ZoneManager {
   const Sources& sources_;
   std::vector<PlasticBody>& bodies_;
   ActiveCells& active_;
-  bool scanned_ = false, looked_ = false;
+  bool scanned_ = false, checked_outside_ = false;
 };
 
 }  // namespace samcontact::simulation

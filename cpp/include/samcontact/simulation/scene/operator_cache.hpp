@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operators of a scene: made when they are first asked for, the latest ones kept.
+// Cache of the operators of a contact problem: built on first use, the latest ones kept.
 #pragma once
 
 #include <array>
@@ -21,16 +21,16 @@ namespace samcontact::simulation {
 
 class ZoneScan;
 
-/// Media of the bodies 0 (upper) and 1 (lower); one object where they are equal.
+/// Media of the bodies 0 (upper) and 1 (lower); one object if they are equal.
 using Media = std::array<operators::SharedMedium, 2>;
 
-/// Throws std::invalid_argument for a grid without volume or a rigid body.
+/// Throws std::invalid_argument for a grid without layers or a rigid body.
 void require_volume(const Grid& grid, const Media& media, int body);
 
 /// Thread-safe.
 class OperatorCache {
  public:
-  /// image_tol: of volume operators and zones. split: of zones.
+  /// image_tol: of volume operators and zones. split: band decomposition of zones.
   OperatorCache(const Grid& grid, Media media, const contact::FrictionLaw& friction,
                 contact::SharedContactLaw contact_law, double image_tol,
                 const operators::BandSplit& split)
@@ -41,37 +41,39 @@ class OperatorCache {
         image_tol_(image_tol),
         split_(split) {}
 
-  /// The contact in gross sliding with this heat; the last one is kept.
+  /// Full-sliding contact with this heat; the last one is kept.
   std::shared_ptr<const contact::ContactSolver> solver(const operators::HeatingPair& heating) const;
 
-  /// Over the window of a box; the last two are kept.
+  /// Operator over the surface cells of a box; the last two are kept.
   std::shared_ptr<const operators::Temperature> temperature(const operators::Heating& heating,
                                                             const Box& box) const;
 
-  /// Tables of a body's heat, null without; the last one of each body is kept.
+  /// Tables of the heat of a body, null without heat; the last one of each body is kept.
   std::shared_ptr<const operators::HeatStress> heat_stress(int body,
                                                            const operators::Heating& heating) const;
 
-  /// What heat of slip does to a body; that of the last heating is kept.
+  /// Temperature, displacement and stress due to heat from slip; the operator of the last heating
+  /// is kept.
   std::shared_ptr<const operators::FluxHeat> flux_heat(int body,
                                                        const operators::Heating& heating) const;
 
   using Operators = std::shared_ptr<const operators::VolumeOperators>;
-  /// Operators of a body on (whole) boxes of this size; bodies of one medium with equal heat share
-  /// them. The last few are kept.
+  /// Volume operators of a body on (whole) boxes of this size; bodies of one medium with equal heat
+  /// share them. The last few are kept.
   Operators volume(int body, const Box& box, operators::Tensor tensor,
                    operators::ResidualMethod method, fft::Symmetry symmetry,
                    const operators::Heating& heating) const;
 
-  /// Tables of a body's zones; the last ones with and without heat are kept.
+  /// Tables of the zones of a body; the last ones with and without heat are kept.
   std::shared_ptr<const operators::ZoneTables> zone_tables(int body, operators::Tensor tensor,
                                                            const operators::Heating& heating) const;
 
-  /// Where a body of this strength yields under given tractions; the last one of each body is kept.
+  /// Scan for yield of a body with this strength under given tractions; the last one of each body
+  /// is kept.
   std::shared_ptr<const ZoneScan> zone_scan(int body, const Strength& strength,
                                             const operators::Heating& heating) const;
 
-  /// Memory of the operators that are kept.
+  /// Memory of the operators that are kept [byte].
   std::size_t bytes() const;
 
  private:
@@ -85,9 +87,9 @@ class OperatorCache {
     Operators operators;
   };
   struct KeptZones {
-    int body;  // that made them
+    int body;  // of the volume operators
     operators::SharedMedium medium;
-    operators::Heating heating;  // that is on, else none
+    operators::Heating heating;  // if it is on, else none
     std::shared_ptr<const operators::ZoneTables> tables;
   };
 
@@ -98,13 +100,14 @@ class OperatorCache {
   double image_tol_;
   operators::BandSplit split_;
   mutable std::mutex mutex_;
-  mutable std::list<Kept> kept_;  // the latest used first
+  mutable std::list<Kept> kept_;  // most recently used first
   mutable std::vector<KeptZones> zone_tables_;
   mutable std::array<std::shared_ptr<const ZoneScan>, 2> zone_scans_;
   mutable std::mutex heat_mutex_;
   mutable std::array<std::shared_ptr<const operators::HeatStress>, 2> heat_stress_;
   mutable std::array<std::shared_ptr<const operators::FluxHeat>, 2> flux_heat_;
-  mutable std::list<std::shared_ptr<const operators::Temperature>> temperatures_;  // latest first
+  mutable std::list<std::shared_ptr<const operators::Temperature>>
+      temperatures_;  // most recently used first
   mutable operators::HeatingPair solver_heating_;
   mutable std::shared_ptr<const contact::ContactSolver> solver_;
 };

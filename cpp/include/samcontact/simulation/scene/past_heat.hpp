@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The heat that entered the bodies in earlier time steps.
+// Heat that entered the bodies in earlier time steps (transient heating with load history).
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace samcontact::simulation {
 
-/// How a simulation marches heat in time.
-struct HeatMarch {
-  /// Shortest time step and longest time that heat is followed [s]; 0: no march.
+/// Settings of transient heating with load history.
+struct TransientHeating {
+  /// Shortest time step, and longest time over which heat is followed [s]; 0: no transient heating.
   double shortest = 0.0, longest = 0.0;
   bool is_on() const { return shortest > 0; }
 };
 
-/// By body; null: none. Shared by states, never changed once made.
+/// Heat histories by body; null: none. Shared by states, immutable.
 using PastHeat = std::array<std::shared_ptr<const operators::HeatHistory>, 2>;
 
 }  // namespace samcontact::simulation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What does not change during a simulation: grid, bodies, surfaces and friction.
+// Constant data of a simulation: grid, bodies, surfaces, contact law and friction.
 #pragma once
 
 #include <array>
@@ -19,10 +19,11 @@ namespace samcontact::simulation {
 /// Bodies are indexed 0 (upper) and 1 (lower).
 class Scene {
  public:
-  /// reach: how far beyond the grid plastic strain acts along x [cells].
+  /// reach: distance beyond the grid along x within which plastic strain acts [cells].
   Scene(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
         Field initial_gap, const contact::FrictionLaw& friction, double image_tol,
-        const HeatMarch& march, int reach, Reliefs reliefs, const operators::BandSplit& split = {},
+        const TransientHeating& transient_heating, int reach, Reliefs reliefs,
+        const operators::BandSplit& split = {},
         contact::SharedContactLaw contact_law = contact::hard_contact());
 
   const Grid grid;
@@ -31,35 +32,35 @@ class Scene {
   const Field initial_gap;
   const contact::SharedContactLaw contact_law;
   const contact::FrictionLaw friction;
-  const std::unique_ptr<const contact::PartialSlipContact> partial_slip;  // null in gross sliding
-  const HeatMarch march;
+  const std::unique_ptr<const contact::PartialSlipContact> partial_slip;  // null in full sliding
+  const TransientHeating transient_heating;
   const int reach;
-  const operators::BandSplit split;  // of zones
-  /// Whether its grid lets zones be.
+  const operators::BandSplit split;  // band decomposition of zones
+  /// Whether the grid permits small zones.
   bool may_split() const { return operators::can_be_split(grid, split); }
   const Reliefs reliefs;
   const OperatorCache cache;
 
   Placement placement(const Travel& travel) const;
-  /// Index of the body whose cells are those of the grid, or -1 where none remembers.
+  /// Index of the body whose cells coincide with those of the grid, or -1 if no body has a history.
   int followed() const;
-  /// Heights of a body's relief in the grid [i][j]; 0 without one.
+  /// Heights of the relief of a body on the grid [i][j]; 0 without a relief.
   Field relief(int body, const Travel& travel) const;
-  /// Of the cells of a body, where it is by then.
+  /// Yield strength of the cells of a body at its position.
   Strength strength(int body, const Travel& travel) const;
-  /// Separation of the undeformed bodies [i][j].
+  /// Gap of the undeformed bodies [i][j] [m].
   Field gap(const Travel& travel) const;
 
-  /// An empty history of the heat that enters a body as told.
+  /// Empty history for the heat that enters a body.
   operators::HeatHistory heat_history(int body, const operators::Heating& heating) const;
 
-  /// The cells of the grid, and the layers in which the stress under a repulsion is seen: as many
-  /// as the grid has, or down to one and a half radii of the spots in contact.
+  /// Cells of the grid and the layers in which the stress under a repulsion is evaluated: the
+  /// layers of the grid, or down to one and a half radii of the spots in contact.
   Box volume_below(const Field& repulsion) const;
-  /// Throws std::invalid_argument for a grid without volume or a rigid body.
+  /// Throws std::invalid_argument for a grid without layers or a rigid body.
   void require_volume(int body) const;
 
-  /// Mirror planes that gap, gross sliding and grid leave to all fields.
+  /// Mirror planes that gap, full sliding and grid permit for all fields.
   fft::Symmetry symmetry(const Travel& travel) const;
 
  private:

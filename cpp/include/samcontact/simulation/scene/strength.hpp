@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the cells of a body bear before they have hardened: the yield stress of its materials over
-// depth, and the stress that is there from the start.
+// Initial yield strength of the cells of a body: yield stress of its materials over depth, and
+// initial stress.
 #pragma once
 
 #include <array>
@@ -15,13 +15,14 @@
 
 namespace samcontact::simulation {
 
-/// A layer that stands for others, [first, end).
+/// Layer that represents the layers [first, end).
 struct LayerRange {
   int layer, first, end;
   bool operator==(const LayerRange&) const = default;
 };
 
-/// What some layers bear besides `start`, the deviator's xx, yy and xy [Pa].
+/// Additional von Mises stress at which these layers yield, given an initial stress `start`: xx, yy
+/// and xy of its deviator [Pa].
 struct LayerLimit {
   double stress;  // von Mises [Pa]; may be negative
   std::array<double, 3> start;
@@ -29,52 +30,53 @@ struct LayerLimit {
 
 class Strength {
  public:
-  /// body and relief: must outlive it. first: the relief's row at the grid's first cell. Throws
-  /// std::invalid_argument for profiles of more layers than can be counted.
+  /// body and relief must outlive this object. first: row of the relief at the first cell of the
+  /// grid. Throws std::invalid_argument for profiles with more layers than can be counted.
   Strength(const plasticity::Body& body, const Grid& grid, const Relief& relief, int first);
 
-  /// Whether it depends on depth.
+  /// Whether the strength depends on depth.
   bool is_graded() const { return variation_.has_value(); }
-  /// Whether it is much less somewhere than above.
+  /// Whether the strength somewhere is much lower than above.
   bool weakens() const { return weakens_; }
-  /// Layers below which nothing changes any more.
+  /// Number of layers below which the strength is constant.
   int layers() const { return layers_; }
-  /// Whether so much changes between two layers that both are to be looked at.
+  /// Whether the strengths of two layers differ so much that both must be checked.
   bool differs(int above, int below) const;
-  /// Whether they are of different materials.
+  /// Whether two layers are of different materials.
   bool is_interface(int above, int below) const {
     return body_.number_at(mid_depth(above)) != body_.number_at(mid_depth(below));
   }
 
-  /// Number of the material at mid-depth of the cells of a box [k][i][j]; empty: there is one.
+  /// Index of the material at mid-depth of the cells of a box [k][i][j]; empty: a single material.
   std::vector<std::uint16_t> materials(const Box& box) const;
   /// Factor of the yield stress at mid-depth of the cells of a box [k][i][j]; empty: 1.
   Field factor(const Box& box) const;
-  /// Adds the stress of the start in a box [component][k][i][j]; an empty field is 0.
+  /// Adds the initial stress in a box [component][k][i][j]; an empty field stands for 0.
   void add_stress(const Box& box, operators::Tensor tensor, Field& sum) const;
 
-  /// The least of what the layers of each range bear of a share of all stresses, another one where
-  /// they are much weaker than what lies above: a cell whose stress is within it yields nowhere in
-  /// the range. softening: factor of the yield stress.
+  /// Lower bounds of the strength of the layers of each range, as a fraction `share` of their yield
+  /// stress, or `weak_share` if they are much weaker than the layers above: a cell whose stress
+  /// is within the bound yields in no layer of the range. softening: factor of the yield stress.
   std::vector<LayerLimit> limits(const std::vector<LayerRange>& ranges, double softening,
-                                 double share, double share_of_weak) const;
+                                 double share, double weak_share) const;
 
  private:
-  /// Before it has hardened; infinite where nothing yields.
+  /// Initial yield stress [Pa]; infinite in elastic materials.
   double yield_stress_at(double z) const {
     const plasticity::Material& material = body_.at(z);
     return material.hardening.yield_stress(0.0) * material.yield_factor(z);
   }
-  /// How much changes between two depths of one material, parts of its yield stress.
+  /// Change between two depths of one material, relative to its yield stress.
   double change(double above, double below) const;
-  /// About how much pressure its axis bears: compression along the surface helps.
-  double bearing_at(double z) const;
+  /// Approximate pressure above which the axis yields [Pa]: compressive stress along the surface
+  /// raises it.
+  double yield_pressure_at(double z) const;
   bool is_weak_at(double z) const;
-  /// Deviator of the stress of the start: xx, yy, xy.
+  /// Deviator of the initial stress: xx, yy, xy [Pa].
   std::array<double, 3> start_at(double z) const;
   double mid_depth(int k) const { return (k + 0.5) * dz_; }
-  /// Calls use(number of the cell, its mid-depth below the surface before wear) for all of a box in
-  /// order.
+  /// Calls use(index of the cell, its mid-depth below the original surface) for all cells of a box
+  /// in order.
   template <class Use>
   void for_cells(const Box& box, const Use& use) const;
 
@@ -84,9 +86,10 @@ class Strength {
   double dz_;
   int layers_ = 0, worn_layers_ = 0;
   bool weakens_ = false;
-  /// Sum of all changes from the surface on, parts of the yield stress; none: nothing changes.
+  /// Sum of all changes from the surface down, relative to the yield stress; empty: the strength is
+  /// constant.
   std::optional<OverDepth> variation_;
-  OverDepth most_above_;  // largest bearing down to a depth, at kinks
+  OverDepth max_above_;  // maximum of yield_pressure_at() down to a depth, at kinks
 };
 
 }  // namespace samcontact::simulation

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the elastic stress under given tractions comes near the yield stress, without a volume:
-// the deeper, the smoother the stress, and the coarser the grid that finds it.
+// Search for cells whose elastic stress under given tractions comes close to the yield stress,
+// without volume fields: with increasing depth the stress becomes smoother and the search grid
+// coarser.
 #pragma once
 
 #include <array>
@@ -14,50 +15,52 @@
 
 namespace samcontact::simulation {
 
-/// What to compare stress with: a share of what a body bears, softened by a factor; of layers that
-/// are weaker than others above another one.
+/// Limit of the stress: a fraction of the softened yield strength; a different fraction for layers
+/// weaker than those above.
 struct YieldLimit {
   const Strength& strength;
-  double softening, share, share_of_weak;
-  operators::DeviatorAt past{};  // stress that is there besides that of tractions; none: 0
+  double softening, share, weak_share;
+  operators::DeviatorAt past{};  // stress in addition to that due to tractions; empty: 0
 
   std::vector<LayerLimit> of(const std::vector<LayerRange>& ranges) const {
-    return strength.limits(ranges, softening, share, share_of_weak);
+    return strength.limits(ranges, softening, share, weak_share);
   }
 };
 
 class YieldScan {
  public:
-  /// heat: that goes with the pressure; null: none.
+  /// heat: proportional to the pressure; null: none.
   YieldScan(const Grid& grid, const Strength& strength, const operators::SharedMedium& medium,
             const std::shared_ptr<const operators::HeatStress>& heat);
 
-  /// The box of all cells whose von Mises stress under the tractions exceeds the limit; empty when
-  /// there is none. Tractions in the body's own frame but for the sign of the shear. In the layers
-  /// of the grid; without a bottom, as deep as its window is wide and as the strength changes.
+  /// Box of all cells whose von Mises stress under the tractions exceeds the limit; empty if there
+  /// are none. Tractions in the frame of the body except for the sign of the shear. Covers the
+  /// layers of the grid; if their number is not limited, down to a depth of one grid width, or as
+  /// far as the strength changes.
   Box box(const operators::Tractions& tractions, double shear_sign, const YieldLimit& limit) const {
     return box(levels_, tractions, shear_sign, limit);
   }
-  /// The same of layers below those of the grid.
+  /// Box of the cells in the layers below those of the grid.
   Box box_below(const operators::Tractions& tractions, double shear_sign,
                 const YieldLimit& limit) const {
     return box(below_, tractions, shear_sign, limit);
   }
-  /// Whether a surface that is periodic in both directions exceeds it at any depth.
+  /// Whether a surface that is periodic in both directions exceeds the limit at any depth.
   bool is_beyond_everywhere(const operators::Tractions& tractions, double shear_sign,
                             const YieldLimit& limit) const;
-  /// By column of the grid, down to any depth.
+  /// Depth to which each column of the grid exceeds the limit, at any depth.
   Columns columns(const operators::Tractions& tractions, double shear_sign,
                   const YieldLimit& limit) const;
 
   std::size_t bytes() const;
 
  private:
-  /// One grid of the surface, coarser than the scene's by a factor, and the depths it serves.
+  /// Surface grid, coarser than that of the simulation by a factor, and the depths for which it is
+  /// used.
   struct Level {
     int factor;
     Grid grid;
-    std::vector<LayerRange> ranges;  // of the scene's grid
+    std::vector<LayerRange> ranges;  // of the simulation grid
     operators::VolumeTransform transform;
     operators::TractionStress stress;
 
@@ -65,8 +68,8 @@ class YieldScan {
           const operators::SharedMedium& medium,
           const std::shared_ptr<const operators::HeatStress>& heat);
   };
-  /// Calls use(cells of the grid) for each cell of a level beyond the limit; their layers are down
-  /// to the next depth that is looked at.
+  /// Calls use(cells of the grid) for each cell of a level beyond the limit; the layers extend to
+  /// the next depth that is searched.
   template <class Use>
   void for_beyond(const Level& level, const operators::Tractions& tractions, double shear_sign,
                   const YieldLimit& limit, const Use& use) const;
@@ -77,14 +80,14 @@ class YieldScan {
                 const YieldLimit& limit) const;
 
   Grid grid_;
-  Levels levels_, below_;  // of the grid's layers, and below them
+  Levels levels_, below_;  // for the layers of the grid, and for those below
 };
 
-/// By body; null where nothing can yield.
+/// By body; null for an elastic body.
 using Scans = std::array<std::shared_ptr<const YieldScan>, 2>;
 
-/// The same by columns, from a bound of the stress, at a cost that large surfaces can bear; without
-/// heat.
+/// Search by columns, from an upper bound of the stress, at a cost that is acceptable for large
+/// surfaces; without heat.
 class ZoneScan {
  public:
   ZoneScan(const std::shared_ptr<const operators::ZoneTables>& tables, const Strength& strength);
@@ -92,7 +95,7 @@ class ZoneScan {
   /// Columns of the grid, down to below the deepest cell whose stress may exceed the limit.
   Columns columns(const operators::Tractions& tractions, double shear_sign,
                   const YieldLimit& limit) const;
-  /// Whether it looks where this strength changes.
+  /// Whether the searched depths resolve this strength.
   bool resolves(const Strength& strength) const;
 
   const std::shared_ptr<const operators::ZoneTables>& tables() const { return tables_; }
@@ -101,7 +104,7 @@ class ZoneScan {
  private:
   std::shared_ptr<const operators::ZoneTables> tables_;
   Grid grid_;
-  std::vector<LayerRange> ranges_;  // that are looked at
+  std::vector<LayerRange> ranges_;  // that are searched
   operators::StressBound bound_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A given eigenstrain of the bodies (misfit, swelling, transformation), as a source.
+// Prescribed eigenstrain of the bodies (misfit, swelling, transformation) as a source.
 #pragma once
 
 #include <array>
@@ -14,12 +14,13 @@ namespace samcontact::simulation {
 /// Eigenstrains by body, without equivalent strain and backstress; null: none.
 using Eigenstrains = std::array<std::shared_ptr<const PlasticState>, 2>;
 
-/// An eigenstrain and another one in a box of the grid's cells whose first layer is number k0,
-/// [component][k][i][j] of all six components: their sum. Null where it is zero everywhere.
+/// Sum of an eigenstrain and of another one in a box of grid cells whose first layer is k0,
+/// [component][k][i][j] of all six components. Null if it is zero everywhere.
 std::shared_ptr<const PlasticState> sum_of(const std::shared_ptr<const PlasticState>& before,
                                            const Box& box, int k0, const Field& strain);
 
-/// Throws std::invalid_argument where the bodies move by ways that no cells of theirs follow.
+/// Throws std::invalid_argument if the travel of the bodies is not a whole number of their cells
+/// and no body has cells that follow it.
 void require_followed(const Eigenstrains& strains, const Scene& scene, const Travel& travel);
 
 class Eigenstrain : public Source {
@@ -46,7 +47,7 @@ class Eigenstrain : public Source {
   operators::ResidualMethod method_;
   Eigenstrains strains_;
   std::array<double, 2> offsets_;
-  mutable std::array<Field, 2> displacement_;  // empty before it is asked for
+  mutable std::array<Field, 2> displacement_;  // empty until first used
 };
 
 }  // namespace samcontact::simulation

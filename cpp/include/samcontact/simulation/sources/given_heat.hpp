@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Heat in a body that does not go with the pressure of an increment: what entered it in earlier
-// steps, and what slip makes.
+// Heat in a body that is not proportional to the pressure of the increment: heat of earlier steps,
+// and heat due to slip.
 #pragma once
 
 #include <array>
@@ -14,13 +14,14 @@ namespace samcontact::simulation {
 
 class GivenHeat {
  public:
-  /// past: null without any; `ahead` seconds before the moment. heating: of slip, else it gives
-  /// none. slip_power: of friction per area [i][j] [W/m^2], empty: none.
+  /// past: null without any; evaluated `ahead` seconds after its end. heating: used only if it is
+  /// due to slip. slip_power: friction power per area [i][j] [W/m^2], empty: none.
   GivenHeat(const Scene& scene, int body, const std::shared_ptr<const operators::HeatHistory>& past,
             double ahead, const operators::Heating& heating, const Field& slip_power);
 
   bool is_on() const { return past_ || of_slip_; }
-  // Fields as of a HeatHistory, of heat that is on. offset: of the body's cells, see Placement.
+  // Fields as in HeatHistory, if there is any heat. offset: of the cells of the body, see
+  // Placement.
   Field temperature(std::span<const double> depths, double offset) const;
   Field displacement() const;
   Field stress(std::span<const double> depths, double offset) const;
@@ -39,8 +40,8 @@ class GivenHeat {
 std::array<GivenHeat, 2> given_heat(const Scene& scene, const operators::HeatingPair& heating,
                                     const PastHeat& past, double ahead, const Field& slip_power);
 
-/// In a box, of fields in layers below the grid [component][k][i][j]: known there only, beside it
-/// they are those of the nearest cell.
+/// Values in a box, of fields in layers below the grid [component][k][i][j]; cells laterally
+/// outside the grid take the value of the nearest cell.
 Field below_in(const Field& fields, int components, const Grid& grid, const Box& box);
 
 }  // namespace samcontact::simulation

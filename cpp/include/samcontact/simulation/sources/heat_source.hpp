@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Heat that does not go with the pressure, as a source of displacement and stress.
+// Heat that is not proportional to the pressure, as a source of displacement and stress.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace samcontact::simulation {
 
 class HeatSource : public Source {
  public:
-  /// offsets: of the bodies' cells, see Placement.
+  /// offsets: of the cells of the bodies, see Placement.
   HeatSource(const Grid& grid, const std::array<GivenHeat, 2>& heat,
              const std::array<double, 2>& offsets)
       : grid_(grid), heat_(heat), offsets_(offsets) {}
@@ -27,14 +27,14 @@ class HeatSource : public Source {
 
  private:
   using ByDepth = std::map<double, Field>;
-  /// Adds the stress at the depths that are missing.
+  /// Adds the stress at missing depths.
   void find_stress(int body, std::span<const double> depths, ByDepth& known) const;
 
   const Grid& grid_;
   std::array<GivenHeat, 2> heat_;
   std::array<double, 2> offsets_;
-  mutable std::array<Field, 2> displacement_;  // empty before it is asked for
-  /// As far as it was asked for: all six components below the grid, [component][i][j].
+  mutable std::array<Field, 2> displacement_;  // empty until first used
+  /// Depths used so far: all six components below the grid, [component][i][j] [Pa].
   mutable std::array<ByDepth, 2> stress_;
 };
 

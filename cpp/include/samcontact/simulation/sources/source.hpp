@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A source of displacement and stress besides the tractions and the plastic strain.
+// Interface of sources of displacement and stress other than tractions and plastic strain.
 #pragma once
 
 #include "samcontact/base/aligned.hpp"
@@ -9,38 +9,39 @@
 
 namespace samcontact::simulation {
 
-/// Bodies are indexed 0 (upper) and 1 (lower). What a source does not override it does not cause.
+/// Bodies are indexed 0 (upper) and 1 (lower). Functions that a source does not override have no
+/// effect.
 class Source {
  public:
   virtual ~Source() = default;
-  /// Whether it displaces or stresses a body.
+  /// Whether it causes displacement or stress in a body.
   virtual bool acts_on(int body) const = 0;
-  /// Whether it still acts on bodies without load.
+  /// Whether it acts on bodies without load.
   virtual bool remains() const = 0;
-  /// Whether the search of cells that yield knows its stress; else see box_beyond().
+  /// Whether the search for yield takes its stress into account; otherwise see box_beyond().
   virtual bool is_smooth() const { return true; }
-  /// Mirror planes that it leaves, where the scene and the increment do not know them.
+  /// Mirror planes that it permits, if they are not known from the setup and the increment.
   virtual fft::Symmetry symmetry() const { return fft::Symmetry::xy; }
-  /// Adds its part of the separation of the undeformed surfaces [i][j] of the grid.
+  /// Adds its contribution to the separation of the undeformed surfaces [i][j] of the grid [m].
   virtual void separate(Field& /*gap*/) const {}
-  /// Adds the displacement u_z of a body's surface [i][j] of the grid.
+  /// Adds the surface displacement u_z of a body [i][j] of the grid [m].
   virtual void displace(int /*body*/, Field& /*sum*/) const {}
-  /// Adds the stress in a box of a body's cells, [component][k][i][j] of the tensor; an empty field
-  /// is 0.
+  /// Adds the stress in a box of cells of a body, [component][k][i][j] of the tensor [Pa]; an empty
+  /// field stands for 0.
   virtual void stress(int /*body*/, const Box& /*box*/, operators::Tensor /*tensor*/,
                       Field& /*sum*/) const {}
-  /// Deviator of the stress at depths below the grid, for the search of cells that yield; none:
-  /// zero, or known to that search.
+  /// Deviator of the stress at depths below the grid, for the search for yield; empty: zero, or
+  /// already known to that search.
   virtual operators::DeviatorAt deviator(int /*body*/) const { return {}; }
-  /// The box of all cells of the grid whose von Mises stress exceeds a share of the softened yield
-  /// stress, where it varies from cell to cell, so that the search would miss some; empty: none.
+  /// Box of all grid cells whose von Mises stress exceeds a fraction of the softened yield stress,
+  /// for stress that varies from cell to cell, which the search could miss; empty: none.
   virtual Box box_beyond(int /*body*/, const Strength& /*strength*/, double /*softening*/,
                          double /*share*/) const {
     return {};
   }
 };
 
-/// Adds a field to a sum that is empty while it is 0.
+/// Adds a field to a sum; an empty sum stands for 0.
 inline void add_to(Field& sum, Field&& part) {
   if (sum.empty()) {
     sum = std::move(part);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All sources of displacement and stress at one moment, which increments and fields of a state ask.
+// All sources of displacement and stress in a state or increment.
 #pragma once
 
 #include <array>
@@ -12,33 +12,33 @@
 
 namespace samcontact::simulation {
 
-/// The undeformed surfaces, heat, initial stress and eigenstrain, in this order of addition. Not to
-/// be asked by several threads at once.
+/// Undeformed surfaces, heat, initial stress and eigenstrain, added in this order. Not thread-safe.
 class Sources {
  public:
-  /// heat: that does not go with the pressure. method: of the stress of eigenstrains.
+  /// heat: not proportional to the pressure. method: for the stress of eigenstrains.
   Sources(const Scene& scene, const Travel& travel, const std::array<GivenHeat, 2>& heat,
           const Eigenstrains& eigenstrains, operators::ResidualMethod method);
 
-  /// Whether all stress of a body without tractions and plastic strain remains when it is unloaded.
+  /// Whether all stress of a body that is not due to tractions and plastic strain remains after
+  /// unloading.
   bool all_remain(int body) const;
-  /// Mirror planes that all leave.
+  /// Mirror planes that all sources permit.
   fft::Symmetry symmetry() const;
-  /// Whether the search of cells that yield knows all stress of a body.
+  /// Whether the search for yield takes all stress of a body into account.
   bool all_smooth(int body) const;
-  /// Adds the separation of the undeformed surfaces [i][j] of the grid.
+  /// Adds the separation of the undeformed surfaces [i][j] of the grid [m].
   void separate(Field& gap) const;
-  /// Adds the displacement u_z of a body's surface [i][j] of the grid.
+  /// Adds the surface displacement u_z of a body [i][j] of the grid [m].
   void displace(int body, Field& sum) const;
-  /// Adds the stress in a box of a body's cells, [component][k][i][j] of the tensor; an empty field
-  /// is 0.
+  /// Adds the stress in a box of cells of a body, [component][k][i][j] of the tensor [Pa]; an empty
+  /// field stands for 0.
   void stress(int body, const Box& box, operators::Tensor tensor, Field& sum) const;
-  /// The part of it that remains when the bodies are unloaded.
+  /// Adds the part of the stress that remains after unloading.
   void residual_stress(int body, const Box& box, operators::Tensor tensor, Field& sum) const;
-  /// Deviator of the stress at depths below the grid that a search of cells that yield is to add;
-  /// none: zero.
+  /// Deviator of the stress at depths below the grid, to be added in a search for yield; empty:
+  /// zero.
   operators::DeviatorAt deviator(int body) const;
-  /// The box of all cells where a stress that search does not know exceeds a share of the softened
+  /// Box of all cells in which stress unknown to the search exceeds a fraction of the softened
   /// yield stress; empty: none.
   Box box_beyond(int body, const Strength& strength, double softening, double share) const;
 

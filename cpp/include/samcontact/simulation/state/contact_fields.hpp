@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Repulsion of the bodies in a state, and the energy of their attraction, by its contact law.
+// Repulsion of the surfaces in a state, and energy of their attraction, by the contact law.
 #pragma once
 
 #include "samcontact/simulation/state/state.hpp"
 
 namespace samcontact::simulation {
 
-/// Pressure without the attraction of the bodies [i][j] [Pa]: cells with a repulsion are in
-/// contact. That of a prescribed pressure without attraction is the pressure.
+/// Pressure without the attraction of the surfaces [i][j] [Pa]: cells with a repulsion are in
+/// contact. A prescribed pressure has no attraction and is the repulsion.
 Field repulsion(const State& state);
-/// Work done against the attraction to open the gap [J].
+/// Work against the attraction when the gap opened [J].
 double attraction_energy(const State& state);
 
 }  // namespace samcontact::simulation

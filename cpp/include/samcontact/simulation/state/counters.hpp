@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work that a simulation has done.
+// Counters of the work done by a simulation.
 #pragma once
 
 namespace samcontact::simulation {
@@ -8,8 +8,8 @@ namespace samcontact::simulation {
 struct Counters {
   long contact_solves = 0, contact_iterations = 0;
   long yield_checks = 0;        // increments whose elastic state was compared with the yield stress
-  long plastic_solves = 0;      // (sub)increments in which a body yielded
-  long plastic_iterations = 0;  // evaluations of the plastic fixed point
+  long plastic_solves = 0;      // (sub-)increments with plastic flow
+  long plastic_iterations = 0;  // evaluations of the plastic fixed-point map
   long halvings = 0;
 };
 

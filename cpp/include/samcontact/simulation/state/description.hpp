@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is kept of a state, told once: all that later increments and its fields depend on, by name.
+// Named parts of a state that later increments and its fields depend on, described in one place for
+// checkpoints and bindings.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@
 
 namespace samcontact::simulation {
 
-/// A plastic history in plain fields, of its zones.
+/// Plastic history as plain fields over its zones.
 struct PlasticRecord {
   fft::Symmetry symmetry{};
   operators::Tensor tensor{};
@@ -26,21 +27,22 @@ struct PlasticRecord {
 };
 
 PlasticRecord record(const PlasticState& history);
-/// The reverse, of a body with some backstresses. Throws std::invalid_argument for what does not
-/// fit the grid.
-std::shared_ptr<const PlasticState> remade(const PlasticRecord& record, const Grid& grid,
-                                           std::size_t backstresses);
+/// Plastic history of a record, for a body with the given number of backstresses. Throws
+/// std::invalid_argument for a record that does not match the grid.
+std::shared_ptr<const PlasticState> from_record(const PlasticRecord& record, const Grid& grid,
+                                                std::size_t backstresses);
 
-/// Throws std::invalid_argument unless the parts of a state fit each other and its scene.
+/// Throws std::invalid_argument unless the parts of a state match each other and its grid and
+/// bodies.
 void require_consistent(const State& state);
 
 template <class Part, class Of>
 concept Is = std::same_as<std::remove_const_t<Part>, Of>;
 
-// `visit` is called with name and reference of each part: a number, some numbers, an enumeration, a
-// field, or what is described itself. visit.maybe_nan is the same for a number that may be NaN.
-// visit.made has a part that is never changed once made, null without: how it becomes a plain one,
-// and how it is made of that.
+// `visit` is called with the name and a reference of each part: a number, an array of numbers, an
+// enumeration, a field, or a described object. visit.maybe_nan is its counterpart for a number that
+// may be NaN. visit.made has an immutable part, or null, with the functions that convert it to a
+// plain part and back.
 
 template <Is<Counters> C, class Visitor>
 void describe(C& c, Visitor& visit) {
@@ -70,7 +72,7 @@ void describe(F& f, Visitor& visit) {
   visit("values", f.values);
 }
 
-template <Is<Flow> F, class Visitor>
+template <Is<PlasticIncrementGuess> F, class Visitor>
 void describe(F& f, Visitor& visit) {
   visit("mirrored", f.symmetry);
   visit("advance", f.advance);
@@ -116,10 +118,10 @@ void describe(S& s, Visitor& visit) {
     visit("flow_boxes" + number, s.flow_boxes[b]);
     visit.made("softening" + number, s.softening[b], as_it_is, copied);
     visit.made("history" + number, s.plastic[b], record, [&](const PlasticRecord& plain) {
-      return remade(plain, s.scene().grid, s.scene().bodies[b].backstresses());
+      return from_record(plain, s.scene().grid, s.scene().bodies[b].backstresses());
     });
     visit.made("eigenstrain" + number, s.eigenstrain[b], record,
-               [&](const PlasticRecord& plain) { return remade(plain, s.scene().grid, 0); });
+               [&](const PlasticRecord& plain) { return from_record(plain, s.scene().grid, 0); });
     visit.made(
         "past" + number, s.past[b], [](const operators::HeatHistory& heat) { return heat.state(); },
         [&](const std::vector<double>& numbers) {

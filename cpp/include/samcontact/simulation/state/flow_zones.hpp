@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the plastic strain of a state was last solved for.
+// Zones in which the plastic strain of a state was last solved for.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@ namespace samcontact::simulation {
 
 /// Whether the plastic strain of a body was last solved for in small zones.
 bool is_in_zones(const State& state, int body);
-/// The same, and all stress is that of the strain, of tractions and of sources.
+/// Whether it was, and all stress is due to the strain in them, tractions and sources.
 bool shows_zones(const State& state, int body);
-/// Whether it was last solved for elsewhere than in the one box of its history.
+/// Whether it was last solved for in boxes other than the box of its history.
 bool is_elsewhere(const State& state, int body);
-/// Disjoint boxes with all plastic strain of a body: those it was solved for in, or one box of
-/// what fields show.
+/// Disjoint boxes with all plastic strain of a body: those of the last solution, or one box of the
+/// cells of its fields.
 std::vector<Box> zones(const State& state, int body);
 
 }  // namespace samcontact::simulation

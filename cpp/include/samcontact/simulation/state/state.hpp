@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One moment of a simulation: surface fields, and plastic state of each body.
+// State of a simulation after an increment: surface fields, and plastic history of each body.
 #pragma once
 
 #include <array>
@@ -15,21 +15,21 @@
 
 namespace samcontact::simulation {
 
-/// What flowed in an increment, as a guess for the next one of a motion; and of a load at rest,
-/// where it flowed in many zones.
-struct Flow {
+/// Plastic strain increment, as an estimate for the next increment of a motion; also of a
+/// stationary load with plastic flow in many zones.
+struct PlasticIncrementGuess {
   fft::Symmetry symmetry = fft::Symmetry::none;
   Travel advance{};
-  double load = 0.0, approach = 0.0;  // their change in it
+  double load = 0.0, approach = 0.0;  // changes in the increment
   struct Body {
     std::vector<Cell> cells;
-    Field strain;  // [cell][component], as the increment's unknowns
+    Field strain;  // [cell][component], like the unknowns of the increment
   };
   std::array<Body, 2> bodies;
-  bool operator==(const Flow&) const = default;
+  bool operator==(const PlasticIncrementGuess&) const = default;
 };
 
-/// How many; none: as many as a state has.
+/// Number of layers of a volume field; empty: the number chosen by the state.
 using Layers = std::optional<int>;
 
 class State {
@@ -40,76 +40,76 @@ class State {
 
   /// Tractions in the frame of body 2; on body 1 the shear is reversed. Shear arrays may be empty.
   operators::Tractions tractions;
-  /// Separation under load [i][j] where it is known everywhere, else empty: see gap().
+  /// Separation under load [i][j] [m] if it is known everywhere, else empty: see gap().
   Field contact_gap;
-  operators::HeatingPair heating;                   // that goes with the pressure
-  PastHeat past;                                    // of all steps before, seen from their end
-  fft::Symmetry past_symmetry = fft::Symmetry::xy;  // mirror planes of that
-  /// Of friction per area, by what slipped [i][j] [W/m^2]; empty: it heats nothing.
+  operators::HeatingPair heating;                   // proportional to the pressure
+  PastHeat past;                                    // of all earlier steps, at their end
+  fft::Symmetry past_symmetry = fft::Symmetry::xy;  // mirror planes of the earlier heat
+  /// Friction power per area due to slip [i][j] [W/m^2]; empty: no heat due to slip.
   Field slip_power;
-  Field slip_work;                    // the same of the increment [J/m^2], where it heats
-  double time = 0.0, duration = 0.0;  // [s], of a march, and of its last step
-  /// Factor of the yield stress over the grid, and where the body may flow beyond; null: 1.
+  Field slip_work;  // friction work per area in the increment [J/m^2], if it causes heat
+  double time = 0.0, duration = 0.0;  // [s], in transient heating: total, and of the last step
+  /// Factor of the yield stress over the grid, and beyond it where the body may flow; null: 1.
   std::array<std::shared_ptr<const BoxField>, 2> softening;
   double load = 0.0;      // [N]
   double approach = 0.0;  // [m]; NaN under prescribed tractions
-  /// Of bodies that stick and slip: how body 1 slipped over body 2 in the last increment [2][i][j]
-  /// [m], 0 where it stuck; empty: nothing did.
+  /// Partial slip: slip of body 1 relative to body 2 in the last increment [2][i][j] [m], 0 in
+  /// sticking cells; empty: no slip.
   Field slip;
-  std::array<double, 3> motion{};  // along the surface since the start [m, m, rad]
-  double friction_work = 0.0;      // since the start [J]
-  fft::Symmetry shear_symmetry = fft::Symmetry::xy;  // mirror planes of all such motion so far
+  std::array<double, 3> motion{};  // accumulated tangential rigid-body motion [m, m, rad]
+  double friction_work = 0.0;      // accumulated since the start [J]
+  // Mirror planes of all tangential motion so far.
+  fft::Symmetry shear_symmetry = fft::Symmetry::xy;
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
-  Eigenstrains eigenstrain;                                    // that is given, as it lies now
+  Eigenstrains eigenstrain;  // prescribed, at its present position
   operators::ResidualMethod method{};
   Travel travel{};
-  Travel advance{};  // by which moved() has just taken it there
-  /// The strain with which the tractions were found, where it has been changed since; null: it has
-  /// not.
+  Travel advance{};  // travel of the last call of moved()
+  /// Strain for which the tractions were found, if it has been changed since then; null: unchanged.
   std::array<std::shared_ptr<const PlasticState>, 2> met{};
-  /// Whole boxes in which the plastic strain was last solved for; disjoint.
+  /// Disjoint whole boxes in which the plastic strain was last solved for.
   std::array<std::vector<Box>, 2> flow_boxes;
-  std::shared_ptr<const Flow> last_flow;  // null: none that is of use
+  std::shared_ptr<const PlasticIncrementGuess> last_flow;  // null: no useful estimate
 
   bool converged = true;
   int plastic_iterations = 0, contact_iterations = 0, substeps = 0;
-  double plastic_residual = 0.0;  // relative change of the plastic strain increment when accepted
-  double yield_excess = 0.0;      // max (von Mises - yield)/yield when accepted
-  std::array<bool, 2> flowed{};   // whether a body flowed in this increment
+  double plastic_residual = 0.0;  // relative change of the plastic strain increment at convergence
+  double yield_excess = 0.0;  // max (von Mises stress - yield stress)/yield stress at convergence
+  std::array<bool, 2> flowed{};  // whether a body had plastic flow in this increment
   std::vector<std::string> warnings;
 
   const Scene& scene() const { return *scene_; }
   const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
 
   Placement placement() const { return scene_->placement(travel); }
-  /// The same with the bodies moved on, nothing solved.
+  /// Copy with the bodies moved; nothing is solved.
   State moved(const Travel& to) const;
-  /// The same moment in the window of a scene that differs in its larger grid only, by as many
-  /// cells on either side. Throws std::invalid_argument for another grid, and where there is past
-  /// heat or softening.
+  /// Copy on the grid of another setup, which differs only in its larger grid with equal numbers of
+  /// added cells on both sides. Throws std::invalid_argument for any other grid, and for a state
+  /// with a heat history or softening.
   State widened(std::shared_ptr<const Scene> to) const;
 
-  /// Force of the shear on body 2 along x and y, and its moment about z at the origin of the grid
+  /// Force due to shear on body 2 along x and y, and its moment about z at the origin of the grid
   /// [N, N, N m].
   std::array<double, 3> tangential_force() const;
 
-  /// Past heat as the next step finds it: with that of this one.
+  /// Heat history for the next step, including this one.
   PastHeat heat_so_far() const;
   fft::Symmetry heat_symmetry_so_far() const;
-  /// Heat of the bodies that does not go with the pressure.
+  /// Heat of the bodies that is not proportional to the pressure.
   std::array<GivenHeat, 2> given_heat() const {
     return simulation::given_heat(*scene_, heating, past, duration, slip_power);
   }
-  /// Which refer to this state.
+  /// Sources, which refer to this state.
   Sources sources() const { return {*scene_, travel, given_heat(), eigenstrain, method}; }
 
-  /// How many layers fields of the volume have: those of the grid, or enough for all plastic strain
-  /// and for the stress under the contact.
+  /// Number of layers of volume fields: that of the grid, or enough for all plastic strain and for
+  /// the stress below the contact.
   int layers() const;
 
-  /// The cells of the grid down to a number of layers.
+  /// Cells of the grid down to a number of layers.
   Box below(Layers layers) const;
-  /// Tractions as the cells of a body see them.
+  /// Tractions on the cells of a body.
   operators::Tractions tractions_on(int body) const;
 
  private:

@@ -1,36 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stress in the volume of a state, computed when it is asked for.
+// Stress in the volume of a state, computed on demand.
 #pragma once
 
 #include "samcontact/simulation/state/state.hpp"
 
 namespace samcontact::simulation {
 
-// Fields of a body (0 or 1) at mid-depth of its layers, [component][k][i][j] in the body's cells,
-// see Placement. They throw std::invalid_argument for a grid without volume or a rigid body.
+// Fields of a body (0 or 1) at mid-depth of its layers, [component][k][i][j] on the cells of the
+// body [Pa], see Placement. They throw std::invalid_argument for a grid without layers or a rigid
+// body.
 
-/// Of tractions, plastic strain and sources.
+/// Stress due to tractions, plastic strain and sources.
 Field stress(const State& state, int body, Layers layers = {});
-/// What remains of it when the bodies are unloaded.
+/// Part of the stress that remains after unloading.
 Field residual_stress(const State& state, int body, Layers layers = {});
-/// Over cells of the body beside or in the grid.
+/// Residual stress over cells of the body inside or outside the grid.
 Field residual_stress(const State& state, int body, const Box& region);
-/// The stress that is there from the start.
+/// Initial stress.
 Field initial_stress(const State& state, int body, Layers layers = {});
 Field initial_stress(const State& state, int body, const Box& region);
 
-/// The stress of the eigenstrain that is given.
+/// Stress due to the prescribed eigenstrain.
 Field eigenstress(const State& state, int body, Layers layers = {});
 Field eigenstress(const State& state, int body, const Box& region);
 
-/// Stress in the zones of a body, all of it or what remains, [zone][component][k][i][j].
+/// Stress in the zones of a body, with or without that due to tractions,
+/// [zone][component][k][i][j].
 Field stress_in_zones(const State& state, int body, bool with_tractions);
 
-/// The box that the plastic strain was last solved for in, down to the layers of the grid, where
-/// it is one and holds all tractions; else empty.
+/// Box in which the plastic strain was last solved for, down to the layers of the grid, if it is a
+/// single one that contains all tractions; else empty.
 Box own_box(const State& state, int body);
-/// Deviator of the stress in it, all of it or what remains, [component][k][i][j], by the operators
-/// of the increment.
+/// Deviator of the stress in that box, with or without the stress due to tractions,
+/// [component][k][i][j], by the operators of the increment.
 Field deviator_in_own_box(const State& state, int body, bool with_tractions);
 
 }  // namespace samcontact::simulation

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plastic strain in zones, and tractions, by the operators of one box around all zones.
+// Effects of plastic strain in zones, and of tractions, by the operators of one box around all
+// zones.
 #pragma once
 
 #include "samcontact/simulation/cells/zones.hpp"
@@ -23,7 +24,7 @@ class BoxVolume : public ZoneVolume {
 
  private:
   bool is_one() const { return zones_.count() == 1 && zones_.boxes()[0] == box_; }
-  /// The strain in the box.
+  /// Strain of the zones on all cells of the box.
   Field spread(const Field& strain) const;
 
   const Grid& grid_;

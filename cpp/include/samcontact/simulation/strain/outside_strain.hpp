@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plastic strain that a moving contact leaves beside it: what it still does.
+// Effect of plastic strain outside the zones, such as the wake of a moving contact.
 #pragma once
 
 #include <array>
@@ -11,20 +11,21 @@
 
 namespace samcontact::simulation {
 
-/// What the strain outside of zones does in them, and to the surface.
+/// Stress in the zones and surface displacement due to the strain outside them.
 struct OutsideStrain {
-  Box surface;                          // where the displacement is known: all of the grid along x
-  std::array<Field, 3> displacement{};  // by axis, [i][j] of that; empty: nothing acts
-  std::vector<Field> stress;  // by zone, [component][k][i][j] of its box; none: nothing acts
+  Box surface;  // surface cells with known displacement: all of the grid along x
+  std::array<Field, 3> displacement{};  // by axis, [i][j] of these cells [m]; empty: 0
+  std::vector<Field> stress;            // by zone, [component][k][i][j] of its box [Pa]; none: 0
 };
 
-/// zones: within the grid, from the mirror planes of the history on. axes: along which the
-/// displacement is wanted.
+/// zones: within the grid, on one side of the mirror planes of the history. axes: of the required
+/// displacement.
 OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,
                              const Zones& zones, operators::ResidualMethod method,
                              std::span<const operators::Axis> axes = operators::normal_axis);
 
-/// The same by the operators of zones, which may reach beyond the grid. Without mirror planes.
+/// Counterpart with the operators of zones, which may extend beyond the grid. Without mirror
+/// planes.
 OutsideStrain outside_strain_in_zones(
     const std::shared_ptr<const operators::ZoneTables>& tables, const PlasticState& history,
     const Zones& zones, int reach, std::span<const operators::Axis> axes = operators::normal_axis);

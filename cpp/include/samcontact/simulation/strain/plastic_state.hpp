@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plastic history of one body.
+// Plastic history of one body: strain, equivalent plastic strain and backstress of its cells.
 #pragma once
 
 #include <array>
@@ -22,28 +22,28 @@ struct PlasticFields {
   Field strain, equivalent, backstress;
 };
 
-/// Never changed once made. Cut into tiles of the body's lattice, which the states of a rolling
-/// contact share: each keeps the box of those of its cells that have a history. The lattice goes on
-/// beyond the grid. With mirror planes it is the part from them on.
+/// Immutable. Stored in tiles of the lattice of the body, which the states of a rolling contact
+/// share: each tile keeps the box of its cells that have a history. The lattice extends beyond the
+/// grid. With mirror planes it is the part on one side of them.
 class PlasticState {
  public:
   using Origin = std::array<int, 2>;  // along x and y
 
-  /// `fields` in their zones, and otherwise as `before`, of the same symmetry and tensor; null:
-  /// nothing. around: belongs to the box of the history, as the zones do. origin: from
-  /// which cell tiles are counted, if nothing was before.
+  /// `fields` in their zones, and the values of `before` elsewhere, with equal symmetry and tensor;
+  /// null: zero. around: part of the box of the history, like the zones. origin: cell from which
+  /// tiles are counted if there is no previous history.
   PlasticState(const PlasticState* before, fft::Symmetry symmetry, operators::Tensor tensor,
                const PlasticFields& fields, const Box& around = {}, Origin origin = {});
 
-  /// Of all zones that were ever given.
+  /// Box of all zones so far.
   const Box& box() const { return box_; }
   Origin origin() const { return origin_; }
-  /// Those that hold all cells with a history: one for each tile with some.
+  /// Zones that contain all cells with a history: one for each tile with such cells.
   Zones zones() const;
   fft::Symmetry symmetry() const { return symmetry_; }
   operators::Tensor tensor() const { return tensor_; }
 
-  /// Over any zones; zero where there is no history.
+  /// Strain over any zones; zero in cells without history.
   Field strain(const Zones& zones) const;
   Field equivalent(const Zones& zones) const;
   Field backstress(const Zones& zones) const;
@@ -52,15 +52,15 @@ class PlasticState {
   Field equivalent(const Box& box) const { return equivalent(Zones({box})); }
   Field backstress(const Box& box) const { return backstress(Zones({box})); }
 
-  /// Boxes around all strain outside of zones.
+  /// Boxes around all strain outside the given zones.
   std::vector<Box> boxes_beyond(const Zones& zones) const;
   bool reaches_beyond(const Zones& zones) const { return !boxes_beyond(zones).empty(); }
-  /// Its fields; with mirror planes those that are stored.
+  /// Fields; with mirror planes the stored part.
   const StrainTiles& tiles() const { return tiles_; }
 
-  /// The same, some cells further along x and y.
+  /// Copy moved by some cells along x and y.
   std::shared_ptr<const PlasticState> moved(int along_x, int along_y) const;
-  /// The same with fewer mirror planes.
+  /// Copy with fewer mirror planes.
   PlasticState unfolded(const Grid& grid, fft::Symmetry symmetry) const;
 
   bool operator==(const PlasticState& other) const;
@@ -71,18 +71,18 @@ class PlasticState {
   Box of_body(const Box& box) const { return box.moved(-origin_[0], -origin_[1]); }
   Box of_grid(const Box& box) const { return box.moved(origin_[0], origin_[1]); }
   Field gather(std::size_t first, std::size_t count, const Zones& zones) const;
-  /// One part of the history, as a mirror plane across x, y or both shows it.
+  /// Adds the mirror image of a part of the history across x, y or both.
   void put_image(const StrainTiles::Part& part, bool across_x, bool across_y, const Grid& grid);
 
   Box box_;
   fft::Symmetry symmetry_;
   operators::Tensor tensor_;
   std::size_t backstress_parts_ = 0;
-  Origin origin_;  // the grid's place of the first cell of the body's lattice
+  Origin origin_;  // position in the grid of the first cell of the lattice of the body
   StrainTiles tiles_;
 };
 
-/// Whether two histories, or their absence, are the same.
+/// Whether two histories are equal, or both are absent.
 bool same(const std::shared_ptr<const PlasticState>& a,
           const std::shared_ptr<const PlasticState>& b);
 

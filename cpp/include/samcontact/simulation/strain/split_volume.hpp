@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plastic strain in zones, and tractions, by operators whose cost is that of the zones.
+// Effects of plastic strain in zones, and of tractions, by operators whose cost is proportional to
+// the zones.
 #pragma once
 
 #include <memory>
@@ -10,7 +11,7 @@
 
 namespace samcontact::simulation {
 
-/// Without mirror planes; knows the displacement of all of the grid.
+/// Without mirror planes; the displacement is known on the whole grid.
 class SplitVolume : public ZoneVolume {
  public:
   SplitVolume(std::shared_ptr<const operators::ZoneTables> tables, const Zones& zones)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields of strain in tiles of a body's lattice, which states share.
+// Strain fields in tiles of the lattice of a body, shared between states.
 #pragma once
 
 #include <map>
@@ -13,9 +13,9 @@
 
 namespace samcontact::simulation {
 
-/// Boxes are of the body's cells. Of each tile the box of those of its cells is kept where a field
-/// is not zero. Parts of fields: the components of the strain, then equivalent strain, then those
-/// of backstresses.
+/// Boxes are of the cells of the body. Each tile keeps the box of its cells in which a field is not
+/// zero. Parts of fields: components of the strain, then equivalent strain, then components of the
+/// backstresses.
 class StrainTiles {
  public:
   struct Part {
@@ -29,17 +29,17 @@ class StrainTiles {
 
   /// Replaces the fields over a box, by part.
   void put(const Box& box, const std::vector<const double*>& fields);
-  /// Copies parts from the first on, `stride` numbers apart, where a box and the tiles have common
-  /// cells; the rest of `to` stays.
+  /// Copies parts from `first` on, `stride` numbers apart, in cells common to a box and the tiles;
+  /// the rest of `to` is unchanged.
   void copy(std::size_t first, std::size_t count, const Box& box, double* to,
             std::size_t stride) const;
 
   const Tiles& tiles() const { return tiles_; }
   std::size_t strain_parts() const { return operators::count(tensor_); }
-  /// Cells with equivalent plastic strain.
+  /// Number of cells with equivalent plastic strain.
   std::size_t yielded_cells() const;
   double max_equivalent() const;
-  /// Largest sqrt(2/3 e:e) of the strain e.
+  /// Maximum sqrt(2/3 e:e) of the strain e [-].
   double max_strain() const;
   std::size_t bytes() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samcontact/contact/normal/first_touch.hpp"
+#include "samcontact/contact/normal/first_contact.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,10 +12,10 @@
 namespace samcontact::contact {
 namespace {
 
-/// Of the approach: gaps that differ by less are the same.
+/// Relative to the approach: gaps with a smaller difference are equal.
 constexpr double same_gap = 1e-6;
 
-/// Cells that touch for the first time, those of the smallest gap first.
+/// Newly contacting cells in the order of increasing gap.
 std::vector<std::size_t> new_cells(const Growth& growth) {
   std::vector<std::size_t> cells;
   for (std::size_t i = 0; i < growth.gap.size(); ++i) {
@@ -27,9 +27,9 @@ std::vector<std::size_t> new_cells(const Growth& growth) {
   return cells;
 }
 
-/// Of each of them, the share of cells that touched before in a round contact that reaches it.
-/// Cells that mirror each other have gaps that differ by rounding: they are reached together.
-std::vector<double> touched_before(const Growth& growth, const std::vector<std::size_t>& cells) {
+/// For each of them, the fraction of cells that touched before in a round contact that reaches it.
+/// Cells that are mirror images have gaps that differ by rounding: they are reached together.
+std::vector<double> touching_fraction(const Growth& growth, const std::vector<std::size_t>& cells) {
   const auto before =
       static_cast<double>(std::count_if(growth.before.begin(), growth.before.end(), in_contact));
   std::vector<double> shares;
@@ -44,10 +44,10 @@ std::vector<double> touched_before(const Growth& growth, const std::vector<std::
   return shares;
 }
 
-/// Of a round contact whose radius grows from a share of r to r, by shear in proportion to the new
-/// pressure: what a point at r slides by its angle, over what it closes; 1/4 from nothing, 1/2 at
-/// the edge. Integrals of a sqrt(r^2 - a^2)/(pi r^2) and of 1 - 2/pi asin(a/r) over a da, by
-/// Boussinesq's and Cerruti's solutions.
+/// For a round contact whose radius grows from a fraction of r to r, under shear proportional to
+/// the new pressure: the dependence on the angle of the tangential displacement at r, over the
+/// closed gap; 1/4 for growth from zero, 1/2 at the edge. Integrals of a sqrt(r^2 - a^2)/(pi r^2)
+/// and of 1 - 2/pi asin(a/r) over a da, from Boussinesq's and Cerruti's solutions.
 double slid_by_angle(double share) {
   if (share > 0.999) return 0.5;
   constexpr double pi = std::numbers::pi;
@@ -58,13 +58,13 @@ double slid_by_angle(double share) {
   return slid / closed;
 }
 
-/// Across the edge that reaches a cell: where its gap opens.
+/// Normal of the contact edge that reaches a cell: the direction in which its gap opens.
 std::array<double, 2> edge_normal(const Grid& grid, const Field& gap, std::size_t at) {
   const int i = static_cast<int>(at) / grid.ny, j = static_cast<int>(at) % grid.ny;
   const auto of = [&](int a, int b) {
     const double there = gap[static_cast<std::size_t>(std::clamp(a, 0, grid.nx - 1)) * grid.ny +
                              std::clamp(b, 0, grid.ny - 1)];
-    // Beside the end of a body, as at the cell itself.
+    // Next to the end of a body, as at the cell itself.
     return std::isfinite(there) ? there : gap[at];
   };
   const double x = (of(i + 1, j) - of(i - 1, j)) / grid.dx,
@@ -75,7 +75,8 @@ std::array<double, 2> edge_normal(const Grid& grid, const Field& gap, std::size_
 }  // namespace
 
 double crosswise_compliance(const Grid& grid, const operators::TangentialInfluence& influence) {
-  // Far from a load, beside it over before it.
+  // Distance from a load [cells] at which the displacement ahead of it is compared with that beside
+  // it.
   constexpr int far = 100;
   const double side = std::min(grid.dx, grid.dy);
   const Grid square(1, 1, side, side);
@@ -85,15 +86,15 @@ double crosswise_compliance(const Grid& grid, const operators::TangentialInfluen
   return at(far, 0) / at(0, far);
 }
 
-Field slip_in_touch(const Grid& grid, const Growth& growth, double crosswise) {
+Field slip_after_contact(const Grid& grid, const Growth& growth, double crosswise) {
   const std::vector<std::size_t> cells = new_cells(growth);
   if (cells.empty()) return {};
   const std::size_t n = growth.gap.size();
   Field parts(3 * n, 1.0);
   std::fill_n(parts.begin() + static_cast<std::ptrdiff_t>(n), n, 0.0);
-  const double sheared = growth.slid > growth.most_slid ? growth.most_slid / growth.slid : 1.0;
+  const double sheared = growth.slid > growth.max_slid ? growth.max_slid / growth.slid : 1.0;
   const double twist = sheared * 2 * (crosswise - 1) / (crosswise + 1);
-  const std::vector<double> before = touched_before(growth, cells);
+  const std::vector<double> before = touching_fraction(growth, cells);
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const std::size_t i = cells[c];
     const double share = std::min(growth.gap[i] / growth.closer, 1.0);

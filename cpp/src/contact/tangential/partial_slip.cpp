@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samcontact/contact/tangential/stick_slip.hpp"
+#include "samcontact/contact/tangential/partial_slip.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -16,25 +16,27 @@
 namespace samcontact::contact {
 namespace {
 
-/// More slipping cells turning back than this share are a reversal: all cells stick first, since
-/// partial releases from a contact that slips everywhere do not settle.
-constexpr double reversal_share = 0.05;
-/// What the inner iteration is asked to gain at least and at most.
-constexpr double least_gain = 0.1, most_gain = 1e-3;
-constexpr int most_inner_steps = 14;
-/// Inner steps end when sticking cells exceed their bound by this many times the residual, but for
-/// outer steps that gain little: a few cells that change sides would hold up all others.
+/// If a larger fraction of slipping cells reverses, all cells stick first: partial releases from
+/// full sliding do not settle.
+constexpr double reversal_fraction = 0.05;
+/// Minimum and maximum error reduction of the inner iteration.
+constexpr double min_gain = 0.1, max_gain = 1e-3;
+constexpr int max_inner_steps = 14;
+/// Inner steps end when sticking cells exceed their bound by this multiple of the residual, except
+/// in outer steps that gain little: a few cells that change sides would delay all others.
 constexpr double patience = 3.0;
-/// The first time, and each time twice as many: in the end they converge by themselves.
-constexpr int fallback_steps = 60, most_doublings = 5;
-/// Forces missed by more than this share of the bound are left to the linear solve.
+/// Steps of the first fallback; each further one has twice as many, so that the method finally
+/// converges by the fallback alone.
+constexpr int fallback_steps = 60, max_doublings = 5;
+/// If forces are missed by a larger fraction of the bound, the correction is left to the linear
+/// solve.
 constexpr double largest_correction = 0.2;
-/// Slipping cells resist what is not so nearly across their shear.
+/// Slipping cells resist motions that deviate from the normal of their shear by more than this.
 constexpr double across = 1e-8;
 
-class StickSlip : public SlipIteration {
+class PartialSlipIteration : public SlipIteration {
  public:
-  StickSlip(const ShearProblem& problem, ShearApplier& operators, ShearStart start)
+  PartialSlipIteration(const ShearProblem& problem, ShearApplier& operators, ShearStart start)
       : SlipIteration(problem, operators, std::move(start),
                       problem.operators->displacement.self_influence()),
         modes_(static_cast<int>(problem.modes.size())),
@@ -47,14 +49,14 @@ class StickSlip : public SlipIteration {
  private:
   const Field& direction(int k) const { return problem_.modes[k].direction; }
   double missing(int k) const { return problem_.modes[k].missing(r_.shear); }
-  /// Slipping cells, and forces, of the start.
+  /// Slipping cells and forces of the start.
   void begin() {
-    const bool told = !r_.slipping.empty();
-    if (!told) take_slipping();
-    for (std::size_t i = 0; i < m_ && told; ++i) {
+    const bool has_start = !r_.slipping.empty();
+    if (!has_start) take_slipping();
+    for (std::size_t i = 0; i < m_ && has_start; ++i) {
       if (is_slipping(i)) put_on_circle(i);
     }
-    if (!told) watch_reversal();
+    if (!has_start) watch_reversal();
     meet_forces();
   }
 
@@ -73,10 +75,10 @@ class StickSlip : public SlipIteration {
     for (std::size_t i = 0; i < m_; ++i) {
       back += is_slipping(i) && r_.shear[i] * w[i] + r_.shear[m_ + i] * w[m_ + i] < 0;
     }
-    if (back > reversal_share * slipping) std::fill(r_.slipping.begin(), r_.slipping.end(), 0);
+    if (back > reversal_fraction * slipping) std::fill(r_.slipping.begin(), r_.slipping.end(), 0);
   }
 
-  /// Of directions on the cells that are free, and their products.
+  /// Directions restricted to the free cells, and their products.
   struct Projected {
     std::vector<Field> directions;
     Eigen::MatrixXd products;
@@ -101,8 +103,8 @@ class StickSlip : public SlipIteration {
     return true;
   }
 
-  /// Brings the forces to their values with a rigid change of the shear on sticking cells, which
-  /// slip where it takes them beyond their bound.
+  /// Corrects the forces by a uniform or rotational change of the shear on sticking cells, which
+  /// slip if it takes them beyond their bound.
   void meet_forces() {
     for (int n = 0; n < 4 && modes_ > 0; ++n) {
       Eigen::VectorXd miss(modes_);
@@ -133,7 +135,7 @@ class StickSlip : public SlipIteration {
     take_normals();
     if (modes_ > 0) {
       const Projected set = projected([&](Field& v) {
-        keep_in_touch(problem_, v);
+        apply_slip_part(problem_, v);
         project_free(v);
       });
       if (decides(set, decisive)) {
@@ -164,22 +166,21 @@ class StickSlip : public SlipIteration {
   }
 
   void step(double tol) override;
-  bool slide_as_a_whole(double tol);
+  bool slide_uniformly(double tol);
   bool is_enough(const Field& residual, const Field& change, double first, double gain, double tol,
                  int inner) const;
   void fall_back(double tol) override;
 
   const int modes_;
   Field u_;
-  bool u_is_known_ = false;  // that of the present shear
+  bool u_is_known_ = false;  // whether u_ belongs to the present shear
   Field share_;              // of each cell
   double bound_scale_;
 };
 
-/// Where no cell resists a uniform shear, that of sticking cells would grow without an end: all
-/// slip instead, in the direction of their mean slip and of the forces. False where some cell
-/// resists.
-bool StickSlip::slide_as_a_whole(double tol) {
+/// If no cell resists a uniform shear, that of sticking cells would grow without bound: all cells
+/// slip instead, in the direction of their mean slip and of the forces. False if some cell resists.
+bool PartialSlipIteration::slide_uniformly(double tol) {
   const double most = ordered_sum(m_, [&](std::size_t i) { return problem_.bound[i]; });
   if (!problem_.floats || !std::isfinite(most)) return false;
   const auto mean = [&](std::size_t k) {
@@ -210,8 +211,8 @@ bool StickSlip::slide_as_a_whole(double tol) {
   return true;
 }
 
-void StickSlip::step(double tol) {
-  if (slide_as_a_whole(tol)) return;
+void PartialSlipIteration::step(double tol) {
+  if (slide_uniformly(tol)) return;
   for_each_cell(
       m_, [&](std::size_t i) { share_[i] = 1 / std::sqrt(1 + lambda_[i] / self_influence_); });
   const Projected set = projected([&](Field& v) { project_free(v); });
@@ -245,10 +246,9 @@ void StickSlip::step(double tol) {
   }
   without_forces(residual);
   const double first = longest(residual),
-               gain =
-                   r_.steps > 0 ? std::min(least_gain, std::max(r_.error, most_gain)) : least_gain;
+               gain = r_.steps > 0 ? std::min(min_gain, std::max(r_.error, max_gain)) : min_gain;
   double zr_old = 0.0;
-  for (int inner = 0; inner < most_inner_steps; ++inner) {
+  for (int inner = 0; inner < max_inner_steps; ++inner) {
     check_interrupt();
     precondition(residual, z);
     without_forces(z);
@@ -272,8 +272,8 @@ void StickSlip::step(double tol) {
   meet_forces();
 }
 
-bool StickSlip::is_enough(const Field& residual, const Field& change, double first, double gain,
-                          double tol, int inner) const {
+bool PartialSlipIteration::is_enough(const Field& residual, const Field& change, double first,
+                                     double gain, double tol, int inner) const {
   const double left = longest(residual);
   const double scale = shear_scale(problem_, r_.shear, r_.slip);
   const double relative = left * problem_.stiffness / scale;
@@ -286,9 +286,9 @@ bool StickSlip::is_enough(const Field& residual, const Field& change, double fir
          (!gains_little_ && beyond / scale > patience * relative && inner >= 2);
 }
 
-void StickSlip::fall_back(double tol) {
+void PartialSlipIteration::fall_back(double tol) {
   projected_gradient(problem_, operators_, tol,
-                     fallback_steps << std::min(r_.fallbacks - 1, most_doublings), r_);
+                     fallback_steps << std::min(r_.fallbacks - 1, max_doublings), r_);
   for (std::size_t i = 0; i < m_; ++i) {
     r_.slipping[i] = pull(i, 1 / self_influence_) > problem_.bound[i];
     if (is_slipping(i)) put_on_circle(i);
@@ -298,9 +298,10 @@ void StickSlip::fall_back(double tol) {
 
 }  // namespace
 
-ShearResult solve_stick_slip(const ShearProblem& problem, ShearApplier& operators, ShearStart start,
-                             double tol, int most_steps) {
-  ShearResult result = StickSlip(problem, operators, std::move(start)).run(tol, most_steps);
+ShearResult solve_partial_slip(const ShearProblem& problem, ShearApplier& operators,
+                               ShearStart start, double tol, int max_steps) {
+  ShearResult result =
+      PartialSlipIteration(problem, operators, std::move(start)).run(tol, max_steps);
   result.energy_gap = energy_gap(problem, result.shear, result.slip);
   return result;
 }

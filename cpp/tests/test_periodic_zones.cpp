@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Operators of zones on a surface that repeats itself, against those of the whole box.
+// Operators of zones on a periodic surface, against those of the whole box.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -17,11 +17,12 @@ using namespace samcontact::operators;
 namespace {
 
 const Elastic steel{210e9, 0.3};
-/// At a corner, with the images of others in its ring, across most of a period, and in the middle.
+/// At a corner, with the images of others in its margin, across most of a period, and in the
+/// middle.
 const std::vector<Box> zones{
     {0, 0, 14, 11, 5}, {114, 4, 14, 12, 6}, {2, 82, 9, 14, 3}, {40, 2, 20, 60, 8}};
 
-Grid joined_grid() {
+Grid periodic_grid() {
   Grid grid(128, 96, 1e-6, 1.25e-6, 8, 0.9e-6);
   grid.period = {128, 96, 0.0};
   return grid;
@@ -29,7 +30,8 @@ Grid joined_grid() {
 
 double number(std::size_t n) { return std::sin(1.7 * static_cast<double>(n) + 0.3); }
 
-/// [component][cell] of the zones; at the ends of the surface strain goes on in the next one.
+/// [component][cell] of the zones; at the ends of the surface the strain continues in the next
+/// zone.
 Field zone_strain(int parts, std::size_t cells) {
   Field strain(parts * cells, 0.0);
   for (int c = 0; c < parts; ++c) {
@@ -49,7 +51,7 @@ Field zone_strain(int parts, std::size_t cells) {
   return strain;
 }
 
-/// Spots over the zones and a mean everywhere.
+/// Spots over the zones and a uniform mean.
 Field load(const Grid& grid, double factor) {
   Field field(grid.surface_size(), factor * 2e8);
   for (const Box& zone : zones) {
@@ -95,8 +97,8 @@ Error of_stress(ZoneOperators& operators, const Field* strain, const Tractions& 
 
 }  // namespace
 
-TEST_CASE("zones of a surface that repeats itself do what the whole box does") {
-  const Grid grid = joined_grid();
+TEST_CASE("zones on a periodic surface agree with the whole box") {
+  const Grid grid = periodic_grid();
   const auto medium = half_space(steel);
   for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
     const int parts = count(tensor);
@@ -138,8 +140,8 @@ TEST_CASE("zones of a surface that repeats itself do what the whole box does") {
   }
 }
 
-TEST_CASE("stress is within its bound on a surface that repeats itself") {
-  const Grid grid = joined_grid();
+TEST_CASE("stress is within its bound on a periodic surface") {
+  const Grid grid = periodic_grid();
   const auto medium = half_space(steel);
   const VolumeOperators whole(grid, medium,
                               {Tensor::deviator, Symmetry::none, ResidualMethod::fast, 1e-5, {}});

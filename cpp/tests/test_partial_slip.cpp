@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of stick and slip that Python does not see, each against what it stands for.
+// Parts of the partial-slip solver that are not accessible from Python, each against its
+// definition.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "samcontact/contact/tangential/partial_slip.hpp"
 #include "samcontact/contact/tangential/projected_gradient.hpp"
 #include "samcontact/contact/tangential/shear_solver.hpp"
-#include "samcontact/contact/tangential/stick_slip.hpp"
 #include "samcontact/operators/medium/half_space.hpp"
 #include "samcontact/operators/surface/near_tangential.hpp"
 
@@ -35,7 +36,7 @@ double difference(const Field& a, const Field& b) {
   return largest;
 }
 
-/// A Hertz-like pressure over most of a grid, highest beside the middle.
+/// Hertz-like pressure over most of a grid, with its maximum off the centre.
 Field bump(const Grid& grid) {
   Field pressure;
   for (const double x : grid.x()) {
@@ -55,7 +56,7 @@ contact::ShearTask task_of(const Field& pressure, const contact::TangentialDrive
 
 }  // namespace
 
-TEST_CASE("shear and pressure displace as the tables of their cells say") {
+TEST_CASE("displacements due to shear and pressure agree with their tables") {
   const Grid grid(7, 5, 1.0, 1.4);
   const int n = 35;
   const Field shear = sample(2 * n), pressure = sample(n);
@@ -88,13 +89,14 @@ TEST_CASE("shear and pressure displace as the tables of their cells say") {
                                         sum(Traction::shear_y, Axis::z, &shear[n], at)));
     CHECK(slid[at] == doctest::Approx(sum(Traction::pressure, Axis::x, pressure.data(), at)));
   }
-  // Betti: what shear lifts, pressure slides.
+  // Betti's theorem: normal displacement due to shear and tangential displacement due to pressure.
   CHECK(contact::dot(raised, pressure) == doctest::Approx(contact::dot(slid, shear)));
-  // Bodies alike do neither.
+  // Identical materials have neither.
   CHECK_FALSE(operators::NormalTangentialCoupling(grid, {soft, soft}).is_on());
 }
 
-TEST_CASE("the cheap sliding displacement is exact on small boxes and close on large ones") {
+TEST_CASE(
+    "the approximate tangential displacement is exact on small boxes and close on large ones") {
   const auto largest_error = [](const Grid& grid) {
     const Field shear = sample(2 * grid.surface_size());
     Field exact(shear.size()), cheap(shear.size());
@@ -107,8 +109,8 @@ TEST_CASE("the cheap sliding displacement is exact on small boxes and close on l
   // Across the seam the crossed coefficient, which is odd, has a step.
   CHECK(largest_error(Grid(64, 64, 1.0, 1.3)) < 6e-3);
   CHECK(largest_error(Grid(130, 75, 1.0, 1.3)) < 6e-3);
-  CHECK(largest_error(Grid(96, 70, 1.0, 1.3).joined(true, true)) < 1e-14);
-  CHECK(largest_error(Grid(96, 70, 1.0, 1.3).joined(false, true)) < 6e-3);
+  CHECK(largest_error(Grid(96, 70, 1.0, 1.3).made_periodic(true, true)) < 1e-14);
+  CHECK(largest_error(Grid(96, 70, 1.0, 1.3).made_periodic(false, true)) < 6e-3);
 }
 
 TEST_CASE("the preconditioner inverts the tangential displacement of a packet of waves") {
@@ -129,8 +131,7 @@ TEST_CASE("the preconditioner inverts the tangential displacement of a packet of
   CHECK(difference(packet, back) < 0.01);
 }
 
-TEST_CASE(
-    "projected gradients find the same shear, slowly; the energy gap bounds what is missing") {
+TEST_CASE("projected gradients find the same shear; the energy gap bounds the error") {
   const Grid grid(24, 20, 1.0 / 24, 1.0 / 20);
   const Field pressure = bump(grid);
   const contact::ShearOperators operators(grid, influence);
@@ -156,7 +157,7 @@ TEST_CASE(
   problem.stiffness = 1e9;
   problem.smallest_shear = 1e-6;
   contact::ShearApplier applier(problem);
-  const auto newton = contact::solve_stick_slip(problem, applier, {}, 1e-11, 60);
+  const auto newton = contact::solve_partial_slip(problem, applier, {}, 1e-11, 60);
   CHECK(newton.converged);
   CHECK(newton.fallbacks == 0);
   const auto slipping = std::count(newton.slipping.begin(), newton.slipping.end(), 1);
@@ -176,7 +177,7 @@ TEST_CASE(
   CHECK(slow.motion[0] == doctest::Approx(newton.motion[0]).epsilon(1e-6));
 }
 
-TEST_CASE("forces that bounds do not allow have no projection") {
+TEST_CASE("forces above the bounds have no projection") {
   const Grid grid(8, 8, 1.0 / 8, 1.0 / 8);
   const contact::ShearOperators operators(grid, influence);
   contact::ShearProblem problem;
@@ -191,7 +192,7 @@ TEST_CASE("forces that bounds do not allow have no projection") {
   std::vector<double> multipliers{0.0};
   CHECK(contact::project(problem, shear, multipliers));
   CHECK(shear[0] + shear[1] + shear[2] == doctest::Approx(5.0));
-  // From where all cells are cut, on either side.
+  // From a start with all cells cut, on either side.
   for (const double target : {-5.999, -5.0, 1e-2, 5.999}) {
     for (const double from : {-1e3, -7.0, 7.0, 1e3}) {
       problem.modes[0].target = target;
@@ -205,7 +206,7 @@ TEST_CASE("forces that bounds do not allow have no projection") {
   CHECK_FALSE(contact::project(problem, shear, multipliers));
 }
 
-TEST_CASE("coarse boxes leave few applications for the finest, and start nothing wrong") {
+TEST_CASE("starts from coarse boxes save applications on the finest and do not change the result") {
   const Grid grid(96, 80, 1.0 / 96, 1.0 / 80);
   const Field pressure = bump(grid);
   const contact::ShearSolver solver(grid, influence);
@@ -224,7 +225,7 @@ TEST_CASE("coarse boxes leave few applications for the finest, and start nothing
   CHECK(plain.converged);
   CHECK(difference(plain.shear, nested.shear) < 1e-6 * 0.3 * 4e5);
   for (int k = 0; k < 2; ++k) CHECK(plain.motion[k] == doctest::Approx(nested.motion[k]));
-  // A motion given that follows from the forces leads to the forces.
+  // Prescribing the motion that follows from the forces gives the same forces.
   const contact::TangentialDrive moved{Given::motion(nested.motion[0]),
                                        Given::motion(nested.motion[1]), Given::motion(1e-5)};
   const auto back = solver.solve(task_of(pressure, moved), {}, {}, 1e-8, 60);
