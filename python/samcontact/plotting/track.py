@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of a moving contact, in the frame of a body: x = 0 is where the contact started on it.
 
-Like `samcontact.plotting`, which offers these functions too: each takes an `ax` and returns it.
+The functions are also available from `samcontact.plotting`: each takes an `ax` and returns it.
 """
 
 from __future__ import annotations
@@ -61,9 +61,9 @@ def track_print(
     Parameters
     ----------
     track : xarray.Dataset
-        From `Track.to_dataset`.
+        Result of `Track.to_dataset`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     axis : {"x", "y"}
         Direction of the profiles: along the track, or across it.
     positions : sequence of float
@@ -114,17 +114,17 @@ def track_section(
     Parameters
     ----------
     track : xarray.Dataset
-        From `Track.to_dataset`, of a grid with layers.
+        Result of `Track.to_dataset`, with layers.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     quantity : {"residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain"}
         Or a component "xx", "yy", "zz", "yz", "xz", "xy" of the residual stress.
     plane : {"y", "x"}
         Coordinate that is constant on the section: "y" along the track, "x" across it.
     position : float
-        Its value [m]; the nearest row of cells is shown.
+        Value of this coordinate [m]; the nearest row of cells is shown.
     cells : bool, optional
-        Show each cell in its colour, instead of what is smooth through their centres.
+        Show each cell in one colour, instead of smooth colours between the cell centres.
 
     Returns
     -------
@@ -164,9 +164,9 @@ def loaded_section(
     state : State
         With a grid that has layers.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     body : {1, 2}
-        Whose field and frame.
+        Body whose field and frame of reference are used.
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature"}
         Or a component "xx", "yy", "zz", "yz", "xz", "xy" of the stress.
     plane, position, cells

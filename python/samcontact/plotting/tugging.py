@@ -63,9 +63,9 @@ def force(
     Parameters
     ----------
     results : sequence of xarray.Dataset
-        A line for each `Tugging.series`.
+        `Tugging.series` of each collision; one line is drawn for each.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     component : {"x", "z"}
         Tangential (what it takes to move the upper sphere along +X), or normal.
     number : int
@@ -119,7 +119,7 @@ def net_energy(
     results : sequence of xarray.Dataset
         A point for each `Tugging.series`; with as many passes.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     critical : CriticalSphere, optional
         Show energy and interference over its own, else [J], [m].
     """

@@ -78,11 +78,11 @@ def worn_profile(
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `to_dataset` of `WearResult` or `FrettingResult`.
+        Result of `WearResult.to_dataset` or `FrettingResult.to_dataset`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        A worn body; default the last one.
+        Worn body; default: the last one.
     axis : {"x", "y"}
         Direction of the profile.
     position : float, optional
@@ -145,15 +145,15 @@ def surface_map(
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `to_dataset` of `WearResult` or `FrettingResult`.
+        Result of `WearResult.to_dataset` or `FrettingResult.to_dataset`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        A worn body; default the last one.
+        Worn body; default: the last one.
     cycle : int
         Number of the cycle; default the last one.
     cells : bool, optional
-        Show each cell in its colour, instead of what is smooth through their centres.
+        Show each cell in one colour, instead of smooth colours between the cell centres.
 
     Returns
     -------
@@ -190,9 +190,9 @@ def wear_rate(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `to_dataset` of `WearResult` or `FrettingResult`.
+        Result of `WearResult.to_dataset` or `FrettingResult.to_dataset`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
 
     Returns
     -------
