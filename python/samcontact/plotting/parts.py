@@ -133,7 +133,7 @@ def depths_of(grid: Grid, field: ArrayLike) -> FloatArray:
 
 
 def require_volume(grid: Grid) -> None:
-    """Raise ValueError for a grid of the surface only."""
+    """Raise ValueError for a grid without layers."""
     if not grid.has_volume:
         raise ValueError("grid must have layers, got a grid without dz")
 
@@ -181,7 +181,9 @@ def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
     middle = nearest(coordinate, 0.0)
     if sizes[middle] >= 0.9 * sizes.max():
         return middle
-    return int(np.argmax(sizes >= (1.0 - 1e-6) * sizes.max()))  # a unique row for mirror-symmetric fields
+    return int(
+        np.argmax(sizes >= (1.0 - 1e-6) * sizes.max())
+    )  # a unique row for mirror-symmetric fields
 
 
 def place(name: str, value: float) -> str:
