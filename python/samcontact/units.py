@@ -53,11 +53,15 @@ def from_text(text: str, unit: str) -> float:
         exact = registry.Quantity(number, match.group(2)).to(unit).magnitude
         found = float(exact)
     except (DecimalException, OverflowError):
-        raise ValueError(f"must be within the range of floating-point numbers, got {in_short(text)}") from None
+        raise ValueError(
+            f"must be within the range of floating-point numbers, got {in_short(text)}"
+        ) from None
     except Exception as error:  # pint also raises errors of the Python tokenizer
         raise ValueError(f"must be {allowed}, got {in_short(text)}") from error
     if math.isinf(found) or (found == 0.0 and exact != 0):
-        raise ValueError(f"must be within the range of floating-point numbers, got {in_short(text)}")
+        raise ValueError(
+            f"must be within the range of floating-point numbers, got {in_short(text)}"
+        )
     return found
 
 

@@ -246,7 +246,9 @@ def _convergence(scene: Scene) -> Iterator[Made]:
             shown = np.where(values > 0, values, np.nan)
             upper.plot(number, shown, "o", markersize=3, label=CONTACT[name].heading)
         if "tol" in data.attrs:
-            upper.axhline(data.attrs["tol"], color="k", linestyle="--", linewidth=1, label="tolerance")
+            upper.axhline(
+                data.attrs["tol"], color="k", linestyle="--", linewidth=1, label="tolerance"
+            )
         upper.set_yscale("log")
         upper.set_ylabel("relative residual [-]")
         upper.legend(**_ABOVE)

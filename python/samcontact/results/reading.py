@@ -83,7 +83,9 @@ def _material(dataset: xr.Dataset, prefix: str) -> Material:
     kinds = [kind for kind in PARTS if f"{prefix}{kind}_z" in dataset.attrs]
 
     def given(name: str, many: bool) -> Any:
-        value = np.atleast_1d(dataset.attrs[prefix + name])  # files store lists of one value as numbers
+        value = np.atleast_1d(
+            dataset.attrs[prefix + name]
+        )  # files store lists of one value as numbers
         return value if many else float(value[0])
 
     constants = LAWS[law].constants

@@ -57,7 +57,9 @@ def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str
     counts = {name: len(column) for name, column in values.items()}
     if mode == "zip" and len(set(counts.values())) > 1:
         listed = ", ".join(f"{name} {count}" for name, count in counts.items())
-        raise ValueError(f"parameters must have equal numbers of values in mode 'zip', got {listed}")
+        raise ValueError(
+            f"parameters must have equal numbers of values in mode 'zip', got {listed}"
+        )
     wanted = math.prod(counts.values()) if mode == "product" else max(counts.values())
     if wanted > MOST_CASES:
         listed = ", ".join(f"{name} {count}" for name, count in counts.items())
@@ -138,10 +140,10 @@ def _step(content: Any, key: str | int) -> Any:
 def _validated(
     case: CaseFile, keys: Mapping[str, Keys], combinations: list[tuple[Any, ...]]
 ) -> list[CaseFile]:
-    """The case of each combination; one CaseError for all that cannot be."""
+    """Return the case of each combination; raises one CaseError for all invalid combinations."""
     base = case.model_dump(exclude_unset=True)
     cases: list[CaseFile] = []
-    problems: dict[str, str] = {}  # what is wrong: the first combination where it is
+    problems: dict[str, str] = {}  # error: first combination with this error
     for values in combinations:
         content = copy.deepcopy(base)
         try:

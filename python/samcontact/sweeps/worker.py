@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of one case of a sweep as a task for any process, with plain data as input and output."""
+"""Solution of one case of a sweep as a task for any process, with plain input and output data."""
 
 from __future__ import annotations
 
