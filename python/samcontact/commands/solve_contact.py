@@ -266,10 +266,10 @@ def _errors_sheet(dataset: xr.Dataset) -> Sheet | None:
     sheet.add("", [row.label for row in rows])
     sheet.add("increment", [str(row.increment) for row in rows])
     sheet.add("value", [row.shown for row in rows])
-    sheet.add("error\n[%]", [row.percent for row in rows])
+    sheet.add("error\n[%]" if asked else "grid error\n[%]", [row.percent for row in rows])
     if any(row.by_increments is not None for row in rows):
         shares = ["" if r.by_increments is None else f"{100 * r.by_increments:.2g}" for r in rows]
-        sheet.add("error by increments\n[%]", shares)
+        sheet.add("increment\nerror [%]", shares)
     if asked:
         sheet.add("target\n[%]", [f"{100 * accuracy:.3g}" for accuracy in asked])
     return sheet

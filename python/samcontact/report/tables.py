@@ -230,7 +230,7 @@ def errors_table(dataset: xr.Dataset) -> Table:
         heading: [getattr(row, name) for row in found]
         for heading, name in (
             ("target [%]", "asked"),
-            ("error due to increments [%]", "by_increments"),
+            ("increment error [%]", "by_increments"),
         )
         if any(getattr(row, name) is not None for row in found)
     }
@@ -253,7 +253,8 @@ def errors_table(dataset: xr.Dataset) -> Table:
     )
     if by_increments := said_of_increments(dataset.attrs):
         note += f" {by_increments[0].upper()}{by_increments[1:]}."
-    return Table(["increment", "value", "error [%]", *more], rows, "quantity", note)
+    heading = "error [%]" if asked else "grid error [%]"
+    return Table(["increment", "value", heading, *more], rows, "quantity", note)
 
 
 def _percent(share: float | None) -> Cell:

@@ -98,7 +98,7 @@ Rx = 7.5e-3""")  # fmt: skip
     [
         (ELASTIC, "a body that can yield"),
         (MOVING, "a path that brings both bodies back"),
-        (f"{MINIMAL}\n[wear]\nthreshold = 0.002\n", "not for a case with wear"),
+        (f"{MINIMAL}\n[wear]\nthreshold = 0.002\n", "cannot be combined with wear"),
         (MINIMAL.replace(GRID, "").replace("increments", "# ").replace(
             'title = "two balls"', 'title = "two balls"\naccuracy = 0.1'),
          "not for a case with accuracy"),
