@@ -29,6 +29,7 @@ extensions = [
     "cards",
     "case_schema",
     "executed",
+    "figures",
     "modules",
 ]
 exclude_patterns = ["_ext", "notebooks/.ipynb_checkpoints"]
