@@ -122,7 +122,7 @@ class TestCommands:
         make(out / name)
         before = snapshot(tmp_path)
         outcome = invoke("run", case, "--output", out)
-        check_failure(outcome, 2, str(out / name), ": move )
+        check_failure(outcome, 2, str(out / name), ": move ")
         assert snapshot(tmp_path) == before
 
     @pytest.mark.parametrize("make", [text, link, Path.mkdir, os.mkfifo])
