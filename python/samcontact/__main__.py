@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""``python -m samcontact`` is the command ``samcontact``."""
+"""Command ``samcontact``, started by ``python -m samcontact``."""
 
 from .commands.main import main
 

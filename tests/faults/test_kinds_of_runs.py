@@ -59,7 +59,7 @@ def test_not_enough_memory(whole, nursery, tmp_path):
     # A search goes around loads whose runs do not fit, and tells it when none does.
     there = 0.0 if kind == "found load" else 0.99 * most
     told, _ = nursery.run(f"{kind}|memory {there}|{tmp_path / 'run'}")
-    assert re.search(r"needs about [\d.e+-]+ GB of memory, and [\d.e+-]+ GB are available", told)
+    assert re.search(r"requires about [\d.e+-]+ GB of memory, [\d.e+-]+ GB available", told)
     assert nursery.run(f"{kind}||{tmp_path / 'run'}")[0] == digest
 
 

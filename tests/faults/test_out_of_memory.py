@@ -166,7 +166,7 @@ REFUSED = {
 @pytest.mark.parametrize("name", REFUSED)
 def test_huge_grids_are_refused(name, monkeypatch):
     monkeypatch.setattr(memory, "available", lambda: 16e9)
-    told = r"ny = 60000, nz = 1000 needs about [\d.e+]+ GB of memory, and 16 GB are available"
+    told = r"ny = 60000, nz = 1000 requires about [\d.e+]+ GB of memory, 16 GB available"
     with pytest.raises(MemoryError, match=told):
         REFUSED[name]()
 
@@ -195,7 +195,7 @@ assert len(REFUSED) + len(FIELDS) + 1 == TRIALS["memory: refusals"][0]
 @pytest.mark.parametrize("name", FIELDS)
 def test_fields_are_refused(name, monkeypatch):
     monkeypatch.setattr(memory, "available", lambda: 60e6)
-    with pytest.raises(MemoryError, match=r"needs about \d\.\d+ GB of memory, and 0\.06 GB are"):
+    with pytest.raises(MemoryError, match=r"requires about \d\.\d+ GB of memory, 0\.06 GB"):
         FIELDS[name]()
 
 
@@ -258,7 +258,7 @@ def test_the_command_tells_it(tmp_path, monkeypatch):
     arguments = ["run", str(tmp_path / "huge.toml"), "--output", str(tmp_path / "out")]
     outcome = CliRunner().invoke(main, arguments)
     assert outcome.exit_code == 1
-    assert re.search(r"error: .*nx = 60000, ny = 60000 needs about \d+ GB", outcome.output)
+    assert re.search(r"error: .*nx = 60000, ny = 60000 requires about \d+ GB", outcome.output)
 
 
 SMALL_CASE = """
@@ -290,7 +290,7 @@ def test_a_run_in_little_address_space_is_refused_at_once(megabytes, tmp_path):
         text=True,
     )
     assert done.returncode == 1
-    assert done.stderr.startswith("error: not enough memory: the command needs about")
+    assert done.stderr.startswith("error: not enough memory: the command requires about")
     assert "ulimit -v" in done.stderr
     assert not (tmp_path / "out").exists()
 

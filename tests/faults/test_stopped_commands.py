@@ -156,7 +156,7 @@ def test_goes_on_to_the_same_bits(kind, nursery, tmp_path, count):
         for place, number in zip(moments, signals, strict=True):
             code, _, errors, made, _ = stopped.run(place, int(number))
             assert code == 128 + number, errors
-            told = "goes on from" if stopped.searches else f"samcontact resume {stopped.out}"
+            told = "progress saved in" if stopped.searches else f"samcontact resume {stopped.out}"
             assert told in errors
             done += made
         code, last, errors, again, _ = stopped.run()

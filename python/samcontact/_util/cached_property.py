@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`functools.cached_property` without the lock that it has before Python 3.12.
+"""`functools.cached_property` without the lock of Python versions before 3.12.
 
-A child that is forked while another thread computes such a property would wait for that lock for
-ever.
+A child process forked while another thread computes such a property would wait for that lock
+indefinitely.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ if TYPE_CHECKING or sys.version_info >= (3, 12):
 else:
 
     class cached_property:
-        """A property that is computed once and kept in the attributes of its object."""
+        """Property that is computed once and stored in the attributes of its object."""
 
         def __init__(self, compute: Callable[[Any], Any]) -> None:
             self.compute, self.__doc__ = compute, compute.__doc__

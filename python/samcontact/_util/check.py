@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One check with its number and its limit, as reports and the self-check list them."""
+"""Check of a number against a limit, as listed by reports and the self-test."""
 
 from __future__ import annotations
 
@@ -8,20 +8,23 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Check:
-    """A number against its limit.
+    """Check of a number against a limit.
 
     Attributes
     ----------
     name : str
-        What is checked.
+        Name of the quantity checked.
     value : float
-        The number; NaN fails.
+        Value of the quantity; NaN fails.
     limit : float
-        What it is compared with, in the same unit.
+        Limit, in the unit of the value.
     at_least : bool
-        The limit is a lower one.
+        Whether the limit is a lower bound.
     unit : str
-        Of both, SI; "" for pure numbers.
+        SI unit of value and limit; "" for pure numbers.
+    of_input : bool
+        Whether the check is a plausibility check of the input, such as a guard against wrong units,
+        and not a check of the results.
     """
 
     name: str
@@ -29,26 +32,27 @@ class Check:
     limit: float
     at_least: bool = False
     unit: str = ""
+    of_input: bool = False
 
     @property
     def passed(self) -> bool:
-        """Whether the number is within its limit."""
+        """Whether the value is within its limit."""
         if self.at_least:
             return self.value >= self.limit
         return self.value <= self.limit
 
     @property
     def word(self) -> str:
-        """ "ok" or "failed"."""
+        """Result of the check, "ok" or "failed"."""
         return "ok" if self.passed else "failed"
 
     @property
     def shown(self) -> str:
-        """The number with its unit."""
+        """Value with its unit."""
         return f"{self.value:.3g} {self.unit}".strip()
 
     @property
     def condition(self) -> str:
-        """The limit with its sense, e.g. "≤ 1e-06"."""
+        """Limit with its sense, e.g. "≤ 1e-06"."""
         sign = "≥" if self.at_least else "≤"
         return f"{sign} {self.limit:.3g} {self.unit}".strip()

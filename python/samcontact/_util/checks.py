@@ -22,22 +22,22 @@ from .short_text import in_short
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 MOST_COUNT = (1 << 31) - 1
-"""The core counts with 32 bits."""
+"""Maximum count: the core uses 32-bit integers."""
 MOST_CELLS = 1 << 24
-"""Along one axis, twice as many for transforms included."""
+"""Maximum number of cells along one axis; transforms need twice as many."""
 MOST_STRESS = 1e75
-"""Like the largest load and modulus [Pa]: products stay in the range of numbers."""
+"""Maximum stress [Pa], as for load and modulus: products stay in the floating-point range."""
 MOST_STEPS = 100_000
-"""Increments of one path: more would take months, and a slip of the pen fills the memory."""
+"""Maximum number of increments of a path: more take months, and a typing error fills the memory."""
 MOST_OF_NAME = 200
-"""Bytes of the name of a file: file systems hold 255, names of partial files are longer."""
+"""Maximum length of a file name [bytes]: file systems allow 255, and partial files need more."""
 MOST_NUMBER = 1e300
-"""Of a size, in SI units: products of larger ones leave the range of numbers."""
-_NOT_REAL = (bool, np.bool_, np.timedelta64)  # to Python or NumPy these are numbers
+"""Maximum magnitude in SI units: products of larger numbers leave the floating-point range."""
+_NOT_REAL = (bool, np.bool_, np.timedelta64)  # numbers to Python or NumPy
 
 
 def _has_unit(value: Any) -> bool:
-    """Whether it is a quantity, e.g. of pint, whose unit NumPy would drop."""
+    """Whether a value is a quantity, e.g. of pint, whose unit NumPy would drop."""
     return hasattr(value, "to_base_units")
 
 
@@ -49,29 +49,28 @@ def number(name: str, value: Any) -> float:
         raise TypeError(f"{name} must be a number, got {in_short(value)}{_slip(value)}")
     try:
         found = float(value) + 0.0  # never -0.0
-    except OverflowError:  # a whole number of more than 308 digits
+    except OverflowError:  # an integer of more than 308 digits
         found = sys.float_info.max
     if MOST_NUMBER < abs(found) < math.inf or (math.isinf(found) and value != found):
         raise ValueError(
-            f"{name} must be a number of a size up to {MOST_NUMBER:g}, got {in_short(value)}"
+            f"{name} must be a number of magnitude <= {MOST_NUMBER:g}, got {in_short(value)}"
         )
     return found
 
 
 def _slip(value: Any) -> str:
-    """What to do with something that is not a number."""
+    """Return a remedy for a value that is not a number."""
     if _has_unit(value):
         return ": convert it with samcontact.units.si"
     if isinstance(value, str):
         return ': write it without quotes, or convert it with samcontact.units.si("...", unit)'
     if isinstance(value, (bool, np.bool_)):
-        return ": a truth value is no number"
+        return ": a Boolean value is not accepted as a number"
     return ""
 
 
 def boolean(name: str, value: Any) -> bool:
-    """Return `value` as a bool; raise TypeError for all else, such as "no", which Python takes
-    for true."""
+    """Return `value` as a bool; raise TypeError for other types, such as "no", which is true."""
     if not isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name} must be True or False, got {in_short(value)}")
     return bool(value)
@@ -130,7 +129,7 @@ def poisson_ratio(name: str, value: Any) -> float:
 def integer(
     name: str, value: Any, minimum: int | None = None, largest: int | None = MOST_COUNT
 ) -> int:
-    """Return `value` as an int, >= `minimum`, of a size up to `largest`."""
+    """Return `value` as an int >= `minimum` with magnitude <= `largest`."""
     if isinstance(value, _NOT_REAL) or not isinstance(value, Integral):
         raise TypeError(f"{name} must be an integer, got {in_short(value)}")
     if minimum is not None and value < minimum:
@@ -138,16 +137,16 @@ def integer(
     count = int(value)
     if largest is not None and abs(count) > largest:
         raise ValueError(
-            f"{name} must be an integer of a size up to {largest}, got {in_short(count)}"
+            f"{name} must be an integer of magnitude <= {largest}, got {in_short(count)}"
         )
     return count
 
 
 def in_cells(name: str, length: float, step: float) -> float:
-    """A length [m] as a number of cells, which the core can count."""
+    """Return a length [m] as a number of cells; raise ValueError if it exceeds `MOST_CELLS`."""
     if not abs(length) <= MOST_CELLS * step:
         raise ValueError(
-            f"{name} must be at most {MOST_CELLS * step:.6g} m, {MOST_CELLS} cells of {step!r} m, "
+            f"{name} must be <= {MOST_CELLS * step:.6g} m ({MOST_CELLS} cells of {step!r} m), "
             f"got {length!r} m"
         )
     return length / step
@@ -179,11 +178,11 @@ def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any
         exactly_one(**{key: step.get(key) for key in ("load", "approach", "pressure")})
         if step.get("pressure") is None:
             load_or_approach(step.get("load"), step.get("approach"))
-    return [dict(step) for step in given]  # the caller's may change meanwhile
+    return [dict(step) for step in given]  # a copy: the caller may change the original
 
 
 def step_count(name: str, value: Any) -> int:
-    """Return `value` as a number of increments that a list can hold."""
+    """Return `value` as a number of increments, at most `MOST_STEPS`."""
     count = integer(name, value, 1)
     if count > MOST_STEPS:
         raise ValueError(f"{name} must be at most {MOST_STEPS}, got {count}")
@@ -191,11 +190,11 @@ def step_count(name: str, value: Any) -> int:
 
 
 def choice(name: str, value: Any, allowed: tuple[Any, ...]) -> Any:
-    """Return `value` when it is one of `allowed`."""
+    """Return `value` if it is one of `allowed`."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
     for item in allowed:
-        # True and 1 + 0j are equal to 1; 2.0 is taken for 2
+        # True and 1 + 0j are equal to 1; 2.0 is accepted as 2
         alike = Real if isinstance(item, Real) else type(item)
         if isinstance(value, alike) and not isinstance(value, _NOT_REAL) and value == item:
             return item
@@ -212,8 +211,8 @@ def require_fast(name: str, method: str, periodic: str) -> None:
     """Raise ValueError for the exact residual stress on a periodic grid."""
     if method == "exact" and periodic:
         raise ValueError(
-            f'{name} must be "fast" with grid.periodic = {periodic!r}, got "exact": there are '
-            "no closed forms of its lattice sums"
+            f'{name} must be "fast" with grid.periodic = {periodic!r}, got "exact": the exact '
+            "kernels have no closed-form lattice sums"
         )
 
 
@@ -223,16 +222,16 @@ def exactly_one(**given: Any) -> str:
     if len(names) != 1:
         listed = ", ".join(given)
         got = ", ".join(names) if names else "none"
-        raise ValueError(f"give exactly one of {listed}; got {got}")
+        raise ValueError(f"exactly one of {listed} must be given, got {got}")
     return names[0]
 
 
 def real_array(name: str, value: ArrayLike) -> FloatArray:
-    """Return `value` as a float64 array of any shape; nothing is lost on the way."""
+    """Return `value` as a float64 array of any shape, without loss of information."""
     if _has_unit(value):
         raise TypeError(f"{name} has a unit: convert it with samcontact.units.si")
     lost = _masked_values(value)
-    if lost:  # NumPy would take what lies under the mask
+    if lost:  # NumPy would use the values under the mask
         raise ValueError(
             f"{name} must be defined everywhere, got {lost} masked values: fill them first "
             "(heights: samcontact.measured.MeasuredSurface(...).filled())"
@@ -248,7 +247,7 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
         given = np.asarray(value)
         wrong = " and ".join(sorted(_not_numbers(value, given)))
         array = np.asarray(given, dtype=np.float64) if not wrong else None
-    except OverflowError:  # a whole number of more than 308 digits
+    except OverflowError:  # an integer of more than 308 digits
         array = np.array(sys.float_info.max)
     except Exception:  # rows of different lengths, and whatever the conversion of an object raises
         array = None
@@ -257,21 +256,23 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
         raise TypeError(f"{name} must be an array of numbers{rows}, got {wrong or in_short(value)}")
     if array.size and max(-_finite_end(np.fmin, array), _finite_end(np.fmax, array)) > MOST_NUMBER:
         raise ValueError(
-            f"{name} must be finite everywhere and of a size up to {MOST_NUMBER:g}, "
+            f"{name} must be finite everywhere and of magnitude <= {MOST_NUMBER:g}, "
             f"got {in_short(value)}"
         )
     return array
 
 
 def _finite_end(end: np.ufunc, array: FloatArray) -> float:
-    """The smallest or largest of all values but NaN; 0 where that is infinite."""
+    """Return the minimum or maximum of all values except NaN; 0 if it is infinite."""
     found = float(end.reduce(array, axis=None))
     return found if math.isfinite(found) else 0.0
 
 
 def _masked_values(value: ArrayLike) -> int:
-    """How many values are masked: none while nobody has loaded masked arrays, which naming them
-    would do, for longer than a small contact takes."""
+    """Return the number of masked values.
+
+    Masked arrays are not loaded for the check, which would take longer than a small contact.
+    """
     if "numpy.ma" not in sys.modules:
         return 0
     parts = value if isinstance(value, (list, tuple)) else (value,)
@@ -279,19 +280,19 @@ def _masked_values(value: ArrayLike) -> int:
 
 
 def _not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:
-    """What NumPy would take for numbers without a word, and what it could not convert."""
-    names = {"b": "truth values", "c": "complex numbers", "S": "texts", "U": "texts"}
-    names |= {"m": "spans of time", "M": "dates"}
+    """Return the kinds of entries that NumPy would silently convert, or could not convert."""
+    names = {"b": "Boolean values", "c": "complex numbers", "S": "texts", "U": "texts"}
+    names |= {"m": "time spans", "M": "dates"}
     if given.dtype.kind not in "iufO":
         return {names.get(given.dtype.kind, "records")}
-    # of a list with truth values among numbers, NumPy makes an array of numbers
+    # NumPy converts a list of Boolean values and numbers to an array of numbers
     kinds = _kinds(given.flat if given.dtype.kind == "O" else value)
     wrong = {k for k in kinds if not issubclass(k, (Real, Decimal)) or issubclass(k, _NOT_REAL)}
     return {names.get(np.dtype(k).kind, k.__name__.removesuffix("Type")) for k in wrong}
 
 
 def _kinds(value: Any) -> set[type]:
-    """Kinds of the entries of nested lists; arrays among them have one that NumPy tells."""
+    """Return the types of the entries of nested lists; arrays in them have a dtype."""
     if isinstance(value, np.ndarray):
         return {value.dtype.type}
     if not isinstance(value, (list, tuple, np.flatiter)):
@@ -303,7 +304,7 @@ def _kinds(value: Any) -> set[type]:
 
 
 def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...] | None = None) -> FloatArray:
-    """Return `value` as a float64 array of exactly this `shape`, or any, with finite entries."""
+    """Return `value` as a float64 array with finite entries, of exactly this `shape` if given."""
     array = real_array(name, value)
     if shape is not None and array.shape != shape:
         raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
@@ -322,7 +323,7 @@ def together(**given: ArrayLike) -> list[FloatArray]:
         return list(np.broadcast_arrays(*arrays.values()))
     except ValueError:
         shapes = ", ".join(str(array.shape) for array in arrays.values())
-        allowed = "the same shape, or shapes that extend to it"
+        allowed = "one shape, or shapes that broadcast to it"
         raise ValueError(f"{', '.join(arrays)} must have {allowed}, got {shapes}") from None
 
 
@@ -331,7 +332,7 @@ def gap_array(
 ) -> FloatArray:
     """Return `value` as a float64 array of exactly this `shape`, finite in at least one cell.
 
-    nobody: the infinity that stands where there is no body, +inf of a gap.
+    nobody: infinite value outside a body, +inf for a gap.
     """
     array = real_array(name, value)
     if array.shape != shape:
@@ -344,21 +345,21 @@ def gap_array(
             f"{array[index]} at index {index}"
         )
     if not np.isfinite(array).any():
-        raise ValueError(f"{name} must be finite somewhere, got {nobody:+}, no body, everywhere")
+        raise ValueError(f"{name} must be finite somewhere, got {nobody:+} (no body) everywhere")
     return array
 
 
 def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
-    """Return `value` as a contiguous array of stresses [Pa] that a load can be made of."""
+    """Return `value` as a contiguous array of stresses [Pa] with magnitudes <= `MOST_STRESS`."""
     array = np.ascontiguousarray(finite_array(name, value, shape))
     largest = float(np.abs(array).max(initial=0.0))
     if largest > MOST_STRESS:
-        raise ValueError(f"{name} must be of a size up to {MOST_STRESS:g} Pa, got {largest:.6g}")
+        raise ValueError(f"{name} must be of magnitude <= {MOST_STRESS:g} Pa, got {largest:.6g}")
     return array
 
 
 def of_bodies(name: str, value: float | Sequence[float]) -> tuple[float, float]:
-    """Return `value` as two finite floats >= 0, of body 1 and 2; a single one is of body 2."""
+    """Return `value` as finite floats >= 0 for bodies 1 and 2; a single number is for body 2."""
     given = real_array(name, value)
     pair = [0.0, value] if given.ndim == 0 else list(given)
     if given.ndim > 1 or len(pair) != 2:
@@ -372,18 +373,18 @@ def file_path(name: str, value: Any) -> Path:
         raise TypeError(f"{name} must be a path, got {in_short(value)}")
     text = os.fsdecode(value)
     if not text or "\0" in text:
-        raise ValueError(f"{name} must be a path without NUL that is not empty, got {text!r:.80}")
+        raise ValueError(f"{name} must be a non-empty path without NUL, got {text!r:.80}")
     longest = max(Path(text).parts, key=len, default="")
     if len(os.fsencode(longest)) > MOST_OF_NAME:
         raise ValueError(
-            f"{name} must have parts of at most {MOST_OF_NAME} bytes, which file systems hold, "
+            f"{name} must have parts of at most {MOST_OF_NAME} bytes, the limit of file systems, "
             f"got {in_short(longest)}"
         )
     return Path(text)
 
 
 def load_or_approach(load: float | None, approach: float | None) -> tuple[str, float]:
-    """Return the name and value of the only one that is given."""
+    """Return the name and value of the only argument that is given."""
     name = exactly_one(load=load, approach=approach)
-    # an approach below zero separates the bodies; a negative load would be adhesion
+    # a negative approach separates the bodies; a negative load requires adhesion
     return name, non_negative("load", load) if name == "load" else finite("approach", approach)

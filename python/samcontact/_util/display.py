@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How objects show themselves in notebooks: a small table of names and values with units."""
+"""Display of objects in notebooks: a small table of names and values with units."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from .short_text import in_short
 
 Rows = Sequence[tuple[str, str]]
 LONGEST = 160
-"""Characters of one value in a repr."""
+"""Maximum number of characters of one value in a repr."""
 
-# Units of the fields of dataclasses that are shown as they are; "" is a pure number.
+# Units of the fields of dataclasses shown as tables; "": pure number.
 UNITS = {
     "C": "",
     "E_star": "Pa",
@@ -36,27 +36,27 @@ UNITS = {
     "y": "m",
     "z": "m",
 }
-# Units whose prefixes are not powers of a thousand, with the factors that read well.
+# Units whose prefixes are not powers of a thousand, with readable factors.
 _AREAS = (("m²", 1e-2), ("mm²", 1e-8), ("µm²", 0.0))
 _AREA_FACTORS = {"m²": 1.0, "mm²": 1e6, "µm²": 1e12}
 
 
 def percent(share: float) -> str:
-    """A share in per cent with two significant digits, e.g. "0.46 %" or "120 %"."""
+    """Return a fraction in per cent with two significant digits, e.g. "0.46 %" or "120 %"."""
     return f"{float(f'{100 * share:.2g}'):g} %"  # not 1.2e+02
 
 
 def quantity(value: float, unit: str = "", digits: int = 4) -> str:
-    """A number with its unit and the prefix that reads well, e.g. "25 µm" or "1.48 GPa".
+    """Return a number with its unit and a suitable prefix, e.g. "25 µm" or "1.48 GPa".
 
     Parameters
     ----------
     value : float
-        In SI units.
+        Value in SI units.
     unit : str, optional
-        "m²" gets mm² or µm²; with "" the number is written without prefix.
+        SI unit; "m²" is shown as mm² or µm², and "" without prefix.
     digits : int, optional
-        Significant ones.
+        Number of significant digits.
 
     Returns
     -------
@@ -69,24 +69,24 @@ def quantity(value: float, unit: str = "", digits: int = 4) -> str:
         return f"{value * _AREA_FACTORS[shown]:.{digits}g} {shown}"
     mantissa, power = f"{value:.{digits - 1}e}".split("e")
     place, shift = divmod(int(power), 3)
-    if unit in ("", "K") or value == 0 or abs(place) > 10:  # there is no prefix
+    if unit in ("", "K") or value == 0 or abs(place) > 10:  # no prefix
         return f"{value:.{digits}g} {unit}".strip()
     prefix = "qryzafpnµm kMGTPEZYRQ"[place + 10].strip()
     return f"{float(f'{mantissa}e{shift}'):g} {prefix}{unit}"
 
 
 def lengths(*values: float) -> str:
-    """Sizes along the axes, as "25 µm × 30 µm"."""
+    """Return sizes along the axes, as "25 µm × 30 µm"."""
     return " × ".join(quantity(value, "m") for value in values)
 
 
 def counts(*values: int) -> str:
-    """Numbers of cells along the axes, as "31 × 31"."""
+    """Return numbers of cells along the axes, as "31 × 31"."""
     return " × ".join(str(value) for value in values)
 
 
 def html_table(title: str, rows: Rows) -> str:
-    """A table with a caption; names and values are escaped."""
+    """Return an HTML table with a caption; names and values are escaped."""
     style = "text-align: left"
     body = "".join(
         f'<tr><th scope="row" style="{style}">{escape(name)}</th>'
@@ -98,7 +98,7 @@ def html_table(title: str, rows: Rows) -> str:
 
 
 class Brief:
-    """A dataclass without a repr of its own, which may hold arrays."""
+    """Base of dataclasses with arrays, with a short repr."""
 
     def __repr__(self) -> str:
         shown = [field.name for field in fields(self) if field.repr]  # type: ignore[arg-type]
@@ -107,12 +107,12 @@ class Brief:
 
 
 def rows_of(shown: Shown) -> Rows:
-    """Rows of the table that notebooks show of an object."""
+    """Return the rows of the table of an object in notebooks."""
     return shown._rows()
 
 
 class Shown:
-    """Something that notebooks show as a table; dataclasses of numbers need nothing more."""
+    """Base of objects shown as a table in notebooks; sufficient for dataclasses of numbers."""
 
     def _rows(self) -> Rows:
         return [

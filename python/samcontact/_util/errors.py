@@ -3,37 +3,37 @@
 
 
 class GridTooSmallWarning(UserWarning):
-    """The contact reaches the border of the grid, or fields do not show all plastic strain."""
+    """Warning that the contact reaches the grid edge, or plastic strain is outside the fields."""
 
 
 class PlasticStrainWarning(UserWarning):
-    """The plastic strain is beyond the small-strain theory.
+    """Warning that the plastic strain exceeds the small-strain limit of 5 %.
 
-    It is given when the accumulated equivalent plastic strain first passes 5 %, unless most of it
-    is reversed flow (the magnitude sqrt(2/3 e:e) of the plastic strain is below half of it), or
-    when that magnitude does.
+    It is issued when the accumulated equivalent plastic strain first exceeds 5 %, unless most of it
+    is reversed flow (plastic strain magnitude sqrt(2/3 e:e) below half of it), or when that
+    magnitude exceeds 5 %.
     """
 
 
 class SingularPressureWarning(UserWarning):
-    """The pressure rises to a sharp edge, where that of elastic bodies grows without limit."""
+    """Warning that the pressure is singular at a sharp edge and does not converge with the grid."""
 
 
 class ResolutionWarning(UserWarning):
-    """The cells of the grid are too large for the contact, or its layers for the plastic zone."""
+    """Warning that the cells are too large for the contact, or the layers for the plastic zone."""
 
 
 class ElasticStrainWarning(UserWarning):
-    """The elastic strain is beyond linear elasticity."""
+    """Warning that the elastic strain exceeds the range of linear elasticity."""
 
 
 class UnitWarning(UserWarning):
-    """A quantity seems to be written in another unit than that of the SI."""
+    """Warning of a likely unit error: a quantity is implausible in SI units."""
 
 
 class IncrementWarning(UserWarning):
-    """The increments of a path are too large: more of them would change the results."""
+    """Warning that the increments are too large: more increments would change the results."""
 
 
 class AccuracyWarning(UserWarning):
-    """An accuracy that was asked for is not reached."""
+    """Warning that a prescribed accuracy is not reached."""

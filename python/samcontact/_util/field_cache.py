@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields that were computed last, so that files, tables and figures of a run share each of them.
+"""Cache of the most recent fields, shared by files, tables and figures of a run.
 
-They go with the state or track that they are of, or before: when all of them together are more than
-`MOST` bytes or a quarter of the memory that is available, or when memory is short.
+A field is removed with its state or track. It is removed earlier if all fields together exceed
+`MOST` bytes or a quarter of the available memory, or if memory is short.
 """
 
 from __future__ import annotations
@@ -20,17 +20,17 @@ from .frozen import read_only
 
 MOST = 512e6
 _PART = 0.25
-_lock = threading.Lock()  # states can be used from several threads
-if hasattr(os, "register_at_fork"):  # a child has none of the threads that could give it back
+_lock = threading.Lock()  # states can be used in several threads
+if hasattr(os, "register_at_fork"):  # a child has no thread that could release the lock
     os.register_at_fork(
         before=_lock.acquire, after_in_parent=_lock.release, after_in_child=_lock.release
     )
 _fields: WeakKeyDictionary[Any, dict[Hashable, FloatArray]] = WeakKeyDictionary()
-"""By owner, the one that was asked last at the end, and name."""
+"""Fields by owner, the most recently used last, and by name."""
 
 
 def kept(owner: Any, name: Hashable, compute: Callable[[], FloatArray]) -> FloatArray:
-    """The field of this name, computed unless it is kept; read-only."""
+    """Return the field of this name, read-only, and compute it unless it is cached."""
     with _lock:
         mine = _fields[owner] = _fields.pop(owner, {})
         if name in mine:
@@ -43,7 +43,7 @@ def kept(owner: Any, name: Hashable, compute: Callable[[], FloatArray]) -> Float
 
 
 def forget() -> bool:
-    """Let go of all; whether there was something."""
+    """Remove all fields, and return whether there were any."""
     with _lock:
         there = any(_fields.values())
         _fields.clear()
@@ -54,7 +54,7 @@ memory.GIVING.append(forget)
 
 
 def _drop(most: float) -> None:
-    """Let the oldest go until those left have at most so many bytes."""
+    """Remove the oldest fields until the others have at most so many bytes."""
     total = sum(field.nbytes for mine in _fields.values() for field in mine.values())
     for mine in list(_fields.values()):
         for name in list(mine):

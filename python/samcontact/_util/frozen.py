@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What something was made of cannot change afterwards: results would tell what was not computed."""
+"""Read-only arrays, dictionaries and attributes, which keep results consistent with their input."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ Value = TypeVar("Value")
 
 
 def read_only(array: FloatArray) -> FloatArray:
-    """The same array, which is nobody else's, without the right to write."""
+    """Return the array, which must have no other owner, as read-only."""
     array.flags.writeable = False
     return array
 
 
 class FrozenDict(Mapping[str, Value]):
-    """A dictionary that stays as it is; compares with others, can be hashed and pickled."""
+    """Read-only dictionary that can be compared, hashed and pickled."""
 
     __slots__ = ("_items",)
     _items: dict[str, Value]
@@ -39,7 +39,7 @@ class FrozenDict(Mapping[str, Value]):
         return hash(frozenset(self._items.items()))
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError(f"{name} cannot be changed")
+        raise AttributeError(f"{name} is read-only")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return FrozenDict, (self._items,)
@@ -49,7 +49,7 @@ class FrozenDict(Mapping[str, Value]):
 
 
 class Fixed:
-    """Public attributes are those of `__init__`, which makes `_last` of them at its end."""
+    """Base of objects whose public attributes are read-only after `__init__` has set `_last`."""
 
     _last: ClassVar[str] = "_core"
 
@@ -66,4 +66,4 @@ class Fixed:
     def _refuse(self, name: str) -> None:
         if self._last in self.__dict__:
             kind = type(self).__name__
-            raise AttributeError(f"{name} of a {kind} cannot be set: make a new {kind} instead")
+            raise AttributeError(f"{kind}.{name} is read-only: create a new {kind}")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""SciPy, whose parts are loaded when they are needed, and refused before where memory is short.
+"""SciPy with parts that are loaded on first use, unless address space is short.
 
-The linear algebra (OpenBLAS) that comes with the first part reserves memory as it is loaded. Some
-versions ask again for ever when there is none: nothing would end the process but SIGKILL.
+The linear algebra (OpenBLAS), loaded with the first part, reserves memory on loading. Without
+enough memory, some versions retry indefinitely, so that only SIGKILL would end the process.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Any
 from . import memory
 
 _PARTS = 90e6
-"""Address space [bytes] of the parts in use, with one thread of linear algebra."""
+"""Address space of the parts in use, with one thread of linear algebra [bytes]."""
 
 
 class _Parts:
-    """Stands for the package: `scipy.special` and so on."""
+    """Proxy of the package: `scipy.special` and so on."""
 
     def __getattr__(self, name: str) -> Any:
         if not sys.modules.keys() & {"scipy.special", "scipy.linalg"}:
@@ -30,6 +30,6 @@ class _Parts:
 
 
 if TYPE_CHECKING:
-    import scipy as scipy  # (as scipy: what this module has for others)
+    import scipy as scipy  # (as scipy: an explicit export)
 else:
     scipy = _Parts()

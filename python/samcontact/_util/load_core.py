@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loads the core with OpenMP threads that soon sleep while they wait, and not too many of them.
+"""Loading of the core with a limited number of OpenMP threads that spin only briefly.
 
-A thread that sleeps takes as long to wake as a small transform takes, on virtual machines above
-all; one that spins takes processor time from whoever wants it. So it spins for some tenths of a
-millisecond. OpenMP reads its environment once, when its library is loaded; what the user has set
-wins where OpenMP can use it, and the environment is left as it was.
+Waking a sleeping thread takes as long as a small transform, especially on virtual machines; a
+spinning thread takes processor time from other processes. Waiting threads therefore spin for some
+tenths of a millisecond. OpenMP reads its environment once, when its library is loaded. Valid
+settings of the user have priority, and the environment is restored.
 """
 
 import os
@@ -14,11 +14,11 @@ from collections.abc import Callable, Iterator
 
 _UNITS = {"b": 1, "k": 2**10, "m": 2**20, "g": 2**30}
 LEAST_STACK = 2**20
-"""Bytes: an increment crashed with 16 kB for a thread and passed with 32 kB; this has room."""
+"""Minimum stack of a thread [bytes]: an increment crashed with 16 kB and passed with 32 kB."""
 
 
 def most_threads() -> int:
-    """Eight for each processor: more, as by a slip in OMP_NUM_THREADS, only wait for each other."""
+    """Return the maximum number of threads, eight per processor: more only wait for each other."""
     return 8 * (os.cpu_count() or 1)
 
 
@@ -27,14 +27,16 @@ def _count(text: str) -> int | None:
 
 
 def _number_of_threads(given: str) -> str | None:
-    """What OpenMP is told: None for nothing."""
+    """Return the value of OMP_NUM_THREADS for OpenMP; None for no value."""
     if not given.strip():
         return None
-    counts = [_count(part.strip()) for part in given.split(",")]  # nested loops have the others
+    counts = [
+        _count(part.strip()) for part in given.split(",")
+    ]  # further numbers are for nested loops
     if None in counts:
         warnings.warn(
-            f"OMP_NUM_THREADS is {given[:40]!r} and must be a whole number >= 1: it is ignored, "
-            f"there is a thread for each of the {os.cpu_count()} processors",
+            f"OMP_NUM_THREADS must be a whole number >= 1, got {given[:40]!r}: it is ignored, and "
+            f"{os.cpu_count()} threads are used, one per processor",
             RuntimeWarning,
             stacklevel=2,
         )
@@ -47,7 +49,7 @@ def _limit(given: str) -> str:
 
 
 def _stack(given: str) -> str | None:
-    """At least what the core needs; a number alone is in kilobytes. None: as the system has it."""
+    """Return a stack size sufficient for the core, in kilobytes without unit; None: no setting."""
     text = given.strip().lower()
     number, unit = (text[:-1], text[-1]) if text[-1:] in _UNITS else (text, "k")
     count = _count(number.strip())
@@ -57,7 +59,7 @@ def _stack(given: str) -> str | None:
 
 
 def _default_stack() -> str | None:
-    """A thread has what `ulimit -s` gives."""
+    """Return the stack size if `ulimit -s` is too small; None if it is sufficient."""
     if sys.platform == "win32":
         return None
     import resource
@@ -67,7 +69,7 @@ def _default_stack() -> str | None:
 
 
 def _settings() -> Iterator[tuple[str, str | None]]:
-    """Name and value, None to take it away, of what is set while the core is loaded."""
+    """Yield names and values of the environment while the core is loaded; None removes a name."""
     usable: dict[str, Callable[[str], str | None]] = {
         "OMP_NUM_THREADS": _number_of_threads,
         "OMP_THREAD_LIMIT": _limit,

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How much memory a scene needs, and how much there is: what cannot be had is refused beforehand.
+"""Estimates of required and available memory, to refuse calculations in advance.
 
-The numbers are bytes a cell, all included, as measured (tests/faults/test_out_of_memory.py).
+The constants are total bytes per cell, as measured (tests/faults/test_out_of_memory.py).
 """
 
 from __future__ import annotations
@@ -13,29 +13,29 @@ from pathlib import Path
 from typing import Protocol
 
 GIVING: list[Callable[[], bool]] = []
-"""What gives back memory that others need; whether there was some."""
-_SMALL = 64e6  # below this nobody needs to ask
+"""Functions that release memory, and return whether there was any to release."""
+_SMALL = 64e6  # memory [bytes] below which no check is made
 CONTACT, COUPLED_CONTACT, COUPLED_STICK_SLIP, HEATED_CONTACT = 125.0, 215.0, 290.0, 185.0
-"""Of a surface cell of an elastic contact: smooth; with shear that displaces; which sticks and
-slips, besides what the core asks for where there is contact; heated."""
+"""Bytes per surface cell of an elastic contact: frictionless; with normal displacement by shear;
+with partial slip, in addition to the request of the core for contact cells; with heating."""
 SIMULATION, STICK_SLIP_SIMULATION, YIELD_SCAN = 75.0, 275.0, 450.0
-"""Of a surface cell, besides the contact: of increments; of those that stick and slip; and of
-finding where a body yields first."""
+"""Bytes per surface cell, in addition to the contact: increments; increments with partial slip; and
+search for first yield."""
 SURFACE = 48.0
-"""Of a surface cell: heights, and the waves of a rough one while they are made."""
+"""Bytes per surface cell: heights, including the Fourier modes of roughness during generation."""
 DISPLACEMENT = 65.0
-"""Of a surface cell."""
+"""Bytes per surface cell: displacement."""
 STRESS_OF_TRACTIONS, TEMPERATURE = 56.0, 35.0
-"""Of a cell of a layer."""
+"""Bytes per cell of a layer: stress due to tractions; temperature."""
 FAST_RESIDUAL, EXACT_RESIDUAL = 350.0, 1200.0
-"""Of a cell of the volume: stress of a strain of six components, its print."""
+"""Bytes per volume cell: residual stress and displacement due to six strain components."""
 ZONE_FIELD = 200.0
-"""Of a cell of a zone: stress."""
+"""Bytes per cell of a plastic subdomain: stress."""
 LIBRARIES, BLAS_BUFFER, HDF5_FILE = 400e6, 45e6, 64e6
-"""Address space [bytes]: of all libraries of a run, the core's first block (128 MB) included, with
-one thread of linear algebra; of each more of them, in a library; of a file while it is written."""
+"""Address space [bytes]: all libraries of a run with one thread of linear algebra, including the
+first block of the core (128 MB); each further thread, per library; a file while it is written."""
 VOLUME_FIELD = 300.0
-"""Of a cell of the volume: a field of a state; where the residual stress is exact, as that."""
+"""Bytes per volume cell: field of a state; with exact residual stress as `EXACT_RESIDUAL`."""
 
 
 class Cells(Protocol):
@@ -54,7 +54,7 @@ class Cells(Protocol):
         """Number of cells along z."""
 
 
-def require(what: str, needed: float, remedy: str = "take fewer cells") -> None:
+def require(what: str, needed: float, remedy: str = "use fewer cells") -> None:
     """Raise MemoryError unless this many bytes are available."""
     if needed < _SMALL:
         return
@@ -63,13 +63,16 @@ def require(what: str, needed: float, remedy: str = "take fewer cells") -> None:
         there = available()
     if there is not None and needed > there:
         raise MemoryError(
-            f"{what} needs about {needed / 1e9:.3g} GB of memory, and {there / 1e9:.3g} GB are "
+            f"{what} requires about {needed / 1e9:.3g} GB of memory, {there / 1e9:.3g} GB "
             f"available: {remedy}"
         )
 
 
 def blas_threads() -> int:
-    """How many threads the linear algebra (OpenBLAS) of NumPy and SciPy has, a buffer for each."""
+    """Return the number of threads of the linear algebra (OpenBLAS) of NumPy and SciPy.
+
+    Each thread has a buffer.
+    """
     processors = os.cpu_count() or 1
     for name in ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS"):
         given = os.environ.get(name, "")
@@ -79,21 +82,22 @@ def blas_threads() -> int:
 
 
 def require_address_space(what: str, needed: float) -> None:
-    """Raise MemoryError unless the process may have so many bytes more (``ulimit -v``).
+    """Raise MemoryError unless the process may allocate so many bytes more (``ulimit -v``).
 
-    For libraries that do not survive a failed allocation: OpenBLAS, as it is loaded, asks again
-    for ever in some versions, which only SIGKILL ends, and HDF5 crashes.
+    For libraries that do not survive a failed allocation: on loading, some versions of OpenBLAS
+    retry indefinitely until SIGKILL, and HDF5 crashes.
     """
     there = _of_process()
     if there is not None and needed > there:
         raise MemoryError(
-            f"not enough memory: {what} needs about {needed / 1e6:.0f} MB more address space, and "
-            f"the limit of the process (ulimit -v) leaves {there / 1e6:.0f} MB: raise the limit"
+            f"not enough memory: {what} requires about {needed / 1e6:.0f} MB more address space, "
+            f"{there / 1e6:.0f} MB available under the limit of the process (ulimit -v): raise the "
+            "limit"
         )
 
 
 def require_for_grid(what: str, grid: Cells, needed: float) -> None:
-    """The same with the counts that make it so much."""
+    """Raise MemoryError, with the numbers of cells, unless this many bytes are available."""
     if needed < _SMALL:
         return
     cells = f"nx = {grid.nx}, ny = {grid.ny}" + (f", nz = {grid.nz}" if grid.nz else "")
@@ -101,25 +105,29 @@ def require_for_grid(what: str, grid: Cells, needed: float) -> None:
 
 
 def of_contact(*, coupled: bool, sticks: bool, heated: bool) -> float:
-    """Bytes of a surface cell of a contact: shear displaces unlike bodies, sticks, is heated."""
+    """Return the bytes per surface cell of a contact.
+
+    coupled: dissimilar materials, whose shear displaces the surfaces normally; sticks: partial
+    slip; heated: frictional heating.
+    """
     smooth = COUPLED_STICK_SLIP if sticks else COUPLED_CONTACT
     return max(smooth if coupled else CONTACT, HEATED_CONTACT if heated else 0.0)
 
 
 def surface(grid: Cells, bytes_a_cell: float) -> float:
-    """Of a grid's surface."""
+    """Return the bytes of all surface cells of a grid."""
     return bytes_a_cell * grid.nx * grid.ny
 
 
 def volume(grid: Cells, bytes_a_cell: float, layers: int | None = None) -> float:
-    """Of a grid's layers, or of others in their place."""
+    """Return the bytes of all volume cells of a grid, for its own or another number of layers."""
     return surface(grid, bytes_a_cell) * (grid.nz if layers is None else layers)
 
 
 def available() -> float | None:
-    """What can still be had [bytes]: by the machine, its container, the limits of the process.
+    """Return the available memory [bytes], limited by machine, container and process.
 
-    None where the system does not tell.
+    None if the system provides no information.
     """
     known = [amount for amount in (_of_machine(), _of_container(), _of_process()) if amount]
     return min(known, default=None)
@@ -145,7 +153,7 @@ def _of_container() -> float | None:
         try:
             top = Path("/sys/fs/cgroup")
             return float((top / limit).read_text()) - float((top / used).read_text())
-        except (OSError, ValueError):  # no such group, or "max"
+        except (OSError, ValueError):  # no such control group, or no limit ("max")
             continue
     return None
 

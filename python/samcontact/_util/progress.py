@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How far a long call is: a bar on a terminal or in a notebook, else a few lines."""
+"""Progress of long calls: a bar on a terminal or in a notebook, otherwise a few lines."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from contextlib import suppress
 from typing import Any, TextIO
 
 LINES = 10
-"""At most, of a call whose messages go into a file or a pipe."""
+"""Maximum number of lines of a call whose messages go to a file or a pipe."""
 
 
 def progress_bar(
     total: int, unit: str, *, shown: bool, initial: int = 0, leave: bool = True
 ) -> Any:
-    """A context with ``update()`` and ``set_postfix(**values)``; nothing is written if not `shown`.
+    """Return a context with ``update()`` and ``set_postfix(**values)``; silent if not `shown`.
 
-    A bar is drawn again and again in its place, which a log does not have: there every tenth of
-    the way is a line. Without `leave`, for parts of which `tell` has a line each, the bar goes when
-    it is full, and a log has none.
+    A bar is redrawn in place, which is impossible in a log: there, one line is written per tenth.
+    Without `leave`, for parts that `tell` reports with one line each, the bar is removed when
+    complete, and nothing is written to a log.
     """
     stream = sys.stderr if shown else None
     if not _in_place(stream):
@@ -29,24 +29,24 @@ def progress_bar(
 
 
 def tell(text: str, *, shown: bool) -> None:
-    """One line of progress."""
-    with suppress(AttributeError, OSError, ValueError):  # no reason to end a run
+    """Print one line of progress."""
+    with suppress(AttributeError, OSError, ValueError):  # failed output must not end a run
         if shown and sys.stderr is not None:
             print(text, file=sys.stderr, flush=True)
 
 
 def _in_place(stream: TextIO | None) -> bool:
-    """On a terminal or in a notebook, what is written can be replaced."""
+    """Whether output can be overwritten, as on a terminal or in a notebook."""
     if stream is None:
         return False
     try:
         return stream.isatty() or type(stream).__module__.startswith("ipykernel.")
-    except (AttributeError, OSError, ValueError):  # closed, or hardly a stream
+    except (AttributeError, OSError, ValueError):  # closed, or not a stream
         return False
 
 
 class _Lines:
-    """Progress as lines, by counts: the same run writes the same lines."""
+    """Progress as lines at fixed counts, so that repeated runs write identical lines."""
 
     def __init__(self, total: int, unit: str, initial: int, stream: TextIO | None) -> None:
         self.total, self.unit, self.count, self.stream = total, unit, initial, stream
@@ -66,4 +66,4 @@ class _Lines:
             tell(f"{self.unit} {self.count} of {self.total}", shown=True)
 
     def set_postfix(self, **_: object) -> None:
-        """What a bar shows of the present step is left out of the lines."""
+        """Do nothing: lines do not show values of the current step."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What results, tables, figures and reports call each quantity, and in which units they give it."""
+"""Names and units of the quantities in results, tables, figures and reports."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ _FACTORS = {
     "%": 1e2,
     "µJ": 1e6,
 }
-"""From SI to the unit shown, where that is another one."""
-_SMALL_AREA = 1e-8  # [m^2]
+"""Factors from SI units to the units shown."""
+_SMALL_AREA = 1e-8  # area [m^2] below which µm² are shown
 _COLOURS = {
     "magnitude": "viridis",
     "criterion": "viridis",
@@ -34,69 +34,69 @@ _COLOURS = {
 
 
 class Quantity(NamedTuple):
-    """One quantity; what the last fields do not tell is not shown there."""
+    """Name and units of one quantity; a text left empty is not shown."""
 
     unit: str
-    """Of values in files and in Python: SI, "1" for a pure number."""
+    """Unit of values in files and in Python: SI, "1" for a pure number."""
     long_name: str
-    """Of files. The body is named where it has "{body}", else at its end."""
+    """Name in files. The body replaces "{body}", or is appended."""
     shown: str = ""
     """Unit in tables, reports and figures."""
     heading: str = ""
-    """Of its column in a report, and its name in figures."""
+    """Heading of the column in a report, and name in figures."""
     short: str = ""
-    """Of its column on a terminal."""
+    """Heading of the column on a terminal."""
     digits: int = 5
-    """Of the largest value on a terminal."""
+    """Number of significant digits of the maximum on a terminal."""
     kind: str = ""
-    """Of a field: decides its colours. Only "signed", "height", "criterion" and "any" go
-    below zero."""
+    """Kind of a field, which determines its colours. Only "signed", "height", "criterion" and
+    "any" can be negative."""
 
     @property
     def factor(self) -> float:
-        """From SI to the unit shown."""
+        """Factor from the SI unit to the unit shown."""
         return _FACTORS.get(self.shown, 1.0)
 
     @property
     def colours(self) -> str:
-        """Colour map of its kind."""
+        """Colour map of the kind of field."""
         return _COLOURS[self.kind]
 
     @property
     def signed(self) -> bool:
-        """Whether its colours are those of both signs, with white for zero."""
+        """Whether the colour map is diverging, with white for zero."""
         return self.kind == "signed"
 
     @property
     def from_zero(self) -> bool:
-        """Whether it is never below zero, where its colours begin."""
+        """Whether the quantity is never negative, so that its colours begin at zero."""
         return self.kind not in ("signed", "height", "criterion", "any")
 
     @property
     def label(self) -> str:
-        """Of an axis, or of a column of a report."""
+        """Label of an axis, or of a column of a report."""
         return self.of()
 
     def of(self, body: int | None = None) -> str:
-        """The same with a body."""
+        """Return the label, with the number of a body."""
         name = self.heading if body is None else f"{self.heading}, body {body}"
         return f"{name} [{self.shown}]" if self.shown else name
 
     def column(self, body: int | None = None) -> str:
-        """Heading on a terminal, in two lines."""
+        """Return the heading on a terminal, in two lines."""
         name = self.short if body is None else f"{self.short} {body}"
         if not self.shown:
             return name
         return f"{name} [{self.shown}]" if "\n" in name else f"{name}\n[{self.shown}]"
 
     def fitting(self, largest: float) -> Quantity:
-        """With the unit in which an area of this size [m^2] reads well."""
+        """Return the quantity with a unit that suits an area of this size [m^2]."""
         small = self.unit == "m2" and largest < _SMALL_AREA
         return self._replace(shown="µm²") if small else self
 
     def variable(self, dims: Any, data: Any, body: int | None = None) -> xr.Variable:
-        """A variable of a dataset with its unit and name."""
-        import xarray as xr  # here, since importing the package should not load it
+        """Return a variable of a dataset, with unit and name."""
+        import xarray as xr  # here, so that importing the package does not load it
 
         text = self.long_name
         if body is not None:
@@ -105,62 +105,69 @@ class Quantity(NamedTuple):
 
 
 Q = Quantity
-_TRACK = "along the track, body {body}, unloaded"
+_TRACK = "along the track of body {body}, unloaded"
 
 CONTACT = {
-    "x": Q("m", "cell centres along x"),
-    "y": Q("m", "cell centres along y"),
-    "z": Q("m", "depths of the layer centres, into the body"),
-    "increment": Q("1", "number of the load increment"),
+    "x": Q("m", "x coordinate of cell centres"),
+    "y": Q("m", "y coordinate of cell centres"),
+    "z": Q("m", "depth of layer centres, positive into the body"),
+    "increment": Q("1", "increment number"),
     "cell": Q("1", "numbers of cells with plastic strain, counted along z, y, x"),
-    "volume_increment": Q("1", "increments with volume fields"),
+    "volume_increment": Q("1", "increments with stored volume fields"),
     "body": Q("1", "number of the body"),
     # of each increment
     "load": Q("N", "normal load", "N", "load", "load", 6),
     "approach": Q("m", "rigid-body approach", "µm", "approach", "approach", 6),
     "tangential_load_x": Q(
-        "N", "force of the shear on body 2 along +x", "N",
-        "force along x", "force\nalong x",
+        "N", "tangential force on body 2 along +x", "N",
+        "tangential force, x", "tangential\nforce, x",
     ),
     "tangential_load_y": Q(
-        "N", "force of the shear on body 2 along +y", "N",
-        "force along y", "force\nalong y",
+        "N", "tangential force on body 2 along +y", "N",
+        "tangential force, y", "tangential\nforce, y",
     ),
-    "torque": Q("N m", "moment of the shear on body 2 about z", "N m", "torque", "torque"),
+    "torque": Q("N m", "moment of the shear traction on body 2 about z", "N m", "torque", "torque"),
     "shift_x": Q(
-        "m", "rigid motion of body 1 over body 2 along +x", "µm",
-        "shift along x", "shift\nalong x",
+        "m", "accumulated rigid-body displacement of body 1 relative to body 2, along +x", "µm",
+        "tangential displacement, x", "tangential\ndisplacement, x",
     ),
     "shift_y": Q(
-        "m", "rigid motion of body 1 over body 2 along +y", "µm",
-        "shift along y", "shift\nalong y",
+        "m", "accumulated rigid-body displacement of body 1 relative to body 2, along +y", "µm",
+        "tangential displacement, y", "tangential\ndisplacement, y",
     ),
-    "twist": Q("rad", "turn of body 1 over body 2 about z", "rad", "twist", "twist"),
-    "attraction_energy": Q("J", "work against the attraction to open the gap", "J"),
+    "twist": Q(
+        "rad", "accumulated rotation of body 1 relative to body 2 about z", "rad", "twist", "twist"
+    ),
+    "attraction_energy": Q("J", "work against adhesion to open the gap", "J"),
     "friction_work": Q(
-        "J", "work of friction since the start", "µJ", "friction work", "friction\nwork"
+        "J", "frictional work since the start", "µJ", "frictional work", "frictional\nwork"
     ),
-    "work_put_in": Q("J", "work of the increments that did some, since the start"),
-    "net_work": Q("J", "the same less what the others gave back", "", "net work"),
-    "elastic_energy": Q("J", "of tractions after the last increment", "", "elastic, of tractions"),
+    "work_put_in": Q("J", "work input since the start (increments with positive work)"),
+    "net_work": Q("J", "net external work since the start", "", "net work"),
+    "elastic_energy": Q(
+        "J", "elastic energy of the surface tractions after the last increment", "",
+        "elastic energy of tractions",
+    ),
     "residual_energy": Q(
-        "J", "of the residual stress of both bodies after the last increment", "",
-        "elastic, of residual stress",
+        "J", "elastic energy of the residual stress of both bodies after the last increment", "",
+        "elastic energy of residual stress",
     ),
     "plastic_work": Q(
-        "J", "turned into heat by plastic flow of both bodies since the start", "", "plastic flow"
+        "J", "energy dissipated by plastic flow of both bodies since the start", "",
+        "plastic dissipation",
     ),
     "sticking_share": Q(
-        "1", "share of the cells in contact that stick in the increment", "%",
-        "share of the contact that sticks", "sticks", 4,
+        "1", "fraction of the contact cells that stick in the increment", "%",
+        "stick fraction", "stick\nfraction", 4,
     ),
-    "max_pressure": Q("Pa", "maximum pressure", "MPa", "maximum pressure", "p_max"),
-    "contact_area": Q("m2", "contact area", "mm²", "contact area", "contact area"),
+    "max_pressure": Q("Pa", "maximum contact pressure", "MPa", "maximum pressure", "p_max"),
+    "contact_area": Q("m2", "contact area", "mm²", "contact area", "contact\narea"),
     "max_von_mises": Q(
         "Pa", "maximum von Mises stress", "MPa", "maximum von Mises stress", "von Mises"
     ),
     "max_equivalent_plastic_strain": Q(
-        "1", "maximum equivalent plastic strain", "%", "maximum equivalent plastic strain",
+        "1", "maximum accumulated equivalent plastic strain", "%",
+        "maximum equivalent plastic strain",
         "plastic\nstrain", 4,
     ),
     "max_residual_von_mises": Q(
@@ -168,198 +175,221 @@ CONTACT = {
         "maximum residual von Mises stress", "residual\nvon Mises",
     ),
     "print_depth": Q(
-        "m", "deepest point of the print within the grid", "µm", "print depth in the grid", "print"
+        "m", "residual imprint depth (within the grid)", "µm",
+        "residual imprint depth (within the grid)", "imprint\ndepth",
     ),
     "max_temperature": Q(
-        "K", "maximum rise of temperature", "K", "maximum rise of temperature", "heating"
+        "K", "maximum temperature rise", "K", "maximum temperature rise", "temperature\nrise"
     ),
     "travel": Q(
-        "m", "way of the surface of body {body} through the contact, towards +x", "µm", "travel",
-        "travel", 6,
+        "m", "travel of the surface of body {body} through the contact, positive along +x", "µm",
+        "travel", "travel", 6,
     ),
-    "contact_origin": Q("m", "place of the contact's x = 0 in the grid"),
-    "offset": Q("m", "place of volume fields of body {body} past the cells of the grid, along x"),
+    "contact_origin": Q("m", "x position of the contact origin relative to the grid centre"),
+    "offset": Q(
+        "m", "offset of the volume fields of body {body} from the cells of the grid, along x"
+    ),
     "time": Q("s", "time since the start", "s", "time"),
-    "heat_factor": Q("m/s", "heat flux into body 1 and 2 over pressure"),
-    # how it was solved
-    "iterations": Q("1", "plastic iterations", "", "plastic iterations", "iter.", 6),
-    "contact_iterations": Q("1", "contact iterations", "", "contact iterations"),
-    "substeps": Q("1", "steps the increment was split into", "", "substeps"),
+    "heat_factor": Q("m/s", "heat flux per unit pressure into bodies 1 and 2"),
+    # convergence and resolution
+    "iterations": Q(
+        "1", "fixed-point iterations for plastic strain", "", "plastic iterations", "iterations", 6
+    ),
+    "contact_iterations": Q(
+        "1", "conjugate-gradient iterations of the contact solver", "", "contact iterations"
+    ),
+    "substeps": Q("1", "number of sub-increments", "", "sub-increments"),
     "contact_margin": Q(
-        "1", "cells between contact and border, least", "cells", "contact to border"
+        "1", "minimum distance between contact and grid edge, in cells", "cells",
+        "contact to grid edge",
     ),
     "contact_cells": Q(
-        "1", "cells across the spot under the largest pressure", "cells", "across the contact"
+        "1", "cells across the contact spot with maximum pressure", "cells", "across the contact"
     ),
     "sharp_cells": Q(
-        "1", "cells in contact at sharp edges, where the pressure is singular", "", "at sharp edges"
+        "1", "contact cells at sharp edges, where the pressure is singular", "", "at sharp edges"
     ),
-    "area_uncertainty": Q("1", "contact area, relative uncertainty", "%", "area uncertain"),
+    "area_uncertainty": Q(
+        "1", "relative uncertainty of the contact area", "%", "contact area uncertainty"
+    ),
     "plastic_residual": Q(
-        "1", "relative change of the plastic strain when accepted", "", "plastic residual"
+        "1", "relative change of the plastic strain increment at convergence", "",
+        "plastic-strain residual",
     ),
     "yield_excess": Q(
-        "1", "(von Mises stress - yield stress)/yield stress when accepted, largest", "",
-        "yield excess",
+        "1", "maximum of (von Mises stress - yield stress)/yield stress at convergence", "",
+        "yield violation",
     ),
     "max_plastic_strain_magnitude": Q(
-        "1", "maximum plastic strain magnitude sqrt(2/3 e:e), non-cumulative"
+        "1", "maximum plastic strain magnitude sqrt(2/3 e:e) (non-cumulative)"
     ),
     "plastic_margin": Q(
-        "1", "cells between plastic strain and border of the volume, least", "cells",
-        "plastic zone to border",
+        "1", "minimum distance between plastic zone and volume edge, in cells", "cells",
+        "plastic zone to volume edge",
     ),
     "plastic_layers": Q(
-        "1", "layers from top to bottom of the plastic zone", "layers", "plastic zone"
+        "1", "layers from top to bottom of the plastic zone", "layers", "across the plastic zone"
     ),
     # of the surface
     "pressure": Q("Pa", "contact pressure", "GPa", "pressure", kind="magnitude"),
-    "repulsion": Q("Pa", "contact pressure beside the attraction", "GPa", "repulsion"),
+    "repulsion": Q("Pa", "contact pressure without the adhesive part", "GPa", "repulsion"),
     "gap": Q("m", "gap under load", "µm", "gap", kind="length"),
-    "shear_x": Q("Pa", "shear along +x on body 2", "MPa", "shear along x", kind="signed"),
-    "shear_y": Q("Pa", "shear along +y on body 2", "MPa", "shear along y", kind="signed"),
-    "slip_x": Q("m", "slip of body 1 over body 2 in the increment, along +x"),
-    "slip_y": Q("m", "slip of body 1 over body 2 in the increment, along +y"),
-    "sticking": Q("1", "whether a cell in contact sticks in the increment"),
+    "shear_x": Q(
+        "Pa", "shear traction on body 2 along +x", "MPa", "shear traction, x", kind="signed"
+    ),
+    "shear_y": Q(
+        "Pa", "shear traction on body 2 along +y", "MPa", "shear traction, y", kind="signed"
+    ),
+    "slip_x": Q("m", "slip of body 1 relative to body 2 in the increment, along +x"),
+    "slip_y": Q("m", "slip of body 1 relative to body 2 in the increment, along +y"),
+    "sticking": Q("1", "1: contact cell sticks in the increment"),
     "residual_displacement": Q(
-        "m", "normal surface displacement by plastic strain, body {body}, into the body", "µm",
+        "m", "residual normal surface displacement of body {body}, positive into the body", "µm",
         "residual displacement", kind="signed",
     ),
-    "initial_gap": Q("m", "gap of the unloaded bodies"),
+    "initial_gap": Q("m", "initial gap of the undeformed surfaces"),
     "surface_temperature": Q(
-        "K", "rise of temperature of the surface", "K", "rise of temperature", kind="heat"
+        "K", "temperature rise of the surface", "K", "temperature rise", kind="heat"
     ),
     # of the volume
     "stress": Q("Pa", "stress, positive in tension", "MPa", "stress", kind="signed"),
     "von_mises": Q("Pa", "von Mises stress", "MPa", "von Mises stress", kind="magnitude"),
-    "hydrostatic": Q("Pa", "mean normal stress", "MPa", "hydrostatic stress", kind="signed"),
-    "equivalent_plastic_strain": Q(
-        "1", "equivalent plastic strain", "%", "equivalent plastic strain", kind="strain"
+    "hydrostatic": Q(
+        "Pa", "mean normal stress, positive in tension", "MPa", "hydrostatic stress", kind="signed"
     ),
-    "plastic_strain": Q("1", "plastic strain tensor", "%", "plastic strain", kind="signed"),
+    "equivalent_plastic_strain": Q(
+        "1", "accumulated equivalent plastic strain", "%", "equivalent plastic strain",
+        kind="strain",
+    ),
+    "plastic_strain": Q(
+        "1", "plastic strain (tensor components)", "%", "plastic strain", kind="signed"
+    ),
     "residual_stress": Q(
-        "Pa", "stress without tractions and heat", "MPa", "residual stress", kind="signed"
+        "Pa", "residual stress, without tractions and heat", "MPa", "residual stress",
+        kind="signed",
     ),
     "residual_von_mises": Q(
-        "Pa", "von Mises stress without tractions and heat", "MPa", "residual von Mises stress",
+        "Pa", "von Mises stress of the residual stress", "MPa", "residual von Mises stress",
         kind="magnitude",
     ),
     "residual_hydrostatic": Q(
-        "Pa", "mean normal stress without tractions and heat", "MPa",
+        "Pa", "mean normal stress of the residual stress, positive in tension", "MPa",
         "residual hydrostatic stress", kind="signed",
     ),
-    "temperature": Q(
-        "K", "rise of temperature", "K", "rise of temperature", kind="heat"
-    ),
+    "temperature": Q("K", "temperature rise", "K", "temperature rise", kind="heat"),
     # of interfaces between layers
     "interface": Q("m", "depths of the interfaces between layers"),
     "interface_stress": Q("Pa", "stress above and below the interfaces, positive in tension"),
 }  # fmt: skip
 
 TRACK = {
-    "x": Q("m", "cell centres along x on body {body}, 0 where the contact stood at the start"),
+    "x": Q("m", "position along the track on body {body}; 0 at the initial contact position"),
     "residual_displacement": Q(
-        "m", f"normal surface displacement by plastic strain, into the body, {_TRACK}"
+        "m", f"residual normal surface displacement, positive into the body, {_TRACK}"
     ),
     "residual_stress": Q("Pa", f"residual stress {_TRACK}"),
-    "residual_von_mises": Q("Pa", f"von Mises stress {_TRACK}"),
-    "residual_hydrostatic": Q("Pa", f"mean normal stress {_TRACK}"),
-    "plastic_strain": Q("1", f"plastic strain tensor {_TRACK}"),
-    "equivalent_plastic_strain": Q("1", f"equivalent plastic strain {_TRACK}"),
+    "residual_von_mises": Q("Pa", f"von Mises stress of the residual stress {_TRACK}"),
+    "residual_hydrostatic": Q("Pa", f"mean normal stress of the residual stress {_TRACK}"),
+    "plastic_strain": Q("1", f"plastic strain (tensor components) {_TRACK}"),
+    "equivalent_plastic_strain": Q("1", f"accumulated equivalent plastic strain {_TRACK}"),
 }
 
 TUGGING = {
     # of each increment
     "offset": Q("m", "horizontal distance of the centres"),
-    "angle": Q("rad", "of the line of centres from the vertical"),
-    "approach": Q("m", "along the line of centres"),
-    "normal_force": Q("N", "along the line of centres"),
+    "angle": Q("rad", "angle of the line of centres from the vertical"),
+    "approach": Q("m", "approach along the line of centres"),
+    "normal_force": Q("N", "contact force along the line of centres"),
     "force_x": Q(
-        "N", "of sphere 1 on sphere 2 along X; what it takes to move sphere 1 along +X", "N",
+        "N", "force of sphere 1 on sphere 2 along X, required to move sphere 1 along +X", "N",
         "tangential force", "F_x",
     ),
-    "force_y": Q("N", "of sphere 1 on sphere 2 along Y"),
-    "force_z": Q("N", "of sphere 1 on sphere 2 downwards", "N", "normal force", "F_z"),
-    "load_ratio": Q("1", "force_x over force_z"),
-    "work": Q("J", "of force_x since the start of the pass"),
-    "plastic_work": Q("J", "of both bodies since the start of the first pass"),
-    "max_pressure": CONTACT["max_pressure"]._replace(long_name="largest pressure"),
+    "force_y": Q("N", "force of sphere 1 on sphere 2 along Y"),
+    "force_z": Q("N", "downward force of sphere 1 on sphere 2", "N", "normal force", "F_z"),
+    "load_ratio": Q("1", "ratio force_x/force_z"),
+    "work": Q("J", "work of force_x since the start of the pass"),
+    "plastic_work": Q("J", "plastic work of both bodies since the start of the first pass"),
+    "max_pressure": CONTACT["max_pressure"],
     "contact_area": CONTACT["contact_area"],
-    "max_equivalent_plastic_strain": Q("1", "largest equivalent plastic strain of a body"),
+    "max_equivalent_plastic_strain": Q("1", "maximum equivalent plastic strain of a body"),
     "contact_cells": CONTACT["contact_cells"],
     "plastic_layers": CONTACT["plastic_layers"]._replace(
         long_name="layers from top to bottom of the plastic zone of a body"
     ),
     # of each pass
-    "pass": Q("1", "number of the pass"),
+    "pass": Q("1", "pass number"),
     "net_energy": Q("J", "work of force_x over the pass", "J", "net energy", "net energy"),
     "dissipation": Q(
-        "J", "plastic work of the pass in both bodies", "J", "plastic work", "dissipated"
+        "J", "plastic work of both bodies in the pass", "J", "plastic work", "plastic\nwork"
     ),
     "residual_energy": Q(
         "J", "elastic energy of the residual stress of both bodies after the pass", "J",
-        "energy of the residual stress", "stored",
+        "energy of the residual stress", "stored\nenergy",
     ),
     "energy_imbalance": Q(
-        "J", "net energy not found as dissipation or more residual energy", "J",
-        "not found of the net energy",
+        "J", "net energy less dissipation and increase of residual energy", "J",
+        "unaccounted net energy",
     ),
     "residual_displacement": Q(
-        "m", "largest depth of the print of a body after the pass", "µm", "largest print", "print"
+        "m", "residual imprint depth of a body after the pass", "µm", "residual imprint depth",
+        "imprint\ndepth",
     ),
     "max_force_x": Q(
-        "N", "largest force_x of the pass", "N", "largest tangential force", "F_x max"
+        "N", "maximum force_x of the pass", "N", "maximum tangential force", "F_x max"
     ),
-    "min_force_x": Q("N", "least force_x of the pass", "N", "least tangential force", "F_x min"),
-    "max_force_z": Q("N", "largest force_z of the pass", "N", "largest normal force", "F_z max"),
+    "min_force_x": Q(
+        "N", "minimum force_x of the pass", "N", "minimum tangential force", "F_x min"
+    ),
+    "max_force_z": Q("N", "maximum force_z of the pass", "N", "maximum normal force", "F_z max"),
 }  # fmt: skip
 
 WEAR = {
-    "cycle": Q("1", "number of the cycle"),
-    "body": Q("1", "worn body"),
-    "state": Q("1", "cycles that were worn"),
+    "cycle": Q("1", "cycle number"),
+    "body": Q("1", "number of the worn body"),
+    "state": Q("1", "number of cycles after which the surface is stored"),
     "y": CONTACT["y"],
     # of each cycle and body
-    "volume": Q("m3", "volume of the removed material", "µm³", "removed volume", "worn"),
-    "lost": Q("m3", "volume lost by the surface"),
-    "depth": Q("m", "largest wear depth of the cycle", "µm", "wear depth", "depth"),
+    "volume": Q("m3", "volume of the removed material", "µm³", "removed volume", "removed\nvolume"),
+    "lost": Q("m3", "decrease of the volume below the surface"),
+    "depth": Q("m", "maximum wear depth of the cycle", "µm", "wear depth", "wear\ndepth"),
     "surface_strain": Q(
-        "1", "largest plastic strain of the first layer before removal", "%",
+        "1", "maximum plastic strain of the first layer before removal", "%",
         "plastic strain of the first layer",
     ),
     "max_equivalent_plastic_strain": Q(
-        "1", "largest equivalent plastic strain before removal", "%", "largest plastic strain",
+        "1", "maximum equivalent plastic strain before removal", "%", "maximum plastic strain",
         "plastic\nstrain",
     ),
     "plastic_layers": CONTACT["plastic_layers"]._replace(
         long_name="layers from top to bottom of the plastic zone before removal"
     ),
     # of each cycle
-    "parts": Q("1", "parts into which the repeats of the cycle were divided"),
-    "friction_work": Q("J", "work of friction in the cycle", "J", "friction work"),
+    "parts": Q("1", "number of parts into which the repeats of the cycle were divided"),
+    "friction_work": Q("J", "frictional work in the cycle", "J", "frictional work"),
     "slip_path": Q(
-        "m", "longest way of slip in one repeat", "µm", "longest way of slip", "way of slip"
+        "m", "maximum sliding distance in one repeat", "µm", "maximum sliding distance per cycle",
+        "sliding\ndistance",
     ),
     "sticking_area": Q(
-        "m2", "area that touches and sticks in a whole repeat", "µm²", "sticking area",
-        "sticking\narea",
+        "m2", "area in contact that sticks during a whole repeat", "µm²", "stick area",
+        "stick\narea",
     ),
-    "max_pressure": CONTACT["max_pressure"]._replace(long_name="largest pressure"),
+    "max_pressure": CONTACT["max_pressure"],
     "max_von_mises": CONTACT["max_von_mises"]._replace(
-        long_name="largest von Mises stress under load"
+        long_name="maximum von Mises stress under load"
     ),
     "contact_area": CONTACT["contact_area"]._replace(
-        long_name="area under pressure at the largest load", shown="µm²"
+        long_name="contact area at maximum load", shown="µm²"
     ),
     "contact_cells": CONTACT["contact_cells"],
     "wear_rate": Q("m3", "worn volume per cycle", "µm³", "worn volume per cycle"),
-    "worn_volume": Q("m3", "worn volume so far"),
-    "x": Q("m", "positions on body {body}"),
-    "heights": Q("m", "heights of body {body}, outwards", "µm", "height", kind="height"),
+    "worn_volume": Q("m3", "accumulated worn volume"),
+    "x": Q("m", "x coordinate on body {body}"),
+    "heights": Q("m", "height of body {body}, positive outwards", "µm", "height", kind="height"),
 }  # fmt: skip
 
 
 def described(name: str) -> tuple[Quantity, int | None]:
-    """The quantity of a name in files, and its body; None where it is of both."""
+    """Return the quantity of a variable name and its body; None for a quantity of both bodies."""
     kind, _, body = name.partition("_body")
     return CONTACT[kind], int(body) if body else None

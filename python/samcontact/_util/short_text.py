@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values as messages and reprs show them: short, on one line, whatever they are."""
+"""Short one-line texts of any values, for messages and reprs."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 
 LONGEST = 80
-"""Characters of a value in a message."""
+"""Maximum number of characters of a value in a message."""
 
 
 def escaped(text: str) -> str:
-    """Text without control characters, which would command a terminal; lines and tabs stay."""
+    """Escape control characters, which would control a terminal; keep line breaks and tabs."""
     return "".join(
         repr(c)[1:-1] if unicodedata.category(c) in ("Cc", "Cs") and c not in "\n\t" else c
         for c in text
@@ -23,7 +23,7 @@ def escaped(text: str) -> str:
 
 
 def in_short(value: Any, longest: int = LONGEST) -> str:
-    """The repr of a value in at most `longest` characters; large ones by kind and size."""
+    """Return the repr of a value in at most `longest` characters; large values by type and size."""
     if isinstance(value, np.ndarray) and value.ndim > 0:
         return _array(value)
     if isinstance(value, int) and value.bit_length() > 3 * longest:
@@ -34,7 +34,7 @@ def in_short(value: Any, longest: int = LONGEST) -> str:
         return f"<{type(value).__name__} of {len(value)}>"
     try:
         text = escaped(repr(value))
-    except Exception:  # of a user's class, or of a list with a number of 5000 digits
+    except Exception:  # raised by a user class, or by a number of 5000 digits
         return f"<{type(value).__name__}>"
     if len(text) <= longest and "\n" not in text:
         return text
@@ -44,7 +44,7 @@ def in_short(value: Any, longest: int = LONGEST) -> str:
 
 
 def _cut(text: str, longest: int) -> str:
-    """The repr of a text, ended early."""
+    """Return the truncated repr of a text."""
     return f"{text[: longest - 4].rstrip(text[-1])}...{text[-1]}"
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ctrl-C while the command ``samcontact`` is loaded ends it as it ends any program: silently.
+"""Silent end of the command ``samcontact`` on Ctrl-C while it is loading.
 
-Python would print the place in some library that was being imported. Nothing is under way that
-could be lost; from then on `commands.signals` takes care.
+Python would print a traceback of an import. Nothing can be lost at this stage; later,
+`commands.signals` handles interruptions.
 """
 
 import signal
@@ -12,8 +12,8 @@ from pathlib import PurePath
 
 
 def is_command(script: str, words: list[str]) -> bool:
-    """Whether Python was started for it: by the script, or by ``python -m samcontact``."""
-    if script == "-m":  # while the module is looked for
+    """Whether Python was started for the command: by its script or ``python -m samcontact``."""
+    if script == "-m":  # while Python searches for the module
         return words[words.index("-m") + 1 :][:1] == ["samcontact"]
     return PurePath(script).name == "samcontact"
 

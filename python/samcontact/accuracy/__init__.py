@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A case solved to an accuracy: grids and increments are chosen, and every value has an error."""
+"""Solution of a case to a prescribed accuracy, with automatic grids and increments."""
 
 from .._util.errors import AccuracyWarning
 from .asked import to_accuracy

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is asked for: a case, an accuracy for each of its quantities, memory and time."""
+"""Solution to a prescribed accuracy: arguments and their checks."""
 
 from __future__ import annotations
 
@@ -32,54 +32,54 @@ def to_accuracy(
     progress: bool = True,
     checkpoint: str | os.PathLike[str] | None = None,
 ) -> Accurate:
-    """Solve a case on grids that become finer, until the errors of its values are small enough.
+    """Solve a case on finer and finer grids until all errors are below the prescribed accuracy.
 
-    Window, cells, layers and increments are chosen; a [grid] of the case, its ``increments`` and
-    the ``step`` of passes are not used. docs/theory/accuracy.md has how errors are estimated.
+    Grid, layers and increments are chosen automatically; a [grid] of the case, its ``increments``
+    and the ``step`` of passes are not used. docs/theory/accuracy.md explains the error estimates.
 
     Parameters
     ----------
     case : Case, path or dict
-        A case of one contact, from `load_case`, its file, or a dictionary of the same layout.
+        Case of one contact: result of `load_case`, file, or dictionary with the layout of a file.
     accuracy : float or dict, optional
-        Relative error [-], in (0, 1), of all quantities or of each by its name; default that of the
-        case.
+        Maximum relative error [-], in (0, 1), of all quantities, or of each by its name. Default:
+        accuracy of the case.
     quantities : sequence of str, optional
-        Names in results files, e.g. "max_pressure", "print_depth_body2"; default all that the
-        case has, or those that it names.
+        Quantities whose error is controlled, by their names in results files, e.g. "max_pressure",
+        "print_depth_body2". Default: the quantities named by the case, or all.
     max_memory : float, optional
-        Of the finest grid [bytes]; default what is available.
+        Memory limit of the finest grid [bytes]. Default: available memory.
     max_time : float, optional
-        In all [s]; default an hour. The first three grids are solved whatever they take.
+        Limit of the total time [s]. Default: 3600. Three grids are always solved.
     progress : bool, optional
-        Tell of each grid, on stderr.
+        Print one line per grid to stderr.
     checkpoint : path, optional
-        Folder in which to keep the values of each grid, and the increments of the last ones. The
-        same call goes on from it, with the same bits. Remove it when it is no longer needed.
+        Folder for the values of each grid and the increments of the last grids. Repeating the call
+        continues from it, with bit-identical results. Remove the folder when no longer needed.
 
     Returns
     -------
     Accurate
-        An error or interrupt (Ctrl-C) after the third grid has the best values so far in its
-        attribute `result`.
+        Values with errors. An exception or interruption (Ctrl-C) after the third grid has the best
+        values so far as its attribute `result`.
 
     Raises
     ------
     ValueError
-        An argument out of range, `checkpoint` of another case, or a case with surfaces that are
-        known on one grid only: the text names them and what to do instead.
+        An argument is out of range, `checkpoint` belongs to another case, or surfaces of the case
+        are defined on one grid only. The message names the cause and a remedy.
 
     Warns
     -----
     AccuracyWarning
-        The accuracy needs more memory or time than allowed: what it would need. The best values so
-        far are returned with their errors.
+        The accuracy requires more memory or time than allowed; the message states how much. The
+        best values so far are returned with their errors.
     """
     search = searched(case, accuracy, quantities, max_memory, max_time, progress=progress)
     try:
         with search.solves.kept_in(checkpoint):
             return search.search()
-    except BaseException as error:  # Ctrl-C too
+    except BaseException as error:  # including Ctrl-C
         error.result = search.best()  # type: ignore[attr-defined]
         raise
 
@@ -93,7 +93,7 @@ def searched(
     *,
     progress: bool = False,
 ) -> Search:
-    """What `to_accuracy` does, before anything is solved."""
+    """Check the arguments of `to_accuracy` and prepare the search."""
     from ..cases.given import case_of_contact
 
     boolean("progress", progress)
@@ -116,10 +116,10 @@ def _asked(
     accuracy: float | Mapping[str, float] | None,
     quantities: Sequence[str] | None,
 ) -> dict[str, float]:
-    """Relative accuracy of each quantity that is judged."""
+    """Return the prescribed relative accuracy of each controlled quantity."""
     given = case.accuracy if accuracy is None else accuracy
     if given is None:
-        raise ValueError("accuracy must be a number in (0, 1), e.g. 0.01, or a dict of them")
+        raise ValueError("accuracy must be a number in (0, 1), e.g. 0.01, or a dict of numbers")
     chosen = case.quantities if quantities is None else quantities
     if chosen is not None and not (
         isinstance(chosen, (list, tuple)) and all(isinstance(name, str) for name in chosen)
@@ -133,12 +133,11 @@ def _asked(
     else:
         asked = dict.fromkeys(scene.names if chosen is None else chosen, given)
     if not asked:
-        raise ValueError("quantities must name one at least, got none")
+        raise ValueError("quantities must contain at least one name, got none")
     for name, value in asked.items():
         if name not in scene.names:
             raise ValueError(
-                f"quantities: {in_short(name)} is none of this case, which has "
-                f"{', '.join(scene.names)}"
+                f"quantities must be of this case, {', '.join(scene.names)}, got {in_short(name)}"
             )
         positive("accuracy", value)
         if not value < 1:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values that no load of a search can reach, told before anything is solved."""
+"""Bounds on the values that a load search can reach, checked before the search."""
 
 from __future__ import annotations
 
@@ -20,40 +20,41 @@ if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
 
 _MARGIN = 3.0
-"""Of estimates: gaps within 3 % of a paraboloid, plastic contacts by the yield stress."""
+"""Safety factor of the estimates: gaps within 3 % of a paraboloid, plastic contacts by the yield
+stress."""
 _SLIPS = {
     "m": {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9},
     "m²": {"mm²": 1e-6, "µm²": 1e-12},
     "Pa": {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3},
     "": {"%": 1e-2, "x 1e-6": 1e-6},
 }
-"""Other units of the same number, the likeliest first."""
+"""Units in which a value may have been meant, and their factors, the likeliest first."""
 _DEPTHS = ("approach", "print_depth", PERMANENT)
 
 
 class _Limit(NamedTuple):
-    """A value, and what it is that of."""
+    """Upper bound and its description."""
 
     value: float
     of: str
 
 
 def require_attainable(name: str, target: float, simulation: Simulation, most: float) -> None:
-    """Raise ValueError for a value that no load up to the largest reaches.
+    """Raise ValueError for a value that no load up to the largest can reach.
 
-    Bounds are those of Hertz's theory where the gap is a paraboloid, of the yield stress, and of
-    the size of the grid; other values are left to the search.
+    Bounds follow from Hertz theory for a parabolic gap, from the yield stress, and from the size of
+    the grid. Other values are checked by the search.
 
     Parameters
     ----------
     name : str
-        The quantity, by its resolved name.
+        Resolved name of the quantity.
     target : float
-        The wanted value [SI].
+        Target value in SI units.
     simulation : Simulation
-        Of the largest load.
+        Simulation for the largest load.
     most : float
-        The largest load [N].
+        Largest load [N].
     """
     kind = name.partition(",")[0].partition("_body")[0]
     _, unit = label_and_unit(name)
@@ -61,7 +62,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, most: f
     shown = f"value = {target!r} of {name.replace(',', ' or ')}"
 
     def meant() -> str:
-        """The same number in the first unit in which it can be, in words."""
+        """Return a hint at the first unit in which the number is possible."""
         for other, factor in _SLIPS.get(unit, {}).items() if kind != YIELD else ():
             value = factor * target
             if (largest is None or value <= largest.value) and not _least(kind, value, simulation):
@@ -72,7 +73,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, most: f
 
     if largest is not None and target > largest.value:
         raise ValueError(
-            f"{shown} is not reached: at {most:.6g} N it is less than {largest.value:.6g}, "
+            f"{shown} cannot be reached: up to {most:.6g} N it is below {largest.value:.6g}, "
             f"{largest.of}{meant()}"
         )
     if why := _least(kind, target, simulation):
@@ -80,7 +81,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, most: f
 
 
 def _largest(name: str, simulation: Simulation, most: float) -> _Limit | None:
-    """What a quantity is at most under loads up to the largest; None where that is not known."""
+    """Return the upper bound of a quantity up to the largest load; None if it is unknown."""
     first = name.partition(",")[0]
     kind, _, number = first.partition("_body")
     both = simulation.body1, simulation.body2
@@ -98,11 +99,11 @@ def _largest(name: str, simulation: Simulation, most: float) -> _Limit | None:
 def _of_strain(kind: str) -> _Limit | None:
     if kind != "max_equivalent_plastic_strain":
         return None
-    return _Limit(1.0, "far beyond the small strains that are solved for")
+    return _Limit(1.0, "far beyond the small-strain limit")
 
 
 def _of_strength(kind: str, bodies: Sequence[Body]) -> _Limit | None:
-    """The yield stress of a plastic strain of 1, which no von Mises stress exceeds."""
+    """Return the yield stress at a plastic strain of 1, an upper bound of the von Mises stress."""
     if kind not in ("max_von_mises", "max_residual_von_mises"):
         return None
     strengths = []
@@ -115,24 +116,24 @@ def _of_strength(kind: str, bodies: Sequence[Body]) -> _Limit | None:
 
 
 def _of_grid(kind: str, simulation: Simulation) -> _Limit | None:
-    """Depths beyond the width of the grid, and areas beyond it where it does not grow."""
+    """Return the width of the grid for depths, and the area of a fixed grid for areas."""
     grid = simulation.grid
     if kind in _DEPTHS:
         side = max(grid.nx * grid.dx, grid.ny * grid.dy)
-        return _Limit(side, "a depth as large as the grid is wide")
+        return _Limit(side, "the width of the grid")
     if kind == "contact_area" and not simulation.engine.setup.surfaces.are_known:
         return _Limit(grid.nx * grid.ny * grid.cell_area, "the area of the grid")
     return None
 
 
 def _of_hertz(kind: str, simulation: Simulation, expected: Expected) -> _Limit | None:
-    """By the elastic contact under the largest load, and by one under the yield stress."""
+    """Return the bound from the elastic contact at the largest load and from the yield stress."""
     contact, both = expected.contact, (simulation.body1, simulation.body2)
     bodies = [body for body in both if isinstance(body, Material)]
     if len(bodies) < len(both) or any(body.softening for body in bodies):
         return None
     weakest = min(body.least_yield_stress for body in bodies)
-    crushed = contact.load / weakest  # the area under the yield stress
+    crushed = contact.load / weakest  # area at a mean pressure equal to the yield stress
     a, b = expected.semi_axes
     radius = math.sqrt(math.prod(simulation.engine.estimate.radii or (math.inf, math.inf)))
     depth = max(contact.approach, crushed / (2 * math.pi * radius))
@@ -145,11 +146,13 @@ def _of_hertz(kind: str, simulation: Simulation, expected: Expected) -> _Limit |
         "max_von_mises": math.inf if is_stressed else sliding,
         YIELD: math.inf if is_stressed else sliding / weakest,
     }.get(kind, math.inf)
-    return _Limit(_MARGIN * largest, f"{_MARGIN:.0f} times what Hertz and the yield stress give")
+    return _Limit(
+        _MARGIN * largest, f"{_MARGIN:.0f} times the estimate from Hertz theory and yield stress"
+    )
 
 
 def _least(kind: str, target: float, simulation: Simulation) -> str | None:
-    """Why a value is of less than one cell; None where it is not, or nothing is known."""
+    """Return why a value corresponds to less than one cell; None if it does not, or is unknown."""
     grid, scene = simulation.grid, simulation.engine.estimate
     if kind == "contact_area" and target < grid.cell_area:
         return f"one cell has {quantity(grid.cell_area, 'm²')}"
@@ -167,4 +170,4 @@ def _least(kind: str, target: float, simulation: Simulation) -> str | None:
     if expected is None or 2 * expected.semi_axes[0] >= max(grid.dx, grid.dy):
         return None
     across = quantity(2 * expected.semi_axes[0], "m")
-    return f"its contact is {across} across by Hertz's theory, less than a cell"
+    return f"the Hertz contact is {across} across, less than one cell"

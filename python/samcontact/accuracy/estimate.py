@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a series of values tends to, and how far that may be from the truth.
+"""Limits of series of values over grids and increments, and their estimated errors.
 
-All of these take values of several quantities at once, along the last axis.
+All functions take values of several quantities at once, along the last axis.
 """
 
 from __future__ import annotations
@@ -15,54 +15,54 @@ from numpy.typing import ArrayLike
 from .._util.checks import FloatArray
 
 RATIO = 2.0**0.5
-"""Of cells from one grid to the next."""
+"""Ratio of the cell sizes of successive grids."""
 LEAST_ORDER, MOST_ORDER = 0.9, 4.0
-"""Observed orders that are believed; what is extrapolated has at most `USED_ORDER`."""
+"""Range of accepted observed orders; extrapolation uses at most `USED_ORDER`."""
 USED_ORDER = 2.0
 SAFE = 1.5
-"""Times a difference of neighbours: a term of order 1.5 leaves 1.47 of its last one, one of order 2
-all of it."""
+"""Error relative to the difference of neighbouring grids: a term of order 1.5 leaves 1.47 times the
+last difference, a term of order 2 leaves once the last difference."""
 LEAST = 0.002
-"""Least relative error of the coarsest grid, falling with order 2: differences may vanish."""
+"""Minimum relative error of the coarsest grid, decreasing with order 2: differences may vanish."""
 CLEAN = 0.5
-"""Least error of an extrapolated value, over what extrapolation changed."""
+"""Minimum error of an extrapolated value, relative to the change by extrapolation."""
 MIXED = 0.03
-"""How much of a correction found on a coarse grid a finer one may change at least."""
+"""Minimum relative change, on a finer grid, of a correction found on a coarse grid."""
 PER_GRID = 3.0
-"""The same, over the relative difference that the grid itself makes."""
+"""Relative change of such a correction, divided by the relative difference between the grids."""
 
 REGULAR = 1.4, 3.0
-"""Corrections of n increments over those of 2 n, where they are of first order; elsewhere what is
-beyond twice the latter may be different on a finer grid."""
+"""Range of the ratio of corrections for n and 2 n increments that counts as first order. Outside
+this range, the excess over twice the latter may differ on a finer grid."""
 
 MIXED_AREA = 0.3
-"""The same of the contact area, over the relative correction of the largest pressure: on a coarse
-grid it moves by whole cells, or not at all."""
+"""Minimum change of the correction of the contact area, relative to the correction of the maximum
+pressure: on a coarse grid the area changes by whole cells, or not at all."""
 
 
 class Estimate(NamedTuple):
-    """Values with absolute errors, all of one shape."""
+    """Values with absolute errors, as arrays of equal shape."""
 
     values: FloatArray
     errors: FloatArray
     extrapolated: FloatArray
-    """Whether each value is."""
+    """Whether each value is extrapolated."""
 
 
 def of_grids(series: ArrayLike) -> Estimate:
-    """The limit along grids whose cells shrink by `RATIO`.
+    """Estimate the limit over grids whose cell sizes decrease by `RATIO`.
 
     Parameters
     ----------
     series : array_like, shape (grids, ...)
-        From the coarsest on. Of a single one nothing is known: its errors are infinite.
+        Values from the coarsest grid on. The errors of a single grid are infinite.
 
     Returns
     -------
     Estimate
-        Where three differences have one sign, fall, and show an order within limits twice, the
-        value is extrapolated with it. Else it is that of the finest grid, with the largest of the
-        last three differences, each scaled to the finest grid with order 2, and `LEAST` at least.
+        Extrapolated values, if three differences have one sign, decrease, and twice show an order
+        within limits. Otherwise values of the finest grid, whose error is the maximum of the last
+        three differences, each scaled to the finest grid with order 2, and at least `LEAST`.
     """
     f = np.asarray(series, dtype=np.float64)
     if len(f) == 1:
@@ -72,7 +72,7 @@ def of_grids(series: ArrayLike) -> Estimate:
     last = steps[-1]
     scaled = [np.abs(step) * RATIO ** (-2 * age) for age, step in enumerate(steps[::-1][:3])]
     least = LEAST * RATIO ** (-2 * (len(f) - 1)) * np.abs(f[-1])
-    widest = np.max(scaled, axis=0)  # nothing for what is given
+    widest = np.max(scaled, axis=0)  # zero for prescribed quantities
     careful = np.where(widest > 0, np.maximum(SAFE * widest, least), 0.0)
     if len(f) < 4:
         return Estimate(f[-1], careful, np.zeros(last.shape, dtype=bool))
@@ -87,22 +87,22 @@ def of_grids(series: ArrayLike) -> Estimate:
 
 
 def of_doublings(steps: ArrayLike, used: int = 0) -> Estimate:
-    """What more increments would add to a value: their error is of first order.
+    """Estimate the first-order correction of a value by more increments.
 
     Parameters
     ----------
     steps : array_like, shape (runs, ...)
-        What twice as many change, again and again; one at least.
+        Changes by successive doublings of the increments; at least one.
     used : int, optional
-        Which of these begins with as many increments as the value.
+        Index of the doubling that starts from the number of increments of the value.
 
     Returns
     -------
     Estimate
-        Of the limit minus the used value.
+        Limit minus the value.
     """
     d = np.asarray(steps, dtype=np.float64)
-    last = d[-1]  # as much as all that follow
+    last = d[-1]  # equals the sum of all following changes
     left = np.abs(last)
     if len(d) > 1:
         left = np.maximum(np.abs(2.0 * last - d[-2]), 0.1 * left)
@@ -110,12 +110,12 @@ def of_doublings(steps: ArrayLike, used: int = 0) -> Estimate:
 
 
 def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
-    """How much of corrections found on a coarse grid the finest may change.
+    """Return the relative change, on the finest grid, of corrections found on a coarse grid.
 
     Parameters
     ----------
     coarse, finest : ndarray
-        Values in the same number of increments.
+        Values with equal numbers of increments.
     """
     size = np.abs(finest)
     change = np.divide(np.abs(finest - coarse), size, out=np.zeros_like(size), where=size > 0)
@@ -123,17 +123,17 @@ def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
 
 
 def irregular(more: FloatArray, twice: FloatArray) -> FloatArray:
-    """What is not of first order in the corrections of n increments.
+    """Return the part of the corrections for n increments that is not of first order.
 
     Parameters
     ----------
     more, twice : ndarray
-        Corrections of n and 2 n increments.
+        Corrections for n and 2 n increments.
 
     Returns
     -------
     ndarray
-        Nothing where their ratio is `REGULAR`.
+        Zero where the ratio of the corrections is `REGULAR`.
     """
     low, high = REGULAR
     inside = (more * twice > 0) & (abs(more) >= low * abs(twice)) & (abs(more) <= high * abs(twice))
@@ -141,14 +141,14 @@ def irregular(more: FloatArray, twice: FloatArray) -> FloatArray:
 
 
 def joined(found: Estimate, parts: Sequence[int]) -> Estimate:
-    """The largest of several values, with the error that theirs leave it.
+    """Return the maximum of several values, with the error that follows from their errors.
 
     Parameters
     ----------
     found : Estimate
-        Of all parts along the last axis.
+        Estimate of all parts along the last axis.
     parts : sequence of int
-        How many belong together, one after the other.
+        Numbers of consecutive parts that belong together.
     """
     ends = np.cumsum(parts)
     columns: list[tuple[FloatArray, ...]] = []

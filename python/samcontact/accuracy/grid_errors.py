@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How far results depend on the cells of their grid, from a solve over cells twice as large."""
+"""Estimated grid errors of results, from a solution on a grid coarsened by 2."""
 
 from __future__ import annotations
 
@@ -40,41 +40,42 @@ if TYPE_CHECKING:
 __all__ = ["GridErrors", "estimate_errors"]
 
 LARGEST_ERROR = 0.2
-"""Relative, above which the check of a report fails."""
+"""Relative error above which the check of a report fails."""
 LARGEST_SHARE = 0.25
-"""Of the mean square slope in the last octave of a grid: with more, most of it may lie beyond."""
+"""Limit of the fraction of the mean-square slope in the last octave of a grid: above it, most of
+the slope may be at shorter wavelengths."""
 _KINDS = (
     ("approach", "max_pressure", "max_von_mises"),
     ("max_equivalent_plastic_strain", "max_residual_von_mises", "print_depth"),
 )
 _LEAST = 0.2
-"""Of the largest relative difference of a kind, which each of that kind has at least: where grids
-differ in sign, two may agree by chance."""
+"""Minimum error of a quantity, relative to the largest relative difference of its kind: two grids
+may agree by chance."""
 _OF_AREA = 0.7
-"""Bound of the relative error of an area of round spots over (cells in their radius)^-1.5: of wavy
-surfaces; balls have half of it."""
+"""Bound of the relative error of the area of round spots, over (cells per radius)^-1.5. It applies
+to wavy surfaces; the error for balls is half of it."""
 
 
 @dataclass(frozen=True, eq=False)
 class GridErrors(Shown):
-    """Certified quantities of a run with their estimated errors.
+    """Quantities of a run with their estimated errors.
 
     Attributes
     ----------
     values, errors : dict of ndarray, shape (increments,)
-        By their names in results files, in SI units; the values between the cells, see
-        docs/theory/accuracy.md. NaN where not estimated: quantities of the volume are at the
-        increment of largest stress and at the last. Errors are infinite where a quantity does not
-        converge: the largest pressure, stresses and strains at a sharp edge, see
-        `SingularPressureWarning`.
+        Values and absolute errors by name in results files, in SI units. Values are interpolated
+        between cells, see docs/theory/accuracy.md. NaN where not estimated: volume quantities are
+        estimated at the increment of maximum stress and at the last increment. Errors are infinite
+        for quantities that do not converge: maximum pressure, stresses and strains at a sharp edge,
+        see `SingularPressureWarning`.
     states : list of State
-        Of the run itself.
+        States of the run itself.
     slope_beyond : float
-        Of heights that are known on the grid only: share of the mean square slope of their
-        roughness in waves shorter than four cells; NaN of other surfaces.
+        Fraction of the mean-square slope at wavelengths below four cells, for heights that are
+        known on the grid only; NaN for other surfaces.
     increments : IncrementErrors or None
-        What more increments would change, which is no part of `errors`; None where they have no
-        part in the result, or where it is not known.
+        Change by more increments, which is not part of `errors`; None if increments do not affect
+        the result, or if the change is unknown.
     """
 
     values: dict[str, FloatArray]
@@ -87,18 +88,21 @@ class GridErrors(Shown):
         found = _largest_of(self.values, self.errors, {}, {})
         rows = [(row.label, row.with_error) for row in found]
         if self.increments is not None:
-            rows += [(f"{name}, by increments", share) for name, share in rows_of(self.increments)]
+            rows += [
+                (f"{name}, due to increments", share) for name, share in rows_of(self.increments)
+            ]
         return rows
 
     def __repr__(self) -> str:
         return f"GridErrors({len(self.errors)} quantities of {len(self.states)} increments)"
 
     def add_to(self, dataset: xr.Dataset) -> None:
-        """Add ``X_error`` of each X, and X itself where the dataset has none.
+        """Add ``X_error`` of each X, and X itself if the dataset has none.
 
-        The error is that of the dataset's own X: what it differs by from the value between the
-        cells is added. The error by increments, relative, is the attribute ``by_increments`` of
-        ``X_error``; those of whole fields are attributes ``increment_error_FIELD`` of the dataset.
+        The error is relative to the X of the dataset: its difference from the value interpolated
+        between cells is added. The relative error due to increments is the attribute
+        ``by_increments`` of ``X_error``; for whole fields it is the attribute
+        ``increment_error_FIELD`` of the dataset.
         """
         if not hasattr(dataset, "attrs"):
             raise TypeError(f"dataset must be an xarray.Dataset, got {in_short(dataset)}")
@@ -109,7 +113,7 @@ class GridErrors(Shown):
             total = errors + np.abs(dataset[name].values - self.values[name])
             variable = known.variable("increment", total, body)
             text = dataset[name].attrs["long_name"]
-            variable.attrs["long_name"] = f"estimated error by the cells of the grid, {text}"
+            variable.attrs["long_name"] = f"estimated absolute grid error of: {text}"
             if self.increments is not None and name in self.increments.values:
                 variable.attrs["by_increments"] = self.increments.values[name]
             dataset[f"{name}_error"] = variable
@@ -125,42 +129,43 @@ def estimate_errors(
     path: Sequence[Mapping[str, Any]] | None = None,
     states: Sequence[State] | None = None,
 ) -> GridErrors:
-    """Estimate how far a run depends on the cells of its grid.
+    """Estimate the grid errors of a run.
 
-    The run is repeated from its start with half as many cells along x, y and z and the same
-    increments: about 1/8 of its time. Where layers yield, the coarser cells are two to three times
-    as deep, so that the layers have a whole number of them. Where all surfaces are functions of a
-    grid, so are those of the coarser one; heights that are known on one grid only are averaged.
+    The run is repeated with half as many cells along x, y and z and unchanged increments, which
+    takes about 1/8 of its time. For elastic-plastic layers, the coarser cells are two to three
+    times as deep, so that each layer has a whole number of cells. Surfaces given as functions are
+    evaluated on the coarser grid; heights known on one grid only are averaged.
 
     Parameters
     ----------
     run : Case or Simulation
-        A case is solved; of a simulation, give what it was run with and what came out:
+        Case, which is solved, or simulation after a run, which requires `path` and `states`.
     path : list of dict
-        As for `Simulation.run`, from the undeformed bodies on.
+        Argument of `Simulation.run`, starting from undeformed bodies.
     states : sequence of State
-        What it returned.
+        States returned by `Simulation.run`.
 
     Returns
     -------
     GridErrors
-        An error is the difference of the two solves: three times the true error of what converges
-        with the second order, once that of the first. Increments are the same in both; what their
-        number does is estimated by itself (`increments`).
+        Each error is the difference of the two solutions: three times the true error for
+        second-order convergence, and equal to it for first-order convergence. Both solutions have
+        the same increments, whose error is estimated separately (`increments`).
 
     Raises
     ------
     ValueError
-        A grid that cannot be halved; a simulation without path and states.
+        The grid cannot be coarsened, or a simulation is given without path and states.
     ConvergenceError, MemoryError, GridTooSmallError
-        Of either solve.
+        Raised by either solution.
 
     Warns
     -----
     ResolutionWarning
-        Layers that yield have no whole number of deeper cells: the errors tell nothing of depth.
+        Elastic-plastic layers have no whole number of deeper cells: the errors do not include the
+        effect of dz.
     IncrementWarning
-        Unless the simulation gave it before: more increments would change fields by more than 5 %.
+        More increments would change fields by more than 5 %; unless issued by the simulation.
     """
     from ..cases import Case
     from ..simulation.simulation import Simulation
@@ -176,11 +181,13 @@ def estimate_errors(
             f"run must be a samcontact.Simulation, or a Case of one contact, got {in_short(run)}"
         )
     if path is None or states is None:
-        raise ValueError("path and states must be given with a simulation")
+        raise ValueError("path and states are required with a simulation")
     path = step_list("path", path, STEP)
     require_list("states", states, State)
     if len(path) != len(states):
-        raise ValueError(f"path and states must be as many, got {len(path)} and {len(states)}")
+        raise ValueError(
+            f"path and states must have equal lengths, got {len(path)} and {len(states)}"
+        )
     found = estimated(run, path, states, lambda coarse, steps: coarse.run(steps, progress=False))
     by_increments = increment_errors.estimated(
         run.engine, path, states, states[0].heat, repeat_with(type(run)), certified=True
@@ -198,12 +205,12 @@ def estimated(
     states: Sequence[State],
     solve: Callable[[Simulation, Sequence[Mapping[str, Any]]], list[State]],
 ) -> GridErrors:
-    """The same by a solve of the coarser simulation and its path that the caller keeps."""
+    """Estimate grid errors with a given function that solves the coarser simulation."""
     coarse = coarsened(run, states[0].heat)
     _warn_of_depth(run.grid, coarse.grid)
     steps, which = coarsening.coarser_path(path, run.grid)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of a grid that is not the user's
+        warnings.simplefilter("ignore")  # they concern the coarser grid
         found = solve(coarse, steps)
     names = error_controlled_quantities.names((run.body1, run.body2), volume=run.grid.has_volume)
     marks = _marks(states, names)
@@ -228,18 +235,18 @@ def estimated(
 
 
 def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
-    """Warn of errors that tell nothing of the depth of the cells."""
+    """Warn if the errors do not include the effect of dz."""
     if grid.dz is not None and coarse.dz == grid.dz:
         warnings.warn(
-            f"the errors hold nothing of the depth of the cells, dz = {quantity(grid.dz, 'm')}: "
-            "the layers that yield have no whole number of deeper ones; with half of dz they would",
+            f"estimated errors exclude the effect of dz = {quantity(grid.dz, 'm')}: the "
+            "elastic-plastic layers have no whole number of deeper cells; halve dz",
             ResolutionWarning,
             stacklevel=3,
         )
 
 
 def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
-    """Increments at which the volume is compared: that of the largest stress, and the last."""
+    """Return the increments for comparing volume quantities: maximum stress, and the last."""
     from ..results.zones import max_von_mises
 
     bodies = {int(name[-1]) for name in names if name.startswith("max_von_mises")}
@@ -252,9 +259,9 @@ def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
 def _differences(
     fine: Mapping[str, float], coarse: Mapping[str, float], state: State, *, sharp: bool
 ) -> dict[str, float]:
-    """Of two solves, and no less than chance may have left of them.
+    """Return differences of two solutions, with a lower bound against agreement by chance.
 
-    Infinite for what is singular at a sharp edge.
+    The difference is infinite for quantities that are singular at a sharp edge.
     """
     found = {name: abs(value - coarse[name]) for name, value in fine.items()}
     endless = {name for name in fine if sharp and sharp_edges.is_singular(name)}
@@ -273,7 +280,7 @@ def _differences(
         of_area += area_doubt(state.repulsion, state.grid.periodic)
         cells = np.count_nonzero(state.in_contact)
         if 0 < (open_ := state.pressure.size - cells) < cells and state.grid.periodic == "xy":
-            of_area *= (cells / open_) ** 0.5  # the spots that are not resolved are the open ones
+            of_area *= (cells / open_) ** 0.5  # here the open spots are unresolved
         found["contact_area"] = max(found["contact_area"], of_area * fine["contact_area"])
     return found | dict.fromkeys(endless, np.inf)
 
@@ -281,10 +288,10 @@ def _differences(
 def _of_slip(
     states: Sequence[State], coarse: Sequence[State]
 ) -> dict[str, tuple[FloatArray, FloatArray]]:
-    """Forces, motions and friction work with their errors, without what was given or is rounding.
+    """Return tangential forces, motions and frictional work with errors, unless prescribed.
 
-    At each increment the error is a part of the largest so far at least: where a quantity turns
-    round, both grids agree by chance.
+    The error of each increment is at least a fraction of the largest error so far: where a quantity
+    reverses, both grids agree by chance.
     """
     found = {}
     mine, other = along_surface(states), along_surface(coarse)
@@ -298,36 +305,36 @@ def _of_slip(
 
 
 def said_of_increments(attributes: Mapping[Any, Any]) -> str:
-    """What more increments would change in whole fields, from the attributes of results; nothing
-    where that is not known."""
+    """Return the change of whole fields by more increments, as text; "" if it is unknown."""
     start = "increment_error_"
     shares = {str(n).removeprefix(start): s for n, s in attributes.items() if start in str(n)}
-    return f"{increment_errors.said(shares)} of its largest value" if shares else ""
+    return f"{increment_errors.said(shares)} of its maximum" if shares else ""
 
 
 def said_of_slope(share: float) -> str:
-    """What a surface has beyond its grid, in words; nothing of one that is known everywhere."""
+    """Return the unresolved slope of a surface as text; "" for surfaces given as functions."""
     if not np.isfinite(share):
         return ""
     beyond = (
-        "most of it may lie beyond the grid, and pressures and strains of the spots are those of "
-        "the cells"
+        "most of the slope may be unresolved, and pressures and strains depend on the cell size"
         if share > LARGEST_SHARE
-        else "little is beyond the grid where the spectrum goes on as it is"
+        else "little slope is unresolved if the spectrum continues in this way"
     )
     return (
-        f"{percent(share)} of the mean square slope of the surface is in waves shorter than "
+        f"{percent(share)} of the mean-square slope of the surface is at wavelengths below "
         f"four cells: {beyond}"
     )
 
 
 ENDLESS = "does not converge"
-"""Of an error without a bound, at a sharp edge."""
+"""Text for the infinite error at a sharp edge."""
 
 
 class ErrorRow(NamedTuple):
-    """A quantity where it is largest: the number of the increment, its value; its error over that
-    (the largest of the run where an accuracy was asked for)."""
+    """Quantity at its maximum: increment number, value, and relative error.
+
+    With a prescribed accuracy, the error is the maximum over the run.
+    """
 
     label: str
     increment: int
@@ -335,23 +342,23 @@ class ErrorRow(NamedTuple):
     relative: float
     asked: float | None = None
     by_increments: float | None = None
-    """What more increments would change, relative; None where it is not known or in `relative`."""
+    """Relative change by more increments; None if unknown, or if included in `relative`."""
 
     @property
     def percent(self) -> str:
-        """The error over the value [%], in words where it does not converge."""
+        """Relative error [%] as text; a note if the quantity does not converge."""
         return f"{100 * self.relative:.2g}" if np.isfinite(self.relative) else ENDLESS
 
     @property
     def with_error(self) -> str:
-        """The value with its error."""
+        """Value with its error as text."""
         if np.isfinite(self.relative):
             return f"{self.shown} ± {self.percent} %"
         return f"{self.shown}, {ENDLESS}"
 
 
 def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:
-    """Of results with errors; none of others."""
+    """Return the quantities with errors in results; an empty list without errors."""
     names = [str(name)[: -len("_error")] for name in dataset if str(name).endswith("_error")]
     values = {name: dataset[f"{name}_best" if f"{name}_best" in dataset else name].values
               for name in names}  # fmt: skip
@@ -367,7 +374,7 @@ def _largest_of(
     asked: Mapping[str, float | None],
     by_increments: Mapping[str, float | None],
 ) -> list[ErrorRow]:
-    """Without what is zero throughout, or given."""
+    """Return the quantities at their maxima, without prescribed or vanishing quantities."""
     rows = []
     for name, error in errors.items():
         known = np.where(error > 0, np.abs(values[name]), -1.0)
@@ -378,7 +385,7 @@ def _largest_of(
             label = quantity_of.heading
             label = label if body is None else f"{label}, body {body}"
             shown = quantity(float(values[name][at]), unit, 5)
-            wanted = asked.get(name)  # of all increments, relative to the largest value
+            wanted = asked.get(name)  # for all increments, relative to the maximum
             relative = float((error[at] if wanted is None else np.nanmax(error)) / known[at])
             row = ErrorRow(label, at + 1, shown, relative, wanted, by_increments.get(name))
             rows.append(row)

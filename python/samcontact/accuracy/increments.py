@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What more increments would change, from runs on grids that are as coarse as can tell it."""
+"""Change of values by more increments, from runs on grids that are as coarse as possible."""
 
 from __future__ import annotations
 
@@ -13,40 +13,40 @@ from .estimate import by_grid, irregular, of_doublings
 from .scene import Run
 
 Runs = Mapping[tuple[int, int], Run]
-"""By grid and increments."""
+"""Runs by grid and increments."""
 COARSEST = 1
-"""The grid on which all numbers of increments are tried."""
+"""Grid on which all numbers of increments are solved."""
 
 
 class Doubling(NamedTuple):
-    """Twice so many increments, and the finest grid on which both are known."""
+    """Doubling of a number of increments, and the finest grid on which both numbers were solved."""
 
     increments: int
     grid: int
 
 
 class Correction(NamedTuple):
-    """What more increments would add to values of the finest grid, with its errors."""
+    """Correction of values of the finest grid for more increments, with errors."""
 
     values: FloatArray
     errors: FloatArray
-    """On the grids that it was found on."""
+    """Errors on the grids on which the correction was found."""
     doublings: list[Doubling]
-    """Which it is made of."""
+    """Doublings from which the correction is computed."""
     by_grid: list[FloatArray]
-    """What a finer grid may change in each of them."""
+    """Possible change of each doubling on a finer grid."""
     irregular: FloatArray
-    """What is not of first order."""
+    """Part of the correction that is not of first order."""
 
 
 def tried(runs: Runs) -> list[Run]:
-    """Those of the coarsest grid, from the fewest increments on."""
+    """Return the runs on the coarsest grid, by increasing number of increments."""
     found = [run for (grid, _), run in runs.items() if grid == COARSEST]
     return sorted(found, key=lambda run: run.increments)
 
 
 def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
-    """Of values of the finest grid in the used number of increments."""
+    """Return the correction of values of the finest grid for the used number of increments."""
     made = []
     for run in tried(runs)[:-1]:
         n = run.increments
@@ -55,7 +55,7 @@ def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
     first = [n for n, _ in made].index(used)
     more, twice = of_doublings(steps, first), of_doublings(steps, first + 1)
     sizes = np.abs(steps[first:])
-    sizes[-1] *= 2.0  # all that follow are together as large
+    sizes[-1] *= 2.0  # the sum of all following changes equals the last
     shares = [by_grid(runs[g, used].values, finest) for _, g in made[first:]]
     return Correction(
         values=more.values,

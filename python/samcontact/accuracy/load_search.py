@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The load at which a quantity of a contact reaches a value."""
+"""Load search: the load at which a quantity of a contact reaches a value."""
 
 from __future__ import annotations
 
@@ -48,26 +48,26 @@ if TYPE_CHECKING:
 
 __all__ = ["FoundLoad", "find_load"]
 
-_MOST, _LEAST = 100.0, 1e-9  # times the largest load of a case, and the first that is tried
-_COARSE = 1e-2  # relative tolerance of the load on the coarser grid
-_TRIES = 12  # on the grid itself
+_MOST, _LEAST = 100.0, 1e-9  # limits, relative to the largest load of a case and the initial load
+_COARSE = 1e-2  # relative tolerance of the load on the coarse grid
+_TRIES = 12  # maximum number of solutions on the fine grid
 
 
 @dataclass(frozen=True, eq=False)
 class FoundLoad(Shown):
-    """A load and what is reached under it.
+    """Load found, and value of the quantity at this load.
 
     Attributes
     ----------
     quantity : str
-        By its name in results files, "permanent_deformation" or "yield"; by two names where it is
-        the larger of both.
+        Name in results files, "permanent_deformation" or "yield"; two names, separated by a comma,
+        for the larger value of both bodies.
     load, load_error : float
-        [N]; the error is that of the value over its slope.
+        Load and its error [N]; the error is the error of the value divided by its slope.
     value, error : float
-        What is reached, in SI units, with its estimated error by the cells of the grid.
+        Value of the quantity at this load and its estimated grid error, in SI units.
     states : list of State
-        Of the run with this load; with "yield" of bodies that stay elastic.
+        States of the run with this load; with "yield", of an elastic run.
     """
 
     quantity: str
@@ -90,9 +90,9 @@ class FoundLoad(Shown):
 
 
 class Search:
-    """What was tried so far: each load at most once on a grid.
+    """Load search, which solves each load at most once per grid.
 
-    start, most: loads where it begins and ends [N]; tolerance: of what is reached.
+    start, most: initial and maximum load [N]; tolerance: relative tolerance on the quantity.
     """
 
     def __init__(
@@ -107,7 +107,7 @@ class Search:
         self.solves = Solves(describe(simulation.engine, path=list(path), quantity=self.name))
         require_attainable(self.name, target, simulation, most)
         self.largest = (0.0, 0.0)
-        """Value and load."""
+        """Largest value so far, and its load."""
         self._last: tuple[str, Built, list[State]] | None = None
         self._told: set[str] = set()
 
@@ -115,21 +115,21 @@ class Search:
         return _refined(self, _enclosed(self, self.start, self.most), self.tolerance)
 
     def on_coarse(self, load: float) -> float:
-        """What is missing [of the target], on cells twice as large."""
+        """Return the relative difference from the target, on the coarse grid."""
 
         def made() -> Built:
             simulation, path = self._built(load)
             path, _ = coarsening.coarser_path(path, simulation.grid)
             return coarsened(simulation, simulation.heat), path
 
-        return self._missing(f"coarse_{load!r}", "on cells twice as large", load, made)
+        return self._missing(f"coarse_{load!r}", "coarse", load, made)
 
     def on_grid(self, load: float) -> float:
-        """The same on the grid itself."""
-        return self._missing(_name(load), "on the grid itself", load, lambda: self._built(load))
+        """Return the relative difference from the target, on the fine grid."""
+        return self._missing(_name(load), "fine", load, lambda: self._built(load))
 
     def run(self, load: float) -> tuple[Built, list[State]]:
-        """What `on_grid` has solved last, or what is kept of it."""
+        """Return the last solution of `on_grid`, solved again if it is no longer in memory."""
         if self._last is None or self._last[0] != _name(load):
             self._solve(_name(load), self._built(load))
         assert self._last is not None
@@ -140,7 +140,7 @@ class Search:
         return (elastic(simulation), path) if self.name == YIELD else (simulation, path)
 
     def _solve(self, name: str, built: Built) -> list[State]:
-        self._last = None  # whose memory the next may need
+        self._last = None  # frees memory for the next solution
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             states = self.solves.run(name, built[0], list(built[1]), progress=self.progress)
@@ -157,7 +157,7 @@ class Search:
         reached = self.solves.given[name]["reached"]
         if name not in self._told:
             self._told.add(name)
-            text = f"tried {quantity(load, 'N', 6)} {where}: {self._shown(reached)}"
+            text = f"{where} grid, load {quantity(load, 'N', 6)}: {self._shown(reached)}"
             tell(text, shown=self.progress)
         self.largest = max(self.largest, (reached, load))
         return float(reached / self.target - 1.0)
@@ -165,7 +165,7 @@ class Search:
     def _shown(self, reached: float) -> str:
         label, unit = label_and_unit(self.name)
         wanted = quantity(self.target, unit)
-        return f"{label} {quantity(reached, unit)}, of {wanted} that are asked for"
+        return f"{label} {quantity(reached, unit)} (target {wanted})"
 
     def _reached(self, state: State) -> float:
         if self.name == YIELD:
@@ -175,13 +175,13 @@ class Search:
 
     @property
     def yielding(self) -> dict[int, Material]:
-        """Materials that can, by the numbers of bodies."""
+        """Elastic-plastic materials by body number."""
         bodies = enumerate(self.bodies, 1)
         return {n: body for n, body in bodies if isinstance(body, Material) and body.is_plastic}
 
     @property
     def parts(self) -> list[str]:
-        """What the quantity is the largest (or the sum) of, by names in results files."""
+        """Names in results files of the quantities whose maximum or sum is evaluated."""
         if self.name == PERMANENT:
             bodies = enumerate(self.bodies, 1)
             return [f"print_depth_body{n}" for n, body in bodies if body.is_plastic]
@@ -191,14 +191,14 @@ class Search:
 
     @property
     def is_graded(self) -> bool:
-        """Whether yield is looked for where strength changes with depth."""
+        """Whether first yield is sought in a body with a depth profile of yield or stress."""
         return self.name == YIELD and any(map(is_graded, self.yielding.values()))
 
     def refuse(self, why: object) -> ValueError:
         reached, load = self.largest
         name = self.name.replace(",", " or ")
         return ValueError(
-            f"value = {self.target!r} of {name} is not reached: the largest is {reached:.6g} at "
+            f"value = {self.target!r} of {name} cannot be reached: maximum {reached:.6g} at "
             f"{load:.6g} N; {why}"
         )
 
@@ -215,33 +215,31 @@ def find_load(
 ) -> FoundLoad:
     """Find the load at which a quantity reaches a value.
 
-    The load is enclosed on cells twice as large (Brent's method), then found on the grid itself by
-    secants, which take three or four solves.
+    The load is first located on a grid coarsened by two (Brent's method), then refined on the fine
+    grid by secants, which take three or four solutions.
 
     Parameters
     ----------
     case : Case, path, dict or callable
-        A case, its file or a dictionary of the same layout, all of whose forces are multiplied by
-        the same factor; or a function that makes the simulation and the path (for
-        `Simulation.run`) of a largest load [N].
+        Case, file, or dictionary with the layout of a file, whose forces are all multiplied by one
+        factor; or a function of the maximum load [N] that returns simulation and path.
     quantity : str
-        Of those with errors in results files, e.g. "max_pressure", "print_depth_body2"; without a
-        body the larger of both. It is taken under the largest load and at the end of the path, the
-        larger of both. "permanent_deformation": the depths of the prints of both bodies together,
-        at the end of the path. "yield": largest von Mises stress over yield stress of bodies that
-        stay elastic, 1 where the first one yields, wherever strength and stress of the start change
-        with depth.
+        Quantity with an error in results files, e.g. "max_pressure" or "print_depth_body2"; without
+        a body, the larger value of both. It is the larger of its values at maximum load and at the
+        end of the path. Special names: "permanent_deformation", the sum of the residual imprint
+        depths of both bodies at the end of the path; "yield", the maximum ratio of von Mises stress
+        to yield stress in an elastic solution (1 at first yield), with depth profiles.
     value : float, optional
-        To be reached, > 0, in SI units.
+        Target value in SI units, > 0. Default: 1.
     tolerance : float, optional
-        Relative, of what is reached; in [1e-8, 0.1].
+        Relative tolerance on the quantity [-], in [1e-8, 0.1].
     largest_load : float, optional
-        Where the search ends [N]; 100 times that of the case. A function needs it.
+        Maximum load [N]; default: 100 times the load of the case. Required with a function.
     progress : bool, optional
-        Tell of each load that is tried, on stderr.
+        Print one line per trial load to stderr.
     checkpoint : path, optional
-        Folder in which to keep what each load has given, and the increments of the last one. The
-        same call goes on from it, with the same bits. Remove it when it is no longer needed.
+        Folder for the values of all loads and the increments of the last. Repeating the call
+        continues from it, with bit-identical results. Remove the folder when no longer needed.
 
     Returns
     -------
@@ -250,16 +248,15 @@ def find_load(
     Raises
     ------
     ValueError
-        The value is not reached; the text has the largest one, or, before anything is solved, why
-        no load reaches it. An argument out of range, an unknown quantity (with the nearest), a case
-        without loads, wear; with "yield", bodies that cannot, that
-        have layers, that soften, or that yield in the last layer of the grid; a `checkpoint` of
-        another call.
+        No load reaches the value; the message gives the maximum, or a bound found before the
+        search. An argument is out of range, the quantity is unknown, the case has no loads or has
+        wear, or `checkpoint` belongs to another call. With "yield": bodies are not elastic-plastic,
+        have layers, soften, or yield in the deepest layer of the grid.
     """
     search = searched(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
     )
-    if checkpoint is not None and callable(case):  # other loads may make other scenes of it
+    if checkpoint is not None and callable(case):  # its results at other loads are unknown
         search.solves.who |= identity(function=case)
     with search.solves.kept_in(checkpoint):
         return search.find()
@@ -274,7 +271,7 @@ def searched(
     largest_load: float | None,
     progress: bool,
 ) -> Search:
-    """What `find_load` does, before anything is solved."""
+    """Check the arguments of `find_load` and prepare the search."""
     boolean("progress", progress)
     require_known(quantity)
     target, relative = positive("value", value), number("tolerance", tolerance)
@@ -283,7 +280,7 @@ def searched(
     build: Callable[[float], Built]
     if callable(case):
         if largest_load is None:
-            raise ValueError("largest_load must be given with a function, got None")
+            raise ValueError("largest_load is required with a function, got None")
         build, start = case, positive("largest_load", largest_load)
     else:
         from ..cases.given import case_of_contact
@@ -296,39 +293,39 @@ def searched(
 
 
 def _made(build: Callable[[float], Built], load: float) -> Built:
-    """What a function of the load makes."""
+    """Return simulation and path of a function of the load."""
     built = build(load)
     if not (isinstance(built, tuple) and len(built) == 2):
         raise TypeError(
-            "case must be a function that returns a simulation and its path, got one that "
+            "case must be a function that returns a simulation and its path, got a function that "
             f"returns {in_short(built)}"
         )
     return built
 
 
 def _marks(states: Sequence[State]) -> set[int]:
-    """The last increment under the largest load, and the last."""
+    """Return the positions of the last increment at maximum load, and of the last increment."""
     loads = [state.load for state in states]
     most = max(loads) * (1 - 1e-9)
     return {max(n for n, load in enumerate(loads) if load >= most), len(states) - 1}
 
 
 def _name(load: float) -> str:
-    """Of a solve on the grid itself, in files."""
+    """Return the name of a solution on the fine grid, in files."""
     return f"grid_{load!r}"
 
 
 def _enclosed(search: Search, start: float, most: float) -> float:
-    """About where, on cells twice as large."""
+    """Return the approximate load, from the coarse grid if the grid can be coarsened."""
     try:
         coarsening.coarser_grid(search.build(start)[0].grid)
         missing = search.on_coarse
     except ValueError:
         missing = search.on_grid
-    why: list[object] = [f"largest_load is {most:.6g} N"]
+    why: list[object] = [f"increase largest_load, now {most:.6g} N"]
 
     def tried(load: float) -> float | None:
-        """None under loads that have no solution."""
+        """Return the relative difference from the target; None at loads without a solution."""
         try:
             return missing(load)
         except (ValueError, ConvergenceError, MemoryError) as error:
@@ -353,7 +350,7 @@ def _enclosed(search: Search, start: float, most: float) -> float:
 
 
 def _refined(search: Search, near: float, tolerance: float) -> FoundLoad:
-    """By secants on the grid itself; halves where these leave what encloses the load."""
+    """Refine the load by secants on the fine grid, with bisection as safeguard."""
     low, high = 0.0, math.inf
     points: list[tuple[float, float]] = []
     load = near
@@ -367,11 +364,11 @@ def _refined(search: Search, near: float, tolerance: float) -> FoundLoad:
         load += min(max(step if step else tolerance * load, -0.5 * load), load)
         if not low < load < high:
             load = 0.5 * (low + high)
-    raise search.refuse(f"within {_TRIES} solves the tolerance {tolerance!r} is not met")
+    raise search.refuse(f"did not converge to tolerance {tolerance!r} in {_TRIES} solutions")
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:
-    """Of the last point and the one nearest to it."""
+    """Return the slope between the last point and its nearest neighbour."""
     *others, (load, missing) = points
     other, value = min(others, key=lambda point: abs(point[0] - load))
     slope = (missing - value) / (load - other)
@@ -383,10 +380,10 @@ def _outcome(search: Search, load: float, missing: float, slope: float) -> Found
     try:
         beside = estimated(simulation, path, states, partial(search.solves.run, f"errors_{load!r}"))
         errors = [_relative(beside.values[n], beside.errors[n]) for n in search.parts]
-        if search.is_graded:  # kinks of strength are known to a layer
+        if search.is_graded:  # kinks of the profile are resolved to one layer
             errors.append(abs(search.on_coarse(load) - missing))
         error = max(errors)
-    except (ValueError, ConvergenceError, MemoryError):  # it has none, which NaN tells
+    except (ValueError, ConvergenceError, MemoryError):  # no estimate
         error = math.nan
     value = search.target * (1.0 + missing)
     load_error = (abs(missing) + error) / slope
@@ -394,7 +391,7 @@ def _outcome(search: Search, load: float, missing: float, slope: float) -> Found
 
 
 def _relative(values: FloatArray, errors: FloatArray) -> float:
-    """Where the value is largest."""
+    """Return the relative error at the maximum value."""
     known = np.where(np.isfinite(errors), np.abs(values), -1.0)
     at = int(known.argmax())
     return float(errors[at] / known[at]) if known[at] > 0 else 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes in which a load is looked for: cases under other loads, and what is asked of them."""
+"""Cases of a load search: cases with scaled loads, and the quantity sought."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Built = tuple["Simulation", Sequence[Mapping[str, Any]]]
 
 @dataclass(frozen=True)
 class Scaled:
-    """A case under other loads."""
+    """Case with scaled loads."""
 
     case: Case
     largest: float
@@ -42,16 +42,16 @@ class Scaled:
 
 def of_case(case: Case) -> float:
     if case.wear is not None:
-        raise ValueError("wear: a load is found of one contact, not of cycles of wear")
+        raise ValueError("wear: load search supports a single contact only: remove [wear]")
     loads = [segment.load for segment in case.path]
     given = [load for load in loads if load is not None]
     if len(given) < len(loads) or not max(given) > 0:
-        raise ValueError("path: a load is found of a path of loads, one at least > 0")
+        raise ValueError("path: load search requires load in each segment, at least one > 0")
     return max(given)
 
 
 def require_known(name: object) -> None:
-    """Raise ValueError for what is no quantity of any simulation, with the nearest that is one."""
+    """Raise ValueError for an unknown quantity, with the most similar name."""
     kinds = [*error_controlled_quantities.OF_CONTACT[1:], *error_controlled_quantities.OF_BODY]
     known = [*kinds, PERMANENT, YIELD]
     of_body = error_controlled_quantities.OF_BODY
@@ -64,44 +64,44 @@ def require_known(name: object) -> None:
 
 
 def resolved(name: str, simulation: Simulation) -> str:
-    """A name as `value_of` takes it; ValueError for one that the simulation has not."""
+    """Return the resolved name of a quantity; ValueError if the simulation does not have it."""
     require_known(name)
     bodies = simulation.body1, simulation.body2
     if name == YIELD:
         if not any(body.is_plastic for body in bodies):
-            raise ValueError('quantity = "yield" needs a body that yields')
+            raise ValueError('quantity = "yield" requires an elastic-plastic body')
         if any(body.softening for body in bodies):
-            raise ValueError('quantity = "yield" is not for bodies that soften by heat')
+            raise ValueError('quantity = "yield" does not support thermal softening')
         for n, body in enumerate(bodies, 1):
             if isinstance(body, Layered) and body.is_plastic:
                 raise ValueError(
-                    f'quantity = "yield" is not for layers, which body{n} has: find '
-                    "max_equivalent_plastic_strain of a small value, e.g. 1e-6"
+                    f'quantity = "yield" does not support layers, which body{n} has: use a small '
+                    "value of max_equivalent_plastic_strain, e.g. 1e-6"
                 )
         if not simulation.grid.has_volume:
-            raise ValueError('quantity = "yield" needs a grid with dz')
+            raise ValueError('quantity = "yield" requires a grid with dz')
         return name
     if name == PERMANENT:
         if not any(body.is_plastic for body in bodies):
-            raise ValueError(f'quantity = "{name}" needs a body that yields')
+            raise ValueError(f'quantity = "{name}" requires an elastic-plastic body')
         if not simulation.grid.has_volume:
-            raise ValueError(f'quantity = "{name}" needs a grid with dz')
+            raise ValueError(f'quantity = "{name}" requires a grid with dz')
         return name
     known = error_controlled_quantities.names(bodies, volume=simulation.grid.has_volume)
     found = [one for one in known if one in (name, f"{name}_body1", f"{name}_body2")]
     if not found:
         allowed = [one for one in known if one != "load"]
         raise ValueError(
-            "quantity must be one that the bodies and the grid have, "
+            "quantity must be available for these bodies and this grid, "
             f"{', '.join(allowed)}, got {in_short(name)}"
         )
     return name if name in found else ",".join(found)
 
 
 def label_and_unit(name: str) -> tuple[str, str]:
-    """Of a quantity by its resolved name, for those who read it."""
+    """Return label and unit of a quantity by its resolved name."""
     if name == YIELD:
-        return "von Mises stress over yield stress", ""
+        return "von Mises stress / yield stress", ""
     if name == PERMANENT:
         return "permanent deformation, both bodies", "m"
     known, body = described(name.partition(",")[0])
@@ -111,7 +111,7 @@ def label_and_unit(name: str) -> tuple[str, str]:
 
 
 def elastic(simulation: Simulation) -> Simulation:
-    """With bodies that do not yield."""
+    """Return the simulation with elastic bodies."""
     bodies = {}
     for name in ("body1", "body2"):
         body = getattr(simulation, name)
@@ -124,14 +124,14 @@ def elastic(simulation: Simulation) -> Simulation:
 
 
 def is_graded(body: Material) -> bool:
-    """Whether its strength or its stress of the start changes with depth."""
+    """Whether yield stress or initial stress of a body varies with depth."""
     return body.yield_profile is not None or body.residual_stress is not None
 
 
 def used_strength(state: State, n: int, body: Material) -> float:
-    """Largest von Mises stress of an elastic state over the yield stress of its depth.
+    """Return the maximum ratio of von Mises stress to yield stress in an elastic state.
 
-    Raises ValueError where the layers of the state may end above it.
+    Raises ValueError if the maximum may be below the deepest layer of the state.
     """
     least = float(body.yield_stress(0.0))
     if not is_graded(body):
@@ -140,7 +140,7 @@ def used_strength(state: State, n: int, body: Material) -> float:
     over_depth = used.max(axis=(0, 1))
     if over_depth.argmax() == len(over_depth) - 1:
         raise ValueError(
-            f"body{n} yields in the last layer of the grid, at {state.depths[-1]:.4g} m, or below: "
-            "give a grid with more layers (nz)"
+            f"body{n} yields in or below the deepest layer of the grid ({state.depths[-1]:.4g} m): "
+            "increase nz"
         )
     return max(error_controlled_quantities.below_and_at_surface(used))

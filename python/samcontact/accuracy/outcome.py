@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What solving to an accuracy gives."""
+"""Result of a solution to a prescribed accuracy."""
 
 from __future__ import annotations
 
@@ -23,57 +23,56 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Accurate(Shown):
-    """Values with their errors, and the simulation of the finest grid.
+    """Values with errors, and the simulation of the finest grid.
 
-    Of each quantity, by its name in results files: ``values[name]`` is the largest of the run and
+    For each quantity, by its name in results files, ``values[name]`` is the maximum of the run and
     ``errors[name]`` its estimated error, both in SI units. ``series[name]`` and
-    ``series_errors[name]`` have them at the end of each segment of the path (of passes, also at the
-    last increment under load), at the positions ``increments`` of ``states``.
+    ``series_errors[name]`` are values and errors at the positions ``increments`` of ``states``: the
+    end of each path segment and, for passes, the last loaded increment.
     """
 
     values: dict[str, float]
     errors: dict[str, float]
     accuracy: dict[str, float]
-    """Relative, as asked for; of the largest value of the run."""
+    """Prescribed accuracy, relative to the maximum of the run."""
     reached: bool
-    """Whether all errors are below it."""
+    """Whether all errors are below the prescribed accuracy."""
     series: dict[str, FloatArray]
     series_errors: dict[str, FloatArray]
     increments: tuple[int, ...]
     states: list[State]
-    """Of the finest grid, as they were solved there."""
+    """States of the finest grid."""
     simulation: Simulation
     case: Case
-    """With the finest grid and the increments used there."""
+    """Case with the finest grid and its increments."""
     runs: tuple[tuple[int, int, int, float], ...]
-    """Cells along x and y, increments of a segment and time [s] of all that was solved."""
+    """Cells along x and y, increments per segment and time [s] of all runs."""
     needs: str = ""
-    """What the accuracy would have needed, where it is not reached."""
+    """Requirements of the prescribed accuracy, as text, if it was not reached."""
 
     @property
     def grid(self) -> Grid:
-        """The finest grid."""
+        """Finest grid."""
         return self.simulation.grid
 
     @property
     def relative_errors(self) -> dict[str, float]:
-        """Errors over the largest values; 0 where there is nothing."""
+        """Errors relative to the maxima; 0 for vanishing quantities."""
         return {
             name: self.errors[name] / abs(value) if value else 0.0
             for name, value in self.values.items()
         }
 
     def to_dataset(self, *, volume: str | None = None) -> xr.Dataset:
-        """Results of the finest grid, with these values and their errors.
+        """Return the results of the finest grid, with values and errors.
 
-        Beside each ``X`` as it was solved on the finest grid there is ``X_best``, the value at
-        ``increments``, and ``X_error``, its error, with the accuracy asked for as its attribute;
-        both are NaN elsewhere.
+        ``X`` is the value on the finest grid. ``X_best`` is the best estimate at ``increments`` and
+        ``X_error`` its error, with the prescribed accuracy as attribute; both are NaN elsewhere.
 
         Parameters
         ----------
         volume : {"none", "last", "peak_and_last", "all"}, optional
-            As of `samcontact.results.to_dataset`.
+            Argument of `samcontact.results.to_dataset`.
         """
         from .. import results
 
@@ -82,7 +81,10 @@ class Accurate(Shown):
             known, body = described(name)
             text = known.variable("increment", [], body).attrs["long_name"]
             found = {"best": series, "error": self.series_errors[name]}
-            for suffix, label in (("best", "best value"), ("error", "its estimated error")):
+            for suffix, label in (
+                ("best", "best estimate"),
+                ("error", "estimated absolute error of the best estimate"),
+            ):
                 values = np.full(len(self.states), np.nan)
                 values[list(self.increments)] = found[suffix]
                 variable = known.variable("increment", values, body)
@@ -108,11 +110,11 @@ class Accurate(Shown):
 
     def __repr__(self) -> str:
         worst = max(self.relative_errors.values(), default=0.0)
-        return f"Accurate({len(self.values)} quantities, largest relative error {worst:.2g})"
+        return f"Accurate({len(self.values)} quantities, maximum relative error {worst:.2g})"
 
 
 def largest(series: FloatArray, errors: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Of each quantity the largest value of all marks, with its error; shapes (marks, names)."""
+    """Return the maximum of each quantity over all marks, with its error; input (marks, names)."""
     at = np.abs(series).argmax(axis=0)
     columns = np.arange(series.shape[1])
     return series[at, columns], errors[at, columns]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grids and increments that become finer until the errors of all quantities are small enough."""
+"""Refinement of grids and increments until the errors of all quantities are small enough."""
 
 from __future__ import annotations
 
@@ -24,24 +24,26 @@ _logger = logging.getLogger("samcontact")
 
 FEWEST_GRIDS = 3
 FEWEST, MOST = 2, 512
-"""Increments of a segment."""
+"""Range of the number of increments per segment."""
 OF_INCREMENTS = ("max_pressure", "contact_area")
-"""Always there: how the first changes with the increments tells of the second."""
+"""Quantities that are always evaluated: the error of the area due to increments is estimated from
+the change of the pressure."""
 PART_OF_TIME = 0.3
-"""Of all that is allowed, for judging increments."""
+"""Fraction of the allowed time for choosing the increments."""
 UNEVEN = 0.25
-"""What of that correction is not of first order, over the accuracy."""
+"""Limit of the part of the correction that is not of first order, relative to the accuracy."""
 DEPENDS = 0.5
-"""What a finer grid may change in the correction, over the accuracy, before it is found on one."""
+"""Possible change of the correction on a finer grid, relative to the accuracy, above which the
+correction is determined on a finer grid."""
 PART_OF_NEXT = 0.5
-"""Of the next grid's time, for that."""
+"""Limit of the time for this, relative to the time of the next grid."""
 RAW = 10.0
-"""Error of the increments used, over the accuracy, that is corrected instead of solved."""
+"""Error of the increments used, relative to the accuracy, up to which it is corrected."""
 MOST_GRIDS = 24
 
 
 class Search:
-    """Runs of a scene, each at most once, and what they tell together."""
+    """Runs of a case on several grids, each at most once, and their joint estimate."""
 
     def __init__(
         self,
@@ -68,18 +70,18 @@ class Search:
             made = self.scene.run(level, increments, self.solves, progress=self.progress)
             self.runs[key] = made
             self._forget(but=[made, *self.grids[-1:]])
-            each = f", {increments} increments a segment" if self.scene.has_history else ""
+            each = f", {increments} increments per segment" if self.scene.has_history else ""
             told = f"grid {level + 1}: {counts(*made.cells)} cells{each}, {made.seconds:.2g} s"
             _logger.info("%s", told)
             tell(told, shown=self.progress)
         return self.runs[key]
 
     def _forget(self, but: list[Run]) -> None:
-        """States that are no longer those of the finest grid."""
+        """Release states that are not of the finest grid."""
         for run in self.runs.values():
             if run not in but:
                 run.solved = None
-        # names are in the order of the grids: the last may be kept of what was interrupted
+        # names are in the order of the grids: the last may be of an interrupted run
         self.solves.forget_increments([max(self.solves.given), *(run.name for run in but)])
 
     @property
@@ -94,7 +96,7 @@ class Search:
             self._judge_increments()
         grids = self.grids = [self.run(0, self.used)]
         while True:
-            if not np.isfinite(self.wanted).any():  # nothing that a finer grid could tell
+            if not np.isfinite(self.wanted).any():  # no quantity converges
                 break
             enough = len(grids) >= FEWEST_GRIDS
             found = self._estimate(grids)
@@ -113,27 +115,27 @@ class Search:
         return outcome
 
     def _leave_out_singular(self, run: Run) -> None:
-        """Ask nothing of quantities that have no limit along grids that become finer."""
+        """Exclude quantities that do not converge with finer grids."""
         told = () if run.solved is None else run.solved.told
         if any(issubclass(warning.category, SingularPressureWarning) for warning in told):
             endless = [is_singular(name) for name in self.asked]
             self.wanted = np.where(endless, np.inf, self.wanted)
             if any(endless):
                 names = ", ".join(name for name in self.asked if is_singular(name))
-                self.needs = f"{names}: no grid will do, they do not converge at a sharp edge"
+                self.needs = f"{names} do not converge at a sharp edge on any grid"
 
     def best(self) -> Accurate | None:
-        """Of the grids so far; None of fewer than tell an error."""
+        """Return the outcome of the grids so far; None with too few grids for an error."""
         return self._outcome(self.grids) if len(self.grids) >= FEWEST_GRIDS else None
 
     def _still_to_do(self, found: Estimate) -> str:
-        """Errors that are larger than asked for."""
+        """Return the errors above the prescribed accuracy, as text."""
         relative = dict(zip(self.asked, self._relative(found), strict=True))
         above = [f"{n} {percent(e)}" for n, e in relative.items() if e > self.asked[n]]
-        return f"  errors: {', '.join(above) or 'all are below those asked for'}"
+        return f"  estimated errors: {', '.join(above) or 'all below the prescribed accuracy'}"
 
     def _judge_increments(self) -> None:
-        """Runs on a coarse grid with ever more increments, and how many the others need."""
+        """Solve with more and more increments on a coarse grid, and choose the increments."""
         while True:
             series = tried(self.runs)
             if len(series) >= 3:
@@ -155,7 +157,7 @@ class Search:
                 break
 
     def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
-        """Of the quantities, of whose parts these are."""
+        """Return the estimate of the quantities from their parts."""
         return joined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
@@ -168,7 +170,7 @@ class Search:
         return True
 
     def _on_finer_grid(self, grids: list[Run], found: Correction) -> bool:
-        """Double the increments on a finer grid where that tells most."""
+        """Double the increments on a finer grid, for the correction with the largest effect."""
         spoiled = [self._spoiled(grids, errors) for errors in found.by_grid]
         count, before = found.doublings[int(np.argmax(spoiled))]
         allowed = min(
@@ -183,7 +185,7 @@ class Search:
         return False
 
     def _estimate(self, grids: list[Run]) -> Estimate:
-        """Of space and increments together, shape (marks, names)."""
+        """Return the estimate for grids and increments together, shape (marks, names)."""
         found = of_grids([run.values for run in grids])
         if self.scene.has_history:
             more = correction(self.runs, self.used, grids[-1].values)
@@ -192,7 +194,7 @@ class Search:
         return joined(found, self.parts)
 
     def _mixed(self, values: FloatArray, more: Correction) -> FloatArray:
-        """What a finer grid may change in corrections that were found on a coarse one."""
+        """Return the possible change, on a finer grid, of corrections found on a coarse grid."""
         mixed: FloatArray = sum(more.by_grid) + more.irregular
         before = self.scene.names.index
         area, pressure = (sum(self.parts[: before(n)]) for n in ("contact_area", "max_pressure"))
@@ -202,17 +204,17 @@ class Search:
         return mixed
 
     def _relative(self, found: Estimate) -> FloatArray:
-        """Errors of the chosen quantities over the largest values, the largest of all marks."""
+        """Return maximum errors over all marks of the chosen quantities, relative to the maxima."""
         scale = np.max(np.abs(found.values), axis=0)
         share = np.divide(found.errors, scale, out=np.zeros_like(found.errors), where=scale > 0)
         return np.asarray(np.max(share, axis=0)[self.chosen])
 
     def _spoiled(self, grids: list[Run], errors: FloatArray) -> float:
-        """What some errors alone are over those wanted."""
+        """Return the maximum ratio of some errors alone to the prescribed accuracy."""
         return float(np.max(self._relative(self._join(grids[-1].values, errors)) / self.wanted))
 
     def _increments_told(self, grids: list[Run]) -> bool:
-        """Run more of them, or on a finer grid, where their errors alone spoil the accuracy."""
+        """Solve with more increments, or on a finer grid, if their errors alone are too large."""
         if not self.scene.has_history:
             return False
         found = correction(self.runs, self.used, grids[-1].values)
@@ -222,33 +224,33 @@ class Search:
         return depends and self._on_finer_grid(grids, found)
 
     def _growth(self, grids: list[Run]) -> float:
-        """Of the time from grid to grid."""
+        """Return the growth factor of the time per grid."""
         known = len(grids) > 2
         growth = grids[-1].seconds / max(grids[-2].seconds, 1e-3) if known else 2.5 * RATIO
         return min(max(growth, 2.0), 8.0)
 
     def _affordable(self, grids: list[Run], worst: float) -> bool:
-        """Whether the next grid is within memory and time; else `needs` says what it all takes.
+        """Whether memory and time suffice for the next grid; otherwise set `needs`.
 
-        worst: the largest error over what is wanted, which about halves from grid to grid.
+        worst: maximum error relative to the accuracy, which about halves with each grid.
         """
         last = grids[-1]
         growth, size = self._growth(grids), last.memory * RATIO**3
         seconds = last.seconds * growth
-        # without some grids there is no error to tell
+        # an error estimate requires a minimum number of grids
         spent = self.seconds + seconds if len(grids) >= FEWEST_GRIDS else 0.0
         if len(grids) < MOST_GRIDS and size <= self.memory and spent <= self.limit:
             return True
         more = max(1, math.ceil(math.log2(worst))) if math.isfinite(worst) else FEWEST_GRIDS
         seconds = self.seconds + sum(last.seconds * growth**n for n in range(1, more + 1))
         self.needs = (
-            f"{more} finer grids would need about {last.memory * RATIO ** (3 * more) / 1e9:.2g}"
-            f" GB and {seconds:.2g} s in all"
+            f"{more} finer grids would require about {last.memory * RATIO ** (3 * more) / 1e9:.2g}"
+            f" GB and {seconds:.2g} s in total"
         )
         return False
 
     def _finest(self, last: Run) -> Solved:
-        if last.solved is None:  # it was kept
+        if last.solved is None:  # values were read from a checkpoint
             last.solved = self.scene.solve(last.level, last.increments, self.solves)
         return last.solved
 
@@ -275,16 +277,16 @@ class Search:
 
 
 def _warn_of(outcome: Accurate, last: Solved) -> None:
-    """Repeat the warnings of the last grid, and warn where the accuracy is not reached."""
+    """Repeat the warnings of the last grid, and warn if the accuracy is not reached."""
     for warning in last.told:
         warnings.warn(warning.message, stacklevel=4)
     if not outcome.reached:
         relative, asked = outcome.relative_errors, outcome.accuracy
         name = max(asked, key=lambda one: relative[one] / asked[one])
         warnings.warn(
-            f"the accuracy of {asked[name]:.3g} is not reached: {name} has a relative "
-            f"error of {relative[name]:.2g}; {outcome.needs}: raise max_memory or max_time, ask "
-            "for less, or leave it out of quantities",
+            f"prescribed accuracy not reached: estimated relative error of {name} is "
+            f"{relative[name]:.2g}, target {asked[name]:.3g}; {outcome.needs}: increase max_memory "
+            f"or max_time, relax the accuracy, or exclude {name} from quantities",
             AccuracyWarning,
             stacklevel=4,
         )

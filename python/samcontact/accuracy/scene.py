@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A case on any grid and in any number of increments; what has its own grid is refused."""
+"""Case on any grid with any number of increments; cases tied to one grid are refused."""
 
 from __future__ import annotations
 
@@ -30,32 +30,32 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 COARSEST = math.sqrt(32.0)
-"""Cells along a semi-axis of the Hertz contact on the first grid; each next has sqrt(2) more."""
+"""Cells per semi-axis of the Hertz contact on the first grid, times sqrt(2) on each next grid."""
 ROOM = 1.35
-"""Half a side of the first window over the semi-axis."""
+"""Half-width of the first grid, relative to the semi-axis."""
 ROOM_OF_WAY = 2.0
-"""The same along x where bodies move: what flowed stays in the window for so long."""
+"""Half-width along x for moving bodies, to keep plastic strain in the grid for this distance."""
 TOL_SHARE = 0.01
-"""Tolerance of the iteration over the accuracy; values have a tenth of it."""
+"""Tolerance of the iteration, relative to the accuracy; values have a tenth of this error."""
 _FROM_START = 8
-"""Times the increments of a segment with a start of its own, which may be beyond what was reached:
-with few increments the first of them is not."""
-_CELLS_OF_DETAIL = 4.0  # across the least detail of a surface, on the first grid
+"""Factor on the increments of a segment with a `start`. The start may be beyond the value reached
+before; with few increments, the first increment would not be."""
+_CELLS_OF_DETAIL = 4.0  # cells across the smallest detail of a surface, on the first grid
 _NO_NUMBERS = {
     "title", "description", "output", "estimate_error", "accuracy", "quantities", "max_memory",
     "max_time",
 }  # fmt: skip
-"""Fields of a case on which no value on a grid depends."""
-_DEPTH = 1.2  # of the layers of elastic bodies, over the smaller semi-axis
+"""Fields of a case that do not affect the values on a grid."""
+_DEPTH = 1.2  # depth of the grid of elastic bodies, relative to the smaller semi-axis
 _FEWEST_IN_LAYER = 3
-"""Cells of the first grid through what all layers that flow are multiples of: what is largest at
-an interface is continued from so many."""
+"""Minimum number of cells of the first grid in the common divisor of the elastic-plastic layer
+thicknesses: maxima at an interface are extrapolated from as many cells."""
 _FLATTEST = 8.0
-"""Width of a cell of the first grid over that length, at most."""
+"""Maximum ratio of the cell width of the first grid to this divisor."""
 
 
 class Solved(NamedTuple):
-    """A case on a grid, its states, and what was warned of: a finer grid may have none of it."""
+    """Case on a grid, its states, and the warnings, which may be absent on a finer grid."""
 
     case: Case
     simulation: Simulation
@@ -64,7 +64,7 @@ class Solved(NamedTuple):
 
     @property
     def half(self) -> tuple[float, float]:
-        """How far contact and plastic strain reach from the middle along x and y [m]."""
+        """Extent of contact and plastic strain from the middle along x and y [m]."""
         reach = [0, 0]
         for state in self.states:
             nx, ny = state.grid.surface_shape
@@ -82,7 +82,7 @@ class Solved(NamedTuple):
 
     @property
     def elastic(self) -> list[int]:
-        """Segments in which nothing flows."""
+        """Path segments without plastic flow."""
         ends = ends_of(self.case)
         parts = zip([0, *ends], ends, strict=False)
         return [
@@ -93,7 +93,7 @@ class Solved(NamedTuple):
 
     @property
     def memory(self) -> float:
-        """What it takes with the fields of its states [bytes]."""
+        """Memory of the solution, including the fields of its states [bytes]."""
         grid = self.simulation.grid
         layers = max((len(state.depths) for state in self.states[-1:]), default=0)
         plastic = float(self.simulation.counters["volume_bytes"])
@@ -103,7 +103,7 @@ class Solved(NamedTuple):
 
 @dataclass(eq=False)
 class Run:
-    """What a case gave on one grid; all but `solved` is kept, which can be had again."""
+    """Values of a case on one grid; all but `solved` is stored, which can be solved again."""
 
     level: int
     increments: int
@@ -121,12 +121,12 @@ class Run:
 
 
 def name_of(level: int, increments: int) -> str:
-    """Of a run in files."""
+    """Return the name of a run in files."""
     return f"grid{level:02d}_increments{increments:04d}"
 
 
 class Refinable:
-    """A case whose grid and increments are free."""
+    """Case whose grid and increments can be chosen."""
 
     def __init__(self, case: Case) -> None:
         require_refinable(case)
@@ -135,38 +135,38 @@ class Refinable:
         self.yields = any(body.is_plastic for body in self.bodies)
         marching = case.heat is not None and case.heat.history is not None
         self.has_history = self.yields or marching
-        """Whether the number of increments matters."""
+        """Whether results depend on the number of increments."""
         drives = {name for step in case.steps() for name in ("load", "approach") if name in step}
         given = drives if len(drives) == 1 else set()
         layered = any(isinstance(body, Layered) for body in self.bodies)
         self.elastic_layers = layered and not self.yields
-        """Of which stress is none of the values: cells lie on both sides of interfaces."""
+        """Whether layers are elastic: stress is not evaluated, as cells straddle interfaces."""
         names = error_controlled_quantities.names(
             self.bodies, case.output.body, volume=not self.elastic_layers
         )
         self.names = [name for name in names if name not in given]
         contact: Any = case.contact
         self.tol = float(contact.tol)
-        """Of the iteration; as the case says, or what an accuracy needs."""
+        """Tolerance of the iteration, from the case or from the accuracy."""
         self.elastic: set[int] = set()
-        """Segments in which nothing flows: one increment of them is as good as many."""
+        """Path segments without plastic flow, for which one increment suffices."""
         along_x = ROOM_OF_WAY if case.moves else ROOM
         self.half = along_x * self.semi_axes[0], ROOM * self.semi_axes[1]
         self._part_of_layers = self._part_of_all_layers()
 
     @property
     def who(self) -> Identity:
-        """What values of runs depend on: of the accuracy it is only the tolerance."""
+        """Identity of the runs; the accuracy affects only the tolerance."""
         return identity(names=self.names, tol=self.tol, **self.case.model_dump(exclude=_NO_NUMBERS))
 
     @property
     def parts(self) -> list[int]:
-        """How many values of a run belong to each quantity, the largest of which it is."""
+        """Number of values of a run for each quantity, which is their maximum."""
         return [error_controlled_quantities.has_parts(name, self.bodies) for name in self.names]
 
     @cached_property
     def semi_axes(self) -> tuple[float, float]:
-        """Of the elastic contact of the smooth surfaces along x and y at the largest target [m]."""
+        """Semi-axes of the elastic contact of smooth surfaces along x, y at maximum load [m]."""
         radii = self.case.surface.radii()
         assert radii is not None
         E_star = hertz.effective_modulus(*map(softest, self.bodies))
@@ -183,12 +183,12 @@ class Refinable:
                     found = hertz.elliptic(*radii, E_star, **given)
                     sizes.append((found.a_x, found.a_y))
         if not sizes:
-            raise ValueError("path: no load and no approach is above 0, so there is no contact")
+            raise ValueError("path: at least one load or approach must be > 0")
         return max(sizes)
 
     @cached_property
     def _finer(self) -> float:
-        """By how much details of the surfaces need smaller cells than the contact does."""
+        """Factor by which details of the surfaces require smaller cells than the contact."""
         details: list[float] = []
         roughness: Any = self.case.surface.roughness
         if roughness is not None:
@@ -203,14 +203,14 @@ class Refinable:
         return max([1.0, *(_CELLS_OF_DETAIL * widest / size for size in details if size > 0)])
 
     def cells(self, level: int) -> float:
-        """Along a semi-axis of the Hertz contact."""
+        """Return the number of cells along a semi-axis of the Hertz contact."""
         return float(COARSEST * self._finer * RATIO**level)
 
     def __repr__(self) -> str:
         return f"Refinable({self.case!r})"
 
     def on(self, level: int, increments: int) -> Case:
-        """The case on a grid: with a cell in the middle, so that all grids have one there."""
+        """Return the case on a grid with a cell in the middle, as on all grids."""
         from ..cases.sections import GridSection
 
         cells = self.cells(level)
@@ -234,20 +234,20 @@ class Refinable:
         heat = case.heat
         if heat is None or heat.history is None:
             return case
-        # heat is followed in steps as short as the increments are
+        # time steps of the heat are as short as the increments
         shortest = min([heat.history[0], *(step["duration"] for step in case.steps())])
         history = [shortest, heat.history[1]]
         return case.model_copy(update={"heat": heat.model_copy(update={"history": history})})
 
     def _dz(self, level: int) -> float:
-        """Depth of cells [m]; where layers flow a part of what all thicknesses are multiples of."""
+        """Return the cell depth [m]; it divides the thicknesses of elastic-plastic layers."""
         if self._part_of_layers is None:
             return min(self._sizes(level))
         cells = max(_FEWEST_IN_LAYER, math.ceil(self._part_of_layers / min(self._sizes(0))))
         return self._part_of_layers / round(cells * RATIO**level)
 
     def _part_of_all_layers(self) -> float | None:
-        """The largest length [m] of which all layers that flow have a whole number."""
+        """Return the largest common divisor of the elastic-plastic layer thicknesses [m]."""
         depths = [
             float(depth) for body in self.bodies if isinstance(body, Layered) and body.is_plastic
             for depth in body.interfaces
@@ -259,14 +259,14 @@ class Refinable:
         if part is None or part < least:
             told = ", ".join(f"{depth:.6g}" for depth in depths)
             raise ValueError(
-                f"layers: their bottoms, {told} m deep, must be multiples of one length of "
-                f"{least:.2g} m at least, of which cells of all depths are a part: round the "
-                "thicknesses, or give [grid] instead of accuracy"
+                f"layers: the depths of the interfaces, {told} m, must be multiples of a common "
+                f"length >= {least:.2g} m, so that cells fit all layers: round the thicknesses, or "
+                "specify [grid] instead of accuracy"
             )
         return part
 
     def _count(self, number: int, increments: int) -> int:
-        """Increments of a segment, where most have as many as given."""
+        """Return the number of increments of a segment, for a given nominal number."""
         if number in self.elastic:
             return 1
         return increments * (1 if self.case.path[number].start is None else _FROM_START)
@@ -274,7 +274,7 @@ class Refinable:
     def solve(
         self, level: int, increments: int, solves: Solves | None = None, *, progress: bool = False
     ) -> Solved:
-        """Solve it, as far as it is not kept."""
+        """Solve the case on a grid, continuing stored increments."""
         solves = Solves(self.who) if solves is None else solves
         name, case = name_of(level, increments), self.on(level, increments)
         with warnings.catch_warnings(record=True) as told:
@@ -286,7 +286,7 @@ class Refinable:
     def run(
         self, level: int, increments: int, solves: Solves | None = None, *, progress: bool = False
     ) -> Run:
-        """The same with the values; of one that is kept nothing is solved."""
+        """Return the values of the case on a grid; stored values are not solved again."""
         name = name_of(level, increments)
         if solves is not None and name in solves.given:
             return Run(level, increments, **solves.given[name])
@@ -311,7 +311,7 @@ class Refinable:
         return Run(level, increments, **given, solved=solved)
 
     def settle(self, run: Run) -> None:
-        """Take from a run the window that later grids have, and which segments are elastic."""
+        """Set the size of later grids and the elastic segments from a run."""
         half = [1.08 * h + 2.0 * d for h, d in zip(run.half, self._sizes(run.level), strict=True)]
         along_x = max(half[0], self.half[0]) if self.case.moves else half[0]
         self.half = along_x, half[1]
@@ -319,7 +319,7 @@ class Refinable:
             self.elastic = set(run.elastic)
 
     def accept(self, accuracy: float) -> None:
-        """Iterate no further than a relative accuracy of the values needs."""
+        """Relax the tolerance of the iteration to a relative accuracy of the values."""
         if "tol" not in self.case.contact.model_fields_set:
             self.tol = max(self.tol, TOL_SHARE * accuracy)
 
@@ -328,7 +328,7 @@ class Refinable:
 
 
 def common_part(lengths: Sequence[float]) -> float | None:
-    """The largest length of which all are multiples, up to 64 times in the first; None without."""
+    """Return the largest common divisor, at least 1/64 of the first length; None without one."""
     for parts in range(1, 65):
         part = lengths[0] / parts
         counts = [length / part for length in lengths]
@@ -338,7 +338,7 @@ def common_part(lengths: Sequence[float]) -> float | None:
 
 
 def marks_of(case: Case) -> list[int]:
-    """Positions of the increments that end a segment, and of passes the last one under load."""
+    """Return the positions of the last increments of segments, and of the last loaded of passes."""
     marks: list[int] = []
     count = 0
     for segment, made in zip(case.path, case.steps_of_segments(), strict=True):
@@ -352,36 +352,36 @@ def marks_of(case: Case) -> list[int]:
 
 
 def ends_of(case: Case) -> list[int]:
-    """How many increments there are up to the end of each segment."""
+    """Return the number of increments up to the end of each segment."""
     return list(itertools.accumulate(len(steps) for steps in case.steps_of_segments()))
 
 
 def require_refinable(case: Case) -> None:
-    """Raise ValueError naming what has no smaller cells than its own, and what to do instead."""
-    remedy = "give [grid] with the cells of the data instead of accuracy"
+    """Raise ValueError, with a remedy, for a case that is tied to one grid."""
+    remedy = "specify [grid] with the cells of the data instead of accuracy"
     if case.sticks:
         raise ValueError(
-            "contact.friction: accuracy is not for bodies that stick and slip: give [grid]"
+            "contact.friction: accuracy does not support partial slip: specify [grid] instead"
         )
     if case.wear is not None:
-        raise ValueError("wear: accuracy is of one contact, not of cycles of wear: give [grid]")
+        raise ValueError("wear: accuracy supports a single contact only: specify [grid] instead")
     if case.grid is not None and case.grid.periodic:
-        raise ValueError("grid.periodic: accuracy chooses the window, so it cannot repeat itself")
+        raise ValueError("grid.periodic: accuracy does not support periodic grids")
     surface: Any = case.surface
     if surface.shape == "file":
-        raise ValueError(f"surface.shape = 'file' is known in points of its file only: {remedy}")
+        raise ValueError(f"surface.shape = 'file' is defined at the points of its file: {remedy}")
     if surface.roughness is not None and surface.roughness.kind != "sinusoidal":
         raise ValueError(
-            f"surface.roughness.kind = {surface.roughness.kind!r} is made of the cells of a grid, "
-            "another one on each: give [grid] instead of accuracy"
+            f"surface.roughness.kind = {surface.roughness.kind!r} depends on the cells of the "
+            "grid: specify [grid] instead of accuracy"
         )
     for name in ("relief1", "relief2"):
         relief = getattr(case, name)
         if relief is not None and not relief.is_known:
-            raise ValueError(f"{name}.kind = {relief.kind!r} is known on one grid only: {remedy}")
+            raise ValueError(f"{name}.kind = {relief.kind!r} is defined on one grid only: {remedy}")
     radii = surface.radii()
     if radii is None or not all(map(math.isfinite, radii)):
         raise ValueError(
-            f"surface.shape = {surface.shape!r} has a contact without ends, which no window holds: "
-            'give [grid] with periodic = "y" (or "x") instead of accuracy'
+            f"surface.shape = {surface.shape!r} gives a contact of infinite length, which accuracy "
+            'does not support: specify [grid] with periodic = "y" (or "x") instead'
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tasks of many solves: what each gave is kept, and of the last ones their increments."""
+"""Tasks of several solutions, with stored results and stored increments of the last solutions."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _KIND = "solve"
 
 
 class _Solve(NamedTuple):
-    """A simulation with the increments that it has made so far."""
+    """Simulation with its increments so far."""
 
     simulation: Simulation
     who: Identity
@@ -38,24 +38,24 @@ class _Solve(NamedTuple):
 
 
 class Solves:
-    """Solves of one task, each by a name: what they gave, and states that may still be needed.
+    """Solutions of one task by name: their results, and states that may still be needed.
 
     Parameters
     ----------
     who : Identity
-        Of the task: files of another one are refused.
+        Identity of the task; files of another task are refused.
     """
 
     def __init__(self, who: Identity) -> None:
         self.who = who | identity(version=version)
         self.given: dict[str, Tree] = {}
-        """What each gave, as `add` was told."""
+        """Results of each solution, as passed to `add`."""
         self._folder: Path | None = None
         self._solves: dict[str, _Solve] = {}
 
     @contextmanager
     def kept_in(self, folder: str | os.PathLike[str] | None) -> Iterator[None]:
-        """Take what is in a folder, and keep there what follows as it is done; None: nowhere."""
+        """Read stored results from a folder, and store new results there; None: no folder."""
         if folder is None:
             yield
             return
@@ -63,7 +63,7 @@ class Solves:
         self._folder = file_path("checkpoint", folder)
         with locked(self._folder):
             for file in sorted(self._folder.glob("*.h5")):
-                require_marked(file, "move it away, or choose another folder")
+                require_marked(file, "move it, or use another folder")
                 self._take(file)
             yield
 
@@ -71,7 +71,7 @@ class Solves:
         try:
             tree = read(file, _KIND)
         except DamagedCheckpointError as error:
-            warnings.warn(f"{error}: it is solved again", stacklevel=4)
+            warnings.warn(f"{error}: the solution is repeated", stacklevel=4)
             return
         require_same(file.parent, self.who, tree)
         self.given[file.stem] = tree["given"]
@@ -84,7 +84,7 @@ class Solves:
         *,
         progress: bool = False,
     ) -> list[State]:
-        """The increments of a solve: those that are kept, and others as they are made."""
+        """Return the states of a solution: stored increments, and new increments."""
         solve = self._solves[name] = _Solve(simulation, describe(simulation.engine, path=path), [])
         folder = None if self._folder is None else self._folder / name
         engine, monitor, step = simulation.engine, simulation.monitor, simulation.step
@@ -92,13 +92,13 @@ class Solves:
         return in_one_window(solve.states)
 
     def add(self, name: str, given: Tree) -> None:
-        """What a solve gave: numbers, texts and arrays."""
+        """Store the results of a solution: numbers, texts and arrays."""
         self.given[name] = given
         if self._folder is not None:
             self._write(self._folder, name)
 
     def forget_increments(self, but: Collection[str]) -> None:
-        """Of all solves but these."""
+        """Remove the stored increments of all other solutions."""
         for name in {*self.given, *self._solves}.difference(but):
             self._solves.pop(name, None)
             if self._folder is not None:
@@ -106,11 +106,11 @@ class Solves:
 
     @property
     def increments(self) -> int:
-        """How many there are to keep."""
+        """Number of increments to store."""
         return sum(len(solve.states) for solve in self._solves.values())
 
     def keep(self, folder: Path) -> None:
-        """Write all there is into a folder, to go on from."""
+        """Write all results and increments to a folder, to continue from."""
         folder.mkdir(parents=True, exist_ok=True)
         for name in self.given:
             self._write(folder, name)

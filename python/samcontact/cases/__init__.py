@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files: a TOML description of one simulation, validated field by field."""
+"""Case files: TOML descriptions of simulations, validated field by field."""
 
 from .base import CaseError
 from .case import Case, load_case, parse_case

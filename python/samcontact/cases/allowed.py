@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values that a field of a case file takes, in words, from the annotation of its model."""
+"""Allowed values of the fields of a case file, in words, from the annotations of the models."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from pydantic.fields import FieldInfo
 
 from .._util.checks import MOST_COUNT
 
-# The marks are for the conversion, these for the reader.
+# Units as written for readers, by their spelling in the annotations.
 _WRITTEN = {"m**2/s": "m²/s", "W/(m*K)": "W/(m K)", "N*m": "N m"}
 _LIMITS = ("gt", "ge", "lt", "le", "min_length", "max_length", "allow_inf_nan")
-_SIMPLE = {bool: "true or false", str: "a text"}
+_SIMPLE = {bool: "true or false", str: "text"}
 
 
 def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any]]:
-    """What an annotation marks, without `Annotated` and None, and all of its marks."""
+    """Return the annotated type, without `Annotated` and None, and all marks."""
     marks = list(metadata)
     while True:
         origin, parts = get_origin(annotation), get_args(annotation)
@@ -37,14 +37,14 @@ def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any
 
 
 def members(annotation: Any) -> list[Any]:
-    """What may be given in place of each other, but None."""
+    """Return the alternatives of a union, without None."""
     if get_origin(annotation) not in (Union, UnionType):
         return [annotation]
     return [part for part in get_args(annotation) if part is not type(None)]
 
 
 def unit_of(annotation: Any, metadata: Any = ()) -> str:
-    """SI unit that marks a field, "" for none."""
+    """Return the SI unit of a field; "" without a unit."""
     for part in (*metadata, *get_args(annotation)):
         convert = getattr(part, "func", None)
         if isinstance(convert, partial) and "unit" in convert.keywords:
@@ -56,28 +56,28 @@ def unit_of(annotation: Any, metadata: Any = ()) -> str:
 
 
 def models_in(annotation: Any) -> list[type[BaseModel]]:
-    """The sections that an annotation may hold."""
+    """Return the models of all sections in an annotation."""
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return [annotation]
     return [model for part in get_args(annotation) for model in models_in(part)]
 
 
 def is_model(annotation: Any) -> bool:
-    """Whether it is a section."""
+    """Whether an annotation is the model of a section."""
     return isinstance(annotation, type) and issubclass(annotation, BaseModel)
 
 
 def discriminated(marks: Sequence[Any]) -> bool:
-    """Whether a word, or a function, decides which of several sections is given."""
+    """Whether a word or a function selects one of several sections."""
     return any(
         isinstance(mark, Discriminator) or getattr(mark, "discriminator", None) for mark in marks
     )
 
 
 def tags(annotation: Any, key: str | None = None) -> tuple[Any, ...]:
-    """What pydantic calls one of several: the words that select a section, or its mark.
+    """Return the tags pydantic uses for a section: the words that select the section, or its mark.
 
-    key: the field that selects; default any.
+    key: field that selects the section; default any.
     """
     model, marks = opened(annotation)
     named = tuple(mark.tag for mark in marks if isinstance(mark, Tag))
@@ -92,7 +92,7 @@ def tags(annotation: Any, key: str | None = None) -> tuple[Any, ...]:
 
 
 def described(annotation: Any, metadata: Sequence[Any] = ()) -> str:
-    """E.g. "a finite number > 0 [m]", or "a list of 2 finite numbers [m/s]"."""
+    """Describe the allowed values, e.g. "a finite number > 0 [m]"."""
     kind, marks = opened(annotation, metadata)
     unit = unit_of(None, marks)
     limits = {
@@ -115,14 +115,14 @@ def described(annotation: Any, metadata: Sequence[Any] = ()) -> str:
         text = " or ".join(f'"{w}"' if isinstance(w, str) else str(w) for w in get_args(kind))
         text = text if len(get_args(kind)) < 2 else f"one of {text.replace(' or ', ', ')}"
     elif kind in _SIMPLE:
-        text = _SIMPLE[kind] + (" that is not empty" if limits.get("min_length") else "")
+        text = _SIMPLE[kind] + (" (not empty)" if limits.get("min_length") else "")
     else:
         text = _number(kind, limits)
     return f"{text} [{unit}]" if unit and f"[{unit}]" not in text else text
 
 
 def _counted(limits: dict[str, Any], one: str) -> str:
-    """How many, of what is described as one."""
+    """Describe a list by its allowed lengths and the description of one element."""
     least, most = limits.get("min_length"), limits.get("max_length")
     if most is None:
         count = f"at least {least} " if least else ""
@@ -131,7 +131,7 @@ def _counted(limits: dict[str, Any], one: str) -> str:
 
 
 def _several(text: str) -> str:
-    """The plural of a description."""
+    """Return the plural of a description."""
     return re.sub(r"\b(number|table|text|list)\b", r"\1s", text.removeprefix("a "), count=1)
 
 
@@ -144,7 +144,7 @@ def _number(kind: Any, limits: dict[str, Any]) -> str:
     if kind is float and limits.get("allow_inf_nan") is False and high is None:
         name = f"finite {name}"
     if kind is int and high == MOST_COUNT:
-        high = None  # more than memory holds
+        high = None  # a technical limit, above any available memory
     if low is not None and high is not None:
         if kind is int:
             if high == low + 1:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the sections of a case file share: strict models, numbers with units, files of heights."""
+"""Base of the sections of a case file: strict models, numbers with units, files of heights."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 
 def convert(value: Any, unit: str) -> Any:
-    """The value with all texts in it, also within lists, as numbers in the unit."""
+    """Convert all texts in a value, also within lists, to numbers in the unit."""
     if isinstance(value, list):
         return [convert(item, unit) for item in value]
     if not isinstance(value, str):
@@ -43,23 +43,23 @@ def convert(value: Any, unit: str) -> Any:
         return math.inf
     try:
         return from_text(value, unit)
-    except ImportError as error:  # pydantic collects errors of value only
+    except ImportError as error:  # pydantic collects ValueError only
         raise ValueError(f"{error}; got {in_short(value)}") from error
 
 
 def in_unit(name: str) -> BeforeValidator:
-    """Marks a field by its SI unit, to which texts such as "25 um" are converted."""
+    """Mark a field with its SI unit, to which texts such as "25 um" are converted."""
     return BeforeValidator(partial(convert, unit=name))
 
 
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
-Radius = Annotated[float, Field(gt=0.0), in_unit("m")]  # inf is straight
+Radius = Annotated[float, Field(gt=0.0), in_unit("m")]  # inf: straight
 NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Length = Annotated[Positive, in_unit("m")]
 Position = Annotated[Finite, in_unit("m")]
 Count = Annotated[int, Field(ge=1, le=MOST_COUNT)]
-BodyNumber = Annotated[int, Field(ge=1, le=2)]  # to Literal[1, 2], true is 1
+BodyNumber = Annotated[int, Field(ge=1, le=2)]  # Literal[1, 2] would accept true as 1
 Pair = Annotated[list[Finite], Field(min_length=2, max_length=2)]
 HeatFactor = Annotated[
     NonNegative | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], in_unit("m/s")
@@ -75,7 +75,7 @@ def require_printable(text: str) -> None:
 
 
 class CaseError(ValueError):
-    """A case file that cannot be used; the message names the file, the field and the remedy."""
+    """Error in a case file; the message names the file, the field and the remedy."""
 
 
 class Section(BaseModel):
@@ -84,7 +84,7 @@ class Section(BaseModel):
     @field_validator("*")
     @classmethod
     def _printable(cls, value: Any) -> Any:
-        """Texts reach terminals, files and names of files."""
+        """Refuse control characters: texts reach terminals, files and file names."""
         if isinstance(value, str):
             require_printable(value)
         return value
@@ -92,21 +92,21 @@ class Section(BaseModel):
     @field_validator("*")
     @classmethod
     def _within_range(cls, value: Any) -> Any:
-        """Products of larger numbers leave the range of floats."""
+        """Refuse numbers whose products could exceed the range of floating-point numbers."""
         for number in value if isinstance(value, list) else [value]:
             if isinstance(number, float) and MOST_NUMBER < abs(number) < math.inf:
-                raise ValueError(f"must be of a size up to {MOST_NUMBER:g}, got {number!r}")
+                raise ValueError(f"magnitude must be <= {MOST_NUMBER:g}, got {number!r}")
         return value
 
 
 def changed(section: Section, names: Iterable[str]) -> set[str]:
-    """Which of these fields are not as they are by default: a copy may give all of them."""
+    """Return the fields whose values differ from the defaults, as a copy may set all of them."""
     fields = type(section).model_fields
     return {name for name in names if getattr(section, name) != fields[name].default}
 
 
 class OutputPlace(Section):
-    """Where results go."""
+    """Destination of the results."""
 
     directory: Annotated[str, Field(min_length=1)] | None = None
     figures: bool = True
@@ -115,7 +115,7 @@ class OutputPlace(Section):
 
 
 class CaseFile(Section):
-    """What every kind of case file has: where it came from, and where its results go."""
+    """Base of every kind of case file: its source and the folder of its results."""
 
     if TYPE_CHECKING:  # the first and the last field of each kind
         title: str
@@ -123,12 +123,12 @@ class CaseFile(Section):
 
     @classmethod
     def model_validate(cls, obj: Any, **settings: Any) -> Self:
-        """Make a case of a dictionary laid out as a case file, in SI units.
+        """Create a case from a dictionary with the layout of a case file, in SI units.
 
         Raises
         ------
         CaseError
-            A field is missing, unknown or out of range; a line for each.
+            A field is missing, unknown or out of range; the message has one line for each error.
         """
         try:
             return super().model_validate(obj, **settings)
@@ -144,27 +144,30 @@ class CaseFile(Section):
         return self
 
     def __repr_args__(self) -> list[tuple[str | None, Any]]:
-        """Of its repr, which would be the whole file."""
+        """Title only: the full representation would be the whole file."""
         return [("title", self.title[:60]), ("source", str(self._source))]
 
     @property
     def source(self) -> Path:
-        """The file this case was read from."""
+        """File from which the case was read."""
         return self._source
 
     @property
     def text(self) -> str:
-        """The text of the case file, as stored with the results."""
+        """Text of the case file, as stored with the results."""
         return self._text
 
     @property
     def output_directory(self) -> Path:
-        """[output] directory, or results/<name of the case file>; relative to the working one."""
+        """Folder of the results: [output] directory, or results/<name of the case file>.
+
+        Relative to the current working folder.
+        """
         return Path(self.output.directory or Path("results") / self._source.stem)
 
 
 class HeightsFile(Section):
-    """Heights of a body from a file: plain rows on the grid's cells, or a measured surface."""
+    """Heights of a body from a file: rows of numbers on the cells of the grid, or a measurement."""
 
     path: Annotated[str, Field(min_length=1)]
     format: str | None = None
@@ -180,7 +183,7 @@ class HeightsFile(Section):
     fill: Position | None = None
 
     def plain(self, grid: Grid, folder: Path) -> FloatArray | None:
-        """Heights for exactly the cells of the grid; None of a measured surface."""
+        """Heights for exactly the cells of the grid; None for a measured surface."""
         path = folder / self.path
         if not changed(self, HeightsFile.model_fields) <= {"path"} or not is_plain(path):
             return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sections of a case file for the bodies: one model for each hardening law."""
+"""Body sections of a case file: one model for each hardening law."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class KinematicHardening(Section):
-    """Moves the yield surface with the plastic strain, see `Material.with_kinematic_hardening`."""
+    """Kinematic hardening, see `Material.with_kinematic_hardening`."""
 
     modulus: Annotated[Positive | list[Positive], in_unit("Pa")]
     recovery: NonNegative | list[NonNegative] = 0.0
@@ -27,17 +27,17 @@ class KinematicHardening(Section):
     def _as_many(self) -> KinematicHardening:
         moduli = self.modulus if isinstance(self.modulus, list) else [self.modulus]
         if not 1 <= len(moduli) <= 4:
-            raise ValueError(f"modulus must have from 1 to 4 values, got {len(moduli)}")
+            raise ValueError(f"modulus must have 1 to 4 values, got {len(moduli)}")
         if isinstance(self.recovery, list) and len(self.recovery) != len(moduli):
             raise ValueError(
-                f"recovery must have as many values as modulus, {len(moduli)}, "
+                f"recovery must have {len(moduli)} values, as many as modulus, "
                 f"got {len(self.recovery)}"
             )
         return self
 
 
 class ThermalConstants(Section):
-    """Of a body that frictional heat enters, see `Material.with_thermal`."""
+    """Thermal constants of a body, see `Material.with_thermal`."""
 
     conductivity: Annotated[Positive, in_unit("W/(m*K)")]
     expansion: Annotated[NonNegative, in_unit("1/K")]
@@ -45,7 +45,7 @@ class ThermalConstants(Section):
 
 
 class JohnsonCookSoftening(Section):
-    """Yield stress that falls with the temperature, see `softening.JohnsonCook`."""
+    """Yield stress that decreases with temperature, see `softening.JohnsonCook`."""
 
     kind: Literal["johnson_cook"]
     melting: Annotated[Positive, in_unit("K")]
@@ -68,14 +68,14 @@ Stresses = Annotated[list[Finite], in_unit("Pa")]
 
 
 class YieldProfile(Section):
-    """Yield stress that changes with depth, see `Material.with_yield_profile`."""
+    """Profile of the yield stress over depth, see `Material.with_yield_profile`."""
 
     z: Depths
     factor: list[Positive]
 
 
 class InitialStress(Section):
-    """Stress that is there before any contact, see `Material.with_residual_stress`."""
+    """Initial (residual) stress, see `Material.with_residual_stress`."""
 
     z: Depths
     sxx: Stresses
@@ -87,7 +87,7 @@ _BESIDE = ("kinematic", "thermal", "softening", "yield_profile", "residual_stres
 
 
 class _Solid(Section):
-    """The material of a law, with what is given beside its constants."""
+    """Material with a hardening law and optional properties."""
 
     if TYPE_CHECKING:
         law: str
@@ -124,7 +124,7 @@ class _PlasticSolid(_ElasticSolid):
 
 
 class _Layer(_Solid):
-    """A layer on a body, see `Layered`."""
+    """Layer on a body, see `Layered`."""
 
     thickness: Annotated[Positive, in_unit("m")]
 
@@ -138,7 +138,7 @@ class _PlasticLayer(_PlasticSolid, _Layer):
 
 
 def field_of(constant: Constant) -> Any:
-    """Field of a case file for a parameter of a law."""
+    """Return the field of a case file for a parameter of a law."""
     limits = Field(gt=constant.gt, ge=constant.ge, lt=constant.lt, le=constant.le)
     value: Any = Annotated[float if constant.infinite else Finite, limits]
     if constant.many:
@@ -149,7 +149,10 @@ def field_of(constant: Constant) -> Any:
 
 
 def _model(name: str, law: Law, part: str, *bases: type[_Solid]) -> Any:
-    """The section of a law, e.g. `SwiftBody`; bases: where it is rigid, elastic, and yields."""
+    """Create the section of a law, e.g. `SwiftBody`.
+
+    bases: base class for a rigid, an elastic and an elastic-plastic law.
+    """
     base = bases[2] if law.yields else bases[1] if law.constants else bases[0]
     fields: dict[str, Any] = {"law": (Literal[name], ...)}
     fields |= {constant: (field_of(law.constants[constant]), ...) for constant in law.constants}
@@ -157,7 +160,7 @@ def _model(name: str, law: Law, part: str, *bases: type[_Solid]) -> Any:
     made = create_model(
         f"{title}{part}", __base__=base, __doc__=law.says, __module__=__name__, **fields
     )
-    globals()[made.__name__] = made  # where a pickle looks for it
+    globals()[made.__name__] = made  # for pickling
     return made
 
 
@@ -168,7 +171,7 @@ def _models(part: str, *bases: type[_Solid]) -> Any:
 
 
 def _of_elastic(given: Any) -> Any:
-    """Layers without a law are elastic."""
+    """Return the law of a layer; without a law it is elastic."""
     if not isinstance(given, list):
         return given
     return [{"law": "elastic"} | part if isinstance(part, dict) else part for part in given]
@@ -187,12 +190,12 @@ class _Body(_Solid):
 
     @property
     def parts(self) -> list[_Solid]:
-        """Layers from the surface down, and what is below them."""
+        """Layers from the surface down, and the substrate."""
         return [*self.coating, self]
 
     @property
     def inelastic_laws(self) -> list[str]:
-        """Of layers and what is below them."""
+        """Hardening laws of the elastic-plastic layers and of the substrate."""
         return [part.law for part in self.parts if LAWS[part.law].yields]
 
     @property
@@ -201,13 +204,13 @@ class _Body(_Solid):
 
     @model_validator(mode="after")
     def _possible(self) -> _Body:
-        """What the core asks of several constants together."""
+        """Check the conditions of the core on combinations of constants."""
         self.build()
         return self
 
     @property
     def coating(self) -> list[LayerSection]:
-        """Layers on it, from the surface down."""
+        """Layers on the body, from the surface down."""
         return self.layers or []
 
     @property
@@ -215,7 +218,7 @@ class _Body(_Solid):
         return self.law == "rigid" and not self.coating
 
     def build(self) -> Body:
-        """The material, below its layers."""
+        """Create the material with its layers."""
         from ..bodies.layered import Layered
 
         layers = tuple((part.material, part.thickness) for part in self.coating)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A case of one contact, and reading any case."""
+"""Case of one contact, and the reader of case files."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ MOST_CHARACTERS = 100_000_000
 
 
 def _accuracy(given: Any) -> Any:
-    """Relative errors that can be asked for."""
+    """Check the prescribed relative errors."""
     wanted = list(given.values()) if isinstance(given, dict) else [given]
     for value in wanted or [given]:
         number = isinstance(value, (int, float)) and not isinstance(value, bool)
@@ -68,10 +68,10 @@ def _accuracy(given: Any) -> Any:
 
 
 class Case(CaseFile):
-    """A validated case.
+    """Validated case.
 
-    Read one with `load_case`, or validate a dictionary of the same layout with
-    ``Case.model_validate``. All quantities in SI units.
+    Read a case file with `load_case`, or validate a dictionary with its layout by
+    ``Case.model_validate``. All quantities are in SI units.
     """
 
     title: Annotated[str, Field(min_length=1)]
@@ -98,21 +98,21 @@ class Case(CaseFile):
     @model_validator(mode="after")
     def _consistent(self) -> Case:
         if self.grid is None and self.accuracy is None:
-            raise ValueError("grid: required section is missing; or give accuracy, e.g. 0.01")
+            raise ValueError("grid: missing section; specify [grid] or accuracy, e.g. 0.01")
         bodies = (self.body1, self.body2)
         if all(body.is_rigid for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
         for name, body in zip(("body1", "body2"), bodies, strict=True):
             if body.is_plastic and not self.has_volume:
                 law = body.inelastic_laws[0]
-                raise ValueError(f"{name} is inelastic ({law}): [grid] needs dz")
+                raise ValueError(f"{name} is elastic-plastic ({law}): grid.dz is required")
         timed = self.heat is not None and self.heat.is_timed
         for index, segment in enumerate(self.path):
             if segment.is_timed != timed:
                 name = "duration" if segment.passes is None else "speed"
                 raise ValueError(
-                    f"path[{index}]: {name} goes together with heat.history or heat.partition: "
-                    "give both or neither"
+                    f"path[{index}]: {name} requires heat.history or heat.partition, and these "
+                    f"require {name}: specify both or neither"
                 )
         if self.has_volume and self.wear is None:
             self._show_a_body_with_stresses()
@@ -127,18 +127,18 @@ class Case(CaseFile):
         other = 3 - selected
         if "body" in self.output.model_fields_set:
             raise ValueError(
-                f"output.body = {selected} is rigid and has no stresses: set it to {other}, or "
-                "leave it out"
+                f"output.body: body {selected} is rigid and has no stress field: use "
+                f"output.body = {other}, or omit it"
             )
         output = self.output.model_copy(update={"body": other})
         object.__setattr__(self, "output", output)  # the case is frozen
 
     def steps(self) -> paths.Path:
-        """The loading path as keyword dictionaries for `Simulation.run`."""
+        """Return the loading path as keyword dictionaries for `Simulation.run`."""
         return [step for steps in self.steps_of_segments() for step in steps]
 
     def steps_of_segments(self) -> list[paths.Path]:
-        """The same, those of each segment of the path."""
+        """Return the steps of each segment of the path, as keyword dictionaries."""
         steps: list[paths.Path] = []
         reached = Reached()
         for index, segment in enumerate(self.path):
@@ -152,12 +152,12 @@ class Case(CaseFile):
 
     @property
     def has_volume(self) -> bool:
-        """Whether there are layers below the surface."""
+        """Whether the grid has layers below the surface."""
         return self.grid is None or self.grid.dz is not None
 
     @property
     def sticks(self) -> bool:
-        """Whether the bodies stick and slip, instead of sliding all over."""
+        """Whether friction allows partial slip, instead of prescribing full sliding."""
         return self.friction.sticks
 
     @property
@@ -171,10 +171,10 @@ class Case(CaseFile):
         return any(any(step.get("advance", ())) for step in self.steps())
 
     def _check_motion(self, steps: paths.Path) -> None:
-        """Friction and heat know their directions: bodies under load must move along them."""
+        """Check that loaded bodies move in the directions of friction and of heat."""
         heat = COLD if self.heat is None else self.heat.build()
         friction = self.friction
-        attracts = contact_law_of(self.contact).attracts  # which holds some more
+        attracts = contact_law_of(self.contact).attracts  # adhesion adds to the friction limit
         for step in steps:
             if friction.sticks and not attracts:
                 require_held(step, friction)
@@ -183,9 +183,8 @@ class Case(CaseFile):
             first, second = step["advance"]
             if friction.sliding_ratio > 0 and first < second:
                 raise ValueError(
-                    "friction pulls body 2 towards +x, so body 1 must slide towards +x over it, "
-                    f"advance[0] >= advance[1], got {[first, second]}: turn the direction, or set "
-                    "friction = 0"
+                    "advance[0] must be >= advance[1], because friction acts on body 2 towards "
+                    f"+x, got {[first, second]}: reverse the sliding direction, or set friction = 0"
                 )
             for body in (1, 2):
                 if "duration" in step and heat.shares[body - 1] > 0:
@@ -193,14 +192,14 @@ class Case(CaseFile):
                     given = heat.velocity[body - 1][0]
                     if abs(speed - given) > 1e-6 * max(abs(speed), abs(given)):
                         raise ValueError(
-                            f"heated body {body} moves at {speed:.9g} m/s along x, but "
-                            f"heat.velocity gives it {given:.9g} m/s: make them equal"
+                            f"heat.velocity must agree with the motion of heated body {body}, "
+                            f"{speed:.9g} m/s along x, got {given:.9g} m/s: make both equal"
                         )
 
     def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
-        """Hertz contact of this case at a load [N] > 0; None when there is none.
+        """Return the Hertz contact of this case at a load [N] > 0; None if not applicable.
 
-        There is one for smooth paraboloids and spheres with finite radii, of bodies without layers.
+        It exists for smooth paraboloids and spheres with finite radii, and bodies without layers.
         """
         radii = self.surface.radii()
         periodic = self.grid is not None and self.grid.periodic
@@ -216,24 +215,27 @@ class Case(CaseFile):
         return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
 
     def _on(self, grid: Grid, section: Any) -> Any:
-        """A surface or relief: a function of a grid where it is known on any; checked on one."""
+        """Return a surface or relief, checked on the grid.
+
+        The result is a function of a grid if the surface is defined on any grid.
+        """
         build = partial(section.build, folder=self._source.parent)
         built = build(grid)
         return build if section.is_known else built
 
     def build(self) -> tuple[Simulation, paths.Path]:
-        """Make the simulation and its loading path.
+        """Create the simulation and its loading path.
 
         Returns
         -------
         simulation : Simulation
         path : list of dict
-            For ``simulation.run(path)``.
+            Argument of ``simulation.run(path)``.
 
         Raises
         ------
         CaseError
-            A section that cannot be realised, e.g. a surface file of the wrong shape.
+            A section has no valid object, e.g. a surface file of the wrong shape.
         """
         from ..scene.moving_topography import relief_rows
         from ..simulation.simulation import Simulation
@@ -241,9 +243,9 @@ class Case(CaseFile):
         section = "grid"
         try:
             if self.grid is None:
-                raise ValueError("is chosen by samcontact.to_accuracy, or give it")
+                raise ValueError("missing section: specify [grid], or use samcontact.to_accuracy")
             grid = self.grid.build()
-            # before the surface, which takes a part of it
+            # before the surface is created, which already needs part of the memory
             needed = memory.surface(grid, memory.CONTACT + memory.SIMULATION)
             memory.require_for_grid("a simulation", grid, needed)
             section = "body1"
@@ -275,12 +277,12 @@ def load_case(path: str | Path) -> Case | TuggingCase:
     Parameters
     ----------
     path : str or Path
-        A TOML file; the documentation and `cases/` show the layout.
+        TOML file; the documentation and `cases/` show the layout.
 
     Returns
     -------
     Case or TuggingCase
-        The latter for a file with a section [tugging].
+        A `TuggingCase` if the file has a section [tugging].
 
     Raises
     ------
@@ -304,26 +306,26 @@ def load_case(path: str | Path) -> Case | TuggingCase:
 
 def _text_of(source: Path) -> str:
     with source.open(encoding="utf-8") as file:
-        text = file.read(MOST_CHARACTERS + 1)  # devices and wrong files may have no end
+        text = file.read(MOST_CHARACTERS + 1)  # devices may be endless
     if len(text) > MOST_CHARACTERS:
-        raise ValueError(f"it has more than {MOST_CHARACTERS} characters: is it another file?")
+        raise ValueError(f"more than {MOST_CHARACTERS} characters: check that it is a case file")
     return text
 
 
 def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCase:
-    """Validate the text of a case file, e.g. the one that is stored with results.
+    """Validate the text of a case file, e.g. the text stored with results.
 
     Parameters
     ----------
     text : str
         TOML.
     source : str or Path, optional
-        Where it is from: errors name it, and paths in it are relative to its folder.
+        File of the text: errors name it, and paths in the text are relative to its folder.
 
     Returns
     -------
     Case or TuggingCase
-        The latter for a text with a section [tugging].
+        A `TuggingCase` if the text has a section [tugging].
 
     Raises
     ------
@@ -332,12 +334,12 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCas
     """
     source = Path(source)
     try:
-        # editors of some systems begin a text with a mark of its encoding
+        # some editors begin a text with a byte order mark
         content = tomllib.loads(text.removeprefix("\N{ZERO WIDTH NO-BREAK SPACE}"))
         case = validated(content, source)
     except CaseError:
         raise
-    except ValueError as error:  # a number of thousands of digits too
+    except ValueError as error:  # also raised for numbers of thousands of digits
         raise CaseError(f"{source}: not valid TOML: {error}") from error
     except RecursionError:
         raise CaseError(f"{source}: lists or tables are nested too deeply") from None
@@ -345,7 +347,7 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCas
 
 
 def validated(content: Mapping[str, Any], source: Path) -> Case | TuggingCase:
-    """A case of its fields; CaseError for some that it cannot have."""
+    """Validate the fields of a case file; raises CaseError for invalid fields."""
     kind = TuggingCase if "tugging" in content else Case
     try:
         return kind.model_validate(content)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a case gives must be used: a field without effect is a slip, and refused by its name."""
+"""Checks across the sections of a case: a field without effect is refused by its name."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ def require_all_used(case: Any) -> None:
     """Raise ValueError naming the first field of a `Case` that has no effect."""
     _require_accuracy(case)
     bodies = (("body1", case.body1), ("body2", case.body2))
-    # a factor of 0 is a source that is off, on purpose
+    # a factor of 0 switches the source off on purpose
     if case.heat is None and all(segment.heat_factor is None for segment in case.path):
-        require_cold(bodies, "give [heat] too")
+        require_cold(bodies, "add [heat]")
     if case.wear is not None:
         require_no_layers(bodies, "[wear]")
     require_image_tol(case.contact)
@@ -33,118 +33,119 @@ def require_all_used(case: Any) -> None:
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
         if changed(case, ["estimate_error"]):
-            raise ValueError("estimate_error is not for a case with [wear]: leave it out")
+            raise ValueError("estimate_error cannot be combined with [wear]: omit it")
         for name in sorted(given):
-            raise ValueError(f"output.{name} is not for a case with [wear]: leave it out")
+            raise ValueError(f"output.{name} cannot be combined with [wear]: omit it")
     if not case.has_volume and "volume" in given and case.output.volume != "none":
         raise ValueError(
-            f"output.volume = {case.output.volume!r} needs a [grid] with dz: give it, or leave "
-            "it out"
+            f"output.volume = {case.output.volume!r} requires grid.dz: set grid.dz, or omit "
+            "output.volume"
         )
 
 
 def _require_cycle(case: Any) -> None:
-    """What [fatigue] needs: stress, and moments."""
+    """Raise ValueError unless the case provides the stress history that [fatigue] requires."""
     if case.fatigue is None:
         return
     if case.wear is not None:
-        raise ValueError("fatigue is not for a case with [wear]: leave one of them out")
+        raise ValueError("fatigue cannot be combined with [wear]: omit one of them")
     if not case.has_volume:
-        raise ValueError("fatigue needs a [grid] with dz: give it, or leave it out")
+        raise ValueError("fatigue requires grid.dz: set grid.dz, or omit [fatigue]")
     body = (case.body1, case.body2)[case.output.body - 1]
     judged = case.fatigue
     if judged.fatemi_socie is not None and judged.yield_stress is None and not body.is_plastic:
         raise ValueError(
-            f"fatigue.yield_stress is needed: body{case.output.body} is elastic, and fatemi_socie "
-            "divides by its yield stress"
+            f"fatigue.yield_stress is required: fatemi_socie divides by the yield stress, and "
+            f"body{case.output.body} is elastic"
         )
     if case.fatigue.passing is None and len(case.steps()) < 2:
         raise ValueError(
-            "fatigue needs a path of at least 2 increments, which are its cycle; or give "
-            'fatigue.passing = "x" where material passes through a steady contact'
+            "fatigue requires a path of at least 2 increments, which form one cycle: add "
+            'increments, or set fatigue.passing = "x" for material that passes through a steady '
+            "contact"
         )
 
 
 def _require_repeatable(case: Any) -> None:
-    """What [shakedown] needs: a body that can yield, and a path that ends where it began."""
+    """Raise ValueError unless a body is elastic-plastic and the path is closed, for [shakedown]."""
     if case.shakedown is None:
         return
     for name in ("wear", "accuracy"):
         if getattr(case, name) is not None:
-            raise ValueError(f"shakedown is not for a case with {name}: leave one of them out")
+            raise ValueError(f"shakedown cannot be combined with {name}: omit one of them")
     if not (case.body1.is_plastic or case.body2.is_plastic):
-        raise ValueError("shakedown needs a body that can yield: give one, or leave it out")
+        raise ValueError("shakedown requires an elastic-plastic body: set a law, or omit it")
     ways = [math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)]
     if max(map(abs, ways)) > 1e-12:
         raise ValueError(
-            f"shakedown needs a path that brings both bodies back, but they have moved on by "
-            f"{tuple(ways)!r} m at its end: move them to and fro, or leave it out"
+            f"shakedown requires a closed path, but the surfaces have travelled {tuple(ways)!r} m "
+            "at its end: add a return motion, or remove [shakedown]"
         )
 
 
 def _require_law_of_friction(case: Any) -> None:
-    """What drives along the surface, and wear by slip, go with bodies that stick and slip."""
+    """Raise ValueError for tangential drives and slip wear without a law of partial slip."""
     by_slip = case.wear is not None and case.wear.law != "threshold"
     if case.sticks:
         if case.wear is not None and not by_slip:
             raise ValueError(
-                "wear.threshold is of gross sliding: give contact.friction as a number, or "
-                "wear.energy in place of it"
+                "wear.threshold requires full sliding: set contact.friction to a number, or use "
+                "wear.energy instead"
             )
         return
     if case.wear is not None and by_slip:
         raise ValueError(
-            f"wear.{case.wear.law} is for bodies that stick and slip: give [contact] friction = "
-            "{coulomb = 0.3}, or wear.threshold in place of it"
+            f"wear.{case.wear.law} requires Coulomb friction: set [contact] friction = "
+            "{coulomb = 0.3}, or use wear.threshold instead"
         )
     for index, segment in enumerate(case.path):
         if segment.slips:
             raise ValueError(
-                f"path[{index}]: {', '.join(segment.slips)} is for bodies that stick and slip: "
-                "give [contact] friction = {coulomb = 0.3}, or leave it out"
+                f"path[{index}]: {', '.join(segment.slips)} requires Coulomb friction: set "
+                "[contact] friction = {coulomb = 0.3}, or omit it"
             )
 
 
 def _require_law_of_contact(case: Any) -> None:
-    """Raise ValueError for tension without attraction, and for what attraction excludes."""
+    """Raise ValueError for tension without adhesion, and for settings that adhesion excludes."""
     law = contact_law_of(case.contact)
     if law.attracts:
         if case.wear is not None:
             raise ValueError(f"contact.contact_law must be hard with [wear], got {law!r}")
         law.require_possible(COLD if case.heat is None else case.heat.build(), {})
         if case.moves:
-            raise ValueError(f"path must not move the bodies with contact.contact_law = {law!r}")
+            raise ValueError(
+                f"path: moving bodies cannot be combined with contact.contact_law = {law!r}"
+            )
         return
     for index, segment in enumerate(case.path):
         if segment.load is not None and segment.load < 0:
             raise ValueError(
-                f"path[{index}].load: must be a number >= 0 [N], got {segment.load!r}: bodies that "
-                "do not attract each other bear no tension"
+                f"path[{index}].load: must be a number >= 0 [N], got {segment.load!r}: without "
+                "adhesion the contact transmits no tension"
             )
 
 
 def _require_accuracy(case: Any) -> None:
-    """What is chosen must not be given, and what is of the choice must not be without it."""
+    """Raise ValueError for settings that accuracy chooses, or that require accuracy."""
     if case.accuracy is None:
         for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
-            raise ValueError(f"{name} is of accuracy: give that too, or leave it out")
+            raise ValueError(f"{name} requires accuracy: add accuracy, or omit {name}")
         return
     if case.grid is not None:
-        raise ValueError("grid is chosen where there is an accuracy: leave one of them out")
+        raise ValueError("grid cannot be combined with accuracy: omit one of them")
     if case.wear is not None:
-        raise ValueError("wear needs a [grid]: accuracy is of one contact, leave it out")
+        raise ValueError("wear cannot be combined with accuracy: specify [grid] instead")
     for index, segment in enumerate(case.path):
         if changed(segment, ("increments",)):
-            raise ValueError(
-                f"path[{index}].increments are chosen where there is an accuracy: leave them out"
-            )
+            raise ValueError(f"path[{index}].increments cannot be combined with accuracy: omit it")
 
 
 def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -> None:
-    """Raise ValueError for layers where a section has a use for homogeneous bodies only."""
+    """Raise ValueError for layers if a section supports homogeneous bodies only."""
     for name, body in bodies:
         if body.coating:
-            raise ValueError(f"{name}.layers: {section} knows homogeneous bodies only")
+            raise ValueError(f"{name}.layers: {section} supports homogeneous bodies only")
 
 
 def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
@@ -152,11 +153,11 @@ def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None
     for name, body in bodies:
         softening: Any = getattr(body, "softening", None)
         if getattr(body, "thermal", None) is not None:
-            raise ValueError(f"{name}.thermal is of frictional heat: {remedy}")
+            raise ValueError(f"{name}.thermal has no effect without [heat]: {remedy}")
         if softening is not None and softening.ambient <= softening.reference:
             raise ValueError(
-                f"{name}.softening begins at reference = {softening.reference!r} K, and nothing is "
-                f"warmer than ambient = {softening.ambient!r} K without frictional heat: {remedy}"
+                f"{name}.softening has no effect without [heat]: ambient = {softening.ambient!r} K "
+                f"must be above reference = {softening.reference!r} K: {remedy}"
             )
 
 
@@ -164,12 +165,12 @@ def _require_zones(case: Any) -> None:
     bodies = case.body1, case.body2
     if any(b.coating and b.is_plastic for b in bodies) and changed(case.contact, ["zones"]):
         raise ValueError(
-            "contact.zones is of homogeneous bodies: what yields in layers has one box, leave it "
-            "out"
+            "contact.zones is not supported for elastic-plastic layered bodies, which always use a "
+            "single plastic box: omit it"
         )
 
 
 def require_image_tol(contact: Any) -> None:
     """Raise ValueError for a tolerance that "exact" residual stress does not use."""
     if contact.residual_stress == "exact" and changed(contact, ["image_tol"]):
-        raise ValueError('contact.image_tol is of residual_stress = "fast": leave it out')
+        raise ValueError('contact.image_tol requires residual_stress = "fast": omit it')

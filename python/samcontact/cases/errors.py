@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Errors of a case file in the user's words: the field, what is wrong, what is allowed."""
+"""Error messages of a case file: the field, the error and the allowed values."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from .._util.short_text import in_short
 from .allowed import described, discriminated, is_model, members, models_in, opened, tags, unit_of
 
 MOST_LINES = 20
-"""Of the problems of one case."""
+"""Maximum number of errors reported for one case."""
 _NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
 _NAME = re.compile(r"[\w-]{1,60}")
 
-# What users call fields, without signs between words.
+# Fields by other words for them, in lower case without separators.
 _WORDS = {
     "radius": ("R", "Rx", "R1"),
     "radiusx": ("Rx",),
@@ -60,7 +60,7 @@ _WORDS = {
 
 
 def explained(root: type[BaseModel], error: ValidationError, content: Any) -> list[str]:
-    """Each problem of a case once, as "field: what is allowed, and what is there"."""
+    """Return the distinct errors of a case, as "field: must be ALLOWED, got VALUE"."""
     lines = dict.fromkeys(_explain(root, item, content) for item in error.errors())
     if len(lines) > MOST_LINES:
         return [*list(lines)[:MOST_LINES], f"and {len(lines) - MOST_LINES} more errors"]
@@ -94,28 +94,28 @@ def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
         if isinstance(given, Mapping):
             return f"{where}: must be a list of tables: write [[{table}]] instead of [{table}]"
         if given == []:
-            return f"{where}: must have at least one table [[{table}]], got []"
+            return f"{where}: must contain at least one table [[{table}]], got []"
     elif all(is_model(opened(one)[0]) for one in members(inner)):
         if isinstance(given, list) and table == where:
-            return f"{where}: must be one table: write [{table}] instead of [[{table}]]"
+            return f"{where}: must be a single table: write [{table}] instead of [[{table}]]"
         return f"{where}: must be a table, got {in_short(given)}"
     allowed = described(place.annotation, place.marks)
     return f"{where}: must be {allowed}, got {in_short(given)}{_slip(allowed, given)}"
 
 
 def _holds_tables(annotation: Any) -> bool:
-    """Whether it is a list of sections."""
+    """Whether an annotation is a list of sections."""
     if get_origin(annotation) is not list:
         return False
     return all(is_model(opened(one)[0]) for one in members(opened(get_args(annotation)[0])[0]))
 
 
 def _slip(allowed: str, given: Any) -> str:
-    """How a value that is of another kind may have been meant."""
+    """Return a remedy for a value of the wrong type, if it is obvious."""
     if isinstance(given, (date, time)):
-        return ": it is a date or a time; a text has quotes"
+        return ": this is a date or a time; write text in quotes"
     if allowed.startswith("true or false"):
-        return ": write true or false, without quotes"
+        return ": write true or false without quotes"
     if "number" in allowed and isinstance(given, str) and _NUMBER.fullmatch(given):
         return ": write it without quotes"
     if "whole number" in allowed and isinstance(given, float) and given.is_integer():
@@ -124,7 +124,7 @@ def _slip(allowed: str, given: Any) -> str:
 
 
 def _at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
-    """What was written at a place, before units were converted."""
+    """Return the value in the file at a location, before unit conversion."""
     for name in names:
         try:
             content = content[name]
@@ -134,7 +134,7 @@ def _at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
 
 
 def nearest(name: str, fields: Sequence[str]) -> str | None:
-    """The field that was probably meant: another word for it, or one that is spelled alike."""
+    """Return the field that was probably meant: a synonym, or a similar spelling."""
     lower = {field.lower(): field for field in reversed(fields)}
     word = re.sub(r"[^a-z]", "", name.lower())
     for meant in _WORDS.get(word, ()):
@@ -145,7 +145,7 @@ def nearest(name: str, fields: Sequence[str]) -> str | None:
 
 
 def _elsewhere(root: type[BaseModel], name: str) -> str | None:
-    """The field of another section that has this name, with or without that of its section."""
+    """Return the field of another section with this name, with or without the section's prefix."""
     for section, field in root.model_fields.items():
         known = {inner for model in models_in(field.annotation) for inner in model.model_fields}
         for meant in (name, name.removeprefix(f"{section}_")):
@@ -163,7 +163,7 @@ def _dotted(names: Sequence[str | int]) -> str:
 
 
 class _Place(NamedTuple):
-    """Where an error is: the fields allowed there, its name as users write it, what it may be."""
+    """Location of an error: the fields allowed there, its name, and the type of its value."""
 
     fields: list[str]
     names: list[str | int]
@@ -172,9 +172,9 @@ class _Place(NamedTuple):
 
 
 def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _Place:
-    """Follow the location of an error, which has tags of unions in it, into the models.
+    """Follow the location of an error, which contains tags of unions, into the models.
 
-    Of values that may be of several kinds, each kind has an error: these end at the field.
+    A value of several possible types has one error for each type: these end at the field.
     """
     place = _Place([], [], root, ())
     for element in loc:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a case file says of fatigue."""
+"""Section [fatigue] of a case file."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ CRITERIA = ("dang_van", "crossland", "findley", "fatemi_socie", "orthogonal_shea
 
 
 class LimitSection(Section):
-    """[fatigue.limit]: what the material bears, of each criterion."""
+    """[fatigue.limit]: fatigue limit of the material for each criterion."""
 
     dang_van: Stress | None = None
     crossland: Stress | None = None
@@ -28,7 +28,7 @@ class LimitSection(Section):
 
 
 class FatigueSection(Section):
-    """[fatigue]: criteria of fatigue over the path, see `samcontact.fatigue`."""
+    """[fatigue]: fatigue criteria over the path, see `samcontact.fatigue`."""
 
     dang_van: Slope | None = None
     crossland: Slope | None = None
@@ -42,21 +42,26 @@ class FatigueSection(Section):
     @model_validator(mode="after")
     def _go_together(self) -> FatigueSection:
         if not self.criteria:
-            raise ValueError(f"give at least one of {', '.join(CRITERIA)}")
+            raise ValueError(f"at least one of {', '.join(CRITERIA)} is required")
         for name in CRITERIA:
             if getattr(self.limit, name) is not None and name not in self.criteria:
-                raise ValueError(f"limit.{name} is of {name}: give that too, or leave it out")
+                raise ValueError(f"limit.{name} requires {name}: add {name}, or remove the limit")
         if self.yield_stress is not None and "fatemi_socie" not in self.criteria:
-            raise ValueError("yield_stress is of fatemi_socie: give that too, or leave it out")
+            raise ValueError(
+                "yield_stress applies to fatemi_socie only: add fatemi_socie, or remove it"
+            )
         return self
 
     @property
     def criteria(self) -> list[str]:
-        """Names of those that are given."""
+        """Names of the specified criteria."""
         return [name for name in CRITERIA if getattr(self, name) is not None]
 
     def fields(self, states: list[State], body: int) -> list[FatigueField]:
-        """Each criterion over the increments, or over what passes through that of most load."""
+        """Evaluate each criterion over the increments.
+
+        With `passing`, the cycle is that of material passing through the most loaded increment.
+        """
         seen: Cycle
         if self.passing is None:
             seen = cycle(states, body)

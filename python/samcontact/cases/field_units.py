@@ -13,12 +13,12 @@ from .allowed import models_in, unit_of
 from .case import Case
 from .tugging import TuggingCase
 
-# Those of laws are not all units for the conversion: microstrain is a number there.
+# Units of parameters of laws that are not conversion units: microstrain is a plain number.
 _OF_LAWS = {name: one.unit for law in LAWS.values() for name, one in law.constants.items()}
 
 
 def all_models(*roots: type[BaseModel]) -> list[type[BaseModel]]:
-    """The sections below these, each once, outermost first."""
+    """Return the models of these sections and of all sections within, outermost first."""
     found: list[type[BaseModel]] = []
     waiting = list(roots)
     while waiting:
@@ -32,7 +32,7 @@ def all_models(*roots: type[BaseModel]) -> list[type[BaseModel]]:
 
 @cache
 def _units(section: str) -> dict[str, str]:
-    """Units by field, below the section of this name at the top of a file."""
+    """Return units by field within a top-level section."""
     roots = [
         model
         for kind in (Case, TuggingCase)
@@ -47,7 +47,7 @@ def _units(section: str) -> dict[str, str]:
 
 
 def field_unit(name: str) -> str:
-    """Unit of a dotted field, e.g. "Pa" of "body2.yield_stress"; "" for counts and words."""
+    """Return the unit of a dotted field, e.g. "Pa" for "body2.yield_stress"; "" without a unit."""
     plain = re.sub(r"\[\d+\]", "", name)
     section, _, field = plain.partition(".")
     return _units(section).get(field.rpartition(".")[2], "")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction of a case file: a coefficient of gross sliding, or one of the friction laws."""
+"""Friction of a case file: a constant coefficient with full sliding, or a friction law."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .bodies import field_of
 
 
 class _FrictionLaw(Section):
-    """Friction law of bodies that stick and slip, by its name; inf: no slip."""
+    """Friction law with partial slip, by its name; inf: no slip."""
 
     @model_validator(mode="after")
     def _one_law(self) -> _FrictionLaw:
@@ -21,19 +21,19 @@ class _FrictionLaw(Section):
         given = [name for name in names if getattr(self, name) is not None]
         if len(given) != 1:
             raise ValueError(
-                f"give exactly one of {', '.join(names)}; got {', '.join(given) or 'none'}"
+                f"exactly one of {', '.join(names)} must be given, got {', '.join(given) or 'none'}"
             )
         return self
 
     def build(self) -> FrictionLaw:
-        """Friction law made from its one parameter or its section."""
+        """Create the friction law from its one parameter or its section."""
         ((name, given),) = self.model_dump(exclude_none=True).items()
         parameters = given if isinstance(given, dict) else {next(iter(LAWS[name].constants)): given}
         return law_of({"law": name, **parameters})
 
 
 def _friction_section() -> Any:
-    """Section with all laws: a number where a law has one parameter, else a section."""
+    """Create the section of all laws: a number for laws with one parameter, else a section."""
     laws: dict[str, Any] = {}
     for name, law in LAWS.items():
         if not law.sticks:
@@ -49,7 +49,7 @@ def _friction_section() -> Any:
                 __module__=__name__,
                 **parameters,
             )
-            globals()[annotation.__name__] = annotation  # where a pickle looks for it
+            globals()[annotation.__name__] = annotation  # for pickling
         laws[name] = (annotation | None, None)
     says = _FrictionLaw.__doc__
     return create_model(
@@ -74,5 +74,5 @@ FrictionField = Annotated[
 
 
 def friction_of(given: float | FrictionSection) -> float | FrictionLaw:
-    """Argument `friction` of a simulation."""
+    """Return the argument `friction` of a simulation."""
     return given.build() if isinstance(given, FrictionSection) else given

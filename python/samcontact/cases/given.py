@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The case of one contact that a function is given, in whatever form."""
+"""Conversion of an argument to a case of one contact."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from .case import Case, load_case, validated
 
 
 def case_of_contact(name: str, given: object, **defaults: Any) -> Case:
-    """Return a case of one contact, from itself, its file or a dictionary of the same layout.
+    """Return a case of one contact, given as case, file or dictionary with the layout of a file.
 
-    name: of the argument, for errors; defaults: fields that a dictionary may leave out.
+    name: name of the argument, for errors; defaults: fields that a dictionary may omit.
     """
     made = given
     if isinstance(given, (str, Path)):
@@ -22,9 +22,9 @@ def case_of_contact(name: str, given: object, **defaults: Any) -> Case:
         made = validated({"title": "case", **defaults, **given}, Path(name))
     if not isinstance(made, Case):
         kind = type(made).__name__
-        tugging = ", which is not solved as one contact" if kind == "TuggingCase" else ""
+        tugging = ", which is an asperity collision" if kind == "TuggingCase" else ""
         raise ValueError(
-            f"{name} must be a case of one contact, the path of its file, or a dict of the same "
-            f"layout, got a {kind}{tugging}"
+            f"{name} must be a case of one contact, the path of its file, or a dict with the "
+            f"layout of a case file, got a {kind}{tugging}"
         )
     return made

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sections of a case file that move: segments of the path, and reliefs fixed to a body."""
+"""Path segments of a case file, and surface topographies that move with a body."""
 
 from __future__ import annotations
 
@@ -58,14 +58,14 @@ class Rolling(_Passes):
     tangential_load_x: Force | None = None
 
     def scaled(self, factor: float) -> Rolling:
-        """The same with the force multiplied."""
+        """Return a copy with the force multiplied by a factor."""
         if self.tangential_load_x is None:
             return self
         return self.model_copy(update={"tangential_load_x": factor * self.tangential_load_x})
 
     @property
     def slips(self) -> list[str]:
-        """Names of what it has for bodies that stick and slip."""
+        """Names of the fields that require a law of partial slip."""
         names = ("lateral_creepage", "spin", "tangential_load_x")
         return [f"roll.{name}" for name in names if changed(self, [name])]
 
@@ -77,7 +77,7 @@ class Sliding(_Passes):
 
 
 class Segment(Along):
-    """[[path]]: a ramp from the value reached so far to this one, or passes at this one."""
+    """[[path]]: ramp of load or approach from the previous value, or passes at constant value."""
 
     load: Annotated[Finite, in_unit("N")] | None = None
     approach: Position | None = None
@@ -95,7 +95,7 @@ class Segment(Along):
     @model_validator(mode="before")
     @classmethod
     def _start_in_its_unit(cls, data: Any) -> Any:
-        """Convert a start with a unit, which depends on what the segment changes."""
+        """Convert a start with a unit, which depends on whether load or approach is prescribed."""
         if not isinstance(data, dict) or not isinstance(data.get("start"), str):
             return data
         try:
@@ -106,25 +106,28 @@ class Segment(Along):
     @model_validator(mode="after")
     def _one_target(self) -> Segment:
         if (self.load is None) == (self.approach is None):
-            raise ValueError("give exactly one of load, approach")
+            raise ValueError("exactly one of load, approach must be given")
         return self
 
     @model_validator(mode="after")
     def _one_movement(self) -> Segment:
         kinds = [kind for kind in ("roll", "slide", "fret") if getattr(self, kind) is not None]
         if len(kinds) > 1:
-            raise ValueError(f"give {' or '.join(kinds)}, not both")
+            raise ValueError(f"{' and '.join(kinds)} cannot be combined")
         if self.spacing == "linear" and changed(self, ["exponent"]):
-            raise ValueError('exponent is of spacing = "power": give that too')
+            raise ValueError('exponent requires spacing = "power"')
         if kinds:
             others = {"start", "spacing", "exponent", "advance", *ALONG}
             others.add("duration" if self.fret is None else "heat_factor")
             given = sorted(changed(self, others))
             if given:
-                hint = "; give it speed instead" if "duration" in given else ""
-                raise ValueError(f"{kinds[0]} goes without {', '.join(given)}{hint}")
+                hint = ": set its speed instead of duration" if "duration" in given else ""
+                names = ", ".join(given)
+                raise ValueError(f"{kinds[0]} cannot be combined with {names}{hint}")
         if self.torque is not None and self.advance is not None:
-            raise ValueError("torque goes without advance: give the twist, spin times the way")
+            raise ValueError(
+                "torque cannot be combined with advance: prescribe twist = spin * distance rolled"
+            )
         return self
 
     @property
@@ -133,22 +136,22 @@ class Segment(Along):
 
     @property
     def passes(self) -> Rolling | Sliding | None:
-        """The passes of this segment; None for a ramp."""
+        """Passes of this segment; None for a ramp."""
         return self.slide if self.roll is None else self.roll
 
     @property
     def is_timed(self) -> bool:
-        """Whether its steps have a duration."""
+        """Whether the steps have a duration."""
         return (self.duration if self.passes is None else self.passes.speed) is not None
 
     @property
     def slips(self) -> list[str]:
-        """Names of what it has for bodies that stick and slip."""
+        """Names of the fields that require a law of partial slip."""
         rolling = [] if self.roll is None else self.roll.slips
         return [*self.along, *rolling, *(["fret"] if self.fret is not None else [])]
 
     def scaled(self, factor: float) -> Segment:
-        """The same with all forces multiplied."""
+        """Return a copy with all forces multiplied by a factor."""
         forces = ("load", "start", "tangential_load_x", "tangential_load_y", "torque")
         return self.model_copy(
             update={name: factor * v for name in forces if (v := getattr(self, name)) is not None}
@@ -156,9 +159,9 @@ class Segment(Along):
         )
 
     def steps(self, reached: Reached) -> tuple[paths.Path, Reached]:
-        """Its steps from what was reached before, and what they reach.
+        """Return the steps from the end of the previous segment, and the end of this one.
 
-        Raises ValueError where the segment does not fit what was reached.
+        Raises ValueError if the segment is inconsistent with the end of the previous segment.
         """
         name, target = self.quantity, getattr(self, self.quantity)
         if self.fret is not None:
@@ -171,8 +174,8 @@ class Segment(Along):
             if reached[1] != 0.0:
                 kind = "roll" if self.roll is not None else "slide"
                 raise ValueError(
-                    f"{kind} begins unloaded, but the segment before ends at {reached[0]} = "
-                    f"{reached[1]!r}: end that one at 0, or move under load with advance"
+                    f"{kind} must start unloaded, but the previous segment ends at {reached[0]} = "
+                    f"{reached[1]!r}: unload first, or add advance to move under load"
                 )
             options = {"increments": self.increments, "heat_factor": self.heat_factor}
             options |= self.passes.model_dump() | {name: target}
@@ -182,7 +185,8 @@ class Segment(Along):
         if start is None:
             if reached[0] not in ("", name):
                 raise ValueError(
-                    f"changes from {reached[0]} to {name}: give start, the {name} it starts from"
+                    f"start is required where the path changes from {reached[0]} to {name}: set it "
+                    f"to the initial {name} of the segment"
                 )
             start = reached[1]
         common: dict[str, Any] = {
@@ -195,7 +199,9 @@ class Segment(Along):
         optional = (self.advance, self.duration, self.heat_factor)
         if target == start and (self.along or optional != (None, None, None)):
             if changed(self, ["spacing"]):
-                raise ValueError(f"spacing is of a change of {name}, which stays at {target!r}")
+                raise ValueError(
+                    f"spacing requires a change of {name}, which stays at {target!r}: omit it"
+                )
             steps = paths.hold(**common)
         else:
             steps = paths.ramp(start=start, spacing=self.spacing, exponent=self.exponent, **common)
@@ -205,9 +211,9 @@ class Segment(Along):
 
 
 class FileRelief(HeightsFile):
-    """Heights out of the body from a file: any number of rows along x, ny values each."""
+    """Heights from a file, positive out of the body: any number of rows along x, ny values each."""
 
-    is_known: ClassVar[bool] = False  # on any grid
+    is_known: ClassVar[bool] = False  # not defined on every grid
     kind: Literal["file"]
     x: Position = 0.0
     periodic: bool = False
@@ -222,9 +228,9 @@ class FileRelief(HeightsFile):
 
 
 class DentRelief(Section):
-    """See `dents.spherical`."""
+    """Spherical dent, see `dents.spherical`."""
 
-    is_known: ClassVar[bool] = True  # on any grid
+    is_known: ClassVar[bool] = True  # defined on every grid
     kind: Literal["dent"]
     depth: Position
     radius: Length
@@ -236,9 +242,9 @@ class DentRelief(Section):
 
 
 class FurrowRelief(Section):
-    """See `dents.furrow`."""
+    """Furrow, see `dents.furrow`."""
 
-    is_known: ClassVar[bool] = True  # on any grid
+    is_known: ClassVar[bool] = True  # defined on every grid
     kind: Literal["furrow"]
     depth: Position
     half_width: Length
@@ -250,9 +256,9 @@ class FurrowRelief(Section):
 
 
 class RoughRelief(Section):
-    """Random roughness, repeated along x over the length of the grid."""
+    """Random roughness, periodic along x with the length of the grid."""
 
-    is_known: ClassVar[bool] = False  # on any grid
+    is_known: ClassVar[bool] = False  # not defined on every grid
     kind: Literal["self_affine"]
     rms_height: Annotated[NonNegative, in_unit("m")]
     hurst: Annotated[float, Field(ge=0.0, le=1.0)]

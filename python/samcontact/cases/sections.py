@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sections of a case file as validated models; each knows how to build its object."""
+"""Sections of a case file as validated models, each with a method that creates its object."""
 
 from __future__ import annotations
 
@@ -42,9 +42,9 @@ if TYPE_CHECKING:
 
 
 class GridSection(Section):
-    """[grid]: cells of the surface and, for stresses and plasticity, layers of the volume.
+    """[grid]: cells of the surface, and layers of the volume for stresses and plasticity.
 
-    The surface grows by itself where gap and reliefs are known everywhere.
+    The grid is enlarged automatically if the gap and reliefs are defined on every grid.
     """
 
     nx: Count
@@ -58,7 +58,10 @@ class GridSection(Section):
     @model_validator(mode="after")
     def _volume_is_complete(self) -> GridSection:
         if self.nz > 0 and self.dz is None:
-            raise ValueError("nz needs dz: give both, or dz alone for as many layers as are needed")
+            raise ValueError(
+                "nz requires dz: specify both, or dz alone to choose the number of layers "
+                "automatically"
+            )
         return self
 
     def build(self) -> Grid:
@@ -68,7 +71,7 @@ class GridSection(Section):
 
 
 class SinusoidalRoughness(Section):
-    """A sin(2 pi x/lx) sin(2 pi y/ly)."""
+    """Sinusoidal roughness A sin(2 pi x/lx) sin(2 pi y/ly)."""
 
     kind: Literal["sinusoidal"]
     amplitude: Annotated[NonNegative, in_unit("m")]
@@ -100,12 +103,12 @@ class _Surface(Section):
     ) = None
 
     def radii(self) -> tuple[float, float] | None:
-        """Radii of the Hertz contact this surface approximates; None without one."""
+        """Radii of the Hertz contact that this surface approximates; None without one."""
         return None
 
     @property
     def is_known(self) -> bool:
-        """Whether on any grid, not where it was measured or made only."""
+        """Whether the surface is defined on every grid."""
         return self.roughness is None or self.roughness.kind == "sinusoidal"
 
     def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
@@ -117,7 +120,7 @@ class _Surface(Section):
 
 
 class ParaboloidSurface(_Surface):
-    """x^2/(2 Rx) + y^2/(2 Ry)."""
+    """Paraboloid x^2/(2 Rx) + y^2/(2 Ry)."""
 
     shape: Literal["paraboloid"]
     Rx: Radius
@@ -155,11 +158,11 @@ class CylinderSurface(_Surface):
 
 
 class FileSurface(_Surface, HeightsFile):
-    """Heights of body 2 from a file, under a paraboloid."""
+    """Heights of body 2 from a file, in contact with a paraboloid."""
 
     shape: Literal["file"]
     x: Position | None = None
-    fill: Annotated[float, in_unit("m")] | None = None  # -inf: no body there
+    fill: Annotated[float, in_unit("m")] | None = None  # -inf: no material
     periodic: Literal["", "x", "y", "xy"] = ""
     Rx: Radius | None = None
     Ry: Radius | None = None
@@ -167,7 +170,7 @@ class FileSurface(_Surface, HeightsFile):
     @model_validator(mode="after")
     def _Ry_needs_Rx(self) -> FileSurface:
         if self.Ry is not None and self.Rx is None:
-            raise ValueError("Ry needs Rx (use Rx = inf for a surface straight along x)")
+            raise ValueError("Ry requires Rx (use Rx = inf for a surface straight along x)")
         return self
 
     @property
@@ -193,7 +196,7 @@ SurfaceSection = Annotated[
 
 
 class _LawSection(Section):
-    """A contact law, see `ContactLaw`."""
+    """Contact law, see `ContactLaw`."""
 
     kind: str
 
@@ -202,7 +205,7 @@ class _LawSection(Section):
 
 
 def _law_section(law: type[ContactLaw]) -> type[_LawSection]:
-    """The section of a contact law, with its parameters, which are not negative."""
+    """Create the section of a contact law, with its non-negative parameters."""
     parameters: Any = {
         item.name: (Annotated[NonNegative, in_unit(item.metadata["unit"])], ...)
         for item in fields(law)
@@ -219,7 +222,7 @@ def _law_section(law: type[ContactLaw]) -> type[_LawSection]:
 
 
 _LAW_SECTIONS = {law.kind: _law_section(law) for law in LAWS}
-globals().update({section.__name__: section for section in _LAW_SECTIONS.values()})  # for pickles
+globals().update({section.__name__: section for section in _LAW_SECTIONS.values()})  # for pickling
 
 
 def _contact_law_field() -> Any:
@@ -228,7 +231,7 @@ def _contact_law_field() -> Any:
 
 
 def _annotation(allowed: Allowed) -> Any:
-    """Field of a case file for a setting."""
+    """Return the annotation of the case-file field for a setting."""
     if isinstance(allowed, LawOfContact):
         return _contact_law_field()
     if isinstance(allowed, Friction):
@@ -242,9 +245,11 @@ def _annotation(allowed: Allowed) -> Any:
 
 
 def settings_section(name: str, module: str, without: tuple[str, ...] = (), **defaults: Any) -> Any:
-    """A section [contact] of the settings of a simulation; defaults: where they are others.
+    """Create a section [contact] with the settings of a simulation.
 
-    module: where it stands under this name, for pickles.
+    module: module that defines the section under this name, for pickling.
+    without: settings to omit.
+    defaults: defaults that differ from those of a simulation.
     """
     found: dict[str, Any] = {}
     for setting, allowed in allowed_of(Settings).items():
@@ -269,18 +274,18 @@ else:
 
 
 def settings_of(section: ContactSection) -> dict[str, Any]:
-    """Arguments of `Simulation`."""
+    """Return the arguments of `Simulation`."""
     laws = {"friction": friction_of(section.friction), "contact_law": contact_law_of(section)}
     return section.model_dump() | laws
 
 
 def law_of_section(section: ContactSection) -> FrictionLaw:
-    """Friction law of the section."""
+    """Return the friction law of a section."""
     return friction_law(settings_of(section)["friction"])
 
 
 def contact_law_of(section: ContactSection) -> ContactLaw:
-    """Contact law of a case."""
+    """Return the contact law of a section."""
     return HardContact() if section.contact_law is None else section.contact_law.build()
 
 
@@ -299,7 +304,7 @@ class HeatSection(Section):
     @model_validator(mode="after")
     def _go_together(self) -> HeatSection:
         if (self.factor is None) == (self.partition is None):
-            raise ValueError("give exactly one of factor, partition")
+            raise ValueError("exactly one of factor, partition must be given")
         self.build()
         return self
 
@@ -313,7 +318,7 @@ class HeatSection(Section):
 
 
 class OutputSection(OutputPlace):
-    """[output]: where the results go and what is stored."""
+    """[output]: folder of the results and stored fields."""
 
     body: BodyNumber = 2
     volume: Literal["none", "last", "peak_and_last", "all"] = "peak_and_last"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of a path along the surface, of bodies that stick and slip."""
+"""Tangential motion and force in a path, with partial slip."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ Force = Annotated[Finite, in_unit("N")]
 
 
 class Reached(NamedTuple):
-    """What a path has come to: load or approach with its value, and the forces along the surface.
+    """End of a path segment: load or approach with its value, and tangential forces and torque.
 
-    A force that follows from a motion is None: nothing has been solved yet.
+    A force that follows from a motion is None, because it is unknown before the solution.
     """
 
     quantity: str = ""
@@ -32,7 +32,10 @@ class Reached(NamedTuple):
 
 
 class Along(Section):
-    """Motion of body 1 over body 2 in a segment, or forces on body 2 at its end."""
+    """Tangential motion of body 1 relative to body 2 in a segment, or forces on body 2 at its end.
+
+    The motion is that of the segment; the forces are those at its end.
+    """
 
     shift_x: Position | None = None
     shift_y: Position | None = None
@@ -46,19 +49,20 @@ class Along(Section):
         for motion, force in zip(_MOTIONS, _FORCES, strict=True):
             if getattr(self, motion) is not None and getattr(self, force) is not None:
                 raise ValueError(
-                    f"give {motion} or {force}, not both: the motion follows from the force"
+                    f"{motion} cannot be combined with {force}: the motion follows from the force"
                 )
         return self
 
     @property
     def along(self) -> list[str]:
-        """Names of what is given along the surface."""
+        """Names of the prescribed tangential motions and forces."""
         return [name for name in ALONG if getattr(self, name) is not None]
 
     def add_along(self, steps: paths.Path, fractions: Sequence[float], reached: Reached) -> Reached:
-        """Drive the steps, whose shares of the segment end at these fractions; what they reach.
+        """Add tangential motions and forces to the steps, and return the end of the segment.
 
-        `reached` has the load or approach at the end of the segment, and the forces before it.
+        `fractions` are the fractions of the segment at which the steps end. `reached` has the load
+        or approach at the end of the segment, and the forces before it.
         """
         driven: list[list[tuple[float | None, float | None]]] = []
         forces: list[float | None] = []
@@ -84,15 +88,18 @@ def _totals(name: str, start: float | None, end: float, fractions: Sequence[floa
     if start is None:
         if len(fractions) > 1:
             raise ValueError(
-                f"{name} starts from a force that follows from a motion before, and is not known "
-                "yet: give increments = 1, and go on from there"
+                f"{name} must not start from an unknown force, which follows from a previous "
+                "motion: first prescribe the force in a segment with increments = 1"
             )
         return [end]
     return [end if f == 1.0 else start + f * (end - start) for f in fractions]
 
 
 def _arguments(*directions: tuple[float | None, float | None]) -> dict[str, Any]:
-    """Of `Simulation.step`: motion and force along x, along y, and about z; what is not None."""
+    """Return the arguments of `Simulation.step` that are not None.
+
+    directions: motion and force along x, along y and about z.
+    """
     (x, force_x), (y, force_y), (turn, torque) = directions
     given: dict[str, Any] = {"shift": (x, y), "tangential_load": (force_x, force_y)}
     given |= {"twist": turn, "torque": torque}
@@ -100,7 +107,7 @@ def _arguments(*directions: tuple[float | None, float | None]) -> dict[str, Any]
 
 
 class Fretting(Section):
-    """To and fro under the load reached before, see `paths.fretting_loop`."""
+    """Fretting cycles at the load of the previous segment, see `paths.fretting_loop`."""
 
     shift_x: Position | None = None
     shift_y: Position | None = None
@@ -111,45 +118,47 @@ class Fretting(Section):
     @model_validator(mode="after")
     def _one_kind(self) -> Fretting:
         if (self.shift is None) == (self.force is None):
-            raise ValueError("give shift_x, shift_y, or tangential_load_x, tangential_load_y")
+            raise ValueError(
+                "either shift_x, shift_y or tangential_load_x, tangential_load_y must be given"
+            )
         if not any(self.shift or self.force or ()):
             raise ValueError("the amplitude must not be 0")
         return self
 
     @property
     def shift(self) -> tuple[float, float] | None:
-        """Amplitude of the motion [m]; None where that of the force is given."""
+        """Amplitude of the motion [m]; None if the force is prescribed."""
         return _pair(self.shift_x, self.shift_y)
 
     @property
     def force(self) -> tuple[float, float] | None:
-        """Amplitude of the force [N]; None where that of the motion is given."""
+        """Amplitude of the force [N]; None if the motion is prescribed."""
         return _pair(self.tangential_load_x, self.tangential_load_y)
 
     def scaled(self, factor: float) -> Fretting:
-        """The same with forces multiplied."""
+        """Return a copy with forces multiplied by a factor."""
         forces = ("tangential_load_x", "tangential_load_y")
         given = {n: factor * v for n in forces if (v := getattr(self, n)) is not None}
         return self.model_copy(update=given)
 
     def steps(self, name: str, value: float, increments: int, reached: Reached) -> paths.Path:
-        """Under a load or an approach that must be reached already."""
+        """Return the steps at a load or an approach that the previous segment must have reached."""
         if reached[:2] != (name, value):
             raise ValueError(
-                f"fret holds the {name} at {value!r}, but the segment before ends at "
-                f"{reached.quantity or name} = {reached.value!r}: press the bodies in a segment "
-                "before"
+                f"fret requires that the previous segment ends at {name} = {value!r}, got "
+                f"{reached.quantity or name} = {reached.value!r}: add a segment that reaches "
+                f"this {name} first"
             )
         if self.force is not None and any(reached.forces[:2]):
             raise ValueError(
-                "fret of a force begins without one, but the segment before ends at "
-                f"{list(reached.forces[:2])!r} N: end that one at 0"
+                "fret with a force must start at zero force, but the previous segment ends at "
+                f"{list(reached.forces[:2])!r} N: reduce it to 0 first"
             )
         if self.force is not None and None in reached.forces[:2]:
             raise ValueError(
-                "fret of a force begins without one, but a motion before leaves one that is not "
-                "known yet: give tangential_load_x = 0, tangential_load_y = 0 in a segment of one "
-                "increment before"
+                "fret with a force must start at zero force, but the force after a prescribed "
+                "motion is unknown: first add a segment with increments = 1, tangential_load_x = 0 "
+                "and tangential_load_y = 0"
             )
         given: dict[str, Any] = {name: value, "increments": increments, "cycles": self.cycles}
         return paths.fretting_loop(**given, force=self.force, shift=self.shift)
@@ -165,7 +174,7 @@ def _pair(x: float | None, y: float | None) -> tuple[float, float] | None:
 
 
 def require_held(step: dict[str, Any], friction: FrictionLaw) -> None:
-    """Raise ValueError for a force along the surface that friction does not hold under the load."""
+    """Raise ValueError for a tangential force at or above the friction limit."""
     load = step.get("load")
     pulled = math.hypot(*(force or 0.0 for force in step.get("tangential_load", ())))
     if load is None or pulled == 0.0:
@@ -173,7 +182,6 @@ def require_held(step: dict[str, Any], friction: FrictionLaw) -> None:
     most = friction.ratio(0.0) * load if load > 0 else 0.0
     if not pulled < most:
         raise ValueError(
-            f"tangential_load_x, tangential_load_y must be less than friction times the load, "
-            f"{most!r} N under {load!r} N, got {pulled!r} N: the bodies would slide; give shift_x, "
-            "shift_y instead"
+            f"tangential load must be below the friction limit, {most!r} N at load {load!r} N, got "
+            f"{pulled!r} N: prescribe shift_x, shift_y for full sliding"
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files of two asperities that tug at each other."""
+"""Case files of asperity collisions ("tugging")."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .sections import GridSection, settings_section
 
 
 class TuggingSection(Section):
-    """[tugging]: the two spheres, how they pass, and the grid unless there is a [grid]."""
+    """[tugging]: two spheres, their passes, and the cells unless the case has a [grid]."""
 
     R1: Length
     R2: Length
@@ -39,7 +39,7 @@ class TuggingSection(Section):
         return Collision(self.R1, self.R2, self.interference)
 
     def grid_arguments(self) -> dict[str, Any]:
-        """What makes a grid, where it is given."""
+        """Fields that define a grid, if specified."""
         names = ("increments", "width", "depth")
         return {n: getattr(self, n) for n in names if getattr(self, n) is not None}
 
@@ -49,14 +49,14 @@ if TYPE_CHECKING:
 
     TuggingSolver = Section
 else:
-    # the spheres are smooth; without a tol it is that of `tug`
+    # the spheres are smooth; without tol the default of `tug` applies
     TuggingSolver = settings_section(
         "TuggingSolver", __name__, without=("friction", "contact_law"), tol=None
     )
 
 
 class TuggingCase(CaseFile):
-    """A validated case of `asperities.tug`; all quantities in SI units."""
+    """Validated case of `asperities.tug`; all quantities in SI units."""
 
     title: Annotated[str, Field(min_length=1)]
     description: str = ""
@@ -75,9 +75,9 @@ class TuggingCase(CaseFile):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
         if self.grid is not None and self.tugging.grid_arguments():
             given = ", ".join(self.tugging.grid_arguments())
-            raise ValueError(f"tugging: {given} make a grid: leave out [grid], or these")
+            raise ValueError(f"tugging: {given} cannot be combined with [grid]: omit one of them")
         bodies = (("body1", self.body1), ("body2", self.body2))
-        require_cold(bodies, "leave it out, [tugging] knows no heat")
+        require_cold(bodies, "omit it, [tugging] does not support heat")
         require_no_layers(bodies, "[tugging]")
         require_image_tol(self.contact)
         return self
@@ -85,7 +85,7 @@ class TuggingCase(CaseFile):
     def solve(
         self, *, progress: bool = True, checkpoint: str | os.PathLike[str] | None = None
     ) -> Tugging:
-        """Run `asperities.tug`; its errors, and a CaseError for a section of no use."""
+        """Run `asperities.tug`; raises its errors, and CaseError for an invalid section."""
         collision, section = self.tugging.collision(), "grid"
         reliefs: dict[str, Relief] = {}
         try:

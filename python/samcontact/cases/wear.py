@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Section of a case file that makes its path a cycle after which bodies wear."""
+"""Section [wear] of a case file: its path is one cycle, after which the bodies wear."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _OF_STRAIN = ("worn", "smoothing_length", "window", "order", "strain_depth")
 
 
 class WearSection(Section):
-    """[wear]: see `wear.run`, and with energy or archard `wear.fretting`."""
+    """[wear]: wear over repeated cycles, see `wear.run`; with energy or archard `wear.fretting`."""
 
     threshold: Positive | None = None
     energy: WearPerPressure | None = None
@@ -40,7 +40,7 @@ class WearSection(Section):
 
     @property
     def law(self) -> str:
-        """The field that is the law."""
+        """Name of the field of the wear law."""
         return next(name for name in _LAWS if getattr(self, name) is not None)
 
     @model_validator(mode="after")
@@ -48,12 +48,14 @@ class WearSection(Section):
         given = [name for name in _LAWS if getattr(self, name) is not None]
         if len(given) != 1:
             listed = ", ".join(_LAWS)
-            raise ValueError(f"give exactly one of {listed}; got {', '.join(given) or 'none'}")
+            raise ValueError(
+                f"exactly one of {listed} must be given, got {', '.join(given) or 'none'}"
+            )
         of_strain = given == ["threshold"]
         others = ("repeats",) if of_strain else _OF_STRAIN
         for name in sorted(changed(self, others)):
             laws = "energy and archard" if of_strain else "threshold"
-            raise ValueError(f"{name} goes with {laws}, not with {given[0]}: leave it out")
+            raise ValueError(f"{name} applies to {laws} only, not to {given[0]}: omit it")
         return self
 
     def solve(
@@ -63,10 +65,10 @@ class WearSection(Section):
         checkpoint: str | os.PathLike[str] | None,
         progress: bool,
     ) -> WearResult | FrettingResult:
-        """Repeat a cycle of the scene; nothing is computed with the simulation itself."""
+        """Repeat a load cycle; the simulation is only a template and is not advanced."""
         from .. import wear
 
-        # all of them: a setting that is left out would be read and not used
+        # all settings, so that none is read from the file and then ignored
         arguments = signature(type(scene)).parameters.values()
         names = [argument.name for argument in arguments if argument.kind is argument.KEYWORD_ONLY]
         common: dict[str, Any] = {name: getattr(scene, name) for name in names}

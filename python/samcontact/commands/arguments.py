@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Kinds of arguments of the commands: names of files, and numbers that may have a unit."""
+"""Argument types of the commands: file names, and numbers with an optional unit."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ else:
 
 
 class FilePath(click.Path):
-    """The name of a file or directory."""
+    """Name of a file or folder."""
 
     def __init__(self) -> None:
         super().__init__(path_type=Path)
@@ -25,20 +25,20 @@ class FilePath(click.Path):
     def convert(
         self, value: Any, param: click.Parameter | None, context: click.Context | None
     ) -> Any:
-        """Refuse names that no system has, and each refuses in its own way; "" would be "."."""
+        """Refuse names that are invalid on every system; "" would otherwise mean "."."""
         if not str(value):
             self.fail("must be the name of a file or folder, got ''", param, context)
         if "\0" in str(value):
-            self.fail(f"must not hold a null character, got {str(value)!r}", param, context)
+            self.fail(f"must not contain a null character, got {str(value)!r}", param, context)
         return super().convert(value, param, context)
 
 
 class Bare(float):
-    """A number without a unit."""
+    """Number without a unit."""
 
 
 class Quantity(Numbers):
-    """A number in the SI unit, or a text with another unit of the same kind."""
+    """Number in the SI unit, or text with a compatible unit."""
 
     name = "quantity"
 

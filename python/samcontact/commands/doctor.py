@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command that tells what is installed and whether it works."""
+"""Command `doctor`: versions and a self-test of the installation."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .errors import FAILED, short_errors
 
 @click.command()
 def doctor() -> None:
-    """Tell what is installed, and check that it computes: exit code 1 when it does not."""
+    """Show versions and run a self-test; exit code 1 if the test fails."""
     failed = False
     with short_errors():
         from . import self_check as checkup

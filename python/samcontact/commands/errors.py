@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the commands end when something goes wrong: one message on stderr, and an exit code."""
+"""Error handling of the commands: one message on stderr and an exit code."""
 
 from __future__ import annotations
 
@@ -19,19 +19,22 @@ FAILED = 1
 
 
 class StoppedEarlyError(Exception):
-    """A run that an error ended, its cause, after some increments; the text tells what is left."""
+    """Run that an error stopped after some increments; the text states which results exist.
+
+    The error itself is the `__cause__`.
+    """
 
 
 @contextmanager
 def short_errors(*, files: bool = False) -> Iterator[None]:
-    """Turn the errors a user can cause into one message on stderr, without a traceback.
+    """Reduce errors that a user can cause to one message on stderr, without a traceback.
 
-    files: whether the command loads all libraries and reads or writes results, for which a limited
-    address space must have room.
+    files: whether the command loads all libraries and reads or writes results. It then requires
+    enough address space for them.
     """
     try:
         if files:
-            buffers = BLAS_BUFFER * 2 * (blas_threads() - 1)  # of NumPy's and of SciPy's
+            buffers = BLAS_BUFFER * 2 * (blas_threads() - 1)  # of NumPy and of SciPy
             require_address_space("the command", LIBRARIES + buffers)
         yield
     except KeyboardInterrupt as stop:
@@ -42,7 +45,7 @@ def short_errors(*, files: bool = False) -> Iterator[None]:
         assert isinstance(cause, Exception)
         message, _ = _told(cause)
         click.echo(f"error: {message or f'{type(cause).__name__}: {cause}'}\n{stopped}", err=True)
-        if not message:  # no error that a user can cause
+        if not message:  # an internal error
             raise cause from None
         raise SystemExit(FAILED) from None
     except BrokenPipeError:
@@ -58,42 +61,42 @@ def short_errors(*, files: bool = False) -> Iterator[None]:
 def tell_partial(
     write: Callable[[str], object], error: BaseException, what: str, directory: Path
 ) -> str:
-    """Write what an error has left of a run; the text for those who wait for it.
+    """Write the results obtained before an error, and return a message for the user.
 
     Parameters
     ----------
     write : callable
-        Writes results, then figures, given why they are not complete.
+        Writes results, then figures; its argument is the reason why they are incomplete.
     error : Exception
     what : str
-        How much there is.
+        Amount of results, such as "3 of 12 increments".
     directory : Path
-        Of the results.
+        Folder of the results.
     """
     reason = f"{type(error).__name__}: {error}"
     told = f"{what} are in {directory}, marked as incomplete"
     try:
         write(reason)
     except Exception as another:
-        told = f"{what} are done, but not all could be written: {another}"
+        told = f"{what} were completed, but could not all be written: {another}"
     return told
 
 
 def to_try_on(told: str, directory: Path) -> str:
-    """The text with how to go on."""
-    return f"{told}; to try on:\n  samcontact resume {directory}"
+    """Return the text with the command that resumes the run."""
+    return f"{told}; resume with:\n  samcontact resume {directory}"
 
 
 def _told(error: Exception) -> tuple[str, int]:
-    """What the user is told of an error, and the exit code; no text for those of this program."""
+    """Return the message of an error and the exit code; no message for internal errors."""
     from .._core import ConvergenceError
 
     if isinstance(error, ConvergenceError):
-        return f"no convergence: {error}", FAILED
+        return f"did not converge: {error}", FAILED
     if isinstance(error, ValueError):
         return str(error), BAD_INPUT
     if isinstance(error, Warning):  # PYTHONWARNINGS=error
-        return f"a warning, which the environment makes an error: {error}", FAILED
+        return f"warning treated as an error (PYTHONWARNINGS): {error}", FAILED
     if _is_short_of_memory(error):
         return _no_memory(error), FAILED
     if isinstance(error, OSError):
@@ -104,11 +107,11 @@ def _told(error: Exception) -> tuple[str, int]:
 
 
 _REMEDIES = {
-    errno.EFBIG: "raise the limit of the size of files (ulimit -f)",
-    errno.ENOSPC: "free some space, or give another --output",
-    errno.EDQUOT: "free some of the quota, or give another --output",
-    errno.EACCES: "allow it, or choose another path",
-    errno.EROFS: "choose a path that can be written",
+    errno.EFBIG: "raise the file size limit (ulimit -f)",
+    errno.ENOSPC: "free some space, or use another --output",
+    errno.EDQUOT: "free some of the disk quota, or use another --output",
+    errno.EACCES: "change the permissions, or use another path",
+    errno.EROFS: "use a writable path",
 }
 
 
@@ -119,7 +122,7 @@ def _of_system(error: OSError) -> str:
 
 
 def _is_short_of_memory(error: Exception) -> bool:
-    """Also where a library has its own words for it: the loader, HDF5."""
+    """Whether memory is exhausted, including the error messages of the loader and of HDF5."""
     if isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM:
         return True
     words = ("failed to map segment", "cannot allocate memory", "memory allocation failed")
@@ -132,4 +135,4 @@ def _no_memory(error: Exception) -> str:
     told = str(error) if isinstance(error, MemoryError) else ""
     if "memory" in told:
         return told
-    return "not enough memory: take fewer cells, end other programs or raise the limit (ulimit -v)"
+    return "not enough memory: use fewer cells, close other programs or raise the limit (ulimit -v)"

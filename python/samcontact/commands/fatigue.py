@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command does with [fatigue]: print and write where a crack is likely to begin."""
+"""Fatigue results of a case with [fatigue]: table, file and figures."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def write_fatigue(
     case: Case, states: list[State], directory: Path, console: Console, *, figures: bool
 ) -> list[Path]:
-    """A table of the largest values, fatigue.nc, and figures; the files."""
+    """Print a table of the maxima, write fatigue.nc and figures, and return the files."""
     assert case.fatigue is not None
     body = case.output.body
     with console.status("fatigue"):
@@ -38,9 +38,9 @@ def write_fatigue(
 
 
 def _sheet(fields: list[FatigueField], limits: dict[str, float | None], body: int) -> Sheet:
-    sheet = Sheet(f"Fatigue of body {body} over {fields[0].moments} moments")
+    sheet = Sheet(f"Fatigue of body {body} over {fields[0].moments} instants")
     sheet.add("criterion", [field.name for field in fields])
-    sheet.add("largest value", [_text(field, field.largest) for field in fields])
+    sheet.add("maximum", [_text(field, field.largest) for field in fields])
     for axis in fields[0].places:
         sheet.add(f"{axis}\n[µm]", [f"{field.place[axis] * 1e6 + 0.0:.4g}" for field in fields])
     bounds = [(field, limits[field.criterion]) for field in fields]
@@ -60,7 +60,7 @@ def _text(field: FatigueField, value: float) -> str:
 def _figures(
     fields: list[FatigueField], limits: dict[str, float | None], directory: Path
 ) -> list[Path]:
-    """Over depth, one figure for each unit, and a section of the first."""
+    """Draw depth profiles, one figure for each unit, and a section of the first field."""
     from ..plotting.fatigue import fatigue_depth, fatigue_section
     from ..plotting.parts import new_figure, save
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command that finds the load at which a quantity of a case reaches a value."""
+"""Command `find`: the load at which a quantity of a case reaches a value."""
 
 from __future__ import annotations
 
@@ -21,18 +21,25 @@ if TYPE_CHECKING:
 @click.command()
 @click.argument("case_file", metavar="CASE.toml", type=FilePath())
 @click.argument("target", metavar="QUANTITY=VALUE")
-@click.option("--tolerance", type=float, default=1e-3, show_default=True, help="Relative.")
-@click.option("--largest-load", type=Quantity("N"), help="Default: 100 times that of the case.")
-@click.option("--quiet", is_flag=True, help="Print the load only [N].")
+@click.option(
+    "--tolerance", type=float, default=1e-3, show_default=True, help="Relative tolerance."
+)
+@click.option(
+    "--largest-load",
+    type=Quantity("N"),
+    help="Upper limit of the load [N]; default: 100 times the load of the case.",
+)
+@click.option("--quiet", is_flag=True, help="Print only the load [N].")
 def find(
     case_file: Path, target: str, tolerance: float, largest_load: float | None, quiet: bool
 ) -> None:
-    """Find the load at which a quantity reaches a value, or a body first yields ("yield").
+    """Find the load at which a quantity reaches a value, or the load at first yield ("yield").
 
-    All loads of the case are multiplied by the same factor. max_equivalent_plastic_strain=0.001,
-    "max_pressure=4 GPa", "print_depth_body2=0.1 um", "permanent_deformation=1 um" (both prints
-    together, at the end). What is interrupted is kept in the directory
-    of the results of the case, and the same command goes on.
+    All loads of the case are multiplied by a common factor. Examples of QUANTITY=VALUE:
+    max_equivalent_plastic_strain=0.001, "max_pressure=4 GPa", "print_depth_body2=0.1 um",
+    "permanent_deformation=1 um" (sum of the residual imprint depths of both bodies at the end).
+    An interrupted search is saved in the results folder of the case; repeat the command to
+    continue it.
     """
     with short_errors(files=True):
         from ..accuracy.load_search import searched
@@ -52,12 +59,12 @@ def find(
         sheet = Sheet(case.title)
         labels, shown = zip(*rows_of(found), strict=True)
         sheet.add("", labels)
-        sheet.add("found", shown)
+        sheet.add("result", shown)
         new_console().print(sheet)
 
 
 def _found(case: Case, search: Search) -> FoundLoad:
-    """From what an interrupted search has left, if there is one; another one leaves the same."""
+    """Run the search, continuing an interrupted one; save its progress on interruption."""
     from ..files.atomic import undisturbed
     from ..restart.checkpoint_files import remove_checkpoints
     from ..restart.identity import digest
@@ -72,7 +79,7 @@ def _found(case: Case, search: Search) -> FoundLoad:
             with undisturbed():
                 search.solves.keep(folder)
         if folder.exists():
-            click.echo(f"the same command goes on from {folder}", err=True)
+            click.echo(f"progress saved in {folder}; repeat the command to continue", err=True)
         raise
     if kept is not None:
         remove_checkpoints(kept)
@@ -80,7 +87,7 @@ def _found(case: Case, search: Search) -> FoundLoad:
 
 
 def _wanted(target: str) -> tuple[str, float]:
-    """Name of a quantity, and its value in SI units."""
+    """Return the name of a quantity and its value in SI units."""
     from ..accuracy.load_search_cases import YIELD, require_known
 
     name, given, text = (part.strip() for part in target.partition("="))
@@ -98,7 +105,7 @@ def _wanted(target: str) -> tuple[str, float]:
 
 
 def _value(name: str, text: str) -> float:
-    """In SI units, of a number or a text with a unit."""
+    """Return the value in SI units of a number, or of a text with a unit."""
     from .._util.quantities import CONTACT
     from ..accuracy.load_search_cases import PERMANENT
     from ..units import from_text

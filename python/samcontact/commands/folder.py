@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The folder of results: no file of another run beside those of this one."""
+"""Files in the folder of results, without outdated files of an earlier run."""
 
 from __future__ import annotations
 
@@ -35,12 +35,15 @@ _OWN = re.compile(
 
 
 def is_own(file: Path) -> bool:
-    """Whether it has a name that a run, its report or its export gives."""
+    """Whether the file has a name that a run, its report or its export uses."""
     return _OWN.fullmatch(file.name) is not None
 
 
 def written_names(case: CaseFile, main: str, figures: bool, animate: bool) -> re.Pattern[str]:
-    """Return the names of the files that a run may write; main: of its results, without ending."""
+    """Return the names of the files that a run may write.
+
+    main: name of the file of results, without suffix.
+    """
     parts = [name for name in ("fatigue", "shakedown") if getattr(case, name, None) is not None]
     names = ["|".join((main, *parts)) + r")\.nc", main + r")\.csv"]
     if figures and case.output.figures:
@@ -51,10 +54,11 @@ def written_names(case: CaseFile, main: str, figures: bool, animate: bool) -> re
 
 
 def publish(dataset: xr.Dataset, file: Path) -> Path:
-    """Write the results of a run; what earlier ones have left beside them goes now.
+    """Write the results of a run, and remove the files of earlier runs from the folder.
 
-    Not before, so that a run that fails costs nothing, and not later, so that no figure or report
-    stands beside results that it does not show. Files of others stay.
+    Files are not removed earlier, so that a failed run loses nothing. They are not removed later,
+    so that no figure or report in the folder shows other results. Files that were not written by
+    this package are kept.
     """
     with undisturbed(), recording(file.parent) as record:
         results.save(dataset, file)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command that prints Hertz values."""
+"""Command `hertz`: values of Hertz contact."""
 
 from __future__ import annotations
 
@@ -31,24 +31,26 @@ _USUAL = {
     "approach": (False, 1e-3, "m", "5 um"),
     "p0": (True, 1e5, "Pa", "1.5 GPa"),
 }
-"""Whether a number without a unit has a least or a largest value, which, and an example."""
+"""Bound on a number without a unit: whether it is a lower bound, its value, and an example."""
 
 
 @click.command()
 @click.option("--R", "radius", type=LENGTH, required=True, help="Equivalent radius (Rx) [m].")
-@click.option("--Ry", "radius_y", type=LENGTH, help="Second equivalent radius [m]: elliptic.")
+@click.option(
+    "--Ry", "radius_y", type=LENGTH, help="Second equivalent radius [m], for an elliptic contact."
+)
 @click.option("--E-star", "modulus", type=STRESS, required=True, help="Contact modulus [Pa].")
 @click.option("--load", type=Quantity("N"), help="Normal load [N].")
 @click.option("--length", type=LENGTH, help="Length of a line contact [m].")
 @click.option(
-    "--load-per-length", type=Quantity("N/m"), help="Load of a line contact, per length [N/m]."
+    "--load-per-length", type=Quantity("N/m"), help="Load per length of a line contact [N/m]."
 )
 @click.option("--approach", type=LENGTH, help="Rigid-body approach [m].")
 @click.option("--p0", type=STRESS, help="Maximum pressure [Pa].")
-@click.option("--nu", type=float, help="Poisson's ratio: adds the largest von Mises stress.")
+@click.option("--nu", type=float, help="Poisson's ratio; adds the maximum von Mises stress.")
 @click.option(
     "--depth", "depths", type=LENGTH, multiple=True,
-    help="Depth [m] of stresses on the axis, which need --nu; may be repeated.",
+    help="Depth [m] at which to print the stresses on the axis (requires --nu); may be repeated.",
 )  # fmt: skip
 def hertz(
     radius: float,
@@ -59,9 +61,10 @@ def hertz(
     depths: tuple[float, ...],
     **given: float | None,
 ) -> None:
-    """Hertz point, elliptic or line contact from one of --load, --approach, --p0.
+    """Print the Hertz solution for one of --load, --approach, --p0.
 
-    A contact with --length or --load-per-length is a line contact, in plane strain.
+    The contact is a point contact, or elliptic with --Ry. With --length or --load-per-length it is
+    a line contact in plane strain.
 
     Quantities are numbers in SI units, or have a unit: --R "7.5 mm" --E-star "115 GPa".
     """
@@ -70,7 +73,7 @@ def hertz(
         contact: HertzContact
         if length is not None or per_length is not None:
             if radius_y is not None:
-                raise ValueError("Ry is for elliptic contacts: a line contact has no second radius")
+                raise ValueError("Ry cannot be combined with a line contact: omit --Ry")
             contact, rows = _line(radius, modulus, length, per_length, **given)
         elif radius_y is None:
             contact = _hertz.point(radius, modulus, **given)
@@ -86,7 +89,7 @@ def hertz(
         if nu is not None:
             rows += _stresses(contact, poisson_ratio("nu", nu), depths)
         elif depths:
-            raise ValueError("nu is needed for stresses at a depth: give --nu, e.g. --nu 0.3")
+            raise ValueError("nu is required for stresses at a depth: add --nu, e.g. --nu 0.3")
         _warn_of_slips(contact, {"R": radius, "Ry": radius_y, "E_star": modulus, "length": length,
                                  "load_per_length": per_length, **given})  # fmt: skip
         for label, value in rows:
@@ -94,17 +97,17 @@ def hertz(
 
 
 def _warn_of_slips(contact: HertzContact, given: dict[str, float | None]) -> None:
-    """Warn of numbers without a unit that are unusual, and of a contact that cannot be."""
+    """Warn about unusual numbers without a unit, and about an implausible contact."""
     for name, value in given.items():
         at_least, limit, unit, example = _USUAL[name]
         if isinstance(value, Bare):
             option = "--" + name.replace("_", "-")
             verdict = Check(option, value, limit, at_least, unit)
-            remedy = f'A number without a unit is in {unit}: or write {option} "{example}"'
+            remedy = f'Numbers without a unit are in {unit}; or write {option} "{example}"'
             warn_of(Doubt(verdict, lambda remedy=remedy: remedy), stacklevel=2)  # type: ignore[misc]
     if isinstance(contact, _hertz.LineContact):
         verdict = Check("half-width over the radius", contact.b / contact.R, LARGEST_PART)
-        doubt = Doubt(verdict, lambda: "The bodies are taken as half-spaces")
+        doubt = Doubt(verdict, lambda: "The bodies are modelled as half-spaces")
     else:
         doubt = part_of_radius(Contact(Expected(contact), (0.0, 0.0)))
     warn_of(doubt, stacklevel=2)
@@ -127,11 +130,11 @@ def _line(
     approach: float | None,
     p0: float | None,
 ) -> tuple[_hertz.LineContact, Rows]:
-    """A line contact from one of load, load per length and p0, and its values."""
+    """Return the line contact for a load, load per length or p0, and its values."""
     if approach is not None:
         raise ValueError(
-            "approach is for point and elliptic contacts: that of a line contact depends on the "
-            "shape of the whole bodies; give load, load_per_length or p0"
+            "approach is not supported for a line contact, where it depends on the shape of the "
+            "whole bodies: use load, load_per_length or p0"
         )
     exactly_one(load=load, load_per_length=per_length, p0=p0)
     if load is not None:
@@ -145,9 +148,12 @@ def _line(
 
 
 def _stresses(contact: HertzContact, nu: float, depths: tuple[float, ...]) -> Rows:
-    """The largest von Mises stress, and stresses on the axis at given depths."""
+    """Return the maximum von Mises stress, and the stresses on the axis at given depths."""
     stress, depth = contact.max_von_mises(nu)
-    rows = [("maximum von Mises stress [Pa]", stress), ("its depth [m]", depth)]
+    rows = [
+        ("maximum von Mises stress [Pa]", stress),
+        ("depth of maximum von Mises stress [m]", depth),
+    ]
     for z in depths:
         normal: Any = [float(component) for component in contact.axis_stress(z, nu)]
         if len(normal) == 2:  # radial and circumferential stress are equal
@@ -155,6 +161,6 @@ def _stresses(contact: HertzContact, nu: float, depths: tuple[float, ...]) -> Ro
         for name, value in zip(("xx", "yy", "zz"), normal, strict=True):
             rows.append((f"sigma_{name} at {z:.5g} m [Pa]", value))
         rows.append(
-            (f"von Mises at {z:.5g} m [Pa]", float(von_mises(np.array([*normal, 0, 0, 0]))))
+            (f"von Mises stress at {z:.5g} m [Pa]", float(von_mises(np.array([*normal, 0, 0, 0]))))
         )
     return rows

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command keeps of a run that does not reach its end, and finds again to go on."""
+"""Checkpoints of an interrupted run: written by `run`, read by `resume`."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ if TYPE_CHECKING:
 FOLDER = "checkpoints"
 OLD = "checkpoints.old"
 DONE = ".checkpoints.done"
-REMEDY = "give another --output"
+REMEDY = "use another --output"
 MANY = 20
-"""Increments whose checkpoints may take long to write, during which Ctrl-C does nothing."""
+"""Number of increments above which writing checkpoints is announced: Ctrl-C has no effect then."""
 
 
 class Checkpoints:
-    """Those of a run, in the folder of its results.
+    """Checkpoints of a run, in the folder of its results.
 
     Parameters
     ----------
@@ -45,24 +45,24 @@ class Checkpoints:
         self.key = case_key(case, {})
 
     def claim(self, resume: bool) -> bool:
-        """Whether to go on from checkpoints that are there; those of another run are set aside.
+        """Whether to continue from existing checkpoints; checkpoints of another run are moved.
 
-        With `resume` they are not: whether they fit is for those who read them to say.
+        With `resume` nothing is moved: whether the checkpoints fit is checked when they are read.
         """
         remove_checkpoints(self.directory / DONE)
         if not self.folder.exists() or resume:
             return resume
         if _read(self.folder / CASE).key == self.key:
-            told = f"going on from the checkpoints of an interrupted run: {self.folder}"
+            told = f"continuing from the checkpoints of an interrupted run: {self.folder}"
         else:
             remove_checkpoints(self.directory / OLD)
             self.folder.rename(self.directory / OLD)
-            told = f"checkpoints of another run, set aside: {self.directory / OLD}"
+            told = f"checkpoints of a different run were moved to {self.directory / OLD}"
         click.echo(told, err=True)
         return self.folder.exists()
 
     def remember(self) -> Path:
-        """Leave where the case came from, and its text, beside the checkpoints; their folder."""
+        """Store path and text of the case file with the checkpoints, and return their folder."""
         self.folder.mkdir(parents=True, exist_ok=True)
         self._write(f"{CASE_MARK}{self.key}\n{self.case.source.resolve()}\n{self.case.text}")
         return self.folder
@@ -73,18 +73,19 @@ class Checkpoints:
 
     @contextmanager
     def used(self) -> Iterator[Path]:
-        """Their folder, to which each increment goes as it is done.
+        """Folder of the checkpoints, which receives each increment as soon as it is solved.
 
-        It belongs to this case from here on, unless what is there turns out to be of another run.
+        The folder belongs to this case from here on, unless its checkpoints prove to be those of
+        another run.
         """
         before = _text(self.folder / CASE)
         folder = self.remember()
         try:
             yield folder
         except Exception as error:
-            if not any(folder.rglob("*.h5")):  # nothing to go on from
+            if not any(folder.rglob("*.h5")):  # nothing to continue from
                 remove_checkpoints(folder)
-            elif isinstance(error, ForeignCheckpointError):  # it is still of the run before
+            elif isinstance(error, ForeignCheckpointError):  # still of the earlier run
                 if before is None:
                     (folder / CASE).unlink(missing_ok=True)
                 else:
@@ -92,17 +93,17 @@ class Checkpoints:
             raise
 
     def keep(self, write: Callable[[Path], None], increments: int) -> None:
-        """Have the increments written that a run without a journal has done, if there is room."""
+        """Write the increments of a run without a journal, if there is enough disk space."""
         if increments > MANY:
             click.echo(f"writing checkpoints of {increments} increments", err=True)
         try:
             with undisturbed():
                 write(self.remember())
         except OSError as error:
-            click.echo(f"not all increments could be kept to go on from: {error}", err=True)
+            click.echo(f"could not write all checkpoints: {error}", err=True)
 
     def forget(self) -> None:
-        """Remove them, since the results are safe: all at once, whatever happens meanwhile."""
+        """Remove the checkpoints after the results were written, without interruption."""
         with undisturbed(), suppress(OSError):
             for name in (FOLDER, OLD):
                 if (self.directory / name).exists():
@@ -114,7 +115,7 @@ class Checkpoints:
 def checkpoints_of(
     directory: Path, case: CaseFile, written: re.Pattern[str]
 ) -> Iterator[Checkpoints]:
-    """Lock the folder of a run, and forget its checkpoints when the run reaches its end.
+    """Lock the folder of a run, and remove its checkpoints when the run is complete.
 
     Parameters
     ----------
@@ -126,14 +127,14 @@ def checkpoints_of(
     Raises
     ------
     ValueError
-        Files that this package has not written are in the way.
+        Files that this package did not write have names that the run needs.
     """
     with locked(directory, REMEDY), recording(directory) as record:
         for name in (FOLDER, OLD, DONE):
             if (found := foreign(directory / name)) is not None:
                 raise ValueError(
-                    f"{found} was not written by samcontact, which keeps checkpoints of a run in "
-                    f"{directory / name} and removes them at its end: move it away, or {REMEDY}"
+                    f"{found} was not written by samcontact, which stores checkpoints of a run in "
+                    f"{directory / name} and removes them at its end: move the file, or {REMEDY}"
                 )
         for file in sorted(directory.iterdir()):
             if written.fullmatch(file.name):
@@ -146,43 +147,43 @@ def checkpoints_of(
 def _require_own(file: Path, record: Record, case: CaseFile) -> None:
     if file.exists() and case.source.exists() and file.samefile(case.source):
         raise ValueError(
-            f"the case file {case.source} has the name of a file that its run may write: rename "
+            f"the case file {case.source} has the name of a file that the run may write: rename "
             f"it, or {REMEDY}"
         )
     record.require(file)
 
 
 def is_interrupted(directory: Path) -> bool:
-    """Whether there is what `interrupted_case` reads."""
+    """Whether the folder has the file that `interrupted_case` reads."""
     return (directory / FOLDER / CASE).is_file()
 
 
 def interrupted_case(directory: Path) -> Path:
-    """The case file of the run that was interrupted in a directory.
+    """Return the case file of the interrupted run in a folder.
 
-    Raises ValueError when there is none, or when the case file is no longer what it was.
+    Raises ValueError if there is no interrupted run, or if the case file has changed.
     """
     from ..cases import load_case
 
     mark = directory / FOLDER / CASE
     if not is_interrupted(directory):
-        raise ValueError(f"{directory} has no interrupted run: there is no {mark}")
+        raise ValueError(f"no interrupted run found in {directory} (missing {mark})")
     _, name, text = _read(mark)
     if not name or "\ufffd" in name:
         raise ValueError(
-            f"{mark} is damaged and does not name its case file: go on with\n"
+            f"{mark} is damaged and does not name its case file: resume with\n"
             f"  samcontact run CASE.toml --output {directory} --resume"
         )
     file = Path(name)
     if not file.exists() or load_case(file).text != text:
         raise ValueError(
-            f"{file} is not the case file that was interrupted any more: run it anew, or restore it"
+            f"{file} has changed since the interruption: start a new run, or restore the file"
         )
     return file
 
 
 class _Kept(NamedTuple):
-    """What the file beside checkpoints says of their run."""
+    """Content of the file that identifies the run of the checkpoints."""
 
     key: str
     source: str

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command ``samcontact``: run case files, one or many of a kind, report, print Hertz values.
+"""Command ``samcontact``: solve case files and parameter studies, write reports and exports.
 
 Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad input,
-130 interrupted (Ctrl-C), 143 terminated, 129 its terminal was closed.
+130 interrupted (Ctrl-C), 143 terminated, 129 terminal closed.
 """
 
 from __future__ import annotations
@@ -31,10 +31,12 @@ def _print_version(context: click.Context, _: click.Parameter, value: bool) -> N
 
 
 class _Guarded(click.Group):
-    """Also what is printed before a command is chosen is guarded: help, version, wrong usage."""
+    """Command group that also guards output before a command runs: help, version, usage errors."""
 
     def main(self, *args: Any, **settings: Any) -> Any:
-        os.environ.pop("MPLBACKEND", None)  # figures are files: they need none, right or wrong
+        os.environ.pop(
+            "MPLBACKEND", None
+        )  # figures are written to files and need no backend; an invalid one would fail
         with stoppable(), guarded_output():
             return super().main(*args, **settings)
 
@@ -46,7 +48,7 @@ class _Guarded(click.Group):
     is_eager=True,
     expose_value=False,
     callback=_print_version,
-    help="Print the version and exit.",
+    help="Show the version and exit.",
 )
 def main() -> None:
     """Semi-analytical elastic-plastic contact of two half-spaces."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Commands that read what a run has written: reports, and export for other programs."""
+"""Commands `report` and `export`, which read the results of a run."""
 
 from __future__ import annotations
 
@@ -19,24 +19,30 @@ _ENDINGS = (".html", ".vtr", ".pvd")
 
 @click.command()
 @click.argument("run", metavar="RUN", type=FilePath())
-@click.option("--vtk", is_flag=True, help="VTK files for ParaView: volume and surface.")
-@click.option("--html", is_flag=True, help="A page with the body in three dimensions.")
+@click.option("--vtk", is_flag=True, help="Write VTK files for ParaView: volume and surface.")
+@click.option("--html", is_flag=True, help="Write a page with a three-dimensional view of a body.")
 @click.option(
     "--quantity",
     default="von_mises",
     show_default=True,
-    help="Field of the page, as in the results.",
+    help="Field shown on the page, by its name in the results.",
 )
 @click.option(
-    "--increment", type=int, default=-1, show_default=True, help="Its number; -1: last stored."
+    "--increment",
+    type=int,
+    default=-1,
+    show_default=True,
+    help="Number of the increment; -1: last stored.",
 )
-@click.option("--all", "every", is_flag=True, help="Every increment as VTK, and a .pvd of them.")
+@click.option(
+    "--all", "every", is_flag=True, help="Export all increments as VTK and a .pvd collection file."
+)
 @click.option(
     "--body",
     type=click.Choice(["1", "2"]),
-    help="Whose fields; default: that of [output], or the one that has them.",
+    help="Body whose fields are exported; default: the body of [output], or the body with fields.",
 )
-@click.option("--output", type=FilePath(), help="File; default: beside the results.")
+@click.option("--output", type=FilePath(), help="File; default: in the folder of the results.")
 def export(
     run: Path,
     vtk: bool,
@@ -47,32 +53,34 @@ def export(
     body: str | None,
     output: Path | None,
 ) -> None:
-    """Write the fields of one increment, or of all, for another program or for a browser.
+    """Export the fields of one increment, or of all, for ParaView or a browser.
 
-    RUN is the folder of a run, or the results.nc in it.
+    RUN is the folder of a run, or its results.nc.
     """
     if not (vtk or html):
-        raise click.UsageError("say which format: --vtk, --html, or both")
+        raise click.UsageError("output format required: --vtk, --html or both")
     if every and not vtk:
-        raise click.UsageError("--html shows one increment: give --increment instead of --all")
+        raise click.UsageError(
+            "--html exports a single increment: use --increment instead of --all"
+        )
     if every and increment != -1:
-        raise click.UsageError("give --increment or --all, not both")
+        raise click.UsageError("--increment and --all cannot be combined")
     with short_errors(files=True):
         from .. import results
 
         source = _results_of(run, ("results.nc",))
         target = source.with_suffix("") if output is None else output
         if output is not None and output.suffix.lower() in _ENDINGS and vtk and html:
-            target = output.with_suffix("")  # each format has its own
+            target = output.with_suffix("")  # each format has its own suffix
         number = None if body is None else int(body)
         written: list[Path] = []
-        # a file that the user has named is replaced whatever it is
+        # a file named by the user is replaced in any case
         listed = recording(source.parent) if output is None else nullcontext()
         with results.open_results(source) as dataset, listed:
             if "pressure" not in dataset:
                 raise ValueError(
-                    f"{source} has no fields of a contact to export: samcontact report shows "
-                    "results of tugging and wear"
+                    f"{source} contains no contact fields to export: use samcontact report for "
+                    "results of asperity collisions and wear"
                 )
             if vtk and every:
                 written += results.to_pvd(dataset, target, number)
@@ -93,10 +101,13 @@ def export(
 @click.option(
     "--output",
     type=FilePath(),
-    help="Default: report.html beside the results.",
+    help="File; default: report.html in the folder of the results.",
 )
 def report(run: Path, output: Path | None) -> None:
-    """Write an HTML report of a run: RUN is its folder, or the .nc file in it."""
+    """Write an HTML report of a run.
+
+    RUN is the folder of the run, or its .nc file.
+    """
     with short_errors(files=True):
         from .. import report as reports
         from .. import results
@@ -104,7 +115,7 @@ def report(run: Path, output: Path | None) -> None:
         source = _results_of(run, ("results.nc", "series.nc", "wear.nc"))
         default = source.with_name("report.html")
         target = output or default
-        if source.exists():  # else that is what is wrong
+        if source.exists():  # a missing file is reported below
             _require_page(target)
         beside = source.with_name("shakedown.nc")
         with ExitStack() as opened:
@@ -123,8 +134,10 @@ def report(run: Path, output: Path | None) -> None:
 
 @contextmanager
 def _recorded(target: Path, default: Path) -> Iterator[None]:
-    """List files written under their default names, which replace none of others; a file that the
-    user has named otherwise is replaced whatever it is."""
+    """Record files written under default names; these replace no foreign files.
+
+    A file named by the user is replaced in any case.
+    """
     if target != default:
         yield
         return
@@ -134,22 +147,20 @@ def _recorded(target: Path, default: Path) -> Iterator[None]:
 
 
 def _require_page(target: Path) -> None:
-    """Nothing but an older page is replaced; what cannot be written is told before the work."""
+    """Raise ValueError, before the work begins, if the page cannot be written or is no page."""
     if target.exists() and not target.is_file():  # a device would become a file
         kind = "directory" if target.is_dir() else "device or pipe"
         raise ValueError(f"--output must be a file, and {target} is a {kind}")
     if not target.parent.is_dir():
-        raise ValueError(
-            f"--output must be in a directory that exists: there is no {target.parent}"
-        )
+        raise ValueError(f"--output must be in an existing folder: there is no {target.parent}")
     if target.is_file() and target.suffix.lower() not in (".html", ".htm"):
         raise ValueError(
-            f"--output must end in .html where there is a file: {target} would be lost"
+            f"--output must end in .html to replace an existing file: {target} would be lost"
         )
 
 
 def _results_of(run: Path, names: tuple[str, ...]) -> Path:
-    """The file of these names that a run has left in its folder, or the file that is given."""
+    """Return the file itself, or the one file with one of these names in the folder of a run."""
     if not run.is_dir():
         return run
     found = [run / name for name in names if (run / name).exists()]
@@ -158,7 +169,6 @@ def _results_of(run: Path, names: tuple[str, ...]) -> Path:
             sorted(file.name for file in run.glob("*.nc"))[:5]
         )
         raise ValueError(
-            f"{run} must hold one of {', '.join(names)}, has {there or 'none of them'}: name the "
-            "file"
+            f"{run} must contain one of {', '.join(names)}, got {there or 'none'}: specify the file"
         )
     return found[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The commands that solve a case file, and go on with one that was interrupted."""
+"""Commands `run` and `resume`, which solve a case file."""
 
 from __future__ import annotations
 
@@ -20,24 +20,24 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("case_file", metavar="CASE.toml", type=FilePath())
-@click.option("--output", type=FilePath(), help="Directory of the results.")
-@click.option("--no-figures", is_flag=True, help="Write no figures.")
+@click.option("--output", type=FilePath(), help="Folder of the results.")
+@click.option("--no-figures", is_flag=True, help="Do not write figures.")
 @click.option(
     "--animate",
     is_flag=True,
-    help="Write rolling.gif too, for a path that moves the bodies, and stick_slip.gif for bodies "
-    "that stick and slip.",
+    help="Also write rolling.gif for a path that moves the bodies, and stick_slip.gif with Coulomb "
+    "friction.",
 )
 @click.option(
     "--resume",
     is_flag=True,
-    help="Write a checkpoint after each increment, and go on from those that are there.",
+    help="Write a checkpoint after each increment and continue from existing checkpoints.",
 )
-@click.option("--quiet", is_flag=True, help="Print the paths of the results only.")
+@click.option("--quiet", is_flag=True, help="Print only the paths of the result files.")
 def run(
     case_file: Path, output: Path | None, no_figures: bool, animate: bool, resume: bool, quiet: bool
 ) -> None:
-    """Solve a case file; write results.nc and figures."""
+    """Solve a case file and write results.nc and figures."""
     with short_errors(files=True):
         from ..cases import load_case
         from .interrupted import is_interrupted
@@ -53,7 +53,7 @@ def run(
         except KeyboardInterrupt as stop:
             if not is_interrupted(directory):
                 raise
-            click.echo(f"interrupted: go on with\n  samcontact resume {directory}", err=True)
+            click.echo(f"interrupted; resume with:\n  samcontact resume {directory}", err=True)
             raise SystemExit(exit_code(stop)) from None
     for file in written:
         click.echo(str(file))
@@ -68,14 +68,14 @@ def _solve(
     animate: bool,
     resume: bool,
 ) -> list[Path]:
-    """The files of a contact, of tugging, or of the cycles of wear."""
+    """Solve a contact, an asperity collision or wear cycles, and return the files written."""
     from ..cases import TuggingCase
 
     if animate and getattr(case, "accuracy", None) is not None:
-        raise ValueError("--animate is not for a case with accuracy")
+        raise ValueError("--animate cannot be combined with accuracy")
     section = "tugging" if isinstance(case, TuggingCase) else "wear" if case.wear else None
     if animate and section is not None:
-        raise ValueError(f"--animate is not for a case with [{section}]")
+        raise ValueError(f"--animate cannot be combined with [{section}]")
     if isinstance(case, TuggingCase):
         from .solve_study import solve_tugging
 
@@ -93,15 +93,18 @@ def _solve(
 
 @click.command()
 @click.argument("run_", metavar="RUN", type=FilePath())
-@click.option("--no-figures", is_flag=True, help="Write no figures.")
-@click.option("--quiet", is_flag=True, help="Print the paths of the results only.")
+@click.option("--no-figures", is_flag=True, help="Do not write figures.")
+@click.option("--quiet", is_flag=True, help="Print only the paths of the result files.")
 @click.pass_context
 def resume(context: click.Context, run_: Path, no_figures: bool, quiet: bool) -> None:
-    """Go on with a run that was interrupted: RUN is its folder, or a file in it."""
+    """Resume an interrupted run.
+
+    RUN is the folder of the run, or a file in it.
+    """
     with short_errors(files=True):
         from .interrupted import interrupted_case
 
-        is_folder = run_.is_dir() or run_.suffix != ".nc"  # which need not be there yet
+        is_folder = run_.is_dir() or run_.suffix != ".nc"  # results.nc need not exist yet
         directory = run_ if is_folder and not run_.is_file() else run_.parent
         file = interrupted_case(directory)
     context.invoke(

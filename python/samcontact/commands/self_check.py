@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What this installation consists of, and a self-check that takes a second or two."""
+"""Components of this installation, and a self-test of a few seconds."""
 
 from __future__ import annotations
 
@@ -29,18 +29,18 @@ REQUIRED = (
     "numpy", "scipy", "matplotlib", "pydantic", "xarray", "h5netcdf", "h5py", "jinja2", "pandas",
     "click", "rich", "tqdm",
 )  # fmt: skip
-# library: (extra that installs it, what it is for)
+# library: (extra that installs it, purpose)
 OPTIONAL = {"vtk": ("vtk", "export for ParaView")}
-# Extensions that tell the levels of x86-64 apart for which the core has hot loops.
+# Instruction sets that define the x86-64 levels for which the core has compiled loops.
 LEVELS = {
     "x86-64-v4 (AVX-512)": {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"},
     "x86-64-v3 (AVX2)": {"avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe"},
 }
-R, E, NU = 7.5e-3, 210e9, 0.3  # of the self-check
+R, E, NU = 7.5e-3, 210e9, 0.3  # radius [m], Young's modulus [Pa], Poisson's ratio of the self-test
 
 
 def installation() -> list[tuple[str, str]]:
-    """Versions and settings, as name and text.
+    """Return versions and settings, as pairs of name and text.
 
     Returns
     -------
@@ -48,7 +48,7 @@ def installation() -> list[tuple[str, str]]:
         Package, Python, machine, compiler, FFTW, SIMD level and threads, then libraries.
     """
     core = Path(_core_file())
-    library = ctypes.CDLL(str(core))  # is loaded already: only names are looked up
+    library = ctypes.CDLL(str(core))  # already loaded: only symbols are looked up
     return [
         ("samcontact", version),
         ("Python", f"{platform.python_version()} ({platform.python_implementation()})"),
@@ -64,13 +64,13 @@ def installation() -> list[tuple[str, str]]:
 
 def _core_file() -> str:
     found = importlib.util.find_spec("samcontact._core")
-    if found is None or found.origin is None:  # a package without its core could not be imported
+    if found is None or found.origin is None:  # not expected: the import would have failed before
         raise FileNotFoundError("the compiled core is missing")
     return found.origin
 
 
 def _compiler(core: Path) -> str:
-    """As compilers leave it in the files they make."""
+    """Return the compiler version that the compiler stored in the library."""
     pattern = rb"GCC: \([^)\0]*\) [\d.]+|clang version [\d.]+"
     found = sorted({text.decode() for text in re.findall(pattern, core.read_bytes())})
     return ", ".join(found) or "unknown"
@@ -79,13 +79,13 @@ def _compiler(core: Path) -> str:
 def _fftw(library: ctypes.CDLL) -> str:
     try:
         version = (ctypes.c_char * 64).in_dll(library, "fftw_version").value
-    except ValueError:  # linked in such a way that it shows no names
+    except ValueError:  # statically linked without exported symbols
         return "unknown"
     return version.decode().removeprefix("fftw-")
 
 
 def _simd() -> str:
-    """The level of x86-64 that the loader selects hot loops for."""
+    """Return the x86-64 level whose compiled loops the loader selects."""
     if platform.machine() not in ("x86_64", "AMD64"):
         return "one level only"
     try:
@@ -129,13 +129,13 @@ def _optional() -> Iterator[tuple[str, str]]:
 
 
 def self_check() -> Iterator[Check]:
-    """Solve small contacts and compare.
+    """Solve small contacts and compare them with known results.
 
     Yields
     ------
     Check
-        One after the other, as they are computed. A part that raises gives a failed one with the
-        error in its name.
+        Checks in the order in which they are computed. An exception gives a failed check whose
+        name contains the error.
     """
     for part in (_hertz, _plastic, _checkpoint):
         yield from _guarded(part)
@@ -144,23 +144,23 @@ def self_check() -> Iterator[Check]:
 def _guarded(part: Callable[[], Iterator[Check]]) -> Iterator[Check]:
     try:
         yield from part()
-    except Exception as error:  # whatever is wrong here has to be told, not to end the list
+    except Exception as error:  # any error is reported as a failed check
         text = f"{part.__name__.strip('_')}: {type(error).__name__}: {error}"
         yield Check(text, float("nan"), 0.0)
 
 
 def _hertz() -> Iterator[Check]:
-    """An elastic contact with 14 cells per radius against the closed form."""
+    """Compare an elastic contact with 14 cells per contact radius with the closed form."""
     steel = Material.elastic(E, NU)
     exact = hertz.point(R, hertz.effective_modulus(steel, steel), load=1000.0)
     step = exact.a / 14.0
     grid = Grid(35, 35, step, step)
     state = Simulation(grid, steel, steel, surfaces.paraboloid(grid, R)).step(load=1000.0)
     pressure = abs(float(state.pressure.max()) / exact.p0 - 1.0)
-    # discretisation: a few times what the validation finds at this resolution
-    yield Check("Hertz: maximum pressure against the closed form", pressure, 5e-3)
+    # limits: a few times the discretisation error found in the validation at this resolution
+    yield Check("Hertz: relative error of the maximum pressure", pressure, 5e-3)
     approach = abs(state.approach / exact.approach - 1.0)
-    yield Check("Hertz: approach against the closed form", approach, 2e-3)
+    yield Check("Hertz: relative error of the approach", approach, 2e-3)
 
 
 def _plastic_simulation() -> Simulation:
@@ -174,15 +174,15 @@ def _plastic() -> Iterator[Check]:
     state = simulation.step(load=600.0)
     tol = simulation.tol
     strain = state.max_equivalent_plastic_strain(body=2)
-    yield Check("elastic-plastic: largest plastic strain", strain, 1e-5, at_least=True)
-    yield Check("elastic-plastic: plastic residual", state.plastic_residual, tol)
-    yield Check("elastic-plastic: stress beyond yield", state.yield_excess, tol)
+    yield Check("elastic-plastic: maximum plastic strain", strain, 1e-5, at_least=True)
+    yield Check("elastic-plastic: plastic-strain residual", state.plastic_residual, tol)
+    yield Check("elastic-plastic: violation of the yield condition", state.yield_excess, tol)
     total = float(state.pressure.sum()) * simulation.grid.cell_area
-    yield Check("elastic-plastic: balance of the load", abs(total / 600.0 - 1.0), tol)
+    yield Check("elastic-plastic: load balance", abs(total / 600.0 - 1.0), tol)
 
 
 def _checkpoint() -> Iterator[Check]:
-    """A simulation that is saved, read and continued ends as one that was not."""
+    """Compare a simulation continued from a checkpoint with an uninterrupted one."""
     straight = _plastic_simulation()
     straight.step(load=500.0)
     with tempfile.TemporaryDirectory() as folder:
@@ -192,4 +192,4 @@ def _checkpoint() -> Iterator[Check]:
     states: list[Any] = [simulation.step(load=0.0) for simulation in (straight, resumed)]
     first, second = (state.residual_displacement(body=2) for state in states)
     difference = float(np.max(np.abs(first - second)))
-    yield Check("checkpoint: difference of the print [m]", difference, 0.0)
+    yield Check("checkpoint: difference in residual displacement [m]", difference, 0.0)

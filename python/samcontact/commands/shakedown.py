@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command does with [shakedown]: repeat the path, and tell what it comes to."""
+"""Shakedown results of a case with [shakedown]: table, file and figure."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ if TYPE_CHECKING:
 def write_shakedown(
     case: Case, checkpoints: Checkpoints, console: Console, *, figures: bool
 ) -> list[Path]:
-    """A table of what repeated cycles come to, shakedown.nc and a figure; the files.
+    """Repeat the path, print a table, write shakedown.nc and a figure, and return the files.
 
-    Each cycle leaves a checkpoint: they take longer than the path.
+    A checkpoint is written after each cycle: the cycles take longer than the path itself.
     """
     assert case.shakedown is not None
     kept = checkpoints.remember() / "shakedown"
     found = case.shakedown.solve(*case.build(), not console.quiet, kept)
     directory = checkpoints.directory
     rows = rows_of(found)
-    sheet = Sheet("The path, repeated")
+    sheet = Sheet("Repeated load cycles")
     sheet.add("", [label for label, _ in rows])
     sheet.add("", [value for _, value in rows])
     console.print(sheet)
@@ -48,14 +48,14 @@ def write_shakedown(
 
 
 def _dataset(found: ShakedownResult, title: str) -> xr.Dataset:
-    def told(name: str, meaning: str) -> tuple[str, list[float], dict[str, str]]:
+    def variable(name: str, meaning: str) -> tuple[str, list[float], dict[str, str]]:
         values = [float(getattr(cycle, name)) for cycle in found.cycles]
         return "cycle", values, {"units": "1", "long_name": meaning}
 
     return xr.Dataset(
         {
-            "flow": told("flow", "largest equivalent plastic strain added in the cycle"),
-            "net": told("net", "largest plastic strain left by the cycle"),
+            "flow": variable("flow", "maximum equivalent plastic strain increment of the cycle"),
+            "net": variable("net", "maximum net plastic strain of the cycle"),
         },
         {"cycle": [cycle.number for cycle in found.cycles]},
         {

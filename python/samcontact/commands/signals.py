@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Signals that ask the command to end, as exceptions that leave what was computed."""
+"""Signals that end the command, as exceptions, so that computed results are saved."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from ..files.atomic import ENDING
 
 INTERRUPTED = 130
 _ONE_WISH = 1.0
-"""Seconds: signals that follow one another faster are one wish to end, such as those that `timeout`
-sends to a process and to its group."""
+"""Interval [s] within which repeated signals count as one, as `timeout` signals a process and its
+group."""
 
 
 class Stopped(KeyboardInterrupt):
-    """Ctrl-C, or another signal that is treated like it."""
+    """Interruption by Ctrl-C or by another terminating signal."""
 
     def __init__(self, number: int) -> None:
         super().__init__(signal.Signals(number).name)
@@ -27,13 +27,13 @@ class Stopped(KeyboardInterrupt):
 
 
 def exit_code(stop: BaseException) -> int:
-    """Of a command that such an exception has ended, as shells have it."""
+    """Return the exit code of an interrupted command, by the convention of shells."""
     return getattr(stop, "exit_code", INTERRUPTED)
 
 
 @contextmanager
 def stoppable() -> Iterator[None]:
-    """Raise `Stopped` where such a signal arrives; those that are ignored stay so (nohup)."""
+    """Raise `Stopped` on a terminating signal; ignored signals stay ignored (nohup)."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command does with a case of one contact: solve it, print and write results, figures."""
+"""Solution of a case of one contact: tables, results and figures."""
 
 from __future__ import annotations
 
@@ -46,25 +46,25 @@ if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
 
-MOST_FRAMES = 120  # of an animation
+MOST_FRAMES = 120  # maximum number of frames of an animation
 
 
 def solve_contact(
     case: Case, directory: Path, console: Console, *, figures: bool, animate: bool, resume: bool
 ) -> list[Path]:
-    """Write results.nc and figures; the files.
+    """Solve a case, write results.nc and figures, and return the files.
 
-    With `resume`, each increment leaves a checkpoint. Without it whatever ends the run before all
-    files are written leaves them all. An error after some increments leaves these as results, too.
+    With `resume`, a checkpoint is written after each increment. Without it, the checkpoints of all
+    solved increments are written if the run stops before all files are written. If an error stops
+    the run, the solved increments are also written as results.
     """
     if animate and not (case.sticks or (case.moves and case.has_volume)):
         raise ValueError(
-            "--animate needs a path that moves a body, and a grid with layers; or bodies that "
-            "stick and slip"
+            "--animate requires rolling or sliding motion and a grid with dz, or Coulomb friction"
         )
     simulation, path = case.build()
     who = describe(simulation.engine, path=path)
-    # before the computation: a directory that cannot be made must not cost a run
+    # before the computation: an unusable folder must not cost a run
     written = written_names(case, "results", figures, animate)
     with checkpoints_of(directory, case, written) as checkpoints:
         journal = checkpoints.claim(resume)
@@ -98,9 +98,9 @@ def solve_contact(
 def solve_to_accuracy(
     case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """The same on grids that become finer; the files of the finest.
+    """Solve a case on successively finer grids, and return the files of the finest grid.
 
-    An error or an interrupt leaves the best values so far as results, too.
+    After an error or an interruption, the best values so far are written as results.
     """
     search = searched(case, progress=not console.quiet)
     written = written_names(case, "results", figures, False)
@@ -136,7 +136,7 @@ def solve_to_accuracy(
 
 @dataclass
 class _Run:
-    """A simulation after the increments of a case, all or some."""
+    """Simulation after all increments of a case, or after some of them."""
 
     case: Case
     checkpoints: Checkpoints
@@ -150,7 +150,7 @@ class _Run:
         return self.checkpoints.directory
 
     def write(self, *, figures: bool, animate: bool = False, stopped_by: str = "") -> list[Path]:
-        """Results, tables and figures; the files."""
+        """Write results and figures, print tables, and return the files."""
         case, console, states = self.case, self.console, self.states
         if self.accurate is not None:
             dataset = self.accurate.to_dataset().assign_attrs(completeness(stopped_by))
@@ -169,7 +169,8 @@ class _Run:
         if errors is not None and (told := said_of_slope(errors.slope_beyond)):
             console.print(told, markup=False, highlight=False)
         if self.accurate is None and (told := self.simulation.engine.enlargement):
-            console.print(f"{told}: [grid] gives only the first", markup=False, highlight=False)
+            told += "; [grid] specifies the initial grid"
+            console.print(told, markup=False, highlight=False)
         peak = peak_of_dataset(dataset)
         load = float(dataset["load"].values[peak])
         reference = case.hertz(load) if load > 0.0 else None
@@ -206,22 +207,22 @@ class _Run:
         return [save_animation(one, self.directory / f"{name}.gif") for name, one in made.items()]
 
     def _errors(self) -> GridErrors | None:
-        """Estimated on half the cells; None where it cannot be, which is told."""
+        """Estimate grid errors from a coarsened grid; None, with a message, if not possible."""
         if not self.case.estimate_error:
             run = self.simulation
             repeat = repeat_with(type(run))
             warn_of(run.engine, run.monitor, self.states, 1, repeat, stacklevel=3)
             return None
         try:
-            with self.console.status("the same on cells twice as large"):
+            with self.console.status("repeating the run on a coarsened grid"):
                 return estimate_errors(self.simulation, self.case.steps(), self.states)
         except Exception as error:
-            told = f"errors of the grid are not estimated: {error}"
+            told = f"could not estimate the grid errors: {error}"
             self.console.print(told, markup=False, highlight=False)
             return None
 
     def _shown(self, dataset: xr.Dataset) -> xr.Dataset:
-        """With the volume fields that figures show, whatever the case stores."""
+        """Return the results with the volume fields that figures require, stored or not."""
         from ..plotting.summary import increments_shown
 
         shown = increments_shown(dataset, self.case.output.body)
@@ -231,7 +232,7 @@ class _Run:
         return results.to_dataset(self.simulation, self.states, self.case, volume=sorted(shown))
 
     def partial(self, error: BaseException, what: str, figures: bool) -> str:
-        """Write what there is after an error; what is told of it."""
+        """Write the results obtained before an error, and return a message for the user."""
         return tell_partial(
             lambda reason: self.write(figures=figures, stopped_by=reason),
             error,
@@ -241,7 +242,7 @@ class _Run:
 
 
 def _summary(dataset: xr.Dataset, body: int) -> Sheet:
-    """Table of all increments, in units that read well."""
+    """Return the table of all increments, in readable units."""
     along = moved_along(dataset)
     names = (*CONTACT_COLUMNS, "print_depth", "travel", *along, "iterations")
     shown = of_contact(dataset, names, body)
@@ -250,26 +251,27 @@ def _summary(dataset: xr.Dataset, body: int) -> Sheet:
          else dataset[name].values, None)
         for name, quantity in shown.items()
     ]  # fmt: skip
-    finest = ", as solved on the finest grid" if "accuracy_reached" in dataset.attrs else ""
+    finest = " (finest grid)" if "accuracy_reached" in dataset.attrs else ""
     return values_sheet(f"Increments{finest}", dataset["increment"].values, columns)
 
 
 def _errors_sheet(dataset: xr.Dataset) -> Sheet | None:
-    """What is certified, where it is largest, with its error; None of results without any."""
+    """Return the table of quantities with errors at their maximum; None without error estimates."""
     rows = error_rows(dataset)
     if not rows:
         return None
     asked = [row.asked for row in rows if row.asked is not None]
-    sheet = Sheet(f"Values with their errors{'' if asked else ', from cells twice as large'}")
+    title = "Estimated errors" if asked else "Estimated grid errors (from a grid coarsened by 2)"
+    sheet = Sheet(title)
     sheet.add("", [row.label for row in rows])
     sheet.add("increment", [str(row.increment) for row in rows])
     sheet.add("value", [row.shown for row in rows])
-    sheet.add("error\n[%]", [row.percent for row in rows])
+    sheet.add("error\n[%]" if asked else "grid error\n[%]", [row.percent for row in rows])
     if any(row.by_increments is not None for row in rows):
         shares = ["" if r.by_increments is None else f"{100 * r.by_increments:.2g}" for r in rows]
-        sheet.add("by increments\n[%]", shares)
+        sheet.add("increment\nerror [%]", shares)
     if asked:
-        sheet.add("asked\nfor [%]", [f"{100 * accuracy:.3g}" for accuracy in asked])
+        sheet.add("target\n[%]", [f"{100 * accuracy:.3g}" for accuracy in asked])
     return sheet
 
 
@@ -279,7 +281,7 @@ def _comparison(
     reference: hertz.PointContact | hertz.EllipticContact,
     body: int,
 ) -> Sheet:
-    """Computed values at the peak next to those of elastic Hertz contact."""
+    """Return the table that compares values at the peak with elastic Hertz contact."""
     number = int(dataset["increment"][peak])
     rows = []
     for quantity, exact, here in hertz_rows(dataset, peak, reference, body):
@@ -287,8 +289,9 @@ def _comparison(
         label = shown.column().replace("\n", " ")
         rows.append((label, *numbers([exact * shown.factor, here * shown.factor], 6)))
     labels, elastic, computed = zip(*rows, strict=True)
-    sheet = Sheet(f"Increment {number} against elastic Hertz contact at {reference.load:.6g} N")
+    where = f"increment {number}, {reference.load:.6g} N"
+    sheet = Sheet(f"Comparison with elastic Hertz contact, {where}")
     sheet.add("", labels)
     sheet.add("Hertz", elastic)
-    sheet.add("here", computed)
+    sheet.add("simulation", computed)
     return sheet

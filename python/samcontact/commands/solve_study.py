@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command does with a case of tugging or of wear: solve it, print and write its results.
+"""Solution of a case of asperity collision or of wear: tables, results and figures.
 
-Each increment of tugging, each cycle of wear leaves a checkpoint.
+A checkpoint is written after each increment of a collision and after each cycle of wear.
 """
 
 from __future__ import annotations
@@ -45,28 +45,28 @@ _OF_CYCLES = (
 
 
 class _Kind(NamedTuple):
-    """What differs between tugging and wear."""
+    """Functions that differ between asperity collision and wear."""
 
     file: str
     solve: Callable[[Path], Any]
-    """From the folder of its checkpoints."""
+    """Solution of the case, given the folder of its checkpoints."""
     dataset: Callable[[Any], xr.Dataset]
     amount: Callable[[Any], str]
-    """How much there is of a run that has stopped early."""
+    """Amount of results of a run that stopped early, as text."""
     sheet: Callable[[xr.Dataset], Sheet]
     rows: Callable[[xr.Dataset], pd.DataFrame]
-    """What goes into the .csv."""
+    """Rows of the .csv file."""
     draw: Callable[[Any, xr.Dataset], dict[str, Figure]]
 
 
 def solve_tugging(
     case: TuggingCase, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Write series.nc, series.csv and figures of the first pass; the files."""
+    """Write series.nc, series.csv and figures of the first pass, and return the files."""
 
     def amount(result: Tugging) -> str:
         passes = result.series.sizes["pass"]
-        return f"{passes} of {case.tugging.passes} passes, the last in part,"
+        return f"{passes} of {case.tugging.passes} passes (the last incomplete)"
 
     kind = _Kind(
         "series",
@@ -83,7 +83,7 @@ def solve_tugging(
 def solve_wear(
     case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Write wear.nc, wear.csv and figures; the files."""
+    """Write wear.nc, wear.csv and figures, and return the files."""
     simulation, cycle = case.build()
     settings = case.wear
     assert settings is not None
@@ -115,7 +115,8 @@ def _solve(
         written = [publish(dataset, directory / f"{kind.file}.nc"), directory / f"{kind.file}.csv"]
         console.print(kind.sheet(dataset))
         if dataset.attrs.get("stopped", 1) == 0 and not stopped_by:
-            console.print(f"still wearing after {dataset.sizes['cycle']} cycles", highlight=False)
+            cycles = dataset.sizes["cycle"]
+            console.print(f"wear has not ceased after {cycles} cycles", highlight=False)
         with replacing(written[-1]) as part:
             kind.rows(dataset).to_csv(part)
         if case.output.figures and figures:
@@ -156,7 +157,7 @@ def _passes_sheet(series: xr.Dataset) -> Sheet:
 
 
 def _draw_tugging(_: Tugging, series: xr.Dataset) -> dict[str, Figure]:
-    """Forces and their ratio in the first pass."""
+    """Draw the forces and their ratio in the first pass."""
     return {
         "force_x": _figure(tugging.force([series], component="x")),
         "force_z": _figure(tugging.force([series], component="z")),
@@ -169,7 +170,7 @@ def _cycles(dataset: xr.Dataset) -> pd.DataFrame:
 
 
 def _cycles_sheet(dataset: xr.Dataset) -> Sheet:
-    """The largest of all worn bodies, or the sum of their volumes."""
+    """Return the table of cycles: maximum over the worn bodies, or the sum of their volumes."""
     columns = []
     for name in (name for name in _OF_CYCLES if name in dataset):
         values = dataset[name]
@@ -196,5 +197,5 @@ def _draw_wear(result: WearResult | FrettingResult, dataset: xr.Dataset) -> dict
 
 def _figure(ax: Axes) -> Figure:
     figure = ax.figure
-    assert isinstance(figure, Figure)  # made by `new_figure`
+    assert isinstance(figure, Figure)  # created by `new_figure`
     return figure

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What ``samcontact sweep`` does: read lists of values, solve, print a table."""
+"""Parameter study of ``samcontact sweep``: read lists of values, solve, print a table."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
     from ..cases import Case
 
-MOST_ERRORS = 10  # printed
+MOST_ERRORS = 10  # maximum number of printed errors
 _TUGGING = {
     name: TUGGING[row]
     for name, row in (
@@ -55,9 +55,9 @@ def run_sweep(
     output: Path | None,
     quiet: bool,
 ) -> int:
-    """Solve, print the table and the path of the results; the exit code."""
+    """Solve all cases, print the table and the path of the results, and return the exit code."""
     if jobs is not None and address is not None:
-        raise ValueError("give --jobs or --dask, not both")
+        raise ValueError("--jobs and --dask cannot be combined")
     parameters = parse_settings(settings)
     case = load_case(case_file)
     folder = case.output_directory / "sweep" if output is None else output
@@ -91,13 +91,13 @@ def _executor(jobs: int | None, address: str | None) -> Iterator[Any]:
     try:
         distributed = importlib.import_module("distributed")
     except ImportError as error:
-        raise ValueError("--dask needs Dask: pip install 'samcontact[sweep]'") from error
+        raise ValueError("--dask requires Dask: pip install 'samcontact[sweep]'") from error
     with distributed.Client(address) as client:
         yield client
 
 
 def parse_settings(settings: Sequence[str]) -> dict[str, list[Any]]:
-    """FIELD=VALUE,VALUE,... as values by field: those of TOML, or words without quotes."""
+    """Parse FIELD=VALUE,VALUE,... into values by field; values are TOML or unquoted words."""
     parameters: dict[str, list[Any]] = {}
     for setting in settings:
         name, equals, text = setting.partition("=")
@@ -121,7 +121,7 @@ def _values(text: str) -> list[Any]:
 
 
 def _value(word: str) -> Any:
-    """A TOML value, a number as other programs write it ("1."), or the word itself."""
+    """Return a TOML value, a number such as "1." that TOML does not accept, or the word itself."""
     try:
         return tomllib.loads(f"v = {word}")["v"]
     except tomllib.TOMLDecodeError:
@@ -132,7 +132,7 @@ def _value(word: str) -> Any:
 
 
 def _errors(dataset: xr.Dataset) -> list[str]:
-    """The different errors; sweep.nc tells which case had which."""
+    """Return the distinct errors; sweep.nc contains the error of each case."""
     texts = [text for text in dict.fromkeys(dataset["error"].values.flat) if text]
     if len(texts) > MOST_ERRORS:
         texts[MOST_ERRORS:] = [f"and {len(texts) - MOST_ERRORS} more, see error in sweep.nc"]
@@ -140,11 +140,15 @@ def _errors(dataset: xr.Dataset) -> list[str]:
 
 
 def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | TuggingCase) -> Sheet:
-    """One row for each case: its values at the peak of stress; of a tugging, the largest ones."""
+    """Return one row for each case, with values at maximum von Mises stress.
+
+    For asperity collisions the row has the maxima.
+    """
     status = dataset["status"]
     places = [dict(zip(status.dims, place, strict=True)) for place in np.ndindex(*status.shape)]
     cases = [dataset.isel(place) for place in places]
-    sheet = Sheet("Largest values" if isinstance(case, TuggingCase) else "At the peak of stress")
+    is_collision = isinstance(case, TuggingCase)
+    sheet = Sheet("Maxima" if is_collision else "At maximum von Mises stress")
     sheet.add("case", [str(number) for number in range(1, len(cases) + 1)])
     for name in names:
         sheet.add(name.replace(".", ".\n"), [str(one[name].item()) for one in cases])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command prints, on any terminal and into any pipe: it never costs results."""
+"""Output of the command on any terminal and into any pipe, so that no failure costs results."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _NEAREST = {"µ": "u", "μ": "u", "≤": "<=", "≥": ">=", "×": "x", "·": "."
 
 
 def _nearest(error: UnicodeError) -> tuple[str, int]:
-    """Characters that a terminal has instead of those that it has not."""
+    """Return replacements for characters that the terminal cannot show."""
     assert isinstance(error, UnicodeEncodeError)
     shown = []
     for character in error.object[error.start : error.end]:
@@ -33,14 +33,14 @@ codecs.register_error("samcontact.nearest", _nearest)
 
 
 class _Guarded:
-    """A text stream: what it cannot take is lost, and nothing else is."""
+    """Text stream that drops output it cannot write instead of failing."""
 
     def __init__(self, stream: Any) -> None:
         self._stream = stream
         self.error: OSError | None = None
 
     def write(self, text: str | bytes) -> int:
-        if isinstance(text, bytes):  # of shell completion
+        if isinstance(text, bytes):  # from shell completion
             text = text.decode()
         if self.error is None:
             try:
@@ -60,7 +60,7 @@ class _Guarded:
                 self._lose(error)
 
     def _lose(self, error: OSError) -> None:
-        """Go on without it; what is still in its buffer must not fail when the process ends."""
+        """Continue without the stream; its buffer must not fail when the process ends."""
         self.error = error
         with suppress(OSError, ValueError, AttributeError):
             nowhere = os.open(os.devnull, os.O_WRONLY)
@@ -68,20 +68,20 @@ class _Guarded:
             os.close(nowhere)
 
     def __getattr__(self, name: str) -> Any:
-        if name == "buffer":  # click would write to it, past this
+        if name == "buffer":  # click would write to it directly
             raise AttributeError(name)
         return getattr(self._stream, name)
 
 
 @contextmanager
 def guarded_output() -> Iterator[None]:
-    """Standard output and error that cannot fail meanwhile; warnings are one line each.
+    """Prevent failures of standard output and error, and print each warning on one line.
 
-    In the end, exit code 1 when output was lost.
+    At the end, raise SystemExit with code 1 if output was lost.
     """
     streams, form = (sys.stdout, sys.stderr), warnings.formatwarning
     with open(os.devnull, "w", encoding="utf-8") as nowhere:
-        # Python has None for those that are closed
+        # closed streams are None
         guards = [_Guarded(nowhere if stream is None else stream) for stream in streams]
         sys.stdout, sys.stderr = guards
         warnings.formatwarning = lambda message, *_, **__: f"warning: {message}\n"
@@ -89,7 +89,7 @@ def guarded_output() -> Iterator[None]:
             yield
         except SystemExit as end:
             if end.code:
-                raise  # else success depends on what comes now
+                raise  # otherwise the exit code depends on lost output
         finally:
             for guard in guards:
                 guard.flush()
@@ -97,6 +97,6 @@ def guarded_output() -> Iterator[None]:
             sys.stdout, sys.stderr = streams
     lost = guards[0].error
     if lost is not None:
-        if lost.errno != errno.EPIPE:  # else its reader has left
+        if lost.errno != errno.EPIPE:  # otherwise the reader closed the pipe
             click.echo(f"error: cannot write to the standard output: {lost.strerror}", err=True)
         raise SystemExit(1)

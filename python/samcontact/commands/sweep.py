@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command that solves a case file for many values of its fields."""
+"""Command `sweep`: parameter study of a case file."""
 
 from __future__ import annotations
 
@@ -20,17 +20,23 @@ from .errors import short_errors
     metavar="FIELD=VALUE,...",
     multiple=True,
     required=True,
-    help="Values of a field, e.g. body2.yield_stress=1e9,2e9; once for each field.",
+    help="Values of a field, e.g. body2.yield_stress=1e9,2e9; repeat the option for each field.",
 )
-@click.option("--zip", "zipped", is_flag=True, help="First values, second ones, ... together.")
-@click.option("--jobs", type=click.IntRange(min=1), help="Worker processes of one thread each.")
-@click.option("--dask", "address", metavar="ADDRESS", help="Scheduler of a Dask cluster.")
-@click.option("--output", type=FilePath(), help="Directory of the results.")
-@click.option("--quiet", is_flag=True, help="Print the path of the results only.")
+@click.option(
+    "--zip", "zipped", is_flag=True, help="Combine values pairwise instead of in all combinations."
+)
+@click.option(
+    "--jobs", type=click.IntRange(min=1), help="Number of worker processes, with one thread each."
+)
+@click.option(
+    "--dask", "address", metavar="ADDRESS", help="Address of the scheduler of a Dask cluster."
+)
+@click.option("--output", type=FilePath(), help="Folder of the results.")
+@click.option("--quiet", is_flag=True, help="Print only the path of the results.")
 def sweep(case_file: Path, **options: Any) -> None:
-    """Solve a case file for many values of its fields; write sweep.nc.
+    """Solve a case file for many values of its fields and write sweep.nc.
 
-    The same command goes on with a sweep that was interrupted, and tries failed cases again.
+    Repeat the command to continue an interrupted sweep; failed cases are then solved again.
     """
     with short_errors(files=True):
         from .solve_sweep import run_sweep

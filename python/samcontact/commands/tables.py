@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables that the commands print, none of whose numbers is ever cut or broken."""
+"""Tables of the commands, whose numbers are never truncated or wrapped."""
 
 from __future__ import annotations
 
@@ -20,24 +20,25 @@ if TYPE_CHECKING:
     import xarray as xr
 
 UNLIMITED = 10_000
-"""Columns of a file or a pipe, which has no width of its own."""
+"""Width for output to a file or a pipe, in characters."""
 NARROWEST = 40
-"""Columns that are taken of any terminal; a narrower one breaks the lines itself."""
-_LONGEST_WORD = 24  # a double with all its digits; words that are longer are folded
-_FRAME = 3  # of a cell: a line and a space on either side
+"""Minimum width of a table, in characters; a narrower terminal wraps the lines itself."""
+_LONGEST_WORD = 24  # a double with all its digits; longer words are folded
+_FRAME = 3  # width of a cell's frame: a line, and a space on either side
 
 
 def new_console(quiet: bool = False) -> Console:
-    """Where commands print: as wide as the terminal, and of any width where there is none."""
+    """Return the console of the commands: as wide as the terminal, or unlimited without one."""
     console = Console(quiet=quiet)
     console.width = max(console.width, NARROWEST) if console.is_terminal else UNLIMITED
     return console
 
 
 def numbers(column: ArrayLike, digits: int = 5) -> list[str]:
-    """Texts of a column: the largest value has so many digits, the others as many decimals.
+    """Format the numbers of a column with common decimals.
 
-    A value that would keep less than two digits has its own; where there is none, "-".
+    The largest value has `digits` significant digits. A value that would keep fewer than two digits
+    has its own format. Values that are not finite are shown as "-".
     """
     values = np.asarray(column, dtype=np.float64).tolist()
     largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
@@ -58,7 +59,7 @@ def numbers(column: ArrayLike, digits: int = 5) -> list[str]:
 
 @dataclass
 class Sheet:
-    """A table that fits: headings wrap at words, and what is too wide goes on below.
+    """Table that fits the terminal: headings wrap at words, and excess columns follow below.
 
     The first column names the rows and is repeated in each part.
     """
@@ -73,12 +74,12 @@ class Sheet:
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Text | Table]:
         available = options.max_width
         for number, part in enumerate(self._parts(available)):
-            # a title of the table would be broken at its width
+            # as its own line: a title of the table would be wrapped at the table's width
             yield Text(self.title if number == 0 else f"{self.title}, continued", style="italic")
             yield self._part(part, available)
 
     def _parts(self, available: int) -> list[list[int]]:
-        """Columns beside each other, in as few parts of like width as there can be."""
+        """Distribute columns over as few parts as possible, of similar width."""
         narrow = [_FRAME + _narrowest(*column) for column in self.columns]
 
         def filled(limit: int) -> list[list[int]]:
@@ -128,11 +129,11 @@ CONTACT_COLUMNS = (
     "load", "approach", "max_pressure", "max_von_mises", "max_equivalent_plastic_strain",
     "max_temperature",
 )  # fmt: skip
-"""What tables of a contact show."""
+"""Quantities in tables of a contact."""
 
 
 def of_contact(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
-    """Those of a contact or of one of its bodies that results have, by the name of the variable."""
+    """Return the named quantities of a contact or one of its bodies, by variable in the results."""
     found = ((f"{name}_body{body}", name) for name in names)
     variables = ((own if own in dataset else name, name) for own, name in found)
     return {variable: CONTACT[name] for variable, name in variables if variable in dataset}
@@ -141,7 +142,7 @@ def of_contact(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str
 def values_sheet(
     title: str, rows: ArrayLike, columns: Iterable[tuple[Quantity, ArrayLike, int | None]]
 ) -> Sheet:
-    """A row for each number, a column for each quantity (of a body)."""
+    """Return a table with a row for each number and a column for each quantity (of a body)."""
     sheet = Sheet(title)
     sheet.add("", [str(number) for number in np.asarray(rows)])
     for quantity, values, body in columns:

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that are written completely or not at all, and marked as written by this package."""
+"""Atomic writing of files, and their identification as files of this package."""

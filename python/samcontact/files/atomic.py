@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that appear under their name only when they are complete."""
+"""Atomic writing: files appear under their name only when they are complete."""
 
 from __future__ import annotations
 
@@ -20,30 +20,29 @@ from .checksum import seal
 from .ownership import is_regular, record_of, remove_leftovers, require_marked
 
 ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-"""Ctrl-C, what a batch system or a shutdown sends, and a terminal that is closed."""
+"""Signals of Ctrl-C, of batch systems and shutdown, and of a closed terminal."""
 
 
 @contextmanager
 def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
-    """Yield a new file beside `path` to write, which takes its place in the end.
+    """Yield a new file in the folder of `path`, which replaces `path` at the end.
 
-    When something fails the new file is removed, and an old one stays as it is. Of a symbolic link
-    the file behind it is replaced. In a folder under `recording` only files of this package
-    are.
+    On failure, the new file is removed and an existing file is kept. For a symbolic link, its
+    target is replaced. In a folder under `recording`, only files of this package are replaced.
 
     Parameters
     ----------
     path : path
-        The file; its folder must exist.
+        File to write, in an existing folder.
     ending : str, optional
-        Of the name of the new file, for writers that choose a format by it.
+        Suffix of the new file, for writers that choose the format by the suffix.
 
     Raises
     ------
     OSError
         The folder is missing or cannot be written, or `path` is a folder, device or pipe.
     ValueError
-        The folder is recorded, and `path` is a file of others.
+        The folder is recorded, and this package did not write `path`.
     """
     record = record_of(Path(path).parent)
     if record is not None:
@@ -53,7 +52,7 @@ def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
     handle, temporary = _part(target, ending)
     try:
         yield temporary
-        # mkstemp makes the file private; give it what a plain open() would
+        # mkstemp creates a private file: set the permissions of a plain open()
         mask = os.umask(0)
         os.umask(mask)
         temporary.chmod(0o666 & ~mask)
@@ -65,7 +64,7 @@ def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
         os.replace(temporary, target)
     except BaseException as error:
         temporary.unlink(missing_ok=True)
-        # a full disk is told without a name, others with that of the new file
+        # the error names no file, or the new file
         if isinstance(error, OSError) and error.errno and error.filename in (None, str(temporary)):
             raise _about(target, error) from error
         raise
@@ -74,7 +73,7 @@ def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
 
 
 def with_ending(path: str | os.PathLike[str], ending: str) -> Path:
-    """The path with an ending, which is added where it is missing; ValueError without a name."""
+    """Return the path with the suffix added if missing; raises ValueError without a file name."""
     target = Path(path)
     if target.name in ("", ".."):
         raise ValueError(f"path must be the name of a file, got {in_short(str(path))}, a folder")
@@ -82,35 +81,35 @@ def with_ending(path: str | os.PathLike[str], ending: str) -> Path:
 
 
 def _checked(path: Path) -> Path:
-    """The file that a path leads to, which may be missing; its folder must be there."""
+    """Return the target of a path, which may be missing; its folder must exist."""
     target = Path(os.path.realpath(path)) if path.is_symlink() else path
     if not target.parent.is_dir():
-        raise FileNotFoundError(errno.ENOENT, "there is no folder for", str(path))
+        raise FileNotFoundError(errno.ENOENT, "the folder does not exist", str(path))
     if os.path.lexists(target) and not is_regular(target):
         kind = "folder" if target.is_dir() else "device or pipe"
-        raise OSError(errno.EINVAL, f"a file must be written, but there is a {kind}", str(path))
+        raise OSError(errno.EINVAL, f"must be a file, but is a {kind}", str(path))
     return target
 
 
 def _part(target: Path, ending: str) -> tuple[int, Path]:
-    """A new file beside the target, with the lock that tells it from those of killed processes."""
+    """Create a new file next to the target, with a lock that distinguishes it from leftovers."""
     prefix = f".{target.name}.samcontact-"
     while True:
         handle, name = tempfile.mkstemp(f".part{ending}", prefix, target.parent)
         with suppress(OSError):  # a file system without locks
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        if os.path.exists(name):  # nobody took it for a leftover before it had its lock
+        if os.path.exists(name):  # not removed as a leftover before it was locked
             return handle, Path(name)
         os.close(handle)
 
 
 @contextmanager
 def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
-    """The same for HDF5: a file object to write, which gets the digest of `checksum` in the end.
+    """Yield a file object for HDF5 that replaces `path` at the end, with the digest of `checksum`.
 
-    Ctrl-C waits until the file is complete. Errors of the disk are OSErrors that name `path`; where
-    HDF5 would have too little memory, a MemoryError comes before. An existing file that is none of
-    this package is refused with a ValueError.
+    Ctrl-C is delayed until the file is complete. Disk errors are OSErrors that name `path`. A
+    MemoryError is raised in advance if HDF5 would run out of memory. An existing file that this
+    package did not write is refused with a ValueError.
     """
     require_marked(_checked(Path(path)))
     require_address_space(f"writing {os.fspath(path)!r}", HDF5_FILE)
@@ -128,10 +127,10 @@ def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
 
 
 class _Patient:
-    """A file that keeps its first error of writing to itself, and takes what comes later.
+    """File that stores its first write error and ignores later writes.
 
-    HDF5 does not survive a disk that is full: its errors are of many kinds, come back when objects
-    are freed, and the process may crash when it ends.
+    HDF5 does not survive a full disk: its errors are of many kinds, recur when objects are freed,
+    and the process may crash at its end.
     """
 
     def __init__(self, file: BinaryIO) -> None:
@@ -158,18 +157,18 @@ class _Patient:
             return size or 0
 
     def flush(self) -> None:
-        """Nothing is kept back."""
+        """Do nothing: there is no buffer."""
 
 
 @contextmanager
 def undisturbed() -> Iterator[None]:
-    """Keep Ctrl-C and other wishes to end waiting: what is finished must not be lost meanwhile."""
+    """Delay Ctrl-C and other terminating signals, so that no finished results are lost."""
     if threading.current_thread() is not threading.main_thread():
-        yield  # signals go elsewhere
+        yield  # signals are handled by the main thread
         return
     waiting: list[int] = []
     before = {number: signal.getsignal(number) for number in ENDING}
-    # None: not set by Python
+    # None: handler not set by Python
     held = [number for number, old in before.items() if old not in (None, signal.SIG_IGN)]
     for number in held:
         signal.signal(number, lambda number, _: waiting.append(number))
@@ -183,5 +182,5 @@ def undisturbed() -> Iterator[None]:
 
 
 def _about(path: Path, error: OSError) -> OSError:
-    """The same error with the name of the file that the user knows."""
+    """Return the error with the file name that the user specified."""
     return OSError(error.errno, error.strerror or str(error), str(path))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A digest behind the end of an HDF5 file, by which any later change of its bytes is noticed.
+"""Digest appended to an HDF5 file, which reveals any later change of its bytes.
 
-HDF5 does not look behind the end that its header tells. The digest is compared before the file is
-opened: the HDF5 library may crash on damaged metadata.
+HDF5 ignores bytes after the end stated in its header. The digest is checked before the file is
+opened, because the HDF5 library may crash on damaged metadata.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from typing import BinaryIO
 _MARK = b"\nsamcontact sha256 "
 _HEX = 64
 SEALED = len(_MARK) + _HEX + 1
-"""Bytes of the digest with its mark."""
+"""Length of the digest with its mark [bytes]."""
 _BLOCK = 1 << 20
 
 
 def seal(path: str | os.PathLike[str]) -> None:
-    """Append the digest to a complete file. Programs that change the file later cut it off."""
+    """Append the digest to a complete file. Programs that change the file later remove it."""
     with open(path, "r+b") as file:
         digest = _digest(file, os.fstat(file.fileno()).st_size)
         file.write(_MARK + digest + b"\n")
@@ -28,7 +28,7 @@ def seal(path: str | os.PathLike[str]) -> None:
 def check_seal(path: str | os.PathLike[str]) -> bool:
     """Whether the file has a digest.
 
-    Raises ValueError when its bytes are not those that were sealed.
+    Raises ValueError if its bytes have changed.
     """
     with open(path, "rb") as file:
         length = max(0, os.fstat(file.fileno()).st_size - SEALED)
@@ -36,7 +36,7 @@ def check_seal(path: str | os.PathLike[str]) -> bool:
         end = file.read(SEALED)
         if not end.startswith(_MARK) or len(end) < SEALED:
             if _MARK.strip() in end or any(end.endswith(_MARK[:n]) for n in range(4, len(_MARK))):
-                raise ValueError("its end is cut off, or something was appended")
+                raise ValueError("the file is truncated, or data was appended")
             return False
         file.seek(0)
         if end != _MARK + _digest(file, length) + b"\n":
@@ -45,7 +45,7 @@ def check_seal(path: str | os.PathLike[str]) -> bool:
 
 
 def _digest(file: BinaryIO, length: int) -> bytes:
-    """Of the first bytes of a file, read from where it stands."""
+    """Return the digest of the next `length` bytes of a file."""
     digest = hashlib.sha256()
     while length > 0:
         block = file.read(min(_BLOCK, length))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which files this package has written: no other file is replaced or removed without being named.
+"""Identification of files written by this package: other files are replaced only if named.
 
-HDF5 files carry a mark in their content. Files of other formats that a command, or a function that
-chooses their names, writes into a folder are listed there in a record, with their digests.
+HDF5 files have a mark in their content. Files of other formats, if written under names chosen by
+this package, are listed with their digests in a record in their folder.
 """
 
 from __future__ import annotations
@@ -26,15 +26,15 @@ RECORD = ".samcontact-files"
 _HEAD = "files that samcontact has written here, with their SHA-256\n"
 _MARK = b"samcontact"
 HDF5 = (".h5", ".nc", ".before")
-"""Endings of files that carry the mark."""
+"""Suffixes of files with the mark."""
 PART = re.compile(r"\.(.+)\.samcontact-\w{8}\.part(\.\w+)?")
-"""Names of files that are being written, or were when their process was killed."""
+"""Names of files in the course of being written, or left by a killed process."""
 
 _recording: ContextVar[Record | None] = ContextVar("recording", default=None)
 
 
 def is_regular(file: Path) -> bool:
-    """Whether it is a file itself: no link, folder, pipe or device."""
+    """Whether a path is a regular file: no link, folder, pipe or device."""
     try:
         return stat.S_ISREG(file.lstat().st_mode)
     except OSError:
@@ -42,7 +42,7 @@ def is_regular(file: Path) -> bool:
 
 
 def is_marked(file: Path) -> bool:
-    """Whether an HDF5 file is one of this package, whole or damaged, or has no content to lose."""
+    """Whether an HDF5 file was written by this package, intact or damaged, or is empty."""
     if not is_regular(file):
         return False
     with file.open("rb") as opened:
@@ -56,8 +56,8 @@ def is_marked(file: Path) -> bool:
             return content.find(_MARK) >= 0
 
 
-def require_marked(file: Path, remedy: str = "move it away, or choose another name") -> None:
-    """Raise ValueError for an existing file that is none of this package, before it is lost."""
+def require_marked(file: Path, remedy: str = "move it, or use another name") -> None:
+    """Raise ValueError for an existing file that was not written by this package."""
     if os.path.lexists(file) and not is_marked(file):
         raise ValueError(f"{file} {_kind(file)}: {remedy}")
 
@@ -67,13 +67,13 @@ def _kind(file: Path) -> str:
         return "is a symbolic link, which would be replaced"
     if not is_regular(file):
         return f"is a {'folder' if file.is_dir() else 'device or pipe'}, not a file"
-    return "was not written by samcontact, or has been changed since"
+    return "was not written by samcontact, or has changed since"
 
 
 class Record:
-    """The list of files without a mark of their own in a folder.
+    """List of the files without a mark in a folder.
 
-    A line is added before its file appears, so that none is taken for a foreign one after a kill.
+    A line is added before its file appears, so that no file appears foreign after a kill.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -87,17 +87,15 @@ class Record:
         regular = is_regular(self.file)
         text = self.file.read_text(encoding="utf-8", errors="replace") if regular else ""
         self._begun = text.startswith(_HEAD)
-        if not regular or not (self._begun or _HEAD.startswith(text)):  # cut by a full disk
-            raise ValueError(
-                f"{self.file} {_kind(self.file)}: move it away, or choose another folder"
-            )
+        if not regular or not (self._begun or _HEAD.startswith(text)):  # truncated by a full disk
+            raise ValueError(f"{self.file} {_kind(self.file)}: move it, or use another folder")
         for line in text.splitlines()[1:]:
-            with contextlib.suppress(ValueError, TypeError):  # cut by a full disk
+            with contextlib.suppress(ValueError, TypeError):  # truncated by a full disk
                 digest, name = json.loads(line)
                 self._known.add((str(digest), str(name)))
 
     def owns(self, file: Path) -> bool:
-        """Whether a file in the folder was written by this package, and not changed since."""
+        """Whether a file in the folder was written by this package and has not changed since."""
         if file.suffix in HDF5:
             return is_marked(file)
         named = any(name == file.name for _, name in self._known)
@@ -107,11 +105,11 @@ class Record:
         """Raise ValueError for an existing file that must not be replaced."""
         if os.path.lexists(file) and not self.owns(file):
             raise ValueError(
-                f"{file} {_kind(file)}: move it away, or choose another folder of results"
+                f"{file} {_kind(file)}: move it, or use another folder for the results"
             )
 
     def add(self, part: Path, name: str) -> None:
-        """List a complete file that is about to get its name."""
+        """Add a complete file to the list before it is renamed to its name."""
         entry = (_digest(part), name)
         if Path(name).suffix in HDF5 or entry in self._known:
             return
@@ -123,7 +121,7 @@ class Record:
         self._known.add(entry)
 
     def clear(self, *but: Path, marked: re.Pattern[str]) -> None:
-        """Remove all listed files that are unchanged, and those with a mark by their names."""
+        """Remove all unchanged listed files, and marked files by their names, except `but`."""
         names = {name for _, name in self._known}
         for file in list(self.folder.iterdir()):
             listed = file.name in names or marked.fullmatch(file.name)
@@ -144,8 +142,8 @@ def _digest(file: Path) -> str:
 
 @contextmanager
 def recording(folder: Path) -> Iterator[Record]:
-    """List the files that are written into a folder meanwhile; foreign ones are not replaced."""
-    if (record := record_of(folder)) is not None:  # the same list, which changes
+    """Record the files written to a folder within; foreign files are not replaced."""
+    if (record := record_of(folder)) is not None:  # one shared list per folder
         yield record
         return
     record = Record(folder)
@@ -157,15 +155,15 @@ def recording(folder: Path) -> Iterator[Record]:
 
 
 def record_of(folder: Path) -> Record | None:
-    """The record that files written into a folder now go to, if there is one."""
+    """Return the current record of a folder; None without one."""
     record = _recording.get()
     return record if record is not None and record.folder.resolve() == folder.resolve() else None
 
 
 def remove_leftovers(folder: Path, name: str | None = None) -> None:
-    """Remove what killed processes have left half written: all, or of the file of a name.
+    """Remove incomplete files of killed processes: all, or for one file name.
 
-    A living process holds a lock on the file that it is writing.
+    A running process holds a lock on the file that it is writing.
     """
     for entry in os.listdir(folder):
         found = PART.fullmatch(entry) if entry.startswith(".") else None

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of a simulation. Functions take an `ax` (a new figure by default) and return it.
 
-Only matplotlib's object-oriented interface is used: importing this module starts no GUI and
-leaves the caller's pyplot state alone. Lengths are shown in micrometres, stresses in MPa or GPa;
-depth points downward.
+Only the object-oriented interface of Matplotlib is used: importing this module starts no GUI and
+does not change the pyplot state. Lengths are in micrometres, stresses in MPa or GPa; depth points
+downward.
 """
 
 from . import tugging, wear

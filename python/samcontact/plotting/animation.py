@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A moving contact as an animation: pressure, a section and the print, in the frame of a body."""
+"""Animation of a moving contact: pressure, section and residual imprint, in the frame of a body."""
 
 from __future__ import annotations
 
@@ -30,28 +30,28 @@ _QUANTITIES = ("von_mises", "residual_von_mises", "equivalent_plastic_strain")
 def rolling_animation(
     states: Sequence[State], *, body: int = 2, quantity: str = "von_mises", interval: float = 100.0
 ) -> FuncAnimation:
-    """One frame for each state: pressure, a section along the way, and the print below it.
+    """Animate a moving contact: pressure, longitudinal section and residual imprint of each state.
 
-    Everything is shown in the plane y = 0 and in the frame of the body, so that the contact moves
-    and the track stays.
+    All fields are shown in the plane y = 0 and in the frame of the body, so that the contact moves
+    and the track is at rest.
 
     Parameters
     ----------
     states : sequence of State
-        In the order of the path, of a grid with layers; ``states[::2]`` takes half of the time.
+        States in the order of the path, with layers; ``states[::2]`` halves the computing time.
     body : {1, 2}
-        Whose frame, section and print.
+        Body whose frame of reference, section and residual imprint are shown.
     quantity : {"von_mises", "residual_von_mises", "equivalent_plastic_strain"}
-        Of the section. With "von_mises" the stress under load is shown inside of the grid, which
-        moves with the contact and is framed, and outside of it the residual one where the body has
-        yielded. What is not computed is grey.
+        Quantity of the section. With "von_mises", the stress under load is shown inside the grid,
+        which moves with the contact and is framed. Outside the grid, the residual stress is shown
+        where the body has yielded. Cells without a computed stress are grey.
     interval : float, optional
-        Between two frames [ms], > 0, where it is shown on a screen.
+        Time between two frames on a screen [ms], > 0.
 
     Returns
     -------
     matplotlib.animation.FuncAnimation
-        For `save_animation`, or ``to_jshtml()`` in a notebook. Keep a reference to it.
+        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Keep a reference to it.
 
     Raises
     ------
@@ -59,7 +59,7 @@ def rolling_animation(
         No states, no layers, or an unknown body or quantity.
     """
     if len(states) == 0:
-        raise ValueError("states must hold at least one state, got none")
+        raise ValueError("states must contain at least one state, got none")
     choice("body", body, (1, 2))
     choice("quantity", quantity, _QUANTITIES)
     positive("interval", interval)
@@ -110,7 +110,7 @@ def rolling_animation(
     draw(0)
     figure.align_ylabels()
     figure.draw_without_rendering()
-    figure.set_layout_engine("none")  # panels that shift from frame to frame would distract
+    figure.set_layout_engine("none")  # panels must not shift between frames
     return FuncAnimation(
         figure, draw, frames=len(states), interval=interval, cache_frame_data=False, blit=False
     )
@@ -127,7 +127,7 @@ def _pressure_panel(ax: Axes, pressures: list[FloatArray]) -> Line2D:
 def _section_panel(
     ax: Axes, across: FloatArray, depth: FloatArray, quantity: str, largest: float
 ) -> tuple[AxesImage, list[Line2D]]:
-    """The section, and the frame of what is under load."""
+    """Draw the section, and the frame of the grid under load."""
     shown = CONTACT[quantity]
     empty = np.zeros((len(depth) - 1, len(across) - 1))
     image = ax.imshow(
@@ -142,7 +142,7 @@ def _section_panel(
     ax.figure.colorbar(image, ax=ax)
     framed = quantity == "von_mises"
     grey = "" if quantity == "equivalent_plastic_strain" else ", grey: not computed"
-    edge = ", dotted: edge of the grid, residual beyond" if framed else ""
+    edge = ", dotted: edge of the grid (residual stress outside)" if framed else ""
     ax.set_title(f"{shown.label}{grey}{edge}", fontsize="medium")
     ax.set_facecolor("0.85")
     frame = [ax.axvline(color="C3", linestyle=":", linewidth=framed) for _ in range(2)]
@@ -156,7 +156,7 @@ def _print_panel(ax: Axes, prints: list[tuple[FloatArray, FloatArray]], body: in
     margin = 0.08 * float(np.ptp(heights)) or 1.0
     ax.set_ylim(float(heights.max()) + margin, float(heights.min()) - margin)
     ax.set_xlabel(f"x on body {body} [µm]")
-    ax.set_ylabel("print [µm]")
+    ax.set_ylabel(CONTACT["residual_displacement"].label)
     finish(ax)
     return line
 
@@ -164,15 +164,15 @@ def _print_panel(ax: Axes, prints: list[tuple[FloatArray, FloatArray]], body: in
 def _section(
     state: State, body: int, quantity: str, row: int, window: FloatArray, x: FloatArray
 ) -> FloatArray:
-    """The plane y = 0 on all cells x of the body, shape (len(x), nz); NaN: not computed."""
-    # beyond the track nothing has yielded, but there are stresses
+    """Return a field in the plane y = 0 of the body, shape (len(x), nz); NaN: not computed."""
+    # outside the track nothing has yielded, but stresses exist
     beyond = 0.0 if quantity == "equivalent_plastic_strain" else np.nan
     values = np.full((len(x), len(state.depths)), beyond)
     track = state.track(body=body)
     field = "residual_von_mises" if quantity == "von_mises" else quantity
     rows = np.round((track.x - x[0]) / state.grid.dx).astype(int)
     shown = (rows >= 0) & (rows < len(x))
-    if quantity == "von_mises":  # beside what has yielded it is the load that counts
+    if quantity == "von_mises":  # outside the plastic zone the stress is due to the load
         shown &= np.any(track.equivalent_plastic_strain() > 0, axis=(1, 2))
     values[rows[shown]] = getattr(track, field)()[shown, row, :]
     if quantity == "von_mises":
@@ -194,14 +194,13 @@ def save_animation(
     Parameters
     ----------
     animation : matplotlib.animation.FuncAnimation
-        From `rolling_animation` or `stick_slip_animation`.
+        Result of `rolling_animation` or `stick_slip_animation`.
     path : str or Path
-        Ends in .gif (written by Pillow, which comes with matplotlib) or .mp4 (needs the program
-        ffmpeg).
+        File name ending in .gif, written by Pillow, or .mp4, which requires the program ffmpeg.
     fps : float, optional
-        Frames a second, > 0.
+        Frames per second, > 0.
     dpi : float, optional
-        Pixels an inch, > 0.
+        Pixels per inch, > 0.
 
     Returns
     -------
@@ -211,20 +210,21 @@ def save_animation(
     Raises
     ------
     ValueError
-        Another ending, or a number out of range.
+        The file name has another suffix, or a number is out of range.
     RuntimeError
-        There is no ffmpeg for an .mp4.
+        The program ffmpeg, required for .mp4, is missing.
     OSError
         The file cannot be written.
     """
     target, rate = Path(path), positive("fps", fps)
     writer: AbstractMovieWriter
     if target.suffix.lower() == ".gif":
-        writer = PillowWriter(fps=rate)  # type: ignore[arg-type]  # it takes parts of a frame too
+        writer = PillowWriter(fps=rate)  # type: ignore[arg-type]  # also accepts fractions
     elif target.suffix.lower() == ".mp4":
         if not FFMpegWriter.isAvailable():
             raise RuntimeError(
-                "an .mp4 needs the program ffmpeg, which was not found: install it, or write a .gif"
+                "writing .mp4 requires the program ffmpeg, which was not found: install ffmpeg, or "
+                "use .gif"
             )
         writer = FFMpegWriter(fps=rate)  # type: ignore[arg-type]
     else:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of a contact that stays in place."""
+"""Figures of a stationary contact."""
 
 from __future__ import annotations
 
@@ -37,24 +37,24 @@ def pressure_profile(
     position: float = 0.0,
     label: str = "computed",
 ) -> Axes:
-    """Pressure along an axis, with that of Hertz.
+    """Draw the pressure along an axis, with the Hertz pressure.
 
     Parameters
     ----------
     field : array_like, shape (nx, ny)
-        Pressure [Pa], e.g. of a state or of a dataset.
+        Pressure [Pa] of a state or a dataset.
     grid : Grid
-        Its grid.
+        Grid of the field.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     hertz : PointContact or EllipticContact, optional
-        Drawn as a dashed line, along the same row of cells.
+        Hertz contact, drawn as a dashed line along the row of cells of the profile.
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
+        Coordinate of the profile across its direction [m]; the nearest row of cells is used.
     label : str
-        Of the computed curve.
+        Label of the computed curve.
 
     Returns
     -------
@@ -63,7 +63,7 @@ def pressure_profile(
     Raises
     ------
     ValueError
-        Wrong shape of the field, unknown axis, or pressure below zero.
+        The field has the wrong shape or negative values, or the axis is unknown.
     """
     _require_quantity(field, "pressure", grid)
     return draw_pressure(field, grid, ax, hertz, axis, position, label)
@@ -78,7 +78,7 @@ def draw_pressure(
     position: float,
     label: str = "computed",
 ) -> Axes:
-    """`pressure_profile` of given tractions too, which may pull."""
+    """Draw `pressure_profile`, also for prescribed tractions, which may be tensile."""
     style: dict[str, Any] = {"marker": "o", "markersize": 3}
     ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
     s = np.asarray(grid.x if axis == "x" else grid.y)
@@ -110,7 +110,7 @@ def _profile(
     label: str | None,
     **style: Any,
 ) -> Axes:
-    """A field of the surface along an axis."""
+    """Draw a surface field along an axis."""
     shown = CONTACT[quantity]
     s, values = surface_line(field, shown.heading, grid, axis, position)
     ax = axes_or_new(ax)
@@ -125,20 +125,20 @@ def _profile(
 def load_approach(
     dataset: xr.Dataset, ax: Axes | None = None, *, hertz: HertzContact | None = None
 ) -> Axes:
-    """Load against approach, with that of Hertz (load ~ approach^1.5).
+    """Draw the load–approach curve, with the Hertz curve (load ~ approach^1.5).
 
-    The increments are points. From one to the next the approach of the thin line is linear in
-    load^(2/3), as elastic bodies load and unload, also in a print (Johnson, Contact Mechanics,
-    section 6.4); where the grid repeats itself it is straight, and tells their order only.
+    Increments are points. Between two increments, the approach along the thin line is linear in
+    load^(2/3), as for elastic loading and unloading, also in an imprint (Johnson, Contact
+    Mechanics, section 6.4). On periodic grids the line is straight and only shows the order.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        Results, see `samcontact.results.to_dataset`.
+        Results of `samcontact.results.to_dataset`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     hertz : PointContact or EllipticContact, optional
-        Any load of the same bodies.
+        Hertz contact of these bodies at any load.
 
     Returns
     -------
@@ -163,7 +163,7 @@ def load_approach(
 
 
 def _between(points: FloatArray) -> FloatArray:
-    """Points with others on the straight lines between them."""
+    """Return the points with additional points on the straight lines between them."""
     count, parts = points.shape[1], 24
     fine = np.linspace(0.0, count - 1.0, parts * (count - 1) + 1)
     return np.stack([np.interp(fine, np.arange(count), row) for row in points])
@@ -178,22 +178,22 @@ def print_profile(
     position: float = 0.0,
     label: str | None = None,
 ) -> Axes:
-    """Residual displacement of the surface along an axis: the print, depth downward.
+    """Draw the residual imprint along an axis: residual normal displacement, depth downward.
 
     Parameters
     ----------
     field : array_like, shape (nx, ny)
         Residual displacement [m], positive into the body.
     grid : Grid
-        Its grid.
+        Grid of the field.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
+        Coordinate of the profile across its direction [m]; the nearest row of cells is used.
     label : str, optional
-        Of the curve.
+        Label of the curve.
 
     Returns
     -------
@@ -202,7 +202,8 @@ def print_profile(
     Raises
     ------
     ValueError
-        Wrong shape of the field, unknown axis, or more than a thousand times the grid.
+        The field has the wrong shape or exceeds a thousand times the grid size, or the axis is
+        unknown.
     """
     _require_quantity(field, "residual_displacement", grid)
     ax = _profile(field, "residual_displacement", grid, ax, axis, position, label)
@@ -220,22 +221,22 @@ def temperature_profile(
     position: float = 0.0,
     label: str | None = None,
 ) -> Axes:
-    """Rise of temperature of the surface (flash temperature) along an axis.
+    """Draw the temperature rise of the surface (flash temperature) along an axis.
 
     Parameters
     ----------
     field : array_like, shape (nx, ny)
-        Rise of temperature of the surface [K].
+        Temperature rise of the surface [K].
     grid : Grid
-        Its grid.
+        Grid of the field.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
+        Coordinate of the profile across its direction [m]; the nearest row of cells is used.
     label : str, optional
-        Of the curve.
+        Label of the curve.
 
     Returns
     -------
@@ -244,7 +245,8 @@ def temperature_profile(
     Raises
     ------
     ValueError
-        Wrong shape of the field, unknown axis, or values below zero or above 1e6 K.
+        The field has the wrong shape, negative values or values above 1e6 K, or the axis is
+        unknown.
     """
     _require_quantity(field, "surface_temperature", grid)
     return _profile(field, "surface_temperature", grid, ax, axis, position, label)
@@ -259,22 +261,22 @@ def axis_profile(
     body: Body | None = None,
     interfaces: ArrayLike = (),
 ) -> Axes:
-    """Stresses under the centre of the grid against depth.
+    """Draw the stresses below the centre of the grid versus depth.
 
     Parameters
     ----------
     stress : array_like, shape (6, nx, ny, nz)
-        Of a body [Pa].
+        Stress of a body [Pa].
     grid : Grid
-        Its grid, with a volume.
+        Grid of the field, with layers (dz).
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     components : sequence of str
-        From "von_mises", "hydrostatic", "xx", "yy", "zz", "yz", "xz", "xy".
+        Any of "von_mises", "hydrostatic", "xx", "yy", "zz", "yz", "xz", "xy".
     body : Material or Layered, optional
-        Of the body: adds its yield stress before hardening, and the normal stresses of the start.
+        Body; adds its initial yield stress and initial normal stresses.
     interfaces : array_like, shape (n,), optional
-        Depths between layers [m], as `Layered.interfaces` has them, where stresses jump.
+        Depths of the interfaces between layers [m], e.g. `Layered.interfaces`.
 
     Returns
     -------
@@ -283,7 +285,7 @@ def axis_profile(
     Raises
     ------
     ValueError
-        No volume, wrong shape, or an unknown component.
+        The grid has no layers, the stress has the wrong shape, or a component is unknown.
     """
     depths = depths_of(grid, stress)
     for component in components:
@@ -294,7 +296,7 @@ def axis_profile(
     lines |= {"von_mises": von_mises(tensor), "hydrostatic": tensor[:3].mean(axis=0)}
     between = finite_array("interfaces", interfaces, np.shape(interfaces))
     between = between[between < depths[-1]]
-    first = np.searchsorted(depths, between)  # layers of cells are not joined across
+    first = np.searchsorted(depths, between)  # curves are not joined across interfaces
     ax = axes_or_new(ax)
     for name in components:
         label = rf"$\sigma_{{{name}}}$" if name in COMPONENTS else CONTACT[name].heading
@@ -305,26 +307,26 @@ def axis_profile(
     if body is not None:
         _add_strength(ax, body, depths)
     ax.set_ylim(float(depths[-1]) * 1e6, 0.0)
-    ax.set_xlabel("stress on the axis [MPa]")
+    ax.set_xlabel("stress along the axis [MPa]")
     ax.set_ylabel("depth z [µm]")
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
     return finish(ax)
 
 
 def _add_strength(ax: Axes, body: Body, depths: FloatArray) -> None:
-    """What a body bears over depth, and has from the start."""
+    """Draw initial yield stress and initial stress of a body versus depth."""
     z, factor = np.append(0.0, depths), CONTACT["stress"].factor
-    if isinstance(body, Layered):  # both sides of interfaces, and not joined across
+    if isinstance(body, Layered):  # points on both sides of interfaces
         between = body.interfaces[body.interfaces < depths[-1]]
         z = np.sort(np.concatenate([z, np.nextafter(between, 0.0), between]))
     if body.is_plastic:
         limit = factor * body.yield_stress_at(z)
         limit[~np.isfinite(limit)] = np.nan
-        ax.plot(limit, z * 1e6, "k--", linewidth=1.0, label="yield stress at first")
+        ax.plot(limit, z * 1e6, "k--", linewidth=1.0, label="initial yield stress")
     along_x, along_y, _ = factor * body.residual_stress_at(z)
     if np.any(along_x) or np.any(along_y):
         even = np.array_equal(along_x, along_y)
         name = r"$\sigma_{xx}$" if not even else r"$\sigma_{xx} = \sigma_{yy}$"
-        ax.plot(along_x, z * 1e6, "k:", linewidth=1.0, label=f"{name} at first")
+        ax.plot(along_x, z * 1e6, "k:", linewidth=1.0, label=f"initial {name}")
         if not even:
-            ax.plot(along_y, z * 1e6, "k-.", linewidth=1.0, label=r"$\sigma_{yy}$ at first")
+            ax.plot(along_y, z * 1e6, "k-.", linewidth=1.0, label=r"initial $\sigma_{yy}$")

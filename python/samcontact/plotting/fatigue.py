@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of criteria of fatigue: over depth, in a section, and from above.
+"""Figures of fatigue criteria: versus depth, in a section, and as a map.
 
-Like `samcontact.plotting`, which offers these functions too: each takes an `ax` and returns it.
+The functions are also available from `samcontact.plotting`: each takes an `ax` and returns it.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ def fatigue_depth(
     *,
     limit: float | None = None,
 ) -> Axes:
-    """The largest value of each layer over depth, of one criterion or several.
+    """Draw the maximum over each layer versus depth, for one or several criteria.
 
     Parameters
     ----------
     fields : FatigueField, or several
-        Of states, in one unit; their largest values are marked.
+        Fields of states, with a common unit; the maxima are marked.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     limit : float, optional
-        What the material bears, > 0, in the unit of the values.
+        Fatigue limit of the material, > 0, in the unit of the values.
 
     Returns
     -------
@@ -48,15 +48,15 @@ def fatigue_depth(
     Raises
     ------
     ValueError
-        No fields, fields without depths or of different units.
+        There are no fields, or fields have no depths or different units.
     """
     several = list(fields) if isinstance(fields, Sequence) else [fields]
     if not several:
-        raise ValueError("fields must hold at least one, got none")
+        raise ValueError("fields must contain at least one field, got none")
     for field in several:
         _require_axes(field, "z")
     if len({field.unit for field in several}) > 1:
-        raise ValueError("fields must have one unit: stress and strain go into two figures")
+        raise ValueError("fields must have a common unit: draw stress and strain in two figures")
     factor, unit = _quantity(several[0]).factor, _UNITS[several[0].unit]
     ax = axes_or_new(ax)
     for field in several:
@@ -71,7 +71,7 @@ def fatigue_depth(
     if len(several) == 1 and limit is None:
         ax.set_xlabel(f"{_name(several[0])} [{unit}]")
     else:
-        ax.set_xlabel(f"largest value in the layer [{unit}]")
+        ax.set_xlabel(f"maximum over the layer [{unit}]")
         ax.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     ax.set_ylabel("depth z [µm]")
     return finish(ax)
@@ -84,19 +84,19 @@ def fatigue_section(
     plane: str | None = None,
     position: float | None = None,
 ) -> Axes:
-    """A section through the values, with a cross where they are largest in it.
+    """Draw a section of a fatigue field, with a cross at the maximum of the section.
 
     Parameters
     ----------
     field : FatigueField
-        Of states.
+        Field of states.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     plane : {"y", "x"}, optional
-        Coordinate that is constant on the section; default "y". What material of a steady contact
-        goes through has one section, across the way.
+        Coordinate that is constant on the section; default "y". For material that passes through a
+        steady contact there is only the section across the direction of motion.
     position : float, optional
-        Its value [m]; default where the field is largest.
+        Value of this coordinate [m]; default: position of the maximum of the field.
 
     Returns
     -------
@@ -105,7 +105,7 @@ def fatigue_section(
     Raises
     ------
     ValueError
-        A field without places, or an unknown plane.
+        The field has no coordinates, or the plane is unknown.
     """
     _require_axes(field, "z")
     values, note = field.values, ""
@@ -127,14 +127,14 @@ def fatigue_section(
 
 
 def fatigue_map(field: FatigueField, ax: Axes | None = None) -> Axes:
-    """The largest value below each place of the surface, from above.
+    """Draw a map of the maximum over depth below each surface point.
 
     Parameters
     ----------
     field : FatigueField
-        Of states of a pass or loop.
+        Field of states of a pass or loop.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
 
     Returns
     -------
@@ -143,10 +143,10 @@ def fatigue_map(field: FatigueField, ax: Axes | None = None) -> Axes:
     Raises
     ------
     ValueError
-        A field without places along x and y.
+        The field has no coordinates along x and y.
     """
     _require_axes(field, "x", "y", "z")
-    ax = _coloured(field, ax, "xy", field.values.max(axis=2), ", largest over depth")
+    ax = _coloured(field, ax, "xy", field.values.max(axis=2), ", maximum over depth")
     ax.set_xlabel("x on the body [µm]")
     return ax
 
@@ -155,8 +155,8 @@ def _require_axes(field: FatigueField, *axes: str) -> None:
     missing = [axis for axis in axes if axis not in field.places]
     if missing:
         raise ValueError(
-            f"a field with the axes {', '.join(axes)} is needed; this one has "
-            f"{', '.join(field.places) or 'none: stress was given as an array'}"
+            f"field must have the axes {', '.join(axes)}, got "
+            f"{', '.join(field.places) or 'none: the stress was given as an array'}"
         )
 
 
@@ -172,7 +172,7 @@ def _quantity(field: FatigueField) -> Quantity:
 def _coloured(
     field: FatigueField, ax: Axes | None, axes: str, values: FloatArray, note: str
 ) -> Axes:
-    """Values along two axes, with a cross where they are largest."""
+    """Draw values along two axes, with a cross at the maximum."""
     sides = [field.places[axis] for axis in axes]
     plane = Plane(*(edges(side, _step(side)) for side in sides))
     ax = show_surface(ax, plane, values, _quantity(field), axes[0], note)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields in colours: smooth, with contour lines, or cell by cell."""
+"""Colour maps of fields: smooth with contour lines, or cell by cell."""
 
 from __future__ import annotations
 
@@ -17,29 +17,29 @@ from .._util.quantities import Quantity
 from .parts import LYING, axes_or_new, without_seams
 from .ticks import FittedLocator, fit_ticks
 
-_FLAT = 0.45  # depth over width: a label beside such a section would be longer than it
-_SHORT = 0.22  # here so would the whole label of the depth
-_BANDS = 8  # of colour from one contour line to the next: more cannot be told apart
-_TRACE = 1e-2  # of the largest strain: below it there is none
+_FLAT = 0.45  # depth/width below which the label of the colour bar would exceed the section
+_SHORT = 0.22  # depth/width below which the label of the depth would exceed the section
+_BANDS = 8  # colour bands between contour lines: more cannot be distinguished
+_TRACE = 1e-2  # strain, relative to its maximum, below which no colour is drawn
 _LINE: dict[str, Any] = {"colors": "k", "linewidths": 0.4, "alpha": 0.35}
 EDGE: dict[str, Any] = {"colors": "k", "linewidths": 0.9}
-"""Of the line around a contact."""
+"""Style of the line around a contact."""
 _BAR: dict[str, Any] = {"linewidth": 2.5, "solid_capstyle": "butt", "clip_on": False, "zorder": 3}
 
 
 class Plane(NamedTuple):
-    """Where the values of a field lie [m]: edges of cells along both sides of the figure."""
+    """Cell edges [m] along both sides of a figure."""
 
     across: FloatArray
     down: FloatArray
 
     @property
     def ratio(self) -> float:
-        """Of height over width."""
+        """Ratio of height to width."""
         return float((self.down[-1] - self.down[0]) / (self.across[-1] - self.across[0]))
 
     def smooth(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Coordinates [µm] and values of centres, and of the border as in the cells next to it."""
+        """Return coordinates [µm] and values at centres, extended constantly to the edges."""
         sides = [
             np.concatenate([side[:1], 0.5 * (side[1:] + side[:-1]), side[-1:]]) * 1e6
             for side in (self.across, self.down)
@@ -58,11 +58,11 @@ def show_section(
     equal: bool = True,
     cells: bool = False,
 ) -> Axes:
-    """A plane of a volume field with a colour bar, depth downward.
+    """Draw a plane of a volume field with a colour bar, depth downward.
 
-    `values` is the field in SI units, `name` that of the coordinate. `titled`: the label is the
-    title, as it is of sections that are too flat for it beside them. `equal`: as long and deep as
-    it is. `cells`: cell by cell.
+    `values` is the field in SI units, `name` the name of the coordinate. `titled`: the label is the
+    title; it always is for sections too flat for a label at the colour bar. `equal`: equal scales
+    along both sides. `cells`: cell by cell.
     """
     ax = axes_or_new(ax)
     titled = titled or plane.ratio < _FLAT
@@ -84,10 +84,10 @@ def show_surface(
     inside: FloatArray | None = None,
     cells: bool = False,
 ) -> Axes:
-    """A field of the surface from above with a colour bar.
+    """Draw a map of a surface field with a colour bar.
 
-    `name` is that of the coordinate along x; a `note` follows the name of the quantity. What is not
-    `inside`, where that is not above zero, is left white.
+    `name` is the name of the coordinate along x; a `note` follows the name of the quantity. Points
+    at which `inside` is not positive are white.
     """
     ax = axes_or_new(ax)
     if inside is not None and cells:
@@ -102,7 +102,7 @@ def show_surface(
 
 
 def name_sides(ax: Axes, across: str) -> Axes:
-    """Labels of a map whose coordinate from left to right is `across`; of "y" it is turned."""
+    """Set the labels of a map with the coordinate `across` from left to right."""
     ax.set_xlabel(f"{across} [µm]")
     ax.set_ylabel("y [µm]" if across == "x" else "x [µm]")
     if across == "y":
@@ -111,7 +111,7 @@ def name_sides(ax: Axes, across: str) -> Axes:
 
 
 def clip(ax: Axes, drawn: list[Any], plane: Plane, inside: FloatArray) -> None:
-    """Show what is drawn only where a field is above zero."""
+    """Clip drawn objects to the region in which a field is positive."""
     region = ax.contourf(*plane.smooth(inside), levels=[0.0, 1.0 + float(inside.max())])
     path = region.get_paths()[0]
     region.remove()
@@ -120,12 +120,12 @@ def clip(ax: Axes, drawn: list[Any], plane: Plane, inside: FloatArray) -> None:
 
 
 def outline(ax: Axes, plane: Plane, inside: FloatArray, **style: Any) -> None:
-    """A line where a field is zero."""
+    """Draw the zero line of a field."""
     ax.contour(*plane.smooth(inside), levels=[0.0], **(EDGE | style))
 
 
 def inside_of_contact(contact: FloatArray) -> FloatArray:
-    """A field that is above zero in the contact and crosses zero along its edge.
+    """Return a field that is positive in the contact and crosses zero along its edge.
 
     `contact` is the pressure, or 1, where the bodies touch, else 0. Near the edge of smooth bodies
     the squared pressure is about linear in the distance from it.
@@ -134,15 +134,18 @@ def inside_of_contact(contact: FloatArray) -> FloatArray:
 
 
 def inside_of_slip(slip: FloatArray, touching: BoolArray) -> FloatArray:
-    """The same of the size of the slip, which begins with the power 3/2 of that distance."""
+    """Return a field that is positive in the slip zone and crosses zero along its edge.
+
+    The slip grows with the power 3/2 of the distance from that edge.
+    """
     return _crossing(np.cbrt(np.square(spread(slip, touching))))
 
 
 def _crossing(values: FloatArray) -> FloatArray:
-    """Values that are zero in some cells, taken beyond zero there.
+    """Continue values below zero in the cells in which they are zero.
 
-    In the cells next to others the line through the two nearest of these goes on, or falls with the
-    mean slope of all edges where they do not fall.
+    In cells at the edge, the line through the two nearest positive values is continued. If these do
+    not decrease, the mean slope of all edges is used.
     """
     there = values > 0
     cross = scipy.ndimage.generate_binary_structure(2, 1)
@@ -161,7 +164,7 @@ def _crossing(values: FloatArray) -> FloatArray:
 
 
 def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
-    """Values of the contact, and beside it those of the nearest cell of it."""
+    """Return values in the contact; outside it, values of the nearest contact cell."""
     nearest = scipy.ndimage.distance_transform_edt(
         ~touching, return_distances=False, return_indices=True
     )
@@ -171,14 +174,14 @@ def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
 def touching_along(
     ax: Axes, across: FloatArray, touching: BoolArray, height: float = 0.0, **options: Any
 ) -> None:
-    """A bar along the surface of a section, or at a height, over the cells that touch."""
+    """Draw a bar over the contact cells, along the surface of a section or at a given height."""
     for run in scipy.ndimage.find_objects(scipy.ndimage.label(touching)[0]):
         ends = across[[run[0].start, run[0].stop]] * 1e6
         ax.plot(ends, [height, height], "k-", **_BAR, **options)
 
 
 def scale_of(values: FloatArray, quantity: Quantity) -> tuple[Normalize, FloatArray, FloatArray]:
-    """Colours of the values in the units shown, edges of the bands of colour, and contour lines."""
+    """Return colour scale, edges of the colour bands, and contour levels, in the units shown."""
     low, high = float(np.nanmin(values)), float(np.nanmax(values))
     if quantity.from_zero:
         low = 0.0
@@ -212,19 +215,19 @@ def _show(
     cells: bool = False,
     below: bool = False,
 ) -> list[Any]:
-    """What is drawn, with its bar of colours beside or below it.
+    """Draw a field with its colour bar at the side or below.
 
-    A field that is zero has no colours and says so instead.
+    A field that is identically zero has a text instead of a colour bar.
     """
     boolean("cells", cells)
     shown, label = values * quantity.factor, quantity.label + note
     if quantity.from_zero:
-        shown = np.maximum(shown, 0.0)  # what is below is rounding
-    ax.grid(False)  # settings may ask for one, which would lie over the colours
+        shown = np.maximum(shown, 0.0)  # negative values are rounding errors
+    ax.grid(False)  # a grid from user settings would cover the colours
     drawn: list[Any] = []
     if zero := not np.any(np.nan_to_num(shown)):
         ax.set(xlim=plane.across[[0, -1]] * 1e6, ylim=plane.down[[0, -1]] * 1e6)
-        ax.text(0.5, 0.5, "zero\neverywhere", transform=ax.transAxes, ha="center", va="center")
+        ax.text(0.5, 0.5, "identically\nzero", transform=ax.transAxes, ha="center", va="center")
     else:
         norm, bands, lines = scale_of(shown, quantity)
         look: dict[str, Any] = {"cmap": quantity.colours, "norm": norm}

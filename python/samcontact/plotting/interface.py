@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of what the interfaces of a layered body bear."""
+"""Figures of the stresses at the interfaces of a layered body."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ if TYPE_CHECKING:
     from .scene import Scene
 
 _MOST_PANELS = 3
-_MARK = "largest tension"
+_MARK = "maximum tension"
 _NO_TENSION = 1e-2
-"""Of the largest stress that is drawn: what is less is not marked."""
+"""Tension, relative to the maximum stress drawn, below which the maximum is not marked."""
 _SIDES = (("above", "C0", "-"), ("below", "C1", "--"))
 _ABOVE: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "frameon": False}
 
@@ -49,31 +49,31 @@ def interface_profile(
     position: float = 0.0,
     contact: ArrayLike | None = None,
 ) -> Axes:
-    """What layers pull and shear each other with at an interface, and what stretches each of them.
+    """Draw normal, shear and in-plane stress at an interface.
 
-    The stress along the interface jumps: it is drawn for the layer above and for the one below.
-    Normal and shear traction pass through; drawn is their mean of both sides, which differ by what
-    the cells of plastic strain leave. A side without any stress, as a rigid substrate, is left out.
-    The largest tension of these lines is marked.
+    The in-plane stress is discontinuous: it is drawn for the layers above and below. Normal and
+    shear traction are continuous: the mean of both sides is drawn, because the cells of the plastic
+    strain cause a small difference. A side without stress, such as a rigid substrate, is omitted.
+    The maximum tension is marked.
 
     Parameters
     ----------
     stress : array_like, shape (2, 6, nx, ny, m)
-        Above and below each interface [Pa], see `State.interface_stress`.
+        Stress above and below each interface [Pa], see `State.interface_stress`.
     grid : Grid
-        Its grid.
+        Grid of the field.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     interface : int
-        Which, from 0, the one next to the surface.
+        Index of the interface; 0 is next to the surface.
     interfaces : array_like, shape (m,), optional
-        Depths between layers [m], as `Layered.interfaces` has them: names the one shown.
+        Depths of the interfaces between layers [m], e.g. `Layered.interfaces`; used in the label.
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
+        Coordinate of the profile across its direction [m]; the nearest row of cells is used.
     contact : array_like, shape (nx, ny), optional
-        Above zero where the bodies touch, e.g. the repulsion: a bar along the upper side.
+        Positive in contact cells, e.g. the repulsion; shown as a bar along the upper side.
 
     Returns
     -------
@@ -82,7 +82,7 @@ def interface_profile(
     Raises
     ------
     ValueError
-        Wrong shape of the stress, or an interface or axis that it does not have.
+        The stress has the wrong shape, or the interface or axis does not exist.
     """
     count = max(np.shape(stress)[-1:], default=1)
     shape = (grid.nx, grid.ny)
@@ -102,14 +102,14 @@ def interface_profile(
     if touching is not None:
         bar = touching.take(row, axis=1 if along_x else 0).ravel()
         touching_along(ax, edges(s, step), bar, 1.0, transform=ax.get_xaxis_transform())
-    where = f"{depths[number] * 1e6:.4g} µm deep" if depths.size else "at the interface"
+    where = f"at {depths[number] * 1e6:.4g} µm depth" if depths.size else "at the interface"
     ax.set(xlabel=f"{axis} [µm]", ylabel=f"stress {where} [{CONTACT['stress'].shown}]")
     ax.legend(ncols=3, **_ABOVE)
     return finish(ax)
 
 
 def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
-    """Of both sides along one axis, shape (2, 6, n), and a mark where tension is largest."""
+    """Draw the stress of both sides along one axis, shape (2, 6, n), and mark maximum tension."""
     shown = sides * CONTACT["stress"].factor
     known = [n for n in (0, 1) if shown[n].any()] or [0, 1]
     passing = shown[known].mean(axis=0)
@@ -125,7 +125,7 @@ def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
         ax.plot(s * 1e6, values, style, color=colour, linewidth=1.2, label=label)
     normal = np.stack([values for _, values, _, _ in lines[:-1]])
     most = float(normal.max())
-    # the same of mirrored halves
+    # a unique maximum for mirror-symmetric stresses
     which, at = np.unravel_index(int(np.argmax(normal >= most - 1e-6 * abs(most))), normal.shape)
     if most > _NO_TENSION * max(np.abs(values).max() for _, values, _, _ in lines):
         label = f"{_MARK} {most:.4g} {CONTACT['stress'].shown}"
@@ -136,9 +136,9 @@ def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
 
 
 def interface_figure(scene: Scene, number: int) -> Figure:
-    """The interfaces of a body at an increment, those with the largest tension if there are many.
+    """Draw the interfaces of a body at an increment, or those with the highest tension.
 
-    One below the other, in the row where the stress along them changes most.
+    Panels are stacked, along the row of cells in which the in-plane stress varies most.
     """
     stress, grid = scene.field("interface_stress", number), scene.grid
     tension = stress[:, [0, 2]].max(axis=(0, 1, 2, 3))

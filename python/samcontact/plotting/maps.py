@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface from above: what a profile misses where a contact is rough."""
+"""Maps of surface fields."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 _BLANK = {"pressure": ", white: no contact", "gap": ", white: contact"}
 _PRINT = SURFACES["print"]
-_CLOSED = 1e-6  # of the largest gap
+_CLOSED = 1e-6  # gap, relative to its maximum, below which it counts as closed
 
 
 def surface_map(
@@ -39,31 +39,31 @@ def surface_map(
     across: str = "x",
     cells: bool = False,
 ) -> Axes:
-    """Pressure, gap or print from above, with a colour bar and a line around the contact.
+    """Draw a map of pressure, gap or residual imprint, with a colour bar and the contact edge.
 
     Parameters
     ----------
     field : array_like, shape (nx, ny)
         Values in SI units, e.g. pressure [Pa], gap or residual displacement [m].
     grid : Grid
-        Its grid.
+        Grid of the field.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     quantity : {"pressure", "gap", "print", "shear_x", "shear_y", "temperature"}, optional
-        What is shown; decides name, unit and colours. Where there is no pressure, or no gap, the
-        map is white. Without it values are shown as they are given, in colours of both signs where
-        both occur.
+        Quantity shown, which determines name, unit and colours. The map is white where the pressure
+        or the gap is zero. If omitted, values are shown without conversion, with a diverging colour
+        map if both signs occur.
     label : str, optional
-        Instead of the name of the quantity, before its unit.
+        Text that replaces the name of the quantity in the label.
     contact : array_like, shape (nx, ny), optional
-        Above zero where the bodies touch; the pressure tells where between two cells the contact
-        ends. Default where there is pressure, or the gap is less than 1e-6 of its maximum; other
-        quantities have a line around the contact if it is given here.
+        Positive in contact cells; with the pressure, the edge is located between cells. Default:
+        cells with pressure, or with a gap below 1e-6 of its maximum. For other quantities, the edge
+        is drawn only if this argument is given.
     across : {"x", "y"}, optional
-        Coordinate from left to right. "y" turns the map by a quarter, with x downward: for contacts
+        Coordinate from left to right. "y" rotates the map by 90°, with x downward, for contacts
         that are long along y.
     cells : bool, optional
-        Show each cell in its colour, instead of what is smooth through their centres.
+        Show each cell in one colour, instead of smooth colours between the cell centres.
 
     Returns
     -------
@@ -72,11 +72,11 @@ def surface_map(
     Raises
     ------
     ValueError
-        Wrong shape of the field, an unknown quantity or coordinate, or values that the quantity
-        cannot have: pressure, gap or temperature below zero, a length a thousand times the grid.
+        The field has the wrong shape, quantity or coordinate is unknown, or values are impossible:
+        negative pressure, gap or temperature rise, or a length above a thousand times the grid.
     """
     name = None if quantity is None else SURFACES[choice("quantity", quantity, tuple(SURFACES))]
-    if quantity == "gap":  # white where there is no body
+    if quantity == "gap":  # white outside the body
         values = gap_array(quantity, field, (grid.nx, grid.ny))
         values = np.where(np.isfinite(values), values, np.nan)
     else:
@@ -88,11 +88,11 @@ def surface_map(
 
 
 def peak_map(scene: Scene, name: str, ax: Axes) -> Axes:
-    """`surface_map` of the pressure or the gap of a run at its peak, also of given tractions."""
+    """Draw `surface_map` of pressure or gap of a run at its peak, also for given tractions."""
     values, repulsion = scene.surface(name, scene.peak), scene.surface("repulsion", scene.peak)
     shown = of_either_sign(name, values, scene.grid)
     solved = np.isfinite(scene.dataset["approach"].values[scene.peak])
-    known = name if solved or name == "pressure" else None  # no gap is closed by given tractions
+    known = name if solved or name == "pressure" else None  # given tractions close no gap
     return _draw(values, scene.grid, ax, known, shown, repulsion, scene.map_look[0], cells=False)
 
 
@@ -110,7 +110,7 @@ def _draw(
         pressed = finite_array("contact", np.asarray(contact, dtype=float), values.shape)
     elif name == "pressure":
         pressed = values
-    elif name == "gap":  # closed but for the tolerance of the contact
+    elif name == "gap":  # closed within the tolerance of the contact
         pressed = (values <= _CLOSED * np.nanmax(values)).astype(np.float64)
     else:
         pressed = np.zeros_like(values)
@@ -132,16 +132,16 @@ def _draw(
 
 
 def track_map(track: xr.Dataset, ax: Axes | None = None, *, cells: bool = False) -> Axes:
-    """The permanent print of a moving contact from above.
+    """Draw a map of the residual imprint of a moving contact.
 
     Parameters
     ----------
     track : xarray.Dataset
-        From `Track.to_dataset`.
+        Result of `Track.to_dataset`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     cells : bool, optional
-        Show each cell in its colour, instead of what is smooth through their centres.
+        Show each cell in one colour, instead of smooth colours between the cell centres.
 
     Returns
     -------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the figures share: a figure without pyplot, labels and units, lines through fields."""
+"""Common parts of the figures: figures without pyplot, labels and units, lines through fields."""
 
 from __future__ import annotations
 
@@ -34,40 +34,40 @@ SURFACES = {
     "pressure": "pressure", "gap": "gap", "print": "residual_displacement", "shear_x": "shear_x",
     "shear_y": "shear_y", "temperature": "surface_temperature",
 }  # fmt: skip
-"""What is shown of the surface, and which quantity it is."""
+"""Names of surface fields in figures, and their quantities."""
 INTERFACE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
 LYING = 0.2
-"""Height over width of maps that are so flat that their bar of colours is below them."""
+"""Ratio of height to width below which the colour bar of a map is placed below the map."""
 LONG = 2.5
-"""Times as long along y as along x: maps of such contacts lie."""
+"""Ratio of length along y to length along x above which maps are rotated."""
 COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
 
 
 _COLUMNS = {"single": (88.0, 7.0), "double": (180.0, 8.0)}
-"""Width [mm] and size of letters [pt] of figures for columns of journals."""
-_WIDE = 6.5  # [in] A figure that is more takes the double column.
-_PAD = 0.08  # [in]
+"""Width [mm] and font size [pt] of figures for journal columns."""
+_WIDE = 6.5  # width [in] above which a figure takes the double column
+_PAD = 0.08  # margin [in]
 _AS_WIDE = "as wide as a column"
 _in_column: ContextVar[str] = ContextVar("_in_column", default="screen")
 
 
 @contextmanager
 def column(width: str = "single") -> Iterator[None]:
-    """Figures made within are as wide as a column of a journal, with letters of its size.
+    """Create figures with the width and font size of a journal column.
 
-    Make and save them within: ``with plotting.column("double"): plotting.summary_figures(...)``.
-    What has several panels side by side takes the double column. Functions that get an `ax` draw
-    into the figure it has.
+    Create and save figures within it: ``with plotting.column("double"): summary_figures(...)``.
+    Figures with several panels side by side take the double column. Functions that receive an `ax`
+    draw into its figure.
 
     Parameters
     ----------
     width : {"single", "double", "screen"}
-        88 mm with letters of 7 pt, 180 mm with 8 pt, or as without it.
+        88 mm with a 7 pt font, 180 mm with an 8 pt font, or the default size.
 
     Raises
     ------
     ValueError
-        Another width.
+        The width is unknown.
     """
     choice("width", width, (*_COLUMNS, "screen"))
     looks: Any = {}
@@ -83,7 +83,7 @@ def column(width: str = "single") -> Iterator[None]:
 
 
 def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
-    """Of this size [in], or in the same proportions as wide as a column."""
+    """Return a figure of this size [in], scaled to the column width within `column`."""
     given = _in_column.get()
     name = "double" if given == "single" and width > _WIDE else given
     size = _COLUMNS[name][0] / 25.4 if name in _COLUMNS else width
@@ -95,7 +95,7 @@ def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
 
 
 def save(figure: Figure | None, path: Path) -> Path:
-    """Write a figure (that of an axes is never none) without what is blank around it."""
+    """Write a figure without blank margins; the figure of an axes must not be None."""
     assert figure is not None
     with replacing(path) as part:
         draw(figure, part, format=path.suffix[1:] or "png", **_OPTIONS.get(path.suffix, {}))
@@ -106,44 +106,45 @@ _OPTIONS: dict[str, dict[str, Any]] = {
     ".pdf": {"dpi": 400, "metadata": {"CreationDate": None}},
     ".svg": {"dpi": 400, "metadata": {"Date": None}},
 }
-"""Colours of fields are pixels there too; no date, so that a run gives the same files again."""
+"""Options of vector files: fields are rasterised, and no date is stored, so that repeated runs give
+identical files."""
 
 
 def draw(figure: Figure, target: Path | BinaryIO, **options: Any) -> None:
-    """The same into a file or a buffer, with options of Matplotlib."""
+    """Write a figure to a file or a buffer, with options of Matplotlib."""
     box: Any = "tight"
     try:
-        if figure.get_gid() == _AS_WIDE:  # nothing is cut off at the sides
-            figure.draw_without_rendering()  # which lays it out
+        if figure.get_gid() == _AS_WIDE:  # full column width, not cropped
+            figure.draw_without_rendering()  # computes the layout
             shown = figure.get_tightbbox()
             ends = (shown.y0 - _PAD, figure.get_figwidth(), shown.y1 + _PAD)
             box = Bbox.from_extents(0.0, *ends)
         with matplotlib.rc_context({"pdf.fonttype": 42, "svg.hashsalt": "samcontact"}):
             figure.savefig(target, bbox_inches=box, pad_inches=_PAD, **options)
-    except RuntimeError as error:  # a matplotlibrc asks for LaTeX, which is not installed
+    except RuntimeError as error:  # e.g. LaTeX, requested by a matplotlibrc, is missing
         raise OSError(f"cannot draw a figure: {error}") from error
 
 
 def depths_of(grid: Grid, field: ArrayLike) -> FloatArray:
-    """Mid-depths of the layers of a volume field [m]: those of the grid, or as many as it has."""
+    """Return the mid-layer depths of a volume field [m], for all layers of the field."""
     require_volume(grid)
     shape = np.shape(field)
     return grid.depths(grid.nz or (shape[-1] if shape else 1))
 
 
 def require_volume(grid: Grid) -> None:
-    """Raise ValueError for a grid of the surface only."""
+    """Raise ValueError for a grid without layers."""
     if not grid.has_volume:
-        raise ValueError("grid must have a volume, got one without dz")
+        raise ValueError("grid must have layers, got a grid without dz")
 
 
 def section_height(width: float, across: float, depth: float) -> float:
-    """Of the figure of one section [in], so that nothing is left blank: see `new_figure`."""
+    """Return the height of the figure of one section [in] that leaves no blank space."""
     return min(max(0.75 * width * depth / across, 0.5), 1.5 * width) + 0.95
 
 
 def map_height(width: float, across: float, down: float) -> float:
-    """The same of a map, which has its bar of colours below it if it is flat."""
+    """Return the height of the figure of a map [in]; flat maps have their colour bar below."""
     return section_height(width, across, down) + (0.55 if down < LYING * across else 0.0)
 
 
@@ -159,10 +160,10 @@ def finish(ax: Axes) -> Axes:
 
 
 def counted(ax: Axes) -> Axes:
-    """Ticks along x at whole numbers only: of passes, cycles, increments."""
+    """Place ticks along x at whole numbers only, for passes, cycles and increments."""
     ax.xaxis.set_major_locator(FittedLocator(integer=True))
     left, right = ax.get_xlim()
-    if right - left < 1.0:  # there is one
+    if right - left < 1.0:  # a single number
         ax.set_xlim(left - 1.0, right + 1.0)
     return ax
 
@@ -172,25 +173,27 @@ def nearest(values: ArrayLike, position: float) -> int:
 
 
 def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
-    """The middle row, unless others have more to show, as on a rough surface: then that of most.
+    """Return the index of the middle row, or of the row with a clearly larger magnitude.
 
-    `values` has the largest magnitude of each row.
+    `values` has the maximum magnitude of each row.
     """
     sizes = np.asarray(values, dtype=np.float64)
     middle = nearest(coordinate, 0.0)
     if sizes[middle] >= 0.9 * sizes.max():
         return middle
-    return int(np.argmax(sizes >= (1.0 - 1e-6) * sizes.max()))  # the same of mirrored rows
+    return int(
+        np.argmax(sizes >= (1.0 - 1e-6) * sizes.max())
+    )  # a unique row for mirror-symmetric fields
 
 
 def place(name: str, value: float) -> str:
-    """Where a row lies, as labels tell it."""
+    """Return the position of a row as text."""
     shown = value * 1e6 + 0.0
     return f"{name} = {shown:{'.4g' if abs(shown) < 1e4 else '.0f'}} µm"
 
 
 def elsewhere(name: str, value: float, cell: float) -> str:
-    """The same of a row that is not in the middle."""
+    """Return the position of a row as text; "" for the middle row."""
     return "" if abs(value) <= 0.5 * cell else place(name, value)
 
 
@@ -199,7 +202,7 @@ def add_to_title(ax: Axes, *texts: str) -> None:
 
 
 def prefixed(largest: float, unit: str) -> tuple[float, str]:
-    """Factor to the unit with the prefix by which values up to the largest read well, and it."""
+    """Return factor and unit, with a suitable prefix for values up to the largest."""
     place = int(np.clip(np.floor(np.log10(largest) / 3), -4, 3)) if largest > 0 else 0
     return 10.0 ** (-3 * place), "pnµm kMG"[place + 4].strip() + unit
 
@@ -212,7 +215,7 @@ def edges(centres: ArrayLike, step: float) -> FloatArray:
 def surface_line(
     field: ArrayLike, name: str, grid: Grid, axis: str, position: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Coordinates and values of a surface field along an axis, in the nearest row of cells."""
+    """Return coordinates and values of a surface field along an axis, in the nearest row."""
     choice("axis", axis, ("x", "y"))
     values = finite_array(name, field, (grid.nx, grid.ny))
     finite("position", position)
@@ -222,9 +225,9 @@ def surface_line(
 
 
 def without_seams(bands: ContourSet) -> ContourSet:
-    """Filled contours as pixels in files of vectors, where there would be seams between them.
+    """Rasterise filled contours in vector files, which would otherwise show seams.
 
-    Before matplotlib 3.11 they stay vectors.
+    Before matplotlib 3.11 the contours remain vectors.
     """
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="Rasterization of", category=UserWarning)

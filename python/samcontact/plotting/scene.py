@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the figures of a run are drawn from: its results, for the eyes of one body."""
+"""Data for the figures of a run: its results, with one body selected."""
 
 from __future__ import annotations
 
@@ -40,31 +40,31 @@ class Scene:
 
     @cached_property
     def peak(self) -> int:
-        """Position of the increment with the largest stress."""
+        """Position of the increment with maximum stress."""
         return peak_of_dataset(self.dataset)
 
     @cached_property
     def hottest(self) -> int | None:
-        """Position of the increment with the warmest surface; None where it is not heated."""
+        """Position of the increment with the hottest surface; None without heating."""
         rise = self.dataset.get(f"surface_temperature_body{self.body}")
         return None if rise is None else int(np.argmax(rise.values.max(axis=(1, 2))))
 
     @cached_property
     def track(self) -> xr.Dataset | None:
-        """Of an inelastic body that moved."""
+        """Track of an elastic-plastic body that moved; None otherwise."""
         return track_of(self.dataset, self.body)
 
     @cached_property
     def graded(self) -> Body | None:
-        """Of a body of layers, or with a yield profile or residual stress."""
+        """Body with layers, a yield profile or initial stress; None otherwise."""
         return graded_of(self.dataset, self.body)
 
     def number(self, position: int) -> int:
-        """Of an increment, from 1."""
+        """Return the number of an increment, from 1."""
         return int(self.dataset["increment"].values[position])
 
     def surface(self, name: str, position: int) -> FloatArray:
-        """A field of the contact, its repulsion, or a field of the surface of the body."""
+        """Return a surface field of the contact or of the body, or the repulsion."""
         if name == "repulsion":
             known: FloatArray = repulsion_of(self.dataset).values[position]
             return known
@@ -73,14 +73,14 @@ class Scene:
         return field
 
     def has(self, name: str, number: int) -> bool:
-        """Whether a volume field of the body is known in all cells at the increment."""
+        """Whether a volume field of the body is stored for all cells at the increment."""
         stored = self.dataset.get(f"{name}_body{self.body}")
         if stored is None or number not in self.dataset["volume_increment"].values:
             return False
-        return "x" in stored.dims or "strain" in name  # which is 0 where it is not stored
+        return "x" in stored.dims or "strain" in name  # strains are zero where not stored
 
     def field(self, name: str, number: int) -> FloatArray:
-        """A volume field of the body at an increment that has one."""
+        """Return a stored volume field of the body at an increment."""
         if name == "residual_von_mises":
             return von_mises(self.field("residual_stress", number))
         stored = self.dataset[f"{name}_body{self.body}"].sel(volume_increment=number)
@@ -91,7 +91,7 @@ class Scene:
         return field
 
     def row(self, field: FloatArray, across: str = "y") -> float:
-        """Where there is most to see [m]: the place of a line or plane through a field."""
+        """Return the position of the most informative line or plane through a field [m]."""
         axis = "xy".index(across)
         others = tuple(n for n in range(field.ndim) if n != axis)
         centres = getattr(self.grid, across)
@@ -99,12 +99,12 @@ class Scene:
 
     @property
     def interfaces(self) -> FloatArray:
-        """Depths between layers of the body [m]."""
+        """Depths of the interfaces between layers of the body [m]."""
         return np.cumsum(self.dataset.attrs.get(f"body{self.body}_thickness", ()))
 
     @property
     def map_look(self) -> tuple[str, tuple[float, float]]:
-        """Which coordinate is from left to right in maps, and their figure's size [in]."""
+        """Coordinate from left to right in maps, and size of their figures [in]."""
         grid = self.grid
         long, wide = grid.ny * grid.dy, grid.nx * grid.dx
         if long <= LONG * wide:
@@ -113,6 +113,6 @@ class Scene:
 
     @property
     def section_height(self) -> float:
-        """Of the figure of a section of the grid [in], 5 in wide."""
+        """Height of the figure of a section of the grid [in], for a width of 5 in."""
         grid = self.grid
         return section_height(5.0, grid.nx * grid.dx, grid.nz * (grid.dz or 0.0))

@@ -32,33 +32,33 @@ def section(
     contact: ArrayLike | None = None,
     cells: bool = False,
 ) -> Axes:
-    """Cross-section of a volume field with contour lines and a colour bar, depth downward.
+    """Draw a cross-section of a volume field with contour lines and a colour bar, depth downward.
 
     Parameters
     ----------
     field : array_like, shape (nx, ny, nz)
         Values in SI units.
     grid : Grid
-        Its grid, with a volume.
+        Grid of the field, with layers (dz).
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", \
 "residual_von_mises", "residual_hydrostatic", "stress", "residual_stress", "plastic_strain", \
 "temperature"}, optional
-        What is shown; decides name, unit and colours. Without it values are shown as they are
-        given, in colours of both signs where both occur.
+        Quantity shown, which determines name, unit and colours. If omitted, values are shown
+        without conversion, with a diverging colour map if both signs occur.
     plane : {"y", "x"}
         Coordinate that is constant on the section.
     position : float
-        Its value [m]; the nearest row of cells is shown.
+        Value of this coordinate [m]; the nearest row of cells is shown.
     label : str, optional
-        Instead of the name of the quantity, before its unit.
+        Text that replaces the name of the quantity in the label.
     interfaces : array_like, shape (n,), optional
-        Depths between layers [m], as `Layered.interfaces` has them: lines.
+        Depths of the interfaces between layers [m], e.g. `Layered.interfaces`; drawn as lines.
     contact : array_like, shape (nx, ny), optional
-        Above zero where the bodies touch, e.g. the repulsion: a bar along the surface.
+        Positive in contact cells, e.g. the repulsion; shown as a bar along the surface.
     cells : bool, optional
-        Show each cell in its colour, instead of what is smooth through their centres.
+        Show each cell in one colour, instead of smooth colours between the cell centres.
 
     Returns
     -------
@@ -67,8 +67,8 @@ def section(
     Raises
     ------
     ValueError
-        No volume, wrong shape, an unknown quantity or plane, or values that the quantity cannot
-        have: below zero, a strain above 100, a rise of temperature above 1e6 K.
+        The grid has no layers, the field has the wrong shape, quantity or plane is unknown, or
+        values are impossible: negative, a strain above 100 or a temperature rise above 1e6 K.
     """
     choice("plane", plane, ("y", "x"))
     if quantity is not None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of shakedown.
 
-Like `samcontact.plotting`, which offers these functions too: each takes an `ax` and returns it.
+The functions are also available from `samcontact.plotting`: each takes an `ax` and returns it.
 """
 
 from __future__ import annotations
@@ -25,28 +25,29 @@ _FRICTION = np.linspace(0.0, 0.6, 31)
 
 
 def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 0.3) -> Axes:
-    """Limits of shakedown by friction: what a pressure does at first, and in the end.
+    """Draw the shakedown map: limits of the Hertz pressure versus the coefficient of friction.
 
     Parameters
     ----------
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     contact : {"line", "point"}
-        A line contact, whose limits are exact; or a circle, with bounds of perfect plasticity.
+        Line contact with exact limits, or circular point contact with bounds for perfect
+        plasticity.
     nu : float, optional
         Poisson's ratio.
 
     Returns
     -------
     matplotlib.axes.Axes
-        p0/k by the coefficient of friction, k being the yield stress in shear, with von Mises'
-        criterion; dashed with Tresca's, or the lower bound. A dot where the surface begins to
-        decide.
+        Axes with p0/k versus the coefficient of friction, where k is the shear yield stress by the
+        von Mises criterion. Dashed lines: Tresca criterion, or lower bound. A dot marks the
+        friction above which the limit is reached at the surface.
 
     Raises
     ------
     ValueError
-        Another contact, or a Poisson's ratio outside [0, 0.5].
+        The contact is unknown, or Poisson's ratio is outside [0, 0.5].
     """
     nu, ax = poisson_ratio("nu", nu), axes_or_new(ax)
     curves: list[tuple[str, str, Callable[[float], Limit]]]
@@ -62,15 +63,17 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
                 "tab:red",
                 lambda m: shakedown.line(m, nu, "von_mises"),
             ),
-            ("the same, Tresca", "--tab:red", lambda m: shakedown.line(m, nu)),
+            ("shakedown, perfectly plastic (Tresca)", "--tab:red", lambda m: shakedown.line(m, nu)),
             ("first yield", "0.3", lambda m: shakedown.first_yield(m, nu, "von_mises")),
         ]
     else:
         curves = [
             ("shakedown, kinematic hardening", "tab:blue",
              lambda m: shakedown.point_kinematic(m, nu)),
-            ("shakedown, perfectly plastic, at most", "tab:red", lambda m: shakedown.point(m, nu)),
-            ("the same, at least", "--tab:red", lambda m: shakedown.point_safe(m, nu)),
+            ("shakedown, perfectly plastic (upper bound)", "tab:red",
+             lambda m: shakedown.point(m, nu)),
+            ("shakedown, perfectly plastic (lower bound)", "--tab:red",
+             lambda m: shakedown.point_safe(m, nu)),
         ]  # fmt: skip
     for label, colour, function in curves:
         limits = [function(float(mu)) for mu in _FRICTION]
@@ -82,7 +85,8 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
         if any(at_surface):
             first = at_surface.index(True)
             ax.plot(_FRICTION[first], ratios[first], "o", color=colour, markersize=4)
-    ax.set(xlabel="coefficient of friction", ylabel="largest pressure / yield stress in shear")
+    ylabel = "maximum Hertz pressure / shear yield stress, $p_0/k$ [-]"
+    ax.set(xlabel="coefficient of friction [-]", ylabel=ylabel)
     ax.set(xlim=(0.0, _FRICTION[-1]), ylim=(0.0, 5.0))
     ax.legend(frameon=False, fontsize="small", loc="lower left")
     return finish(ax)
@@ -91,22 +95,22 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
 def strain_per_cycle(
     result: ShakedownResult, ax: Axes | None = None, *, label: str | None = None
 ) -> Axes:
-    """How much plastic strain each cycle leaves, and how much flows in it.
+    """Draw net plastic strain and plastic flow of each cycle.
 
     Parameters
     ----------
     result : ShakedownResult
-        Of `shakedown.run`.
+        Result of `shakedown.run`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw; of several results each has its own colour.
+        Axes to draw on; default: a new figure. Each result has its own colour.
     label : str, optional
-        Of the curves; default the verdict.
+        Label of the curves; default: the long-term response.
 
     Returns
     -------
     matplotlib.axes.Axes
-        Over the yield strain, on a logarithmic scale: flow dashed, what is left solid, dots where a
-        cycle was solved and gaps where it was extrapolated.
+        Axes with strains relative to the yield strain, on a logarithmic scale. Solid: net plastic
+        strain; dashed: plastic flow. Solved cycles are dots; extrapolated cycles are gaps.
     """
     return draw_cycles(
         [cycle.number for cycle in result.cycles],
@@ -118,11 +122,11 @@ def strain_per_cycle(
 
 
 def draw_cycles(numbers: ArrayLike, net: ArrayLike, flow: ArrayLike, label: str, ax: Axes) -> Axes:
-    """`strain_per_cycle` of strains over the yield strain."""
+    """Draw `strain_per_cycle` from strains relative to the yield strain."""
     (line,) = ax.plot(numbers, net, "o-", markersize=3, label=label)
     ax.plot(numbers, flow, "--", color=line.get_color(), linewidth=1)
     ax.set_yscale("log")
     ax.xaxis.set_major_locator(FittedLocator(integer=True))
-    ax.set(xlabel="cycle", ylabel="plastic strain in a cycle / yield strain")
+    ax.set(xlabel="cycle", ylabel="plastic strain per cycle / yield strain [-]")
     ax.legend(frameon=False, fontsize="small")
     return finish(ax)

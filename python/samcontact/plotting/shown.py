@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which quantity a field that is drawn is, and whether it can be that."""
+"""Quantity of a drawn field, and its plausibility."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from ..scene.grid import Grid
 
 _ROUNDING = 1e-6
-"""Of the largest value, or of the size of the grid: what is less below zero is rounding."""
+"""Negative values up to this fraction of the maximum, or of the grid size, are rounding errors."""
 _ROUNDING_OF_HEAT = 1e-3
-"""What transforms and quadrature leave of the temperature beside a source."""
+"""Error of transforms and quadrature in the temperature outside a source, relative."""
 _MOST = {"strain": 1e2, "heat": 1e6}
 _MOST_SIZES = 1e3
-"""A length over the size of the grid."""
+"""Maximum plausible length, relative to the size of the grid."""
 _UNNAMED = Quantity("", "", "", "value", kind="any")
 
 
@@ -31,10 +31,10 @@ def quantity_of(
     argument: str = "field",
     label: str | None = None,
 ) -> Quantity:
-    """Return the quantity of this name, with its label; without a name one that claims nothing.
+    """Return the quantity of this name, with its label; without a name a neutral quantity.
 
-    Values without a name are shown in the unit that they have, in colours of both signs where both
-    occur. Raises ValueError for values that the named quantity cannot have.
+    Values without a name are shown without conversion, with a diverging colour map if both signs
+    occur. Raises ValueError for values that are impossible for the named quantity.
     """
     if name is None:
         shown = signed(_UNNAMED) if _is_negative(values, 0.0) else _UNNAMED
@@ -45,24 +45,24 @@ def quantity_of(
 
 
 def of_either_sign(name: str, values: FloatArray, grid: Grid) -> Quantity:
-    """Return the quantity of this name, in colours of both signs where values are below zero.
+    """Return the quantity of this name, with a diverging colour map for negative values.
 
-    Given tractions may pull, and let the bodies overlap.
+    Prescribed tractions may be tensile, and may cause interpenetration.
     """
     shown = CONTACT[name]
     return signed(shown) if _is_negative(values, _rounding(values, shown, grid)) else shown
 
 
 def signed(quantity: Quantity) -> Quantity:
-    """Return the quantity with white for zero."""
+    """Return the quantity with a diverging colour map, white for zero."""
     return quantity._replace(kind="signed")
 
 
 def require_possible(argument: str, values: FloatArray, quantity: Quantity, grid: Grid) -> None:
-    """Raise ValueError for values that a quantity cannot have: another field, or another unit."""
+    """Raise ValueError for impossible values, which indicate a wrong field or unit."""
     least, largest = float(np.nanmin(values)), float(np.nanmax(np.abs(values)))
     unit = "" if quantity.unit == "1" else f" {quantity.unit}"
-    another = "is it another quantity? `section` and `surface_map` show one without a name as it is"
+    another = "check the quantity; `section` and `surface_map` show any field if it is omitted"
     if quantity.from_zero and least < -_rounding(values, quantity, grid):
         raise ValueError(
             f"{argument} must be >= 0 to be shown as {quantity.heading}, got values down to "

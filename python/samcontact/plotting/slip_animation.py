@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What sticks and slips as an animation, beside the force."""
+"""Animation of stick and slip zones, with the tangential force."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
     from ..scene.grid import Grid
     from ..solutions.state import State
 
-_MARGIN = 0.15  # around the contact, of its size
+_MARGIN = 0.15  # margin around the contact, relative to its size
 
 
 class Course(NamedTuple):
-    """Of all increments, in the units of their labels."""
+    """Motion and force of all increments, in the units of their labels."""
 
     across: FloatArray
     force: FloatArray
@@ -33,29 +33,30 @@ class Course(NamedTuple):
 
 
 def stick_slip_animation(states: Sequence[State], *, interval: float = 100.0) -> FuncAnimation:
-    """One frame for each state: where the bodies stick and slip, beside force over motion.
+    """Animate stick and slip zones, next to the tangential force versus displacement.
 
-    Of bodies that roll it is the force over the way rolled.
+    For rolling bodies, the force is shown versus the distance rolled.
 
     Parameters
     ----------
     states : sequence of State
-        In the order of the path, of a simulation with `Coulomb`.
+        States in the order of the path, from a simulation with `Coulomb` friction.
     interval : float, optional
-        Between two frames [ms], > 0, where it is shown on a screen.
+        Time between two frames on a screen [ms], > 0.
 
     Returns
     -------
     matplotlib.animation.FuncAnimation
-        For `save_animation`, or ``to_jshtml()`` in a notebook. Keep a reference to it.
+        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Keep a reference to it.
 
     Raises
     ------
     ValueError
-        No states, none in contact, or friction as a number.
+        There are no states, none is in contact, or friction is a constant coefficient (full
+        sliding).
     """
     if len(states) == 0:
-        raise ValueError("states must hold at least one state, got none")
+        raise ValueError("states must contain at least one state, got none")
     positive("interval", interval)
     states = in_one_window(states)
     grid, course = states[0].grid, course_of(states)
@@ -77,14 +78,14 @@ def stick_slip_animation(states: Sequence[State], *, interval: float = 100.0) ->
 
     draw(0)
     figure.draw_without_rendering()
-    figure.set_layout_engine("none")  # panels that shift from frame to frame would distract
+    figure.set_layout_engine("none")  # panels must not shift between frames
     return FuncAnimation(
         figure, draw, frames=len(states), interval=interval, cache_frame_data=False, blit=False
     )
 
 
 def course_of(states: Sequence[State]) -> Course:
-    """In the direction of the largest force; about z where there is no force."""
+    """Return force and motion in the direction of the maximum force, or about z without a force."""
     forces = np.array([state.tangential_load for state in states])
     motions = np.array([state.shift for state in states])
     direction = int(np.argmax(np.abs(forces).max(axis=0)))
@@ -101,15 +102,15 @@ def course_of(states: Sequence[State]) -> Course:
     label = along.label
     ways = -np.mean([state.travel for state in states], axis=1)
     if ways.any():
-        moved, along, label = ways, CONTACT["travel"], "way rolled [µm]"
+        moved, along, label = ways, CONTACT["travel"], "distance rolled [µm]"
     return Course(moved * along.factor, pull * up.factor, (label, up.label))
 
 
 def _limits(states: Sequence[State], grid: Grid) -> list[tuple[float, float]]:
-    """Of the contact of all states along x and y [µm]."""
+    """Return the limits of the contact of all states along x and y [µm]."""
     touched = np.any([state.in_contact for state in states], axis=0)
     if not touched.any():
-        raise ValueError("states must hold one in contact, got none")
+        raise ValueError("states must contain at least one state in contact, got none")
     found = []
     for centres, cell, axis in ((grid.x, grid.dx, 1), (grid.y, grid.dy, 0)):
         there = np.asarray(centres)[touched.any(axis=axis)]
@@ -119,7 +120,7 @@ def _limits(states: Sequence[State], grid: Grid) -> list[tuple[float, float]]:
 
 
 def _course_panel(ax: Axes, course: Course) -> Line2D:
-    """All of it, thin; the point that is shown."""
+    """Draw the whole curve as a thin line, and the point of the current state."""
     ax.plot(course.across, course.force, "-", linewidth=0.8, color="0.6")
     (point,) = ax.plot([], [], "o", color="C3")
     ax.set_xlabel(course.labels[0])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which figures of stick and slip a run has."""
+"""Selection of the figures of a run with partial slip."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def slip_figures(scene: Scene) -> dict[str, Figure]:
-    """Of a run whose bodies stick and slip, by name of the figure; none of gross sliding."""
+    """Return the figures of a run with partial slip, by name; none with full sliding."""
     data = scene.dataset
     if "friction_work" not in data or not np.any(
         in_contact(repulsion_of(data).values[chosen(data)])
@@ -53,7 +53,7 @@ def slip_figures(scene: Scene) -> dict[str, Figure]:
 
 
 def _of_rolling(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
-    """The force over the way, and over the creepage where that changes."""
+    """Return the figures of the force versus distance rolled and versus varying creepage."""
     figures = {"rolling_force": new_figure()}
     rolling_force(dataset, figures["rolling_force"].subplots(), direction=direction)
     xi, force = creepages(dataset, direction)
@@ -67,14 +67,14 @@ def _of_rolling(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
             force[ends],
             ax,
             largest=largest_force(dataset),
-            label="the last of each creepage",
+            label="last increment at each creepage",
         )
         ax.set_ylabel(CONTACT[DIRECTIONS[direction][0]].label)
     return figures
 
 
 def chosen(dataset: xr.Dataset) -> int:
-    """Position of the increment whose slip is shown: of the largest force, of these the last."""
+    """Return the position of the increment whose slip is shown: the last with maximum force."""
     pulls = np.hypot(*(dataset[f"tangential_load_{axis}"].values for axis in "xy"))
     if not pulls.max() > ROUNDING * float(dataset["load"].max()):
         pulls = np.abs(dataset["torque"].values)
@@ -84,7 +84,7 @@ def chosen(dataset: xr.Dataset) -> int:
 
 
 def driven(dataset: xr.Dataset) -> list[str]:
-    """Directions in which there is force and motion, the largest force first."""
+    """Return the directions with force and motion, the largest force first."""
     moved = moved_along(dataset)
     found = [
         name for name, (force, motion) in DIRECTIONS.items() if force in moved and motion in moved

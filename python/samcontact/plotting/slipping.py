@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of bodies that stick and slip.
+"""Figures of contacts with partial slip.
 
-Like `samcontact.plotting`, which offers these functions too: each takes an `ax` and returns it.
+The functions are also available from `samcontact.plotting`: each takes an `ax` and returns it.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ if TYPE_CHECKING:
     from ..scene.grid import Grid
 
 COLOURS = "#9ecae1", "#fdae6b"
-"""Of what sticks and of what slips."""
-_ARROWS = 15  # along the longer side of the contact
-_LONGEST = 0.95  # times their distance
-_OF_SLIP = {"1": "of the way", None: ""}
+"""Colours of stick and slip zones."""
+_ARROWS = 15  # number along the longer side of the contact
+_LONGEST = 0.95  # maximum length of an arrow, relative to the distance between arrows
+_OF_SLIP = {"1": "of the distance rolled", None: ""}
 DIRECTIONS = {"x": ("tangential_load_x", "shift_x"), "y": ("tangential_load_y", "shift_y"),
                "z": ("torque", "twist")}  # fmt: skip
 
@@ -44,24 +44,24 @@ def stick_slip_map(
     unit: str | None = None,
     across: str = "x",
 ) -> Axes:
-    """Where the bodies stick and where they slip, from above, with arrows along the slip.
+    """Draw a map of stick and slip zones, with arrows for the slip.
 
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
-        [Pa], where surfaces attract each other the repulsion; white where it is zero.
+        Pressure [Pa], or repulsion with adhesion; white where it is zero.
     slip : array_like, shape (2, nx, ny)
-        Of body 1 over body 2, e.g. of a `State` or a solution; it sticks where it is zero. Arrows
-        are as long as the slip, the longest of them named in the title.
+        Slip of body 1 relative to body 2, e.g. of a `State` or a solution; zero in the stick zone.
+        The length of the arrows is proportional to the slip; the title states the maximum.
     grid : Grid
-        Of both fields.
+        Grid of both fields.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     unit : {"m", "1"}, optional
-        Of the slip, for the title: "m" as of a `State`, "1" per way rolled, as of a
-        `RollingSolution`. Without it the title has the number alone.
+        Unit of the slip for the title: "m" for a `State`, "1" (per distance rolled) for a
+        `RollingSolution`. If omitted, the title has the number only.
     across : {"x", "y"}, optional
-        Coordinate from left to right. "y" turns the map by a quarter, with x downward: for contacts
+        Coordinate from left to right. "y" rotates the map by 90°, with x downward, for contacts
         that are long along y.
 
     Returns
@@ -71,7 +71,7 @@ def stick_slip_map(
     Raises
     ------
     ValueError
-        Wrong shape of a field, or an unknown unit or coordinate.
+        A field has the wrong shape, or unit or coordinate is unknown.
     """
     if unit is not None:
         choice("unit", unit, ("m", "1"))
@@ -89,17 +89,17 @@ def stick_slip_map(
         _kinds(ax, np.hypot(*moved), np.maximum(pressed, 0.0), plane)
     largest = _arrows(ax, moved, in_contact(pressed), plane)
     handles = [Patch(color=colour, label=label) for colour, label in zip(
-        COLOURS, ("sticks", "slips"), strict=True)]  # fmt: skip
+        COLOURS, ("stick", "slip"), strict=True)]  # fmt: skip
     ax.legend(handles=handles, loc="upper right", fontsize="small", framealpha=0.85, borderpad=0.3)
     factor, name = prefixed(largest, "m") if unit == "m" else (1.0, _OF_SLIP[unit])
-    title = f"slip up to {largest * factor:.3g} {name}".rstrip() if largest > 0 else "no slip"
+    title = f"maximum slip {largest * factor:.3g} {name}".rstrip() if largest > 0 else "no slip"
     ax.set_title(title, fontsize="medium")
     ax.set_aspect("equal")
     return name_sides(ax, across)
 
 
 def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, plane: Plane) -> None:
-    """The parts of the contact in their colours, and its edge."""
+    """Draw stick and slip zones in their colours, and the contact edge."""
     inside, slips = inside_of_contact(pressure), inside_of_slip(slip, in_contact(pressure))
     levels = [slips.min() - 1.0, 0.0, slips.max() + 1.0]
     parts = ax.contourf(*plane.smooth(slips), levels=levels, colors=COLOURS)
@@ -108,7 +108,7 @@ def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, plane: Plane) -> No
 
 
 def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], plane: Plane) -> float:
-    """Draw some, the same part of the cells along both sides; the largest slip."""
+    """Draw arrows in a regular selection of cells, and return the maximum slip."""
     size: FloatArray = np.hypot(*slip)
     largest = float(size.max(initial=0.0))
     if not largest > 0:
@@ -150,26 +150,26 @@ def shear_profile(
     position: float = 0.0,
     label: str = "shear",
 ) -> Axes:
-    """Shear along an axis between the bounds that friction gives it.
+    """Draw the shear traction along an axis, with the friction limits.
 
     Parameters
     ----------
     pressure, shear : array_like, shapes (nx, ny) and (2, nx, ny)
-        [Pa], the shear on body 2.
+        Pressure, and shear traction on body 2 [Pa].
     grid : Grid
-        Of both fields.
+        Grid of both fields.
     friction : float or Coulomb
-        Its coefficient, >= 0 [-], or a friction law; `math.inf`: without bounds.
+        Coefficient of friction >= 0 [-], or a friction law; `math.inf`: no limits.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     component : {"x", "y"}
-        Of the shear.
+        Component of the shear traction.
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells.
+        Coordinate of the profile across its direction [m]; the nearest row of cells is used.
     label : str
-        Of the curve.
+        Label of the curve.
 
     Returns
     -------
@@ -178,7 +178,7 @@ def shear_profile(
     Raises
     ------
     ValueError
-        Wrong shape of a field, an unknown component or axis, or pressure below zero.
+        A field has the wrong shape, component or axis is unknown, or the pressure is negative.
     """
     choice("component", component, ("x", "y"))
     shape = (grid.nx, grid.ny)
@@ -197,25 +197,25 @@ def shear_profile(
             ax.plot(s * 1e6, sign * bound, "k--", linewidth=0.8, label=name)
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
     ax.set_xlabel(f"{axis} [µm]")
-    ax.set_ylabel(f"shear along {component} [{shown.shown}]")
+    ax.set_ylabel(f"shear traction, {component} [{shown.shown}]")
     return finish(ax)
 
 
 def fretting_loop(
     dataset: xr.Dataset, ax: Axes | None = None, *, direction: str = "x", label: str | None = None
 ) -> Axes:
-    """Force along the surface over the motion, with the work of friction in the title.
+    """Draw tangential force versus displacement, with the frictional work in the title.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        Results of bodies that stick and slip, see `samcontact.results.to_dataset`.
+        Results with partial slip, from `samcontact.results.to_dataset`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     direction : {"x", "y", "z"}
-        Along x, along y, or about z: torque over twist.
+        Along x, along y, or about z (torque versus twist).
     label : str, optional
-        Of the curve.
+        Label of the curve.
 
     Returns
     -------
@@ -224,7 +224,7 @@ def fretting_loop(
     Raises
     ------
     ValueError
-        An unknown direction, or results of gross sliding.
+        The direction is unknown, or the results are of full sliding.
     """
     force, motion = DIRECTIONS[choice("direction", direction, tuple(DIRECTIONS))]
     require_slip(dataset)
@@ -233,7 +233,7 @@ def fretting_loop(
     ax.plot(way, pull, "o-", markersize=3, linewidth=1.0, label=label)
     work = float(dataset["friction_work"].values[-1])
     factor, unit = prefixed(work, "J")
-    ax.set_title(f"work of friction {work * factor:.4g} {unit}", fontsize="medium")
+    ax.set_title(f"frictional work {work * factor:.4g} {unit}", fontsize="medium")
     ax.set_xlabel(CONTACT[motion].label)
     ax.set_ylabel(CONTACT[force].label)
     if label is not None:
@@ -249,21 +249,21 @@ def creep_curve(
     largest: float | None = None,
     label: str | None = None,
 ) -> Axes:
-    """Force along the surface of a contact that rolls, over its creepage.
+    """Draw the tangential force of a rolling contact versus its creepage.
 
     Parameters
     ----------
     creepage : array_like, shape (n,)
-        Rigid slip per way rolled [-].
+        Rigid slip per distance rolled [-].
     force : array_like, shape (n,)
-        [N].
+        Tangential force [N].
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     largest : float, optional
-        Friction times load [N], the force where all slips: a dashed line, on each side where there
-        are forces.
+        Force at full sliding, coefficient of friction times load [N]: a dashed line, for each sign
+        that occurs.
     label : str, optional
-        Of the curve.
+        Label of the curve.
 
     Returns
     -------
@@ -272,7 +272,7 @@ def creep_curve(
     Raises
     ------
     ValueError
-        Arrays of different lengths.
+        The arrays have different lengths.
     """
     count = np.size(creepage)
     xi, pulls = (
@@ -286,12 +286,12 @@ def creep_curve(
     if largest is not None or label is not None:
         ax.legend(frameon=False)
     ax.set_xlabel("creepage [%]")
-    ax.set_ylabel("force [N]")
+    ax.set_ylabel("tangential force [N]")
     return finish(ax)
 
 
 def _bounds(ax: Axes, forces: FloatArray, largest: float) -> None:
-    """Lines of the largest force, on each side where there are forces."""
+    """Draw lines of the maximum force, for each sign that occurs."""
     small = 1e-6 * np.abs(forces).max(initial=0.0)
     sides = [side for side in (-1, 1) if np.any(side * forces > small)]
     for side in sides:
@@ -301,16 +301,16 @@ def _bounds(ax: Axes, forces: FloatArray, largest: float) -> None:
 
 
 def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str = "x") -> Axes:
-    """Force along the surface over the way that a contact has rolled under load.
+    """Draw the tangential force versus the distance rolled under load.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        Results of bodies that stick and slip while they roll.
+        Results of rolling with partial slip.
     ax : matplotlib.axes.Axes, optional
-        Where to draw. Way there and back, and of each pass, are lines of their own.
+        Axes to draw on; default: a new figure. Each pass, and each direction, has its own line.
     direction : {"x", "y"}
-        Of the force.
+        Direction of the force.
 
     Returns
     -------
@@ -319,12 +319,12 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
     Raises
     ------
     ValueError
-        An unknown direction, or results of gross sliding or without a way.
+        The direction is unknown, or the results are of full sliding or without rolling.
     """
     require_slip(dataset)
     choice("direction", direction, ("x", "y"))
     if "travel_body1" not in dataset:
-        raise ValueError("dataset must be of bodies that roll, got one without a way")
+        raise ValueError("dataset must be of rolling bodies, but has no travel")
     force = CONTACT[DIRECTIONS[direction][0]]
     way = -0.5 * sum(dataset[f"travel_body{body}"].values for body in (1, 2))
     pull = np.where(dataset["load"].values > 0, dataset[DIRECTIONS[direction][0]].values, np.nan)
@@ -333,19 +333,19 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
     if (largest := largest_force(dataset)) is not None:
         _bounds(ax, np.nan_to_num(pull), largest)
         ax.legend(frameon=False)
-    ax.set_xlabel("way rolled [µm]")
+    ax.set_xlabel("distance rolled [µm]")
     ax.set_ylabel(force.label)
     return finish(ax)
 
 
 def require_slip(dataset: xr.Dataset) -> None:
-    """Raise ValueError for results that tell nothing of stick and slip."""
+    """Raise ValueError for results without partial slip."""
     if "friction_work" not in dataset:
-        raise ValueError("dataset must be of bodies that stick and slip, with friction=Coulomb(mu)")
+        raise ValueError("dataset must be of a contact with partial slip: use friction=Coulomb(mu)")
 
 
 def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArray]:
-    """Of increments that roll under load: slip per way rolled, and the force at their end [N]."""
+    """Return slip per distance rolled [-] and force [N] of increments that roll under load."""
     force, motion = DIRECTIONS[direction]
     ways = [np.diff(dataset[f"travel_body{body}"].values, prepend=0.0) for body in (1, 2)]
     way = -0.5 * (ways[0] + ways[1])
@@ -355,7 +355,7 @@ def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArr
 
 
 def largest_force(dataset: xr.Dataset) -> float | None:
-    """Largest force that friction holds in an increment [N]; None without slip."""
+    """Return the maximum friction limit of all increments [N]; None if slip is prevented."""
     law = law_of_attributes(dataset.attrs)
     if law is None or law.prevents_slip:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The standard figures of a run, as files."""
+"""Standard figures of a run, as files."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _SECTIONS = ("von_mises", "hydrostatic", "equivalent_plastic_strain")
-_WIDTH = 5.0  # of a figure [in]
+_WIDTH = 5.0  # width of a figure [in]
 
 
 def summary_figures(
@@ -45,40 +45,42 @@ def summary_figures(
 ) -> list[Path]:
     """Write the standard figures of a run as files.
 
-    Profiles and sections run through the middle, or where there is most to see if that is
-    elsewhere, as on rough surfaces.
+    Profiles and sections are through the middle, or through the row of cells with the maximum, as
+    on rough surfaces.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        Results, see `samcontact.results.to_dataset`. Sections need the volume fields of the
+        Results of `samcontact.results.to_dataset`. Sections require the volume fields of the
         increments of `increments_shown`.
     directory : str or Path
-        Created when missing.
+        Folder of the figures; created if missing.
     body : {1, 2}
-        Whose stresses and print are shown; default that of [output], or the one that has volume
-        fields.
+        Body whose stresses and residual imprint are shown. Default: the body of [output], or the
+        body with volume fields.
     hertz : PointContact or EllipticContact, optional
         Hertz contact at the load of the peak.
     format : {"png", "pdf", "svg"}
-        Of the files; in the last two lines and letters are vectors.
+        File format; in the last two, lines and text are vectors.
 
     Returns
     -------
     list of Path
-        With the ending of the format: pressure.png, pressure_map.png, gap_map.png and
-        load_approach.png; with a volume
-        axis_stress.png, sections.png and, of a body with layers, interface.png; of bodies that
-        stick and slip stick_slip.png (of the largest force) and fretting_loop.png or, where they
-        roll, rolling_force.png and, where the creepage changes, creep_curve.png; for a heated body
-        flash_temperature.png and, with a volume, temperature.png (hottest increment); for an
-        inelastic body print.png, print_map.png and residual.png (last increment; all of its track
-        when it moved) and, when it moved, track_print.png and track_sections.png.
+        Files written, with the suffix of the format:
+
+        - pressure, pressure_map, gap_map, load_approach;
+        - with layers of the grid: axis_stress, sections and, for a layered body, interface;
+        - with partial slip: stick_slip (increment of maximum force), and fretting_loop or, for
+          rolling, rolling_force and, with varying creepage, creep_curve;
+        - with heating: flash_temperature and, with layers of the grid, temperature (hottest
+          increment);
+        - for an elastic-plastic body: print, print_map and residual (last increment, or the whole
+          track of a moving body) and, for a moving body, track_print and track_sections.
 
     Raises
     ------
     ValueError
-        An unknown body or format; or a file of one of these names that was not written by this
+        The body or format is unknown; or a file with one of these names was not written by this
         package, or has been changed since.
     """
     choice("format", format, ("png", "pdf", "svg"))
@@ -106,7 +108,7 @@ def summary_figures(
 
 
 def increments_shown(dataset: xr.Dataset, body: int) -> set[int]:
-    """Numbers of the increments whose volume fields `summary_figures` show: peak, hottest, last."""
+    """Return the increments whose volume fields are shown: peak, hottest and last increment."""
     scene = Scene(dataset, body, None)
     shown = {scene.peak, dataset.sizes["increment"] - 1}
     if scene.hottest is not None:
@@ -125,7 +127,7 @@ def _moment(scene: Scene, position: int) -> str:
 
 
 def _of_the_peak(scene: Scene) -> dict[str, Figure]:
-    """Pressure and gap, and stresses where there is a volume."""
+    """Draw pressure, gap and stresses at maximum stress."""
     grid, number = scene.grid, scene.number(scene.peak)
     _, size = scene.map_look
     figures = {"pressure": _panel(), "pressure_map": _panel(*size), "gap_map": _panel(*size)}
@@ -163,7 +165,7 @@ def _sections(scene: Scene, number: int) -> Figure:
 
 
 def _of_the_hottest(scene: Scene) -> dict[str, Figure]:
-    """Temperatures of a heated body."""
+    """Draw the temperature rise of a heated body."""
     if scene.hottest is None:
         return {}
     grid, rise = scene.grid, scene.surface("surface_temperature", scene.hottest)
@@ -179,7 +181,7 @@ def _of_the_hottest(scene: Scene) -> dict[str, Figure]:
 
 
 def _of_the_print(scene: Scene) -> dict[str, Figure]:
-    """What stays of a contact in its place: the print, and the residual stress."""
+    """Draw residual imprint and residual stress of a stationary contact."""
     grid, depth = scene.grid, scene.surface("residual_displacement", -1)
     across, size = scene.map_look
     figures = {"print": _panel(), "print_map": _panel(*size)}
@@ -207,13 +209,13 @@ def _of_the_print(scene: Scene) -> dict[str, Figure]:
 
 
 def _of_the_track(track: xr.Dataset) -> dict[str, Figure]:
-    """The same of a contact that moved: all of what it left, not what is in the grid at last."""
+    """Draw residual imprint and residual stress of the whole track of a moving contact."""
     grid, length = grid_of(track), float(np.ptp(track["x"].values))
     figures = {"print": _panel()}
     print_along(track, figures["print"].axes[0])
     figures["print_map"] = _panel(_WIDTH, map_height(_WIDTH, length, grid.ny * grid.dy))
     track_map(track, figures["print_map"].axes[0])
-    if grid.nz == 0:  # nothing but its print is stored
+    if grid.nz == 0:  # only the residual imprint is stored
         return figures
     figures["residual"] = residual_along(track, _WIDTH)
     return figures

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ticks of which no label runs into the next, however short an axis is."""
+"""Ticks whose labels do not overlap, even on short axes."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from matplotlib.ticker import AutoLocator, MaxNLocator
 
 from .._util.checks import FloatArray
 
-_DIGIT = 0.64  # of the size of letters, which a digit is wide
-_APART = 0.8, 1.0  # of it, between labels beside and above each other
+_DIGIT = 0.64  # width of a digit, relative to the font size
+_APART = 0.8, 1.0  # horizontal and vertical distance between labels, relative to the font size
 
 
 class FittedLocator(MaxNLocator):
-    """Round numbers, as many as there is room for; a single one where there is none for two."""
+    """Locator of as many round numbers as fit on the axis; a single number on very short axes."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__(9, steps=[1, 2, 2.5, 5, 10], **options)
 
     def tick_values(self, vmin: float, vmax: float) -> Any:
-        """Of the numbers from `vmin` to `vmax`, in the units of the axis."""
+        """Return the ticks from `vmin` to `vmax`, in the units of the axis."""
         ticks = np.zeros(0)
         for count in range(9, 0, -1):
             self.set_params(nbins=count)
@@ -52,7 +52,7 @@ class FittedLocator(MaxNLocator):
 
 
 def fit_ticks(ax: Axes) -> None:
-    """Of both axes where nothing else was chosen."""
+    """Set fitted ticks on both axes, unless other ticks were set."""
     for axis in (ax.xaxis, ax.yaxis):
         if type(axis.get_major_locator()) is AutoLocator:
             axis.set_major_locator(FittedLocator())

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of a moving contact, in the frame of a body: x = 0 is where the contact started on it.
+"""Figures of a moving contact, in the frame of a body: x = 0 is the initial contact position.
 
-Like `samcontact.plotting`, which offers these functions too: each takes an `ax` and returns it.
+The functions are also available from `samcontact.plotting`: each takes an `ax` and returns it.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _LOADED = ("von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature
 
 
 def positions_on_body(state: State, body: int) -> FloatArray:
-    """Where the cells of a state's volume fields lie on the body along x [m], shape (nx,)."""
+    """Return the x positions on the body of the cells of the volume fields [m], shape (nx,)."""
     shift = state.offset(body=body) - state.origin - state.travel[body - 1]
     return np.asarray(np.asarray(state.grid.x) + shift, dtype=np.float64)
 
@@ -56,18 +56,19 @@ def track_print(
     axis: str = "x",
     positions: Sequence[float] = (0.0,),
 ) -> Axes:
-    """Permanent print along the track, or across it in several places; depth downward.
+    """Draw profiles of the residual imprint along the track or across it, depth downward.
 
     Parameters
     ----------
     track : xarray.Dataset
-        From `Track.to_dataset`.
+        Result of `Track.to_dataset`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     axis : {"x", "y"}
         Direction of the profiles: along the track, or across it.
     positions : sequence of float
-        Where they run [m]: values of y for profiles along x, of x for those along y. Nearest cells.
+        Positions of the profiles [m]: y for profiles along x, x for profiles along y. The nearest
+        rows of cells are used.
 
     Returns
     -------
@@ -76,11 +77,11 @@ def track_print(
     Raises
     ------
     ValueError
-        Unknown axis, or no positions.
+        The axis is unknown, or there are no positions.
     """
     choice("axis", axis, ("x", "y"))
     if len(positions) == 0:
-        raise ValueError("positions must hold at least one value, got none")
+        raise ValueError("positions must contain at least one value, got none")
     field, other = track["residual_displacement"].values, "y" if axis == "x" else "x"
     along, others = track[axis].values, track[other].values
     ax = axes_or_new(ax)
@@ -109,22 +110,22 @@ def track_section(
     position: float = 0.0,
     cells: bool = False,
 ) -> Axes:
-    """Section through what the contact left, along the track or across it.
+    """Draw a section of the residual fields along the track or across it.
 
     Parameters
     ----------
     track : xarray.Dataset
-        From `Track.to_dataset`, of a grid with layers.
+        Result of `Track.to_dataset`, with layers.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     quantity : {"residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain"}
-        Or a component "xx", "yy", "zz", "yz", "xz", "xy" of the residual stress.
+        Quantity, or a component "xx", "yy", "zz", "yz", "xz", "xy" of the residual stress.
     plane : {"y", "x"}
         Coordinate that is constant on the section: "y" along the track, "x" across it.
     position : float
-        Its value [m]; the nearest row of cells is shown.
+        Value of this coordinate [m]; the nearest row of cells is shown.
     cells : bool, optional
-        Show each cell in its colour, instead of what is smooth through their centres.
+        Show each cell in one colour, instead of smooth colours between the cell centres.
 
     Returns
     -------
@@ -133,7 +134,7 @@ def track_section(
     Raises
     ------
     ValueError
-        No volume, or an unknown quantity or plane.
+        The track has no layers, or quantity or plane is unknown.
     """
     choice("quantity", quantity, (*_RESIDUAL, *COMPONENTS))
     grid = grid_of(track)
@@ -157,20 +158,20 @@ def loaded_section(
     position: float = 0.0,
     cells: bool = False,
 ) -> Axes:
-    """Section through a state of a moving contact, in the frame of the body.
+    """Draw a section of a state of a moving contact, in the frame of a body.
 
     Parameters
     ----------
     state : State
-        With a grid that has layers.
+        State on a grid with layers.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     body : {1, 2}
-        Whose field and frame.
+        Body whose field and frame of reference are used.
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature"}
-        Or a component "xx", "yy", "zz", "yz", "xz", "xy" of the stress.
+        Quantity, or a component "xx", "yy", "zz", "yz", "xz", "xy" of the stress.
     plane, position, cells
-        As in `track_section`; with plane "x" a place on the body.
+        As in `track_section`; with plane "x", the position is relative to the body.
 
     Returns
     -------
@@ -179,7 +180,7 @@ def loaded_section(
     Raises
     ------
     ValueError
-        No volume, or an unknown body, quantity or plane.
+        The grid has no layers, or body, quantity or plane is unknown.
     """
     choice("body", body, (1, 2))
     choice("quantity", quantity, (*_LOADED, *COMPONENTS))
@@ -222,7 +223,7 @@ def _section(
 
 
 def print_along(track: xr.Dataset, ax: Axes) -> Axes:
-    """The print along x through its deepest row, where it is."""
+    """Draw the residual imprint along x, through its deepest row of cells."""
     field, x, y = (track[name].values for name in ("residual_displacement", "x", "y"))
     field = np.abs(field)
     row = row_of_interest(field.max(axis=0), y)
@@ -233,7 +234,10 @@ def print_along(track: xr.Dataset, ax: Axes) -> Axes:
 
 
 def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
-    """The residual stress along a track with a volume, where there is most, as a figure [in]."""
+    """Return a figure of the residual stress along a track, in the row of its maximum.
+
+    width: width of the figure [in].
+    """
     near, grid = _strained_part(track), grid_of(track)
     length = float(np.ptp(near["x"].values))
     figure = new_figure(width, section_height(width, length, grid.nz * (grid.dz or 0.0)))
@@ -244,13 +248,13 @@ def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
 
 
 def _row_of_residual(track: xr.Dataset) -> float:
-    """Value of y with the largest residual stress [m], or the middle."""
+    """Return the y position of the maximum residual stress [m], or of the middle row."""
     residual, y = track["residual_von_mises"].values, track["y"].values
     return float(y[row_of_interest(residual.max(axis=(0, 2)), y)])
 
 
 def _strained_part(track: xr.Dataset) -> xr.Dataset:
-    """Of a track with a volume: where it has yielded, and half as much beside it."""
+    """Return the yielded part of a track with layers, extended by half of its length."""
     x, strain = track["x"].values, track["equivalent_plastic_strain"].values
     left, right = _extent(x, strain.max(axis=(1, 2)))
     part: xr.Dataset = track.isel(x=(x >= left) & (x <= right))
@@ -258,16 +262,16 @@ def _strained_part(track: xr.Dataset) -> xr.Dataset:
 
 
 def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
-    """From where to where there is something, with as much again beside it at most."""
+    """Return the limits of the nonzero part, extended by at most its own length."""
     there = x[sizes > 0.02 * sizes.max()] if np.any(sizes) else x
     margin = 0.5 * float(np.ptp(there)) + 2.0 * float(x[1] - x[0])
     return max(float(x[0]), float(there[0]) - margin), min(float(x[-1]), float(there[-1]) + margin)
 
 
 def track_summary(track: xr.Dataset, travel: FloatArray) -> dict[str, Figure]:
-    """Print and sections of a track, by name of the figure.
+    """Return figures of the residual imprint and of sections of a track, by name.
 
-    `travel` is how far the body had moved at the end of each increment [m].
+    `travel` is the travel of the body at the end of each increment [m].
     """
     x, places = track["x"].values, -travel
     start, end = float(places.min()), float(places.max())
@@ -288,7 +292,9 @@ def track_summary(track: xr.Dataset, travel: FloatArray) -> dict[str, Figure]:
     heights = [inner * depth_of_grid / float(np.ptp(shown_part["x"].values))] * len(_RESIDUAL)
     heights.append(min(inner * depth_of_grid / (grid.ny * grid.dy), 2.6))
     sections = new_figure(width, sum(heights) + 0.75 * len(heights))
-    sections.set_layout_engine("constrained")  # compressed, all are as narrow as the last
+    sections.set_layout_engine(
+        "constrained"
+    )  # a compressed layout would make all panels as narrow as the last
     panels = sections.subplots(len(heights), 1, height_ratios=heights)
     y = _row_of_residual(track)
     for ax, quantity in zip(panels, _RESIDUAL, strict=False):

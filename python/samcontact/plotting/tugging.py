@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of asperities that tug at each other, for the series of one or several tuggings.
+"""Figures of asperity collisions ("tugging"), for the series of one or several collisions.
 
-Each function takes an `ax` and returns it. Values are shown over those at the onset of yield where
-`critical` gives them (e.g. `samcontact.critical.green`). Boucly (2008), figures 4.7 to 4.11.
+Each function takes an `ax` and returns it. With `critical` (e.g. `samcontact.critical.green`),
+values are relative to their values at first yield. Boucly (2008), figures 4.7 to 4.11.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ Results = Sequence["xr.Dataset"]
 
 
 def _offset(series: xr.Dataset) -> FloatArray:
-    """Of the centres over the equivalent radius."""
+    """Return the offset of the centres, relative to the equivalent radius."""
     first, second = (float(series.attrs[name]) for name in ("R1", "R2"))
     offset: FloatArray = series["offset"].values / (first * second / (first + second))
     return offset
@@ -45,7 +45,7 @@ def _label(series: xr.Dataset, critical: CriticalSphere | None) -> str:
 def _one_pass(series: xr.Dataset, number: int) -> xr.Dataset:
     passes = series.sizes["pass"]
     if not 1 <= number <= passes:
-        raise ValueError(f"number must be that of a pass, 1 to {passes}, got {number!r}")
+        raise ValueError(f"number must be a pass number, 1 to {passes}, got {number!r}")
     one: xr.Dataset = series.sel({"pass": number})
     return one
 
@@ -58,25 +58,26 @@ def force(
     number: int = 1,
     critical: CriticalSphere | None = None,
 ) -> Axes:
-    """Force of the upper sphere on the lower one against the offset of their centres over R.
+    """Draw the force of the upper on the lower sphere versus the offset of their centres over R.
 
     Parameters
     ----------
     results : sequence of xarray.Dataset
-        A line for each `Tugging.series`.
+        `Tugging.series` of each collision; one line is drawn for each.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     component : {"x", "z"}
-        Tangential (what it takes to move the upper sphere along +X), or normal.
+        Tangential force (required to move the upper sphere along +X), or normal force.
     number : int
-        Of the pass, from 1.
+        Number of the pass, from 1.
     critical : CriticalSphere, optional
-        Show force over its load, else in N, kN, or what reads well.
+        Critical values: the force is shown relative to the critical load. If omitted, the force is
+        in N with a suitable prefix.
     """
     choice("component", component, ("x", "z"))
     name = f"force_{component}"
     passes = [_one_pass(result, number) for result in results]
-    # without contact there is no force
+    # NaN: no contact, hence no force
     largest = max((float(np.abs(np.nan_to_num(s[name])).max()) for s in passes), default=0.0)
     factor, unit = prefixed(largest, "N") if critical is None else (1.0 / critical.load, "")
     ax = axes_or_new(ax)
@@ -95,9 +96,9 @@ def load_ratio(
     number: int = 1,
     critical: CriticalSphere | None = None,
 ) -> Axes:
-    """Tangential over normal force against the offset of the centres over R; arguments of `force`.
+    """Draw the ratio of tangential to normal force versus the offset of the centres over R.
 
-    `critical` is for the labels only.
+    Arguments as in `force`; `critical` affects the labels only.
     """
     ax = axes_or_new(ax)
     for result in results:
@@ -105,23 +106,24 @@ def load_ratio(
         x = _offset(series)
         ratio = series["load_ratio"].values
         ax.plot(x, ratio, ".-", markersize=3, linewidth=1.0, label=_label(result, critical))
-    ax.set_ylabel("tangential / normal force")
+    ax.set_ylabel("tangential force / normal force [-]")
     return _against_offset(ax, critical)
 
 
 def net_energy(
     results: Results, ax: Axes | None = None, *, critical: CriticalSphere | None = None
 ) -> Axes:
-    """Energy that each pass takes against the interference, and the part that stays as stress.
+    """Draw net energy of each pass, and energy of the residual stress, versus interference.
 
     Parameters
     ----------
     results : sequence of xarray.Dataset
-        A point for each `Tugging.series`; with as many passes.
+        `Tugging.series` of each collision, with equal numbers of passes; one point for each.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     critical : CriticalSphere, optional
-        Show energy and interference over its own, else [J], [m].
+        Critical values: energy and interference are shown relative to them. If omitted, they are in
+        J and m.
     """
     unit = 1.0 if critical is None else critical.energy
     ax = axes_or_new(ax)
@@ -130,7 +132,7 @@ def net_energy(
         label = "net energy" if number == 1 else f"pass {number}"
         ax.plot(_interferences(results, critical), energies, "o-", markersize=3, label=label)
     stored = [float(_one_pass(r, 1)["residual_energy"]) / unit for r in results]
-    label = "of this in residual stress"
+    label = "energy of residual stress"
     ax.plot(_interferences(results, critical), stored, "s--", markersize=3, label=label)
     ax.set_ylabel("energy [J]" if critical is None else "energy / critical energy")
     return _finished(ax, _interference_label(critical))
@@ -139,7 +141,7 @@ def net_energy(
 def residual_displacement(
     results: Results, ax: Axes | None = None, *, critical: CriticalSphere | None = None
 ) -> Axes:
-    """Largest depth of the print that a pass leaves in each body, against the interference.
+    """Draw the residual imprint depth of each body after each pass, versus interference.
 
     Arguments as in `net_energy`.
     """
@@ -154,7 +156,7 @@ def residual_displacement(
             label = f"body {body}, pass {number}"
             ax.plot(_interferences(results, critical), depths, style, markersize=3, label=label)
     of = "[m]" if critical is None else "/ critical interference"
-    ax.set_ylabel(f"residual displacement {of}")
+    ax.set_ylabel(f"residual imprint depth {of}")
     return _finished(ax, _interference_label(critical))
 
 

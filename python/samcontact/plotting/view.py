@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A body in three dimensions, cut open below the contact, to be turned by hand.
+"""Interactive three-dimensional view of a body, cut open below the contact.
 
-Drawn by PyVista (extra ``3d``), in a notebook or in a page of its own.
+Drawn by PyVista (extra ``3d``), in a notebook or on a separate page.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _FIELDS = (
     "von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises", "temperature",
 )  # fmt: skip
 _ICONS = "https://kitware.github.io/vtk-js/icon/"
-"""What a page of PyVista would ask a network for."""
+"""External resources that a page of PyVista would load from a network."""
 
 
 def view(
@@ -40,33 +40,33 @@ def view(
     body: int | None = None,
     quantity: str = "von_mises",
 ) -> pyvista.Plotter:
-    """A volume field of a body in three dimensions, with a quarter cut out below its largest value.
+    """Show a volume field of a body in three dimensions, with a quarter cut out at its maximum.
 
-    Body 2 lies at z < 0, body 1 at z > 0. The edge of the contact is a line, as are the interfaces
-    of layers. In a notebook ``view(...).show()`` shows it.
+    Body 2 is at z < 0, body 1 at z > 0. Lines mark the contact edge and the interfaces of layers.
+    In a notebook, ``view(...).show()`` displays the view.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         Results with volume fields, see `samcontact.results.to_dataset`.
     increment : int, optional
-        Number of the increment, from 1; or -1 for the last one (-2 the one before, ...) of those
-        with volume fields.
+        Number of the increment, from 1; negative numbers count from the end of the increments with
+        volume fields.
     body : {1, 2}, optional
-        Whose field; default that of [output], or the one that has volume fields.
+        Body whose field is shown. Default: the body of [output], or the body with volume fields.
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises", \
 "temperature"}, optional
-        What is shown, where it is stored.
+        Stored quantity to show.
 
     Returns
     -------
     pyvista.Plotter
-        For `save_view`, or more of PyVista.
+        Plotter for `save_view`, or for further use with PyVista.
 
     Raises
     ------
     ValueError
-        An unknown body or quantity, or an increment or field that is not stored in all cells.
+        Body or quantity is unknown, or the field is not stored in all cells at the increment.
     ModuleNotFoundError
         PyVista is not installed.
     """
@@ -76,7 +76,9 @@ def view(
         raise ValueError(f"dataset must have volume fields of body {body}, got none")
     scene, number = Scene(dataset, body, None), stored_number(dataset, increment, True)
     if not scene.has("stress" if quantity == "residual_von_mises" else quantity, number):
-        raise ValueError(f"dataset must hold {quantity} of body {body} in all cells at {number}")
+        raise ValueError(
+            f"dataset must contain {quantity} of body {body} in all cells at increment {number}"
+        )
     pv = _pyvista()
     with pv.vtk_verbosity("off"):
         plotter: pyvista.Plotter = _drawn(pv, scene, number, quantity)
@@ -112,7 +114,7 @@ def _drawn(pv: Any, scene: Scene, number: int, quantity: str) -> Any:
 
 
 def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
-    """The surface of the body without the quarter towards +x and -y of the largest value."""
+    """Return the surface of the body without the quarter towards +x and -y of the maximum."""
     size = np.abs(field)
     middle = [
         float(0.5 * (side[at] + side[at + 1]))
@@ -127,8 +129,8 @@ def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
 
 
 def _edge(scene: Scene, repulsion: FloatArray) -> list[FloatArray]:
-    """Lines around the contact, on the surface [µm]."""
-    import contourpy  # which draws the contours of Matplotlib
+    """Return the lines around the contact on the surface [µm]."""
+    import contourpy  # a dependency of Matplotlib
 
     if not repulsion.any() or np.all(in_contact(repulsion)):
         return []
@@ -140,20 +142,20 @@ def _edge(scene: Scene, repulsion: FloatArray) -> list[FloatArray]:
 
 
 def _loop(pv: Any, sides: tuple[FloatArray, ...], depth: float) -> Any:
-    """Around the body at a depth [µm]."""
+    """Return the line around the body at a depth [µm]."""
     x, y = sides[0][[0, -1, -1, 0, 0]], sides[1][[0, 0, -1, -1, 0]]
     return pv.lines_from_points(np.column_stack([x, y, np.full(5, depth)]))
 
 
 def save_view(plotter: pyvista.Plotter, path: str | Path) -> Path:
-    """Write a view as one HTML file that needs neither a network nor this package.
+    """Write a view as one HTML file that requires neither a network nor this package.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
-        From `view`.
+        Result of `view`.
     path : str or Path
-        Ends in .html.
+        File name ending in .html.
 
     Returns
     -------
@@ -163,14 +165,14 @@ def save_view(plotter: pyvista.Plotter, path: str | Path) -> Path:
     Raises
     ------
     ValueError
-        Another ending.
+        The file name has another suffix.
     OSError
         The file cannot be written.
     """
     target = Path(path)
     if target.suffix.lower() != ".html":
         raise ValueError(f"path must end in .html, got {str(target)!r}")
-    with _pyvista().vtk_verbosity("off"):  # there may be no screen
+    with _pyvista().vtk_verbosity("off"):  # works without a screen
         page = plotter.export_html(None)
     assert page is not None
     with replacing(target) as temporary:
@@ -183,6 +185,6 @@ def _pyvista() -> Any:
         import pyvista
     except ModuleNotFoundError as error:
         raise ModuleNotFoundError(
-            f"views need the package pyvista ({error}): pip install samcontact[3d]"
+            f"views require the package pyvista ({error}): pip install samcontact[3d]"
         ) from error
     return pyvista

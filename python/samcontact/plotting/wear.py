@@ -39,7 +39,7 @@ __all__ = ["cycle_panels", "fretting_panels", "surface_map", "tresca", "wear_rat
 
 
 def tresca(stress: ArrayLike) -> FloatArray:
-    """Tresca stress: the largest difference of principal stresses [Pa].
+    """Return the Tresca stress: maximum difference of principal stresses [Pa].
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def tresca(stress: ArrayLike) -> FloatArray:
     Raises
     ------
     ValueError
-        Not six components.
+        The stress does not have six components.
     """
     tensor = np.asarray(stress, dtype=np.float64)
     if tensor.ndim == 0 or tensor.shape[0] != 6:
@@ -73,23 +73,23 @@ def worn_profile(
     position: float | None = None,
     cycles: Sequence[int] | None = None,
 ) -> Axes:
-    """Heights of a worn body after several cycles, along x or y.
+    """Draw the heights of a worn body after several cycles, along x or y.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `to_dataset` of `WearResult` or `FrettingResult`.
+        Result of `WearResult.to_dataset` or `FrettingResult.to_dataset`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        A worn body; default the last one.
+        Worn body; default: the last one.
     axis : {"x", "y"}
         Direction of the profile.
     position : float, optional
-        Where it runs [m]: y of a profile along x, and the other way round. Nearest cells; default
-        through the middle, or the deepest wear where that is much deeper.
+        Coordinate of the profile across its direction [m]; the nearest row of cells is used.
+        Default: the middle row, or the row of maximum wear if that is much deeper.
     cycles : sequence of int, optional
-        Numbers of cycles, 0: before the first; default all.
+        Numbers of cycles; 0: before the first. Default: all.
 
     Returns
     -------
@@ -98,7 +98,7 @@ def worn_profile(
     Raises
     ------
     ValueError
-        Unknown axis, a body that is not worn, or a cycle that was not computed.
+        The axis is unknown, the body is not worn, or a cycle was not computed.
     """
     choice("axis", axis, ("x", "y"))
     heights, x = _heights(dataset, body)
@@ -116,7 +116,7 @@ def worn_profile(
         cycle = heights[_cycle(dataset, integer("cycles", n, 0))]
         line = cycle[:, index] if axis == "x" else cycle[index]
         along = x if axis == "x" else y
-        # light to dark: the colour tells the cycle where there are too many for a legend
+        # light to dark: identifies the cycle if there are too many for a legend
         colour = (0.85 - 0.85 * n / last, 0.75 - 0.55 * n / last, 0.9 - 0.4 * n / last)
         ax.plot(along * 1e6, line * 1e6, linewidth=1.0, color=colour, label=f"{n}")
     ax.set_xlabel(f"{axis} [µm]")
@@ -140,20 +140,20 @@ def surface_map(
     cycle: int = -1,
     cells: bool = False,
 ) -> Axes:
-    """Heights of a worn body after a cycle (0: before the first) as a map.
+    """Draw a map of the heights of a worn body after a cycle (0: before the first).
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `to_dataset` of `WearResult` or `FrettingResult`.
+        Result of `WearResult.to_dataset` or `FrettingResult.to_dataset`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        A worn body; default the last one.
+        Worn body; default: the last one.
     cycle : int
-        Number of the cycle; default the last one.
+        Number of the cycle; default: the last one.
     cells : bool, optional
-        Show each cell in its colour, instead of what is smooth through their centres.
+        Show each cell in one colour, instead of smooth colours between the cell centres.
 
     Returns
     -------
@@ -162,7 +162,7 @@ def surface_map(
     Raises
     ------
     ValueError
-        A body that is not worn, or a cycle that was not computed.
+        The body is not worn, or the cycle was not computed.
     """
     heights, x = _heights(dataset, body)
     plane = Plane(edges(x, x[1] - x[0]), edges(dataset["y"].values, cell_size(dataset, "y")))
@@ -171,7 +171,7 @@ def surface_map(
 
 
 def _heights(dataset: xr.Dataset, body: int | None) -> tuple[FloatArray, FloatArray]:
-    """Of a worn body, after each cycle, and where they are along x."""
+    """Return the heights of a worn body after each cycle, and their x coordinates."""
     worn = tuple(dataset["body"].values.tolist())
     chosen = choice("body", worn[-1] if body is None else body, worn)
     return dataset[f"heights_body{chosen}"].values, dataset[f"x_body{chosen}"].values
@@ -185,14 +185,14 @@ def _cycle(dataset: xr.Dataset, number: int) -> int:
 
 
 def wear_rate(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """Worn volume of each cycle.
+    """Draw the worn volume of each cycle.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `to_dataset` of `WearResult` or `FrettingResult`.
+        Result of `WearResult.to_dataset` or `FrettingResult.to_dataset`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw.
+        Axes to draw on; default: a new figure.
 
     Returns
     -------
@@ -210,15 +210,15 @@ def wear_rate(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 def fretting_panels(
     first: Sequence[State], last: Sequence[State], *, position: float | None = None
 ) -> Figure:
-    """Pressure, and way of slip in one repeat, along x as the first and the last cycle begin.
+    """Draw pressure and sliding distance along x, for the first and the last cycle.
 
     Parameters
     ----------
     first, last : sequence of State
         `FrettingResult.first` and `last`.
     position : float, optional
-        Value of y [m]; the nearest row of cells is shown. Default the middle, or the row of the
-        largest first pressure where that is much larger.
+        Value of y [m]; the nearest row of cells is shown. Default: the middle row, or the row of
+        maximum initial pressure if that is much higher.
 
     Returns
     -------
@@ -227,7 +227,7 @@ def fretting_panels(
     Raises
     ------
     ValueError
-        States of gross sliding, which have no slip.
+        The states are of full sliding and have no slip field.
     """
     grid = last[-1].grid
     if position is None:
@@ -240,12 +240,12 @@ def fretting_panels(
         x = np.asarray(states[-1].grid.x) * 1e6
         way = np.sum([np.hypot(*state.slip) for state in states], axis=0)
         style: dict[str, Any] = {"color": colour, "linewidth": 1.2, "label": f"{label} cycle"}
-        above.plot(x, states[-1].pressure[:, j] * 1e-6, **style)
+        above.plot(x, states[-1].pressure[:, j] * 1e-9, **style)
         below.plot(x, way[:, j] * 1e6, **style)
-    above.set_ylabel("pressure [MPa]")
+    above.set_ylabel("pressure [GPa]")
     above.set_title(place("y", float(grid.y[j])), fontsize="medium")
     above.legend(frameon=False, fontsize="small")
-    below.set_ylabel("way of slip in a repeat [µm]")
+    below.set_ylabel("sliding distance per cycle [µm]")
     below.set_xlabel("x [µm]")
     for ax in (above, below):
         ax.set_ylim(bottom=0)
@@ -261,19 +261,19 @@ def cycle_panels(
     width: float | None = None,
     depth: float | None = None,
 ) -> Figure:
-    """Pressure and Tresca stress under load, mean stress and plastic strain after it, along x.
+    """Draw pressure and Tresca stress under load, and mean stress and plastic strain after it.
 
     Parameters
     ----------
     moments : pair of State
-        `WearResult.first` or `WearResult.last`: loaded, and unloaded. Of a grid with dz.
+        Loaded and unloaded state of `WearResult.first` or `WearResult.last`, on a grid with dz.
     body : {1, 2}
-        Whose stress and strain.
+        Body whose stress and strain are shown.
     position : float, optional
-        Value of y [m]; the nearest row of cells is shown. Default the middle, or the row of the
-        largest pressure where that is much larger.
+        Value of y [m]; the nearest row of cells is shown. Default: the middle row, or the row of
+        maximum pressure if that is much higher.
     width, depth : float, optional
-        What is shown [m]: x from -`width` to `width`, z down to `depth`; default all of it.
+        Limits of the figure [m]: x from -`width` to `width`, z down to `depth`; default: all.
 
     Returns
     -------
@@ -295,7 +295,12 @@ def cycle_panels(
     finish(first)
     sections = (
         (second, tresca(loaded.stress(body=body)[:, :, j]), "von_mises", "Tresca stress, loaded"),
-        (third, unloaded.hydrostatic(body=body)[:, j], "hydrostatic", "mean stress, unloaded"),
+        (
+            third,
+            unloaded.hydrostatic(body=body)[:, j],
+            "hydrostatic",
+            "mean normal stress, unloaded",
+        ),
         (
             fourth,
             unloaded.equivalent_plastic_strain(body=body)[:, j],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A report of a run: one HTML file that needs nothing else, for reading, printing and filing."""
+"""Report of a run: one self-contained HTML file, for reading, printing and archiving."""
 
 from .page import checks, write
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the page of a contact has: checks, tables, figures."""
+"""Report of a contact: checks, tables and figures."""
 
 from __future__ import annotations
 
@@ -25,21 +25,23 @@ def checks(dataset: xr.Dataset) -> list[Check]:
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
-    """Its part of what the template names."""
+    """Return the variables of the template for a contact."""
     case = stored_case(dataset)
     peak = peak_of_dataset(dataset)
     load = float(dataset["load"].values[peak])
     hertz = case.hertz(load) if case is not None and load > 0 else None
     body = body_shown(dataset)
     accurate = "accuracy_reached" in dataset.attrs
-    heading = "Increments, as solved on the finest grid" if accurate else "Increments"
+    heading = "Increments (finest grid)" if accurate else "Increments"
     values = [("increments", heading, tables.scalars_table(dataset))]
     values += tables.slipping_tables(dataset)
-    errors = tables.errors_table(dataset)
-    if errors.rows:
-        values.append(("errors", "Values with their errors", errors))
+    answers = tables.errors_table(dataset)
+    title = "Results with estimated errors"
+    if not answers.rows:
+        answers, title = tables.results_table(dataset), "Results"
     return {
         "file": "results.nc",
+        "answers": [("results", title, answers)],
         "hertz": tables.hertz_table(dataset, peak, hertz, body) if hertz else [],
         "hertz_load": f"{load:.6g}",
         "hertz_increment": int(dataset["increment"][peak]),
@@ -50,7 +52,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
 
 
 def stored_case(dataset: xr.Dataset) -> Case | None:
-    """The case that is stored with results; None where there is none that this version reads."""
+    """Return the case stored with results; None if there is none that this version can read."""
     from ..cases import Case, CaseError, parse_case
 
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of a contact, drawn from a results file alone and kept as text."""
+"""Figures of a contact, drawn from a results file and embedded in the page."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ if TYPE_CHECKING:
 
 DOTS_PER_INCH = 120
 _ABOVE: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "ncols": 3, "frameon": False}
-"""Of a legend that would hide points."""
+"""Options of a legend that would otherwise hide points."""
 
 
 class ReportFigure(NamedTuple):
-    """A figure with its caption, its description for those who do not see it, and its image."""
+    """Figure with caption, description for screen readers, and image."""
 
     caption: str
     description: str
@@ -52,7 +52,7 @@ class ReportFigure(NamedTuple):
 def contact_figures(
     dataset: xr.Dataset, body: int, hertz: HertzContact | None
 ) -> list[ReportFigure]:
-    """Of a contact: all that the stored fields allow."""
+    """Return all figures of a contact that the stored fields allow."""
     scene = Scene(dataset, body, hertz)
     drawn = []
     for part in (_contact, slipping.figures, _volume, _temperature, _remains, _track, _convergence):
@@ -69,7 +69,7 @@ Made = tuple[str, str, Figure]
 
 
 def embedded(caption: str, description: str, figure: Figure) -> ReportFigure:
-    """The image as text, so that the page needs no other file."""
+    """Return the figure with its image as text, so that the page needs no other file."""
     buffer = io.BytesIO()
     draw(figure, buffer, format="png", dpi=DOTS_PER_INCH)
     text = base64.b64encode(buffer.getvalue()).decode("ascii")
@@ -85,19 +85,19 @@ def _contact(scene: Scene) -> Iterator[Made]:
         figure, cell = new_figure(), getattr(scene.grid, f"d{across}")
         ax = draw_pressure(pressure, scene.grid, figure.subplots(), scene.hertz, axis, row)
         add_to_title(ax, elsewhere(across, row, cell))
-        text = f"Pressure along {axis} at {place(across, row)}{beside}; its maximum in the grid is "
+        text = f"Pressure along {axis} at {place(across, row)}{beside}; the maximum in the grid is "
         text += f"{pressure.max() * 1e-9:.4g} GPa."
         yield f"Pressure along {axis}, {_moment(scene, number)}", text, figure
     for name in ("pressure", "gap"):
         figure = new_figure(*scene.map_look[1])
         peak_map(scene, name, figure.subplots())
-        text = f"The {name} of the whole grid from above."
+        text = f"Map of the {name} on the whole grid."
         yield f"Map of the {name}, {_moment(scene, number)}", text, figure
     if not np.any(np.isfinite(scene.dataset["approach"])):
         return
     figure = new_figure()
     plotting.load_approach(scene.dataset, figure.subplots(), hertz=scene.hertz)
-    yield "Load against approach", f"Load against approach of all increments{beside}.", figure
+    yield "Load–approach curve", f"Load versus approach of all increments{beside}.", figure
 
 
 def _volume(scene: Scene) -> Iterator[Made]:
@@ -112,8 +112,8 @@ def _volume(scene: Scene) -> Iterator[Made]:
             stress, scene.grid, figure.subplots(), body=scene.graded, interfaces=scene.interfaces
         )
         when = f"body {scene.body}, {_moment(scene, number)}"
-        text = f"Stresses on the axis against depth.{_utilisation(scene, stress)}"
-        yield f"Stress under the middle, {when}", text, figure
+        text = f"Stresses along the axis versus depth.{_utilisation(scene, stress)}"
+        yield f"Stress along the axis, {when}", text, figure
     if scene.has("interface_stress", number):
         yield _interfaces(scene, number)
     for name in ("von_mises", "hydrostatic", "equivalent_plastic_strain"):
@@ -127,15 +127,15 @@ def _interfaces(scene: Scene, number: int) -> Made:
     tension = max(float(stress[:, :2].max()), 0.0), max(float(stress[:, 2].max()), 0.0)
     along, across, sheared = (f"{CONTACT['stress'].factor * v:.4g}" for v in (*tension, shear))
     text = (
-        "Stress on both sides of the interfaces along x. Anywhere at them tension is at most "
-        f"{along} MPa along them and {across} MPa across, shear at most {sheared} MPa."
+        "Stress on both sides of the interfaces, along x. Maxima over the interfaces: in-plane "
+        f"tension {along} MPa, normal tension {across} MPa, shear {sheared} MPa."
     )
     when = f"body {scene.body}, {_moment(scene, number)}"
     return f"Stress at the interfaces, {when}", text, interface_figure(scene, number)
 
 
 def _utilisation(scene: Scene, stress: FloatArray) -> str:
-    """Where a body whose strength changes with depth is closest to yield, or furthest above."""
+    """Describe the maximum ratio of von Mises stress to yield stress in a graded body."""
     body, grid = scene.graded, scene.grid
     if body is None or not body.is_plastic:
         return ""
@@ -143,7 +143,7 @@ def _utilisation(scene: Scene, stress: FloatArray) -> str:
     n = np.unravel_index(int(np.argmax(ratio)), ratio.shape)
     centres = zip("xyz", (grid.x, grid.y, grid.z), n, strict=True)
     where = ", ".join(f"{axis} = {at[i] * 1e6:.4g} µm" for axis, at, i in centres)
-    return f" Of the yield stress at first there is at most {ratio.max():.4g}, at {where}."
+    return f" Maximum von Mises stress / initial yield stress = {ratio.max():.4g}, at {where}."
 
 
 def _section(scene: Scene, quantity: str, number: int) -> Made:
@@ -176,13 +176,13 @@ def _temperature(scene: Scene) -> Iterator[Made]:
     y = scene.row(rise)
     ax = plotting.temperature_profile(rise, scene.grid, figure.subplots(), position=y)
     add_to_title(ax, elsewhere("y", y, scene.grid.dy))
-    text = f"Rise of temperature of the surface along x, up to {rise.max():.4g} K."
+    text = f"Temperature rise of the surface along x, up to {rise.max():.4g} K."
     when = f"body {scene.body}, {_moment(scene, scene.number(scene.hottest))}"
     yield f"Flash temperature, {when}", text, figure
 
 
 def _remains(scene: Scene) -> Iterator[Made]:
-    """Print and residual stress after the last increment; of a track all of it, see there."""
+    """Yield residual imprint and residual stress after the last increment, without a track."""
     if scene.track is not None:
         return
     data, number = scene.dataset, scene.number(-1)
@@ -193,20 +193,20 @@ def _remains(scene: Scene) -> Iterator[Made]:
         if name in data:
             values = data[name].values[-1]
             plotting.print_profile(values, scene.grid, ax, label=f"body {body}")
-            ax.lines[-1].set_linestyle("--" if deepest else "-")  # the prints may be the same
+            ax.lines[-1].set_linestyle("--" if deepest else "-")  # the imprints may coincide
             deepest.append(f"{values.max() * 1e9:.4g} nm in body {body}")
     if deepest:
         ax.legend(frameon=False)  # with their styles
-        text = f"Permanent displacement of the surface along x, at most {', '.join(deepest)}."
-        yield f"Print, {_moment(scene, number)}", text, figure
+        text = f"Residual displacement of the surface along x, at most {', '.join(deepest)}."
+        yield f"Residual imprint, {_moment(scene, number)}", text, figure
     if f"residual_displacement_body{scene.body}" in data:
         values = scene.surface("residual_displacement", -1)
         across, size = scene.map_look
         pressed, figure = scene.surface("repulsion", scene.peak), new_figure(*size)
         seen: Any = {"quantity": "print", "contact": pressed, "across": across}
         plotting.surface_map(values, scene.grid, figure.subplots(), **seen)
-        caption = f"Map of the print, body {scene.body}, {_moment(scene, number)}"
-        yield caption, "Permanent displacement of the whole surface from above.", figure
+        caption = f"Map of the residual imprint, body {scene.body}, {_moment(scene, number)}"
+        yield caption, "Map of the residual displacement of the whole surface.", figure
     if scene.has("residual_stress", number):
         yield _section(scene, "residual_von_mises", number)
 
@@ -217,12 +217,13 @@ def _track(scene: Scene) -> Iterator[Made]:
     depth, when = track["residual_displacement"].values, f"body {scene.body}, unloaded"
     figure = new_figure()
     plotting.track.print_along(track, figure.subplots())
-    text = f"Permanent displacement along the track, at most {depth.max() * 1e9:.4g} nm."
-    yield f"Print of the track, {when}", text, figure
+    text = f"Residual displacement along the track, at most {depth.max() * 1e9:.4g} nm."
+    yield f"Residual imprint of the track, {when}", text, figure
     length, y = float(np.ptp(track["x"].values)), track["y"].values
     figure = new_figure(5.0, map_height(5.0, length, float(np.ptp(y))))
     plotting.track_map(track, figure.subplots())
-    yield f"Map of the print of the track, {when}", "The track from above.", figure
+    text = "Map of the residual displacement of the track."
+    yield f"Map of the residual imprint of the track, {when}", text, figure
     if "residual_von_mises" not in track:
         return
     text = f"Section along the track, up to {track['residual_von_mises'].max() * 1e-6:.4g} MPa."
@@ -241,23 +242,25 @@ def _convergence(scene: Scene) -> Iterator[Made]:
         upper, lower = figure.subplots(2, 1, sharex=True)
         for name in ("plastic_residual", "yield_excess"):
             values = data[name].values
-            # a logarithm shows what is above zero
+            # zero and negative values are not shown on a logarithmic axis
             shown = np.where(values > 0, values, np.nan)
-            upper.plot(number, shown, "o", markersize=3, label=name.replace("_", " "))
+            upper.plot(number, shown, "o", markersize=3, label=CONTACT[name].heading)
         if "tol" in data.attrs:
-            upper.axhline(data.attrs["tol"], color="k", linestyle="--", linewidth=1, label="tol")
+            upper.axhline(
+                data.attrs["tol"], color="k", linestyle="--", linewidth=1, label="tolerance"
+            )
         upper.set_yscale("log")
-        upper.set_ylabel("relative [-]")
+        upper.set_ylabel("relative residual [-]")
         upper.legend(**_ABOVE)
         finish(upper)
     else:
         lower = figure.subplots()
     for name, marker in (("contact_iterations", "s"), ("iterations", "o"), ("substeps", "^")):
-        label = {"iterations": "plastic iterations"}.get(name, name.replace("_", " "))
+        label = CONTACT[name].heading
         lower.plot(number, data[name].values, marker, markersize=3, label=label)
     lower.set_xlabel("increment")
-    lower.set_ylabel("count")
+    lower.set_ylabel("number")
     lower.legend(**_ABOVE)
     finish(counted(lower))
-    text = "Residuals against the tolerance, and iterations, of each increment; see the table."
+    text = "Residuals, tolerance and iterations of each increment; see the table."
     yield "Convergence", text, figure

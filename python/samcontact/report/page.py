@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page, put together from its parts."""
+"""Assembly of the page of a report."""
 
 from __future__ import annotations
 
@@ -25,9 +25,10 @@ _MANY = {"increment": "increments", "pass": "passes", "cycle": "cycles"}
 def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None = None) -> Path:
     """Write the report of a run.
 
-    It has the parameters, the values of each increment, figures, a comparison with Hertz where
-    there is one, how each increment converged, and `checks` of the results. Of tugging it has the
-    values of each pass, of wear those of each cycle.
+    The page shows the main results with their estimated errors, a comparison with Hertz contact
+    where applicable, figures, the `checks` of the results, the parameters, and the values and the
+    convergence of each increment. Reports of asperity collisions have the values of each pass,
+    reports of wear those of each cycle.
 
     Parameters
     ----------
@@ -35,9 +36,11 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
         From `samcontact.results.to_dataset`, `open_results`, `Tugging.series` or
         `WearResult.to_dataset`.
     path : str or Path
-        The file, customarily ending in .html; its directory must exist. Replaced when it exists.
+        File to write, customarily ending in .html, in an existing folder. An existing file is
+        replaced.
     shakedown : xarray.Dataset, optional
-        Of ``shakedown.nc``, where the case has its path repeated: verdict, table and figure.
+        Content of ``shakedown.nc``, for a case with a repeated path: adds response, table and
+        figure.
 
     Returns
     -------
@@ -47,7 +50,7 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
     Raises
     ------
     ValueError
-        A dataset is not that of a run.
+        A dataset is not from a run.
     OSError
         The file cannot be written.
     """
@@ -63,8 +66,8 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
     with parts_of_a_run():
         content = _content(dataset)
         if shakedown is not None:
-            repeated = ("shakedown", "The path, repeated", shakedown_report.table(shakedown))
-            content["values"] = [*content["values"], repeated]
+            repeated = ("shakedown", "Repeated load cycles", shakedown_report.table(shakedown))
+            content["answers"] = [*content["answers"], repeated]
             content["figures"] = [*content["figures"], shakedown_report.figure(shakedown)]
     text = environment.get_template("report.html.j2").render(**content)
     target = Path(path)
@@ -88,44 +91,45 @@ def checks(dataset: xr.Dataset) -> list[Check]:
     Returns
     -------
     list of Check
-        Each with name, value, limit and whether it passed. Of a run that did not reach its end:
-        that it did not. Of a contact: balance of the load, complementarity of pressure and gap,
-        yield condition, distance from the border of the grid,
-        small strain; of bodies that stick and slip Coulomb's law, forces and energy. Of tugging:
-        energy, and no force at the end of a pass. Of wear: volume.
+        Checks with name, value, limit and result. An incomplete run has a failed check. Contact:
+        load balance, complementarity of pressure and gap, yield condition, distance from the edge
+        of the grid, small strain, and plausibility of the input (`Check.of_input`); with partial
+        slip also the friction law, tangential forces and energy. Asperity collisions: energy, and
+        no force at the end of a pass. Wear: volume.
 
     Raises
     ------
     ValueError
-        The dataset is not that of a run.
+        The dataset is not from a run.
     """
     with parts_of_a_run():
         return [*_end(dataset), *_kind(dataset).checks(dataset)]
 
 
 def _kind(dataset: xr.Dataset) -> ModuleType:
-    """What makes the parts of this dataset's page."""
+    """Return the module that creates the parts of the page for this dataset."""
     missing: dict[ModuleType, list[str]] = {
         kind: [name for name in kind.NEEDED if name not in dataset]
         for kind in (contact, tugging, wear)
     }
     kind, lacking = min(missing.items(), key=lambda item: len(item[1]))
     if lacking:
-        raise ValueError(f"dataset must be that of a run, but has no {', '.join(lacking)}")
+        raise ValueError(f"dataset must be from a run, but has no {', '.join(lacking)}")
     return kind
 
 
 def _end(dataset: xr.Dataset) -> list[Check]:
-    """Whether the run reached its end, of one that did not."""
+    """Return a failed check for an incomplete run, and nothing for a complete one."""
     if dataset.attrs.get("complete", 1):
         return []
     dim = next(dim for dim in ("pass", "cycle", "increment") if dim in dataset.sizes)
-    return [Check(f"{_MANY[dim]}: the whole path (1) or a part (0)", 0.0, 1.0, at_least=True)]
+    name = f"{_MANY[dim]}: complete path (1) or part of it (0)"
+    return [Check(name, 0.0, 1.0, at_least=True)]
 
 
 def _content(dataset: xr.Dataset) -> dict[str, Any]:
-    """Everything that the template names."""
-    # other programs may have put anything there
+    """Return all variables of the template."""
+    # text attributes may have been changed by other programs
     words = {name: str(dataset.attrs.get(name, "")) for name in _WORDS}
     kind = _kind(dataset)
     return {

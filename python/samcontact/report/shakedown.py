@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the page of a contact has of its path repeated: the verdict, each cycle, a figure."""
+"""Report of a repeated path: long-term response, strains of each cycle, and a figure."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from .tables import Table, cell
 if TYPE_CHECKING:
     import xarray as xr
 
-_TOLD = {"flow": "plastic flow", "net": "plastic strain left"}
+_TOLD = {"flow": "equivalent plastic strain increment", "net": "net plastic strain"}
 
 
 def require_cycles(dataset: xr.Dataset) -> None:
-    """Raise ValueError for what is not the dataset of repeated cycles."""
+    """Raise ValueError unless the dataset is that of repeated cycles."""
     known = {*map(str, dataset.variables), *map(str, dataset.attrs)}
     needed = (*_TOLD, "cycle", "verdict", "yield_strain")
     if lacking := [name for name in needed if name not in known]:
         raise ValueError(
-            f"shakedown must be what a run with [shakedown] has written, but has no "
+            f"shakedown must be the dataset of a run with [shakedown], but has no "
             f"{', '.join(lacking)}"
         )
 
 
 def table(dataset: xr.Dataset) -> Table:
-    """Strains of each cycle that was solved."""
+    """Return the strains of each cycle that was solved."""
     numbers = dataset["cycle"].values.tolist()
     columns = [dataset[name].values for name in _TOLD]
     rows = [
@@ -36,8 +36,8 @@ def table(dataset: xr.Dataset) -> Table:
         for index, number in enumerate(numbers)
     ]
     note = (
-        f"The whole path, from the start on: {dataset.attrs['verdict']} after {numbers[-1]} "
-        f"cycles. Largest equivalent plastic strains [-] of a cycle; the yield strain is "
+        f"Long-term response to the repeated path: {dataset.attrs['verdict']} after {numbers[-1]} "
+        f"cycles. Maximum plastic strains of each cycle [-]; the yield strain is "
         f"{float(dataset.attrs['yield_strain']):.3g}."
     )
     return Table(list(_TOLD.values()), rows, "cycle", note)
@@ -47,5 +47,5 @@ def figure(dataset: xr.Dataset) -> ReportFigure:
     drawn, verdict = new_figure(), str(dataset.attrs["verdict"])
     net, flow = (dataset[name].values / dataset.attrs["yield_strain"] for name in ("net", "flow"))
     draw_cycles(dataset["cycle"].values, net, flow, verdict, drawn.subplots())
-    text = f"Plastic strain left by each cycle, and flow in it as a dashed line: {verdict}."
-    return embedded("The path, repeated", text, drawn)
+    text = f"Net plastic strain of each cycle, and its plastic flow as a dashed line: {verdict}."
+    return embedded("Repeated load cycles", text, drawn)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the report of bodies that stick and slip has: checks and figures."""
+"""Report of a contact with partial slip: checks and figures."""
 
 from __future__ import annotations
 
@@ -25,36 +25,36 @@ if TYPE_CHECKING:
     from ..plotting.scene import Scene
 
 ENERGY = 0.05
-"""Part of the work that may be found nowhere, as increments have it."""
+"""Limit of the unaccounted work, relative to the work input; it depends on the increments."""
 
 
 def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check]:
-    """Checks of the friction law, forces and energy; none in gross sliding."""
+    """Check friction law, tangential forces and energy; no checks with full sliding."""
     if "friction_work" not in dataset:
         return
     law = law_of_attributes(dataset.attrs)
     shear = _shear(dataset)
     most = largest_force(dataset)
-    solved = np.isfinite(dataset["approach"].values)  # prescribed tractions keep to no law
+    solved = np.isfinite(dataset["approach"].values)  # prescribed tractions obey no friction law
     if law is not None and not law.prevents_slip and np.any(solved):
         bound = law.bound(repulsion_of(dataset).values[solved])
         beyond, largest = np.hypot(*shear[:, solved]) - bound, float(bound.max())
-        name = "shear beyond its bound, over the largest bound"
+        name = "friction law: maximum excess of shear over its bound, relative to the maximum bound"
         yield Check(name, float(beyond.max()) / largest if largest > 0 else 0.0, tol)
     steps = case.steps() if case is not None else []
     pulled = any("tangential_load" in step for step in steps)
     if pulled and len(steps) == dataset.sizes["increment"] and most:
-        name = "forces along the surface: sum of s dA against those given, over the largest"
+        name = "tangential force balance: difference from the prescribed force, relative to maximum"
         yield Check(name, _missed(dataset, shear, steps) / most, tol)
     work = np.diff(dataset["friction_work"].values, prepend=0.0)
-    yield Check("least work of friction in an increment", float(work.min()), 0.0, True, "J")
+    yield Check("minimum frictional work in an increment", float(work.min()), 0.0, True, "J")
     if (balance := balance_of(dataset)) is not None:
-        name = "work that is not found as elastic energy, friction or plastic flow, relative"
+        name = "energy balance: unaccounted work, relative to the work input"
         yield Check(name, abs(balance.missing), ENERGY)
 
 
 def _shear(dataset: xr.Dataset) -> FloatArray:
-    """Shape (2, increment, x, y); a direction that is not stored is zero."""
+    """Return the shear, shape (2, increment, x, y); zero in a direction that is not stored."""
     shape = dataset["pressure"].shape
     names = ("shear_x", "shear_y")
     return np.stack([dataset[n].values if n in dataset else np.zeros(shape) for n in names])
@@ -79,11 +79,12 @@ def figures(scene: Scene) -> Iterator[tuple[str, str, Figure]]:
         title = figure.axes[0].get_title()
         if name == "stick_slip":
             number, share = scene.number(chosen(data)), data["sticking_share"].values[chosen(data)]
-            text = f"Map of the contact, {100 * share:.3g} % of which sticks; {title}."
-            yield f"Where it sticks and slips, increment {number}", text, figure
+            text = f"Map of the contact with a stick fraction of {100 * share:.3g} %; {title}."
+            yield f"Stick and slip zones, increment {number}", text, figure
         elif name == "fretting_loop":
-            yield "Force over motion", f"Force along the surface over the motion; {title}.", figure
+            text = f"Tangential force versus tangential displacement; {title}."
+            yield "Tangential force versus displacement", text, figure
         else:
-            over = "way rolled" if name == "rolling_force" else "creepage of each increment"
-            text = f"Force along the surface over the {over}, under load."
-            yield f"Force over {over.split()[0]}", text, figure
+            over = "distance rolled" if name == "rolling_force" else "creepage"
+            text = f"Tangential force versus {over}, under load."
+            yield f"Tangential force versus {over}", text, figure

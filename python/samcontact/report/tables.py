@@ -34,14 +34,14 @@ if TYPE_CHECKING:
 # Units that take a prefix; others are written as they are.
 _PREFIXED = ("m", "Pa", "N", "s", "m/s")
 _MOST_LISTED = 8
-"""Values of a list that are told one by one."""
+"""Maximum length of a list whose values are shown individually."""
 
 
-_ROUNDING = 1e-13  # of the largest of a column
+_ROUNDING = 1e-13  # relative to the maximum of a column
 
 
 class Row(NamedTuple):
-    """A parameter: section, field, value with unit."""
+    """Parameter: section, field, value with unit."""
 
     section: str
     name: str
@@ -49,31 +49,33 @@ class Row(NamedTuple):
 
 
 class Cell(NamedTuple):
-    """A number as shown, and exactly, in SI units."""
+    """Number as shown, and exact number in SI units."""
 
     shown: str
     exact: str
 
 
 class Table(NamedTuple):
-    """Columns with their headings, and rows of cells that begin with a number."""
+    """Columns with headings, and rows of cells that begin with a number or a name."""
 
     headings: list[str]
     rows: list[tuple[str, list[Cell]]]
     first: str = "increment"
-    """What the rows are."""
+    """Heading of the first column."""
     note: str = ""
 
 
 def parameters(dataset: xr.Dataset) -> list[Row]:
-    """Of the stored case; of a run without one, what the attributes tell."""
+    """Return the parameters of the stored case, or of the attributes of a run without a case."""
     text = dataset.attrs.get("case", "")
     if not text:
         return _from_attributes(dataset)
     content = tomllib.loads(text)
-    rows = _of_grid(dataset) if "accuracy" in content else []  # which was chosen
+    rows = _of_grid(dataset) if "accuracy" in content else []  # the chosen grid
     for section, fields in content.items():
-        if section == "output" or not isinstance(fields, (dict, list)):  # what stands apart
+        if section == "output" or not isinstance(
+            fields, (dict, list)
+        ):  # not a section of parameters
             continue
         if isinstance(fields, dict):
             rows += _rows(section, fields)
@@ -122,7 +124,7 @@ def _of_grid(dataset: xr.Dataset) -> list[Row]:
 
 
 def _from_attributes(dataset: xr.Dataset) -> list[Row]:
-    if "x" not in dataset.sizes:  # not of one contact: what was given as numbers
+    if "x" not in dataset.sizes:  # no contact fields: show numerical attributes
         plain = {str(k): v for k, v in dataset.attrs.items() if not isinstance(v, str)}
         return [Row("run", name, _value(float(value), "")) for name, value in plain.items()]
     rows = _of_grid(dataset)
@@ -147,7 +149,7 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
     return rows
 
 
-# without the body
+# names without the body
 _SCALARS = (
     "load", "approach", "max_pressure", "contact_area", "max_von_mises",
     "max_equivalent_plastic_strain", "print_depth", "max_temperature", "travel", "time",
@@ -160,47 +162,76 @@ _CONVERGENCE = (
 
 
 def scalars_table(dataset: xr.Dataset) -> Table:
-    """What has one value for each increment."""
+    """Return the scalars of each increment."""
     return values_table(dataset, "increment", CONTACT, _SCALARS)
 
 
+def results_table(dataset: xr.Dataset) -> Table:
+    """Return the maxima of the scalars over all increments, for results without error estimates."""
+    table = maxima_table(dataset, "increment", CONTACT, _SCALARS[:-2])
+    return table._replace(note=f"{table.note} Errors were not estimated.")
+
+
+def maxima_table(
+    dataset: xr.Dataset, dim: str, quantities: Mapping[str, Quantity], names: Sequence[str]
+) -> Table:
+    """Return the maximum magnitude of each variable along a dimension, and its position."""
+    numbers, rows = dataset[dim].values, []
+    for name in names:
+        if quantities[name].shown in ("cells", "layers"):  # of the resolution
+            continue
+        for body, values in _of_bodies(dataset, name):
+            sizes = np.where(np.isfinite(values), np.abs(values), -1.0)
+            at = int(sizes.argmax())
+            if sizes[at] > 0:
+                shown = quantities[name].fitting(float(sizes[at]))
+                cells = [cell(numbers[at], 1.0), cell(values[at], shown.factor)]
+                rows.append((shown.of(body), cells))
+    return Table([dim, "value"], rows, "quantity", f"Maximum magnitude, and the {dim} it is from.")
+
+
 def slipping_tables(dataset: xr.Dataset) -> list[tuple[str, str, Table]]:
-    """What has one value for each increment along the surface, and where the energy went; none of
-    gross sliding."""
+    """Return the tangential scalars of each increment, and the energy balance.
+
+    There are no tables with full sliding.
+    """
     names = moved_along(dataset)
     if not names:
         return []
     along = values_table(dataset, "increment", CONTACT, names)
-    found = [("slipping", "Stick and slip", along)]
+    found = [("slipping", "Partial slip", along)]
     if (balance := balance_of(dataset)) is not None:
-        found.append(("energy", "Energy", _energy_table(balance)))
+        found.append(("energy", "Energy balance", _energy_table(balance)))
     return found
 
 
 def _energy_table(balance: EnergyBalance) -> Table:
     parts = {
-        "net work of loads and motions": balance.net,
-        "elastic, of tractions": balance.elastic,
-        "elastic, of residual stress": balance.residual,
-        "friction": balance.friction,
-        "plastic flow": balance.plastic,
-        "not found": balance.missing * balance.put_in,
+        "net external work": balance.net,
+        "elastic energy of tractions": balance.elastic,
+        "elastic energy of residual stress": balance.residual,
+        "frictional work": balance.friction,
+        "plastic dissipation": balance.plastic,
+        "unaccounted for": balance.missing * balance.put_in,
     }
     most = balance.put_in or 1.0
     rows = [(name, [cell(value, 1.0), _percent(value / most)]) for name, value in parts.items()]
     note = (
-        f"Where the work since the start is after the last increment. {balance.put_in:.6g} J were "
-        "put in, and what is not net of that was given back."
+        f"Energy budget after the last increment. The work input since the start is "
+        f"{balance.put_in:.6g} J; its difference from the net external work was recovered."
     )
-    return Table(["J", "of what was put in [%]"], rows, "energy", note)
+    return Table(["value [J]", "fraction of work input [%]"], rows, "energy", note)
 
 
 def errors_table(dataset: xr.Dataset) -> Table:
-    """Certified quantities where they are largest, with their errors; no rows without any."""
+    """Return quantities at their maxima, with errors; no rows without error estimates."""
     found = error_rows(dataset)
     more = {
         heading: [getattr(row, name) for row in found]
-        for heading, name in (("asked for [%]", "asked"), ("by increments [%]", "by_increments"))
+        for heading, name in (
+            ("target [%]", "asked"),
+            ("increment error [%]", "by_increments"),
+        )
         if any(getattr(row, name) is not None for row in found)
     }
     rows = []
@@ -214,15 +245,16 @@ def errors_table(dataset: xr.Dataset) -> Table:
         rows.append((row.label, cells))
     asked = any(row.asked is not None for row in found)
     note = (
-        "Best values at the ends of the segments of the path, from all grids and numbers of "
-        "increments; figures and increments are those of the finest grid."
+        "Best values at the ends of the path segments, extrapolated from all grids and numbers of "
+        "increments. Figures and increments are those of the finest grid."
         if asked
-        else "From a solve over cells twice as large. Quantities of the volume are compared at the "
-        "increment of largest stress and at the last only."
+        else "Estimated grid errors, relative to the value, from a grid coarsened by 2. Volume "
+        "quantities are compared only at the increment of maximum stress and at the last increment."
     )
     if by_increments := said_of_increments(dataset.attrs):
         note += f" {by_increments[0].upper()}{by_increments[1:]}."
-    return Table(["increment", "value", "error [%]", *more], rows, "quantity", note)
+    heading = "error [%]" if asked else "grid error [%]"
+    return Table(["increment", "value", heading, *more], rows, "quantity", note)
 
 
 def _percent(share: float | None) -> Cell:
@@ -232,14 +264,14 @@ def _percent(share: float | None) -> Cell:
 
 
 def convergence_table(dataset: xr.Dataset) -> Table:
-    """How each increment was solved."""
+    """Return iterations, residuals and resolution of each increment."""
     return values_table(dataset, "increment", CONTACT, _CONVERGENCE)
 
 
 def values_table(
     dataset: xr.Dataset, dim: str, quantities: Mapping[str, Quantity], names: Sequence[str]
 ) -> Table:
-    """Variables along a dimension, those of two bodies with a column for each."""
+    """Return variables along a dimension, with a column for each body where they differ."""
     found = []
     for name in names:
         for body, values in _of_bodies(dataset, name):
@@ -255,7 +287,7 @@ def values_table(
 
 
 def _of_bodies(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, FloatArray]]:
-    """Values of both bodies together, of each by its name, or by its place in the variable."""
+    """Yield body and values; the body is None for variables of both bodies together."""
     if name in dataset and "body" not in dataset[name].dims:
         yield None, dataset[name].values
     elif name in dataset:
@@ -267,7 +299,7 @@ def _of_bodies(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, Flo
 
 
 def cell(value: Any, factor: float, small: float = 0.0) -> Cell:
-    """A number in the unit shown, as zero where it is small, and as it is."""
+    """Return a number in the unit shown, as zero below `small`, with the exact number."""
     number = float(value)
     if not np.isfinite(number):
         return Cell("none", "")
@@ -277,7 +309,7 @@ def cell(value: Any, factor: float, small: float = 0.0) -> Cell:
 def hertz_table(
     dataset: xr.Dataset, peak: int, reference: HertzContact, body: int
 ) -> list[tuple[str, str, str, str]]:
-    """Rows of name, Hertz, computed, difference."""
+    """Return rows of name, Hertz value, simulated value and difference."""
     return [
         (
             row.heading,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the page of a tugging has: energy of each pass, forces along the way."""
+"""Report of an asperity collision: energy of each pass, and forces against the offset."""
 
 from __future__ import annotations
 
@@ -15,19 +15,20 @@ from ..asperities.series import cells_under_load, of_passes
 from ..plotting.parts import counted, finish, new_figure
 from .figures import ReportFigure, embedded
 from .quality_checks import contact_cells, plastic_layers
-from .tables import values_table
+from .tables import maxima_table, values_table
 
 if TYPE_CHECKING:
     import xarray as xr
 
 NEEDED = ("force_x", "force_z", "work", "net_energy", "energy_imbalance")
 ENERGY = 0.05
-"""Part of the largest energy that a pass takes or stores that may be missing in any of them: a
-later pass may take next to nothing. It falls with the increments."""
+"""Limit of the unaccounted energy of a pass, relative to the maximum energy of any pass: a later
+pass may need almost none. It decreases with the number of increments."""
 EXCHANGED = 0.02
-"""Part of the work within a pass, most of which it gives back, that may be missing in it."""
+"""Limit of the unaccounted energy of a pass, relative to the maximum work within the pass, most of
+which is recovered."""
 RELEASED = 1e-6
-"""Part of the largest force that may be left at the end of a pass."""
+"""Limit of the force at the end of a pass, relative to the maximum force."""
 _PASSES = (
     "net_energy", "dissipation", "residual_energy", "energy_imbalance", "residual_displacement",
     "max_force_x", "min_force_x", "max_force_z", "max_pressure", "contact_cells", "plastic_layers",
@@ -35,10 +36,13 @@ _PASSES = (
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
-    """Its part of what the template names."""
-    table = values_table(of_passes(dataset), "pass", TUGGING, _PASSES)
+    """Return the variables of the template for an asperity collision."""
+    passes = of_passes(dataset)
+    table = values_table(passes, "pass", TUGGING, _PASSES)
+    maxima = maxima_table(passes, "pass", TUGGING, _PASSES[:9])
     return {
         "file": "series.nc",
+        "answers": [("results", "Results", maxima)],
         "values": [("passes", "Passes", table)],
         "figures": list(_figures(dataset)),
     }
@@ -51,18 +55,18 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
         for name in ("net_energy", "dissipation", "residual_energy")
     )
     if float(dataset["dissipation"].max()) > 0:  # elastic passes take none
-        name = "energy not found as plastic work or residual stress, over the largest of a pass"
+        name = "energy balance: unaccounted energy, relative to the maximum of a pass"
         yield Check(name, float(missing.max()) / taken, ENERGY)
     exchanged = np.nanmax(np.abs(dataset["work"].values), axis=1)
     met = exchanged > 0
     if met.any():
-        name = "energy not found in a pass over the largest work within it"
+        name = "energy balance: unaccounted energy, relative to the maximum work within the pass"
         yield Check(name, float(np.max(missing[met] / exchanged[met])), EXCHANGED)
     force = dataset["normal_force"]
     end = np.array([row[np.isfinite(row)][-1] for row in force.values])
     largest = float(force.max())
     if largest > 0:
-        name = "normal force at the end of a pass over the largest"
+        name = "normal force at the end of a pass, relative to the maximum force"
         yield Check(name, float(np.max(end)) / largest, RELEASED)
         yield contact_cells(float(cells_under_load(dataset).min()))
     for body in (1, 2):
@@ -75,12 +79,12 @@ def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
             figure = new_figure()
             plotting.tugging.force([dataset], figure.subplots(), component=component, number=number)
             values = dataset[f"force_{component}"].sel({"pass": number})
-            text = f"{name} against the offset of the spheres, from {float(values.min()):.4g} to "
+            text = f"{name} versus offset of the spheres, from {float(values.min()):.4g} to "
             text += f"{float(values.max()):.4g} N."
             yield embedded(f"{name}, pass {number}", text, figure)
         figure = new_figure()
         plotting.tugging.load_ratio([dataset], figure.subplots(), number=number)
-        text = "Tangential over normal force against the offset of the spheres."
+        text = "Ratio of tangential to normal force versus offset of the spheres."
         yield embedded(f"Load ratio, pass {number}", text, figure)
     if dataset.sizes["pass"] > 1:
         figure = new_figure()

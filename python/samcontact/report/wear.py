@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the page of wear has: what each cycle removed, worn surfaces."""
+"""Report of wear: removed volume of each cycle, and worn surfaces."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from .._util.quantities import WEAR
 from ..plotting.parts import new_figure
 from .figures import ReportFigure, embedded
 from .quality_checks import contact_cells, plastic_layers
-from .tables import values_table
+from .tables import maxima_table, values_table
 
 if TYPE_CHECKING:
     import xarray as xr
 
 NEEDED = ("volume", "lost", "depth", "wear_rate")
 VOLUME = 1e-9
-"""Part of the removed volume by which that lost by the surface may differ."""
-MOST_PROFILES = 10  # in a figure
+"""Limit of the relative difference between removed volume and volume below the surface."""
+MOST_PROFILES = 10  # maximum number of profiles in a figure
 _CYCLES = (
     "volume", "depth", "surface_strain", "max_equivalent_plastic_strain", "max_pressure",
     "max_von_mises", "contact_area", "contact_cells", "plastic_layers", "friction_work",
@@ -31,9 +31,10 @@ _CYCLES = (
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
-    """Its part of what the template names."""
+    """Return the variables of the template for wear."""
     return {
         "file": "wear.nc",
+        "answers": [("results", "Results", maxima_table(dataset, "cycle", WEAR, _CYCLES))],
         "values": [("cycles", "Cycles", values_table(dataset, "cycle", WEAR, _CYCLES))],
         "figures": list(_figures(dataset)),
     }
@@ -42,9 +43,9 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
 def checks(dataset: xr.Dataset) -> Iterator[Check]:
     removed = float(dataset["volume"].max())
     difference = float(np.abs(dataset["volume"] - dataset["lost"]).max())
-    name = "volume lost by the surface against that removed, relative"
+    name = "volume balance: relative difference between surface and removed volume"
     yield Check(name, difference / removed if removed > 0 else difference, VOLUME)
-    # of the surface that the user gave: a worn one touches on its edges
+    # of the initial surface: a worn surface touches at its edges
     yield contact_cells(float(dataset["contact_cells"][0]), " of the first cycle")
     for body in dataset["body"].values.tolist() if "plastic_layers" in dataset else ():
         yield from plastic_layers(dataset["plastic_layers"].sel(body=body), body)
@@ -53,16 +54,16 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
 def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
     figure = new_figure()
     plotting.wear.wear_rate(dataset, figure.subplots())
-    stopped = "Nothing wears any more" if dataset.attrs.get("stopped") else "It still wears"
+    stopped = "has ceased" if dataset.attrs.get("stopped") else "has not ceased"
     count = dataset.sizes["cycle"]
-    text = f"Volume worn in each cycle. {stopped} after {count} cycles."
+    text = f"Volume worn in each cycle. Wear {stopped} after {count} cycles."
     yield embedded("Worn volume of each cycle", text, figure)
     step = -(-count // MOST_PROFILES)
     shown = sorted({0, *range(count, 0, -step)})
     for body in dataset["body"].values.tolist():
         heights = dataset[f"heights_body{body}"].values
         deepest = heights[0] - heights[-1]
-        text = f"at most {deepest.max() * 1e6:.4g} µm lower than at the start."
+        text = f"at most {deepest.max() * 1e6:.4g} µm below the initial surface."
         for axis in ("x", "y"):
             figure = new_figure()
             options: dict[str, Any] = {"body": body, "axis": axis, "cycles": shown}

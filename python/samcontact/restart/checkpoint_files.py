@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is in a folder of checkpoints: files of this package, which may be removed, and others."""
+"""Files in a folder of checkpoints: files of this package, which may be removed, and others."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from ..files.ownership import HDF5, PART, is_marked, is_regular
 from .lock import LOCKS
 
 CASE = "case.txt"
-"""Name of the file that says which case the checkpoints are of."""
+"""Name of the file that identifies the case of the checkpoints."""
 CASE_MARK = "samcontact run "
-"""How it begins."""
+"""First words of this file."""
 
 
 def foreign(folder: Path) -> Path | None:
-    """Return something in the place of a folder of checkpoints that is none of this package."""
+    """Return a file or folder at this path that this package did not write; None without one."""
     if not os.path.lexists(folder):
         return None
     if folder.is_symlink() or not folder.is_dir():
@@ -27,7 +27,7 @@ def foreign(folder: Path) -> Path | None:
 
 
 def remove_checkpoints(folder: Path) -> None:
-    """Remove a folder of checkpoints; files of others in it stay, and their folders."""
+    """Remove a folder of checkpoints; foreign files and their folders are kept."""
     if folder.is_symlink() or not folder.is_dir():
         return
     for file in _files(folder):
@@ -39,7 +39,7 @@ def remove_checkpoints(folder: Path) -> None:
 
 
 def _files(folder: Path) -> Iterator[Path]:
-    """All that is not a folder, at any depth; links are not followed."""
+    """Yield everything that is not a folder, at any depth; links are not followed."""
     for path, folders, files in os.walk(folder):
         yield from (Path(path, name) for name in sorted(files))
         yield from (Path(path, name) for name in folders if Path(path, name).is_symlink())

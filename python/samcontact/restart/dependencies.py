@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Canonical text of users' functions and objects: code, and all data that it depends on."""
+"""Canonical text of functions and objects of users: code, and all data on which it depends."""
 
 from __future__ import annotations
 
@@ -23,37 +23,37 @@ from typing import Any
 import numpy as np
 
 Text = Callable[[Any], str]
-"""Canonical text of any value."""
+"""Function that returns the canonical text of any value."""
 IDENTITY = "identity"
-"""Attribute by which an object states what it depends on."""
+"""Attribute that states the dependencies of an object."""
 
 _COMPILED = (
     BuiltinFunctionType, MethodDescriptorType, MethodWrapperType, WrapperDescriptorType, np.ufunc,
 )  # fmt: skip
 _INSTALLED = {"site-packages", "dist-packages"}
-"""Folders of packages, whose code is known by its version; all other code is the user's."""
+"""Folders of packages, whose code is identified by its version; all other code is user code."""
 _NO_STATE = {"__dict__", "__weakref__", "__doc__", "__module__", "__annotations__"}
 _NO_STATE |= {"__firstlineno__", "__static_attributes__", "__annotate_func__", "__annotate__"}
 
 
 class UnidentifiedError(ValueError):
-    """A function or object whose dependencies cannot be found out."""
+    """Function or object whose dependencies cannot be determined."""
 
 
 def text_of_object(value: Any, text: Text) -> str:
-    """Return a text that two objects share only if they act alike.
+    """Return a text that is equal for two objects only if they behave identically.
 
     Parameters
     ----------
     value : object
-        A function, method, partial, class, module, or an instance of any class.
+        Function, method, partial, class, module, or instance of any class.
     text : callable
-        Canonical text of the parts of it.
+        Function that returns the canonical text of its parts.
 
     Raises
     ------
     UnidentifiedError
-        It has state that Python cannot read, such as that of a compiled object.
+        The object has state that Python cannot read, such as a compiled object.
     """
     stated = getattr(value, IDENTITY, None)
     if stated is not None and not callable(stated):
@@ -93,7 +93,7 @@ def _function(function: FunctionType, text: Text) -> str:
 
 
 def _code(code: CodeType) -> list[Any]:
-    """All that a code object does, without where it was written."""
+    """Return the content of a code object, without its position in the source."""
     constants = [_code(c) if isinstance(c, CodeType) else c for c in code.co_consts]
     names = [code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars]
     counts = [code.co_argcount, code.co_posonlyargcount, code.co_kwonlyargcount, code.co_flags]
@@ -101,7 +101,7 @@ def _code(code: CodeType) -> list[Any]:
 
 
 def _globals(code: CodeType, scope: dict[str, Any]) -> Iterator[tuple[str, Any]]:
-    """Global names that a function uses, with their values."""
+    """Yield the global names used by a function, with their values."""
     names = set(_names(code))
     imported = {name: sys.modules[name] for name in names - set(scope) if name in sys.modules}
     yield from _used(names, imported | scope, "", set())
@@ -110,9 +110,9 @@ def _globals(code: CodeType, scope: dict[str, Any]) -> Iterator[tuple[str, Any]]
 def _used(
     names: set[str], scope: dict[str, Any], prefix: str, seen: set[int]
 ) -> Iterator[tuple[str, Any]]:
-    """Parts of a scope by name; of modules of the user, those of their parts that may be meant.
+    """Yield the used parts of a scope by name; for user modules, their possibly used parts.
 
-    Attributes are taken by name alone, wherever they occur: too many are as good as those in use.
+    Attributes are selected by name only, wherever they occur: additional parts do no harm.
     """
     for name in sorted(names & set(scope)):
         value = scope[name]
@@ -141,10 +141,10 @@ def _is_slot(part: Any) -> bool:
 
 
 def _instance(value: Any, text: Text) -> str:
-    """An object by how Python would make it again; refused where it could not."""
+    """Return the text of the pickled form of an object; raises if it cannot be pickled."""
     try:
         made = value.__reduce_ex__(4)
-    except Exception as error:  # whatever the class of the user raises
+    except Exception as error:  # the user class may raise anything
         raise UnidentifiedError(str(error)) from error
     if isinstance(made, str):
         return f"{type(value).__module__}.{made}"
@@ -173,7 +173,7 @@ def _module(module: ModuleType) -> str:
 
 
 def _from_library(value: Any) -> str | None:
-    """A function or class that stands under its name in an installed package."""
+    """Return the text of a function or class of an installed package; None for others."""
     module, name = value.__module__, value.__qualname__
     library = _library(str(module))
     found: Any = sys.modules.get(str(module))
@@ -184,7 +184,7 @@ def _from_library(value: Any) -> str | None:
 
 @functools.cache
 def _library(module: str) -> str | None:
-    """The package of a module with its version; None for a module of the user."""
+    """Return the package of a module with its version; None for a user module."""
     top = module.partition(".")[0]
     if top in sys.stdlib_module_names and top != "__main__":
         return f"Python {sys.version_info.major}.{sys.version_info.minor}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files to go on from: HDF5 with a digest at the end, all of one format."""
+"""Checkpoint files: HDF5 of a common format, with an appended digest."""
 
 from __future__ import annotations
 
@@ -27,29 +27,29 @@ DAMAGED = (
     OSError, KeyError, ValueError, TypeError, AttributeError, IndexError, OverflowError,
     RuntimeError, MemoryError,
 )  # fmt: skip
-"""What h5py, NumPy and the core raise for a file of which a part is not what it should be."""
+"""Exceptions of h5py, NumPy and the core for a file with an invalid part."""
 
 
 class CheckpointError(ValueError):
-    """The file is no checkpoint of this package, or it is damaged."""
+    """File that is not a checkpoint of this package, or is damaged."""
 
 
 class DamagedCheckpointError(CheckpointError):
-    """It is one, or was, but cannot be used: an earlier one may serve."""
+    """Damaged checkpoint of this package; an earlier checkpoint may be usable."""
 
 
 class ForeignCheckpointError(CheckpointError):
-    """It belongs to another run."""
+    """Checkpoint of another run."""
 
 
 def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckpointError:
-    """The error of a file whose content cannot be used."""
+    """Return the error for a file whose content cannot be used."""
     return DamagedCheckpointError(f"{os.fspath(path)!r} is damaged: {error}")
 
 
 @contextmanager
 def readable(path: str | os.PathLike[str]) -> Iterator[None]:
-    """Raise DamagedCheckpointError where a part of a file is not what it should be."""
+    """Convert errors due to an invalid part of a file to DamagedCheckpointError."""
     try:
         yield
     except CheckpointError:
@@ -59,7 +59,7 @@ def readable(path: str | os.PathLike[str]) -> Iterator[None]:
 
 
 def write(path: str | os.PathLike[str], kind: str, tree: Mapping[str, Any]) -> None:
-    """Keep a tree; a failure leaves the old file. kind: in a word, what the tree is of."""
+    """Write a tree to a file; on failure an existing file is kept. kind: type of the content."""
     file_path("path", path)
     with replacing_hdf5(path) as opened, h5py.File(opened, "w") as file:
         file.attrs.update(
@@ -72,15 +72,15 @@ def write(path: str | os.PathLike[str], kind: str, tree: Mapping[str, Any]) -> N
 
 
 def read(path: str | os.PathLike[str], kind: str) -> Tree:
-    """What `write` has kept.
+    """Read a tree written by `write`.
 
-    Raises FileNotFoundError, and CheckpointError for a file of another program, format or kind;
-    DamagedCheckpointError where its bytes are not those that were written.
+    Raises FileNotFoundError, CheckpointError for a file of another program, format or kind, and
+    DamagedCheckpointError if the bytes have changed.
     """
     if not file_path("path", path).is_file():
         raise FileNotFoundError(f"no checkpoint at {os.fspath(path)!r}")
     try:
-        if not check_seal(path):  # HDF5 may not come back from a damaged file
+        if not check_seal(path):  # HDF5 may not terminate on a damaged file
             raise _unsealed(path)
         with h5py.File(path, "r") as file:
             require_self_contained(file)
@@ -93,27 +93,27 @@ def read(path: str | os.PathLike[str], kind: str) -> Tree:
 
 
 def other_version(path: str | os.PathLike[str], tree: Tree) -> str:
-    """Return which version of this package wrote a tree; nothing where it is this one."""
+    """Return a text if another version of this package wrote a tree; "" otherwise."""
     version = tree.get("samcontact_version")
     if version == _core.version:
         return ""
-    return f"{os.fspath(path)!r} was written by samcontact {version}, and this is {_core.version}"
+    return f"{os.fspath(path)!r} was written by samcontact {version}, not {_core.version}"
 
 
 def _unsealed(path: str | os.PathLike[str]) -> ValueError:
-    """The error of a file without a digest: one of others, or a damaged one."""
+    """Return the error for a file without a digest: foreign or damaged."""
     with open(path, "rb") as file:
         is_hdf5 = file.read(len(_SIGNATURE)) == _SIGNATURE
     if not is_hdf5:
         return ValueError("it is not an HDF5 file")
     if not is_marked(Path(path)):
         return CheckpointError(f"{os.fspath(path)!r} is not a samcontact checkpoint")
-    return ValueError("the digest at its end is missing: it was cut off or changed")
+    return ValueError("the digest at its end is missing: the file was truncated or changed")
 
 
 def require_self_contained(file: h5py.Group) -> None:
-    """Raise ValueError for an HDF5 file with parts that lie in other files."""
-    found: list[str] = []  # h5py loses exceptions that are raised within a visit
+    """Raise ValueError for an HDF5 file with parts in other files."""
+    found: list[str] = []  # h5py drops exceptions raised within a visit
 
     def check_link(name: str, link: Any) -> None:
         if isinstance(link, h5py.ExternalLink):
@@ -126,21 +126,21 @@ def require_self_contained(file: h5py.Group) -> None:
     file.visititems_links(check_link)
     file.visititems(check)
     if found:
-        raise ValueError(f"{found[0]}, which is not followed: copy the values into the file")
+        raise ValueError(f"{found[0]}, which is not supported: copy the values into the file")
 
 
 def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> None:
-    """Raise ForeignCheckpointError for a file of a computation that is not the one of now."""
+    """Raise ForeignCheckpointError for the file of another computation."""
     before = tree.get("run")
     if told := other_version(path, tree):
         raise ForeignCheckpointError(
-            f"{told}, whose results may differ in their last digits: go on with that version, or "
-            "start again in another place"
+            f"{told}, whose results may differ in the last digits: continue with that version, or "
+            "start again with another path"
         )
     if now != before:
-        told = differences(now, before) if isinstance(before, dict) else "a simulation by itself"
+        told = differences(now, before) if isinstance(before, dict) else "a single simulation"
         raise ForeignCheckpointError(
-            f"{os.fspath(path)!r} is of another run: remove it, or choose another ({told})"
+            f"{os.fspath(path)!r} is of another run ({told}): remove it, or use another path"
         )
 
 
@@ -152,7 +152,7 @@ def _require_format(path: str | os.PathLike[str], kind: str, found: Mapping[str,
     if version != _FORMAT_VERSION:
         raise CheckpointError(
             f"{name} has checkpoint format {version} of samcontact "
-            f"{found.get('samcontact_version')}; this is {_core.version}, which reads format "
+            f"{found.get('samcontact_version')}; samcontact {_core.version} reads format "
             f"{_FORMAT_VERSION}"
         )
     if found.get("kind") != kind:

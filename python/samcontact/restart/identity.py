@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which computation it is: every argument that its numbers depend on, in one canonical text."""
+"""Identity of a computation: canonical text of every argument that affects its results."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ import numpy as np
 from .dependencies import IDENTITY, UnidentifiedError, text_of_object
 
 Identity = dict[str, str]
-"""The text of each part by name; a digest where that is long."""
+"""Text of each part by name, or its digest if the text is long."""
 _SHORT = 60
 _EXACT = 1 << 53
-"""Larger integers are not all float64."""
+"""Limit above which not all integers are exact in float64."""
 _UNKNOWN = "unidentified: "
 
 
 def identity(**parts: Any) -> Identity:
-    """Return the texts of numbers, arrays, dataclasses, functions, and of nested lists of them.
+    """Return the texts of numbers, arrays, dataclasses and functions, also in nested lists.
 
-    A part that cannot be identified has a text that says why: see `require_identified`.
+    For a part that cannot be identified, the text is the reason: see `require_identified`.
     """
     return {name: _identified(part) for name, part in parts.items()}
 
@@ -37,52 +37,51 @@ def _identified(part: Any) -> str:
 
 
 def require_identified(who: Identity) -> None:
-    """Raise UnidentifiedError where it cannot be known later whether a run is the same."""
+    """Raise UnidentifiedError if the identity of a run cannot be determined."""
     for name, text in who.items():
         if text.startswith(_UNKNOWN):
             raise UnidentifiedError(
-                f"{name} has no identity by which a checkpoint could be told from that of another "
-                f"run: {text.removeprefix(_UNKNOWN)}. Set an attribute `{IDENTITY}` of it that "
-                "holds all it depends on, e.g. law.identity = ('my law', 2e-4), or run without a "
-                "checkpoint"
+                f"{name} has no identity that distinguishes checkpoints of different runs: "
+                f"{text.removeprefix(_UNKNOWN)}. Set its attribute `{IDENTITY}` to everything it "
+                "depends on, e.g. law.identity = ('my law', 2e-4), or run without a checkpoint"
             )
 
 
 def digest(who: Identity) -> str:
-    """One name for all."""
+    """Return the digest of an identity."""
     return _hash(repr(sorted(who.items())).encode())
 
 
 def differences(now: Identity, before: Identity) -> str:
-    """What is not the same, in words."""
+    """Return the differences of two identities as text."""
 
     def told(name: str) -> str:
         new, old = (str(who.get(name, "nothing")) for who in (now, before))
         digests = new.count("#") + old.count("#")
-        return f"another {name}" if digests else f"{name} {new} instead of {old}"
+        return f"different {name}" if digests else f"{name} {new} instead of {old}"
 
     return ", ".join(told(n) for n in {**now, **before} if now.get(n) != before.get(n))
 
 
 def canonical(value: Any) -> str:
-    """Return the same text in every process; numbers are what they are worth: 1 is 1.0.
+    """Return a text that is equal in every process; numbers of equal value are equal: 1 is 1.0.
 
-    Raises UnidentifiedError for a function or object whose dependencies cannot be found out.
+    Raises UnidentifiedError for a function or object whose dependencies cannot be determined.
     """
     try:
         return _Texts().text(value)
     except RecursionError:
-        raise UnidentifiedError("it is nested too deeply, or endless") from None
+        raise UnidentifiedError("it is nested too deeply, or without end") from None
 
 
 class _Texts:
-    """Texts of nested values, in which each object may refer to itself."""
+    """Texts of nested values, whose objects may refer to themselves."""
 
     def __init__(self) -> None:
         self._open: dict[int, int] = {}
-        """Objects whose text is being made, by their number."""
+        """Objects whose text is in progress: depth by id."""
         self._done: dict[int, tuple[str, Any]] = {}
-        """Texts, with their objects: the number of one that is gone may be that of another."""
+        """Finished texts by id, with their objects, so that no id is reused."""
 
     def text(self, value: Any) -> str:
         plain = _plain(value)
@@ -119,7 +118,7 @@ class _Texts:
 
 
 def _plain(value: Any) -> str | None:
-    """The text of a value without parts; None of any other."""
+    """Return the text of a value without parts; None for any other value."""
     if type(value) in (bool, np.bool_) or value is None:
         return repr(value if value is None else bool(value))
     if type(value) in (int, float) or isinstance(value, (np.integer, np.floating)):
@@ -132,7 +131,7 @@ def _plain(value: Any) -> str | None:
 
 
 def _array(value: np.ndarray[Any, Any]) -> str | None:
-    """The digest of an array; None of one of objects."""
+    """Return the digest of an array; None for an array of objects."""
     if value.dtype.hasobject:
         return None
     array = np.ascontiguousarray(value)

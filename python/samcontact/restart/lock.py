@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One run at a time in a folder, or with a file."""
+"""Locks that allow one run at a time in a folder, or with a file."""
 
 from __future__ import annotations
 
@@ -15,34 +15,32 @@ from ..files.ownership import is_regular, remove_leftovers
 
 LOCK = ".samcontact.lock"
 LOCKS = (LOCK, ".cycle.h5.lock")
-"""Locks in folders of checkpoints: of the folder, and of the file of a computation of wear."""
+"""Names of locks in folders of checkpoints: of the folder, and of the file of a wear simulation."""
 
 
 @contextmanager
-def locked(
-    directory: Path, remedy: str = "choose another folder", name: str = LOCK
-) -> Iterator[None]:
-    """Make the folder, and keep other runs out of it; a process that dies leaves no lock.
+def locked(directory: Path, remedy: str = "use another folder", name: str = LOCK) -> Iterator[None]:
+    """Create the folder and lock it against other runs; a killed process leaves no lock.
 
     Parameters
     ----------
     directory : Path
     remedy : str, optional
-        What to do where another run has it, for the error.
+        Remedy in the error message if the folder is locked.
     name : str, optional
-        Of the file that is locked in it; one of a single file keeps others from that.
+        Name of the lock file; the lock of a single file protects that file only.
 
     Raises
     ------
     OSError
-        Another run has it; it cannot be made or written to; or the name of the lock belongs to
-        something else.
+        Another run has the lock, the folder cannot be created or written, or a foreign file has the
+        name of the lock.
     """
     try:
         directory.mkdir(parents=True, exist_ok=True)
     except (FileExistsError, NotADirectoryError):
         raise OSError(
-            f"{directory} must be a directory, or free for one, but it or a part of it is a file: "
+            f"{directory} must be a folder, or not exist, but it or a part of the path is a file: "
             f"{remedy}"
         ) from None
     except OSError as error:
@@ -57,7 +55,7 @@ def locked(
 
 
 def _take(directory: Path, remedy: str, name: str) -> int:
-    """The opened lock file, with the number of this process in it."""
+    """Return the opened lock file, which contains the id of this process."""
     path = directory / name
     while True:
         if os.path.lexists(path) and not is_regular(path):
@@ -73,7 +71,7 @@ def _take(directory: Path, remedy: str, name: str) -> int:
             os.close(handle)
             who = f", process {pid}" if pid else ""
             raise OSError(
-                f"another run of samcontact writes to {directory}{who}: wait for its end, or "
+                f"another run of samcontact writes to {directory}{who}: wait until it ends, or "
                 f"{remedy}"
             ) from None
         except OSError:  # a file system without locks
@@ -86,12 +84,12 @@ def _take(directory: Path, remedy: str, name: str) -> int:
                 os.truncate(handle, 0)
                 os.lseek(handle, 0, os.SEEK_SET)
                 os.write(handle, f"{os.getpid()}\n".encode())
-            except OSError as error:  # a full disk, a limit of file sizes
+            except OSError as error:  # full disk, or file size limit
                 path.unlink()
                 os.close(handle)
                 raise _unusable(directory, error, remedy) from error
             return handle
-        os.close(handle)  # the one before has just removed it
+        os.close(handle)  # the previous owner has just removed it
 
 
 def _is(path: Path, handle: int) -> bool:
@@ -102,11 +100,11 @@ def _is(path: Path, handle: int) -> bool:
 
 
 def _of_others(path: Path, remedy: str) -> OSError:
-    return OSError(f"{path} is not a lock of samcontact: move it away, or {remedy}")
+    return OSError(f"{path} is not a lock of samcontact: move it, or {remedy}")
 
 
 def _unusable(directory: Path, error: OSError, remedy: str) -> OSError:
-    """The error of a folder in which nothing can be written."""
-    readable = {errno.EACCES: "permission denied", errno.EROFS: "it is on a read-only disk"}
+    """Return the error for a folder that cannot be written."""
+    readable = {errno.EACCES: "permission denied", errno.EROFS: "read-only file system"}
     reason = readable.get(error.errno or 0, error.strerror or "it cannot be used")
     return OSError(f"cannot write to the folder {directory}: {reason}: {remedy}")

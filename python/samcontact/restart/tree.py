@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Nested dictionaries of numbers, texts and arrays as groups of an HDF5 file, and back."""
+"""Conversion of nested dictionaries of numbers, texts and arrays to HDF5 groups and back."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from .._util.checks import FloatArray
 
 Tree = dict[str, Any]
 _KINDS = (np.dtype(np.float64), np.dtype(np.int64), np.dtype(np.uint32))
-"""Of arrays."""
+"""Options of datasets for arrays."""
 
 
 def write_tree(group: h5py.Group, tree: Mapping[str, Any]) -> None:
-    """Numbers, texts and lists become attributes; None is left out."""
+    """Write a tree to a group; numbers, texts and lists become attributes, None is omitted."""
     for name, value in tree.items():
         if isinstance(value, Mapping):
             same = [n for n, other in tree.items() if n in group and _equal(other, value)]
@@ -41,12 +41,12 @@ def _equal(first: Any, second: Mapping[str, Any]) -> bool:
 
 
 def _dataset(group: h5py.Group, name: str, values: FloatArray) -> None:
-    # fletcher32: a damaged block is refused when it is read instead of being computed with.
+    # fletcher32: a damaged block is refused on reading
     group.create_dataset(name, data=values, fletcher32=True, chunks=True)
 
 
 def read_tree(group: h5py.Group) -> Tree:
-    """What `write_tree` has written; raises ValueError for what it cannot have."""
+    """Read a tree written by `write_tree`; raises ValueError for other content."""
     tree: Tree = {name: _plain(name, value) for name, value in group.attrs.items()}
     for name, part in group.items():
         tree[name] = _array(name, part) if isinstance(part, h5py.Dataset) else read_tree(part)
@@ -54,7 +54,7 @@ def read_tree(group: h5py.Group) -> Tree:
 
 
 def _plain(name: str, value: Any) -> Any:
-    """An attribute as a number, a text or a list of numbers."""
+    """Return an attribute as a number, text or list of numbers."""
     if isinstance(value, np.ndarray) and value.dtype.kind in "iuf":
         return value.tolist()
     if isinstance(value, (np.bool_, np.integer, np.floating)):
@@ -66,16 +66,16 @@ def _plain(name: str, value: Any) -> Any:
 
 def _array(name: str, values: h5py.Dataset) -> Any:
     if values.dtype not in _KINDS:
-        raise ValueError(f"{name} has type {values.dtype}, not float64")
+        raise ValueError(f"{name} must be of type float64, got {values.dtype}")
     return np.ascontiguousarray(values[...])
 
 
 def array(
     tree: Tree, name: str, shape: tuple[int | None, ...], *, may_end: bool = False
 ) -> FloatArray:
-    """An array of finite float64; raises ValueError for another, KeyError where it is missing.
+    """Return an array of finite float64; raises ValueError for others, KeyError if missing.
 
-    shape: None is any extent. may_end: +inf is allowed, a gap where there is no body.
+    shape: None: any extent. may_end: +inf is allowed, a gap outside a body.
     """
     values: FloatArray = tree[name]
     if not isinstance(values, np.ndarray) or values.dtype != np.float64:
@@ -84,8 +84,8 @@ def array(
         extent in (None, found) for extent, found in zip(shape, values.shape, strict=True)
     )
     if not fits:
-        raise ValueError(f"{name} has shape {values.shape}, not {shape}")
+        raise ValueError(f"{name} must have shape {shape}, got {values.shape}")
     finite = np.isfinite(values)
     if not finite.all() and not (may_end and np.all(finite | (values == np.inf))):
-        raise ValueError(f"{name} has values that are not finite")
+        raise ValueError(f"{name} must have finite values")
     return values

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Labelled results of a simulation: an xarray dataset with units, stored as netCDF4 (HDF5).
 
-Names ending in _body1 or _body2 belong to that body; tensor components are labelled
+Names ending in _body1 or _body2 refer to that body. Tensor components are labelled
 xx, yy, zz, yz, xz, xy (tensor shear strains).
 """
 

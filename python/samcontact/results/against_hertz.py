@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Computed values at the peak next to those of elastic Hertz contact."""
+"""Comparison of values at the peak with elastic Hertz contact."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def hertz_rows(
     dataset: xr.Dataset, peak: int, reference: PointContact | EllipticContact, body: int
 ) -> list[tuple[Quantity, float, float]]:
-    """Rows of a comparison.
+    """Return the rows of the comparison.
 
     Parameters
     ----------
@@ -25,14 +25,14 @@ def hertz_rows(
     peak : int
         Position of the increment, from 0.
     reference : PointContact or EllipticContact
-        At its load.
+        Hertz contact at the load of the increment.
     body : {1, 2}
-        Whose von Mises stress is compared.
+        Body whose von Mises stress is compared.
 
     Returns
     -------
     list of (quantity, Hertz, computed)
-        SI units.
+        Values in SI units.
     """
     exact = {
         "max_pressure": reference.p0,
@@ -50,7 +50,7 @@ def hertz_rows(
 
 
 def hertz_area(contact: PointContact | EllipticContact) -> float:
-    """Area of the contact [m^2]."""
+    """Return the area of the contact [m^2]."""
     if isinstance(contact, PointContact):
         return math.pi * contact.a**2
     return math.pi * contact.a_x * contact.a_y

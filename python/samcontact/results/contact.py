@@ -10,5 +10,5 @@ if TYPE_CHECKING:
 
 
 def repulsion_of(dataset: xr.Dataset) -> xr.DataArray:
-    """Repulsion in each increment [Pa]; in hard contact it is the pressure."""
+    """Return the repulsion of each increment [Pa]; in hard contact it is the pressure."""
     return dataset["repulsion" if "repulsion" in dataset else "pressure"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Part of the results dataset that tells how well each increment is solved, and its limits."""
+"""Convergence and resolution of each increment in the results dataset."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ if TYPE_CHECKING:
 
 
 def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Sequence[int]) -> None:
-    """Add residuals, largest plastic strains, and how far the border of the grid is.
+    """Add residuals, maximum plastic strains, and distances from the edges of the grid.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        With the dimension increment; changed in place.
+        Dataset with the dimension increment; changed in place.
     states : sequence of State
     inelastic : sequence of int
-        Bodies that can yield.
+        Numbers of the elastic-plastic bodies.
     """
 
     margins = [
@@ -41,7 +41,7 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
         for state in states
     ]
     add(dataset, "contact_margin", "increment", margins)
-    solved = [np.isfinite(state.approach) for state in states]  # else the tractions were given
+    solved = [np.isfinite(state.approach) for state in states]  # NaN: prescribed tractions
     across = [
         cells_across(state.repulsion, state.grid.periodic) if found else np.nan
         for state, found in zip(states, solved, strict=True)
@@ -67,7 +67,7 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
 def _add_area_uncertainty(
     dataset: xr.Dataset, states: Sequence[State], solved: Sequence[np.bool_]
 ) -> None:
-    """Of contacts of several spots, where there are some."""
+    """Add the area uncertainty of contacts with several spots."""
     found = [
         area_uncertainty(state.repulsion, state.grid.periodic)
         if there and spots(state.repulsion, state.grid.periodic) > 1
@@ -79,9 +79,9 @@ def _add_area_uncertainty(
 
 
 def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], list[float]]:
-    """How far the border is, and how many layers have yielded.
+    """Return the distance from the volume edge and the number of yielded layers per increment.
 
-    Where a body has moved, its plastic strain leaves the grid along x: that border is none.
+    Plastic strain of a moving body leaves the grid along x: the sides across x do not count.
     """
     margins, layers, moved = [], [], False
     for state in states:
@@ -95,7 +95,7 @@ def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], lis
 
 
 def extent_of(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """First and last cell inside along each axis; empty where none is."""
+    """Return the first and last cell inside along each axis; empty without cells inside."""
     return [(int(at.min()), int(at.max())) for at in np.nonzero(inside) if at.size]
 
 
@@ -105,21 +105,23 @@ def free_cells(
     along_x: bool = True,
     along_y: bool = True,
 ) -> float:
-    """Least number of cells between those inside and the border: sides and, in a volume, bottom.
+    """Return the minimum number of cells between the cells inside and the edge of the grid.
+
+    Edges are the sides and, in a volume, the bottom.
 
     Parameters
     ----------
     extent : sequence of (int, int)
-        First and last cell inside, along x, y and in a volume z.
+        First and last cell inside, along x, y and, in a volume, z.
     shape : sequence of int
-        Of the grid.
+        Shape of the grid.
     along_x, along_y : bool, optional
-        Whether the sides across x, and across y, count.
+        Whether the sides across x and across y count.
 
     Returns
     -------
     float
-        A whole number, 0 at the border; NaN where nothing is inside, or no side counts.
+        Whole number, 0 at the edge; NaN without cells inside, or if no side counts.
     """
     free = []
     counted = along_x, along_y, True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The dataset of a simulation."""
+"""Dataset of a simulation."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ _SCALARS: dict[str, Callable[[State], float]] = {
     "contact_iterations": lambda state: int(state.contact_iterations),
     "substeps": lambda state: int(state.substeps),
 }
-# name: dimensions, and whether only inelastic bodies have it
+# name: dimensions, and whether only elastic-plastic bodies have it
 _VOLUME_FIELDS = {
     "stress": (_TENSOR, False),
     "von_mises": (_VOLUME, False),
@@ -72,41 +72,39 @@ def to_dataset(
     Parameters
     ----------
     simulation : Simulation
-        Gives the grid, the bodies and their materials.
+        Simulation with grid, bodies and materials.
     states : sequence of State
-        One per increment; where the grid has grown, all are seen over the largest.
+        One state per increment. If the grid was enlarged, all states are mapped to the largest.
     case : Case, optional
-        Its title, text and [output] settings are used.
+        Case whose title, text and [output] settings are used.
     body : {1, 2}, optional
-        Body whose stresses are stored even when it is elastic; from the case, or 2, of a rigid
-        body 2 1.
-        Inelastic bodies are always stored.
+        Body whose stresses are stored even if it is elastic. Default: the body of the case, or
+        body 2, or body 1 if body 2 is rigid. Elastic-plastic bodies are always stored.
     volume : {"none", "last", "peak_and_last", "all"} or sequence of int, optional
-        Increments whose volume fields are stored, by their numbers if not by a word; from the case,
-        or "peak_and_last". The peak is the increment of largest von Mises stress; of several with
-        the same, to 0.1 %, that of largest pressure, then of
-        largest load.
+        Increments whose volume fields are stored, by a word or by their numbers. Default: from the
+        case, or "peak_and_last". The peak is the increment of maximum von Mises stress; if several
+        agree to 0.1 %, of maximum pressure among them, then of maximum load.
     stopped_by : str, optional
-        Of a run that did not reach the end of its path: why, e.g. the text of the error whose
-        attribute `states` the states are. The attribute ``complete`` is then 0.
+        Reason why a run did not reach the end of its path, e.g. the text of the error that has the
+        states as its attribute `states`. The attribute ``complete`` is then 0.
 
     Returns
     -------
     xarray.Dataset
-        Dimensions increment, x, y and, with a volume, volume_increment, z, component; where the
-        plastic strain of a body lies in several zones, cell_body1 or cell_body2 instead of x, y, z
-        (see `on_grid`); of bodies that stick and slip, forces and motions along the surface, slip,
-        which cells stick, and where the energy went; for an inelastic body that moved,
-        track_x_body1 or track_x_body2: its whole track at the end.
+        Dimensions increment, x, y and, for a grid with layers, volume_increment, z, component. If
+        the plastic strain of a body is in several subdomains, the dimension is cell_body1 or
+        cell_body2 instead of x, y, z (see `on_grid`). With partial slip, the dataset has tangential
+        forces and motions, slip, sticking cells and the energy balance. For an elastic-plastic body
+        that moved, track_x_body1 or track_x_body2 is the dimension of its whole track at the end.
         Every variable has ``units`` (SI) and ``long_name``.
 
     Raises
     ------
     ValueError
-        No states, or an unknown `body` or `volume`.
+        There are no states, or `body` or `volume` is unknown.
     """
     if len(states) == 0:
-        raise ValueError("states must hold at least one state, got none")
+        raise ValueError("states must contain at least one state, got none")
     if body is None:
         body = case.output.body if case is not None else _body_with_stresses(simulation)
     if volume is None:
@@ -140,7 +138,7 @@ def to_dataset(
 
 
 def completeness(stopped_by: str) -> dict[str, int | str]:
-    """Attributes that tell whether a run reached its end, or else what stopped it."""
+    """Return attributes that state whether a run is complete, or what stopped it."""
     return {"complete": 0, "stopped_by": stopped_by} if stopped_by else {"complete": 1}
 
 
@@ -149,7 +147,7 @@ def _coordinates(domain: Domain) -> dict[str, xr.Variable]:
 
 
 def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
-    """As deep as the deepest of those with stored fields, and as the last, whose track is."""
+    """Return states with the depth of the deepest stored state and of the last, for its track."""
     layers = max(len(state.depths) for state in (*stored, states[-1]))
     return [state.at_layers(layers) for state in states]
 
@@ -181,7 +179,7 @@ def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
 def _add_temperatures(
     dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]
 ) -> list[int]:
-    """Time and surface temperatures; returns the bodies that get warm."""
+    """Add time and surface temperatures, and return the heated bodies."""
     if any(state.time for state in states):
         add(dataset, "time", "increment", [state.time for state in states])
     bodies = (simulation.body1, simulation.body2)
@@ -215,7 +213,7 @@ def _inelastic(simulation: Simulation) -> list[int]:
 
 
 def _stored_bodies(simulation: Simulation, body: int) -> dict[int, bool]:
-    """Bodies with volume fields, and whether each is inelastic."""
+    """Return the bodies with volume fields, and whether each is elastic-plastic."""
     stored = {number: True for number in _inelastic(simulation)}
     if body not in stored and _material(simulation, body).law != "rigid":
         stored[body] = False
@@ -232,7 +230,7 @@ def _add_maxima(dataset: xr.Dataset, states: Sequence[State], bodies: dict[int, 
 
 
 def _chosen(dataset: xr.Dataset, volume: str | Sequence[int]) -> list[int]:
-    """Positions of the increments whose volume fields are stored."""
+    """Return the positions of the increments whose volume fields are stored."""
     count = dataset.sizes["increment"]
     if not isinstance(volume, str):
         return sorted({integer("volume", number, 1, count) - 1 for number in volume})
@@ -273,7 +271,7 @@ def _add_volume(
 
 
 def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> None:
-    """Of a body with layers, where tractions and fields share their cells."""
+    """Add interface stresses of a layered body, if tractions and fields have common cells."""
     layered = stored[0].setup.bodies[body - 1]
     if not isinstance(layered, Layered) or any(state.offset(body) for state in stored):
         return
@@ -286,7 +284,7 @@ def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> 
 
 
 def _of_body(prefix: str, body: Body) -> dict[str, Any]:
-    """What a body is made of, as attributes whose names begin with the prefix."""
+    """Return the material of a body as attributes whose names begin with the prefix."""
     found: dict[str, Any] = {f"{prefix}law": body.law}
     if isinstance(body, Layered):
         found[f"{prefix}thickness"] = body.parameters["thickness"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of datasets: netCDF4 with a digest behind its end."""
+"""Files of datasets: netCDF4 with an appended digest."""
 
 from __future__ import annotations
 
@@ -29,15 +29,15 @@ CONVENTIONS = "CF-1.11"
 def save(dataset: xr.Dataset, path: str | Path) -> Path:
     """Write a dataset as compressed netCDF4, atomically.
 
-    The file appears under its name only when it is complete; an existing one is replaced. It gets
-    the attributes `Conventions` (CF) and `history`, to which each file adds a line.
+    The file appears under its name only when it is complete; an existing file is replaced. The
+    attributes `Conventions` (CF) and `history` are added; each file adds a line to the history.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `to_dataset`.
+        Result of `to_dataset`.
     path : str or Path
-        The file, customarily ending in .nc; its directory must exist.
+        File to write, customarily ending in .nc, in an existing folder.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
     Raises
     ------
     OSError
-        The directory is missing or cannot be written.
+        The folder is missing or cannot be written.
     """
     target = Path(path)
     encoding = {
@@ -57,47 +57,47 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
     }
     told = dataset.assign_attrs(Conventions=CONVENTIONS, history=_history(dataset))
     with replacing_hdf5(target) as opened, h5netcdf.File(opened, "w") as file:
-        # to_netcdf would let HDF5 write to the disk itself
+        # in memory: to_netcdf would let HDF5 write directly to disk
         told.dump_to_store(xr.backends.H5NetCDFStore(file), encoding=encoding)
     return target
 
 
 def _history(dataset: xr.Dataset) -> str:
-    """What was done when, a line each, oldest first as CF has it."""
+    """Return the history, one line per operation, oldest first as in the CF conventions."""
     now = datetime.now(timezone.utc).isoformat(timespec="seconds")
     before = dataset.attrs.get("history")
     return (f"{before}\n" if before else "") + f"{now}: written by samcontact {version}"
 
 
 def open_results(path: str | Path) -> xr.Dataset:
-    """Open a results file; fields are read when they are used.
+    """Open a results file; fields are read on access.
 
-    The bytes of a file by `save` are compared with its digest. One that another program has written
-    since has none, and is read as a whole by a process of its own first: HDF5 may crash on damaged
-    metadata, or never end.
+    The bytes of a file written by `save` are compared with its digest. A file modified by another
+    program has no digest and is first read completely by a separate process: HDF5 may crash on
+    damaged metadata, or not terminate.
 
     Parameters
     ----------
     path : str or Path
-        A file written by `save`.
+        File written by `save`.
 
     Returns
     -------
     xarray.Dataset
-        Close it, or use it in a ``with`` statement.
+        Dataset to be closed, or to be used in a ``with`` statement.
 
     Raises
     ------
     FileNotFoundError
-        There is no such file.
+        The file does not exist.
     ValueError
-        The file is not a results file of this package, is damaged, or has links to other files.
+        The file is not a results file of this package, is damaged, or links to other files.
     """
     source = Path(path)
     if not source.is_file():
         raise FileNotFoundError(f"no results file at {source}")
     try:
-        if not check_seal(source):  # other programs have written it on purpose, or damaged it
+        if not check_seal(source):  # modified by another program, or damaged
             try_to_read(source)
         _check_structure(source)
         _try(source)
@@ -105,7 +105,7 @@ def open_results(path: str | Path) -> xr.Dataset:
     except PermissionError:
         raise
     except (*DAMAGED, xr.SerializationWarning) as error:
-        # without what h5netcdf advises, which is for its own arguments
+        # without the advice of h5netcdf, which concerns its own arguments
         told = next(iter(str(error).splitlines()), type(error).__name__).strip()
         raise ValueError(f"path must be a netCDF4 file, got {source}: {told}") from error
     if "samcontact_version" not in dataset.attrs or "format_version" in dataset.attrs:
@@ -118,9 +118,9 @@ def open_results(path: str | Path) -> xr.Dataset:
 
 
 def _check_structure(path: Path) -> None:
-    """Refuse values in other files, and links of dimensions to what are none.
+    """Refuse values in other files, and dimension links to objects that are no dimensions.
 
-    HDF5 follows what links dimensions without a look at its type: other numbers crash it.
+    HDF5 follows dimension links without checking their type and crashes on other numbers.
     """
 
     def check(name: str, part: h5py.Group | h5py.Dataset) -> None:
@@ -149,27 +149,27 @@ def _is_table(dtype: np.dtype[np.generic]) -> bool:
 
 
 def _try(path: Path) -> None:
-    """Read what is read at once; xarray would leave a file open that it cannot use."""
+    """Read the metadata; xarray would leave open a file that it cannot use."""
     with (
-        h5netcdf.File(path, "r", decode_vlen_strings=True) as file,  # as xarray does
+        h5netcdf.File(path, "r", decode_vlen_strings=True) as file,  # as in xarray
         warnings.catch_warnings(),
     ):
-        warnings.simplefilter("error", xr.SerializationWarning)  # it would drop what does not fit
+        warnings.simplefilter("error", xr.SerializationWarning)  # xarray would drop invalid parts
         xr.open_dataset(xr.backends.H5NetCDFStore(file))
 
 
 def scalars(dataset: xr.Dataset) -> pd.DataFrame:
-    """Table of the quantities that have one value per increment.
+    """Return a table of the quantities with one value per increment.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `to_dataset` or `open_results`.
+        Result of `to_dataset` or `open_results`.
 
     Returns
     -------
     pandas.DataFrame
-        Indexed by increment, SI units.
+        Table indexed by increment, in SI units.
     """
     names = [
         name for name, variable in dataset.data_vars.items() if variable.dims == ("increment",)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Part of the results dataset that only a moving contact has: ways, and tracks on the bodies."""
+"""Travel and tracks of moving bodies in the results dataset."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
 
 def moving_bodies(states: Sequence[State]) -> list[int]:
-    """The bodies that moved through the contact."""
+    """Return the bodies that moved through the contact."""
     return [body for body in (1, 2) if any(state.travel[body - 1] for state in states)]
 
 
 def add(dataset: xr.Dataset, name: str, dims: Any, data: Any, body: int | None = None) -> None:
-    """Add a variable of the table of quantities, or that of a body."""
+    """Add a variable from the table of quantities, for a body if given."""
     suffix = "" if body is None else f"_body{body}"
     dataset[name + suffix] = CONTACT[name].variable(dims, data, body)
 
@@ -28,9 +28,9 @@ def add(dataset: xr.Dataset, name: str, dims: Any, data: Any, body: int | None =
 def add_motion(
     dataset: xr.Dataset, states: Sequence[State], inelastic: Sequence[int], volume: bool
 ) -> None:
-    """Add the ways of the bodies and, for inelastic ones that moved, their tracks at the end.
+    """Add travel and, for elastic-plastic bodies that moved, their tracks at the end.
 
-    Without `volume` a track is its print only. Nothing is added where no body moved.
+    Without `volume` a track has the residual imprint only. Nothing is added if no body moved.
     """
     moved = moving_bodies(states)
     if not moved:
@@ -49,7 +49,7 @@ def add_motion(
 
 
 def track_of(dataset: xr.Dataset, body: int) -> xr.Dataset | None:
-    """The track of a body that is in the results of a run, as `Track.to_dataset` gives it."""
+    """Return the track of a body in results, in the form of `Track.to_dataset`; None without."""
     suffix = f"_body{body}"
     if f"track_x{suffix}" not in dataset.coords:
         return None

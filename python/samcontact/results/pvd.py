@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All increments as VTK files, and the collections by which ParaView shows them one after another.
+"""VTK files of all increments, and collections that ParaView shows as a time series.
 
-A collection (.pvd) is a list of files with their times: https://www.paraview.org/Wiki/ParaView/Data_formats.
+A collection (.pvd) is a list of files with times: https://www.paraview.org/Wiki/ParaView/Data_formats.
 """
 
 from __future__ import annotations
@@ -19,31 +19,31 @@ if TYPE_CHECKING:
 
 
 def to_pvd(dataset: xr.Dataset, path: str | Path, body: int | None = None) -> list[Path]:
-    """Write every increment as `to_vtk` does, and collections of them.
+    """Write every increment by `to_vtk`, and collections of the files.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `samcontact.results.to_dataset` or `open_results`.
+        Result of `samcontact.results.to_dataset` or `open_results`.
     path : str or Path
-        Collection of the volume fields, of those increments that have some; that of the surface, of
-        all increments, goes beside it, to ``*_surface.pvd``. The files of the increments have their
-        number in five digits behind the name, ``*_00001.vtr`` (or .vtu), ``*_00001_surface.vtr``.
-        The ending .pvd is added where it is missing. The directory must exist.
+        Collection of the volume fields, for increments with volume fields. The collection of the
+        surface, for all increments, is written to ``*_surface.pvd``. Files of increments have five
+        digits after the name: ``*_00001.vtr`` (or .vtu), ``*_00001_surface.vtr``. The suffix .pvd
+        is added if missing. The folder must exist.
     body : {1, 2}, optional
-        Whose volume fields and print are written; default that of [output], or the one that has
-        volume fields.
+        Body whose volume fields and residual imprint are written. Default: the body of [output], or
+        the body with volume fields.
 
     Returns
     -------
     list of Path
-        The collections, then the files of each increment, then those of a track. The time of an
-        increment is that of its end [s] in a run with heat of a `history`, else its number.
+        Collections, then the files of each increment, then the files of a track. The time of an
+        increment is its end [s] with transient heating (`history`), otherwise its number.
 
     Raises
     ------
     ValueError
-        An unknown body.
+        The body is unknown.
     ModuleNotFoundError
         VTK is not installed.
     OSError

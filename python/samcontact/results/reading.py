@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What results say beside their fields, and what is told of those that are not of this package."""
+"""Grid, bodies and materials of results, and errors for datasets of other programs."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ if TYPE_CHECKING:
 
 @contextmanager
 def parts_of_a_run() -> Iterator[None]:
-    """Turn what goes wrong with a variable of another shape or type into a ValueError."""
+    """Convert errors due to variables of wrong shape or type to ValueError."""
     try:
         yield
     except (LookupError, TypeError, AttributeError, ArithmeticError) as error:
         raise ValueError(
-            "dataset must be that of a run, but some part of it is missing or of another kind: "
+            "dataset must be from a run, but a part of it is missing or has another type: "
             f"{type(error).__name__}: {error}"
         ) from error
 
 
 def body_shown(dataset: xr.Dataset, body: int | None = None) -> int:
-    """The given body, or that of [output], or the other one where only that has volume fields."""
+    """Return the given body, or the body of [output], or the only body with volume fields."""
     if body is not None:
         return int(choice("body", body, (1, 2)))
     selected = int(dataset.attrs.get("body", 2))
@@ -43,7 +43,7 @@ def body_shown(dataset: xr.Dataset, body: int | None = None) -> int:
 
 
 def cell_size(dataset: xr.Dataset, axis: str) -> float:
-    """Size of the cells along "x", "y" or "z" [m]; from the centres where a file does not tell."""
+    """Return the cell size along "x", "y" or "z" [m], from the cell centres if not stored."""
     given = dataset.attrs.get(f"d{axis}")
     if given is not None:
         return float(given)
@@ -54,7 +54,7 @@ def cell_size(dataset: xr.Dataset, axis: str) -> float:
 
 
 def grid_of(dataset: xr.Dataset) -> Grid:
-    """The grid of results, or of a track."""
+    """Return the grid of results, or of a track."""
     axes = [axis for axis in "xyz" if axis in dataset.sizes]
     cells = [dataset.sizes[axis] for axis in axes]
     sizes = [cell_size(dataset, axis) for axis in axes]
@@ -64,7 +64,7 @@ def grid_of(dataset: xr.Dataset) -> Grid:
 
 
 def graded_of(dataset: xr.Dataset, body: int) -> Body | None:
-    """A body of layers, or with a yield profile or residual stress, without other extras."""
+    """Return a body with layers, a yield profile or initial stress; None for other bodies."""
     prefix = f"body{body}_"
     law = str(dataset.attrs.get(f"{prefix}law"))
     if law == Layered.law and f"{prefix}substrate_law" in dataset.attrs:
@@ -83,7 +83,9 @@ def _material(dataset: xr.Dataset, prefix: str) -> Material:
     kinds = [kind for kind in PARTS if f"{prefix}{kind}_z" in dataset.attrs]
 
     def given(name: str, many: bool) -> Any:
-        value = np.atleast_1d(dataset.attrs[prefix + name])  # files have lists of one as numbers
+        value = np.atleast_1d(
+            dataset.attrs[prefix + name]
+        )  # files store lists of one value as numbers
         return value if many else float(value[0])
 
     constants = LAWS[law].constants

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Part of the results dataset that only bodies have which stick and slip."""
+"""Partial slip in the results dataset: forces, motions, slip and energy balance."""
 
 from __future__ import annotations
 
@@ -30,11 +30,10 @@ _SURFACE = ("increment", "x", "y")
 def add_slipping(
     dataset: xr.Dataset, simulation: Simulation, states: Sequence[State], volume: bool
 ) -> None:
-    """Add forces and motions along the surface, friction work, slip, and which cells stick.
+    """Add tangential forces and motions, frictional work, slip, sticking cells and energy balance.
 
-    The energy balance too, which takes a volume field of bodies that yield: `volume` allows it.
-
-    Nothing is added where friction is a number.
+    The energy balance requires a volume field of elastic-plastic bodies, allowed by `volume`.
+    Nothing is added with full sliding.
     """
     if not friction_law(simulation.friction).sticks:
         return
@@ -55,7 +54,7 @@ def _add_balance(dataset: xr.Dataset, found: energy.EnergyBalance) -> None:
 
 
 def balance_of(dataset: xr.Dataset) -> energy.EnergyBalance | None:
-    """Of results; None where they have none."""
+    """Return the energy balance of results; None if not stored."""
     if "work_put_in" not in dataset:
         return None
     given = {own: float(dataset[name]) for own, name in _BALANCE.items()}
@@ -68,7 +67,7 @@ def _share(state: State) -> float:
 
 
 def moved_along(dataset: xr.Dataset) -> list[str]:
-    """Names of what tells of each increment along the surface, without what is but rounding."""
+    """Return the names of the tangential scalars of increments, without rounding errors."""
     if "friction_work" not in dataset:
         return []
     values = {name: dataset[name].values for name in ALONG}
@@ -77,6 +76,6 @@ def moved_along(dataset: xr.Dataset) -> list[str]:
 
 
 def without_rounding(values: FloatArray) -> FloatArray:
-    """For tables: zero instead of what the tolerances leave of a force that vanishes."""
+    """Return values for tables, with zero for values below the tolerance of the solver."""
     small = ROUNDING * np.nanmax(np.abs(values), initial=0.0)
     return np.where(np.abs(values) < small, 0.0, values)

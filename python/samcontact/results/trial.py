@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Read a file whose bytes nobody vouches for, in a process of its own.
+"""Trial reading of a file of unknown origin, in a separate process.
 
-HDF5 may crash on damaged metadata, or never come back. A file without a digest, as other programs
-write it, is therefore read as a whole by another process first, in which no single call may take
-long.
+HDF5 may crash on damaged metadata, or not terminate. A file without a digest, as written by other
+programs, is therefore first read completely by another process, in which the time of each call is
+limited.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ from pathlib import Path
 import h5py
 
 Begin = Callable[..., None]
-"""Starts the time of a call over again; of one that reads so many bytes."""
+"""Function that restarts the time limit, for a call that reads a number of bytes."""
 
 CALL = 2.0
-"""Processor time of one call of HDF5 [s], besides that of the values it reads."""
+"""Limit of the processor time of one HDF5 call [s], without the time for the values it reads."""
 SLOWEST = 2e7
-"""Bytes of values that are decompressed in a second on the slowest machine."""
+"""Bytes of values decompressed per second on a slow machine."""
 BLOCK = 1 << 24
-"""Bytes of values without chunks that are read at once."""
+"""Bytes of values without chunks that are read in one call."""
 MOST_PACKED = 2000
-"""Largest ratio of values to the bytes that hold them: deflate reaches 1032."""
+"""Maximum compression ratio: deflate reaches 1032."""
 
 _START = """
 import json, runpy, sys
@@ -44,18 +44,18 @@ def try_to_read(path: Path, call: float = CALL) -> None:
     ----------
     path : Path
     call : float, optional
-        Processor time that a call may take [s].
+        Limit of the processor time of a call [s].
     """
     if not sys.executable:
-        raise ValueError("it has no digest, and there is no Python interpreter to try it with")
+        raise ValueError("it has no digest, and there is no Python interpreter to check it")
     here = [json.dumps(sys.path), __file__, str(path), repr(call)]
     command = [sys.executable, "-I", "-c", _START, *here]
     done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
     if done.returncode == -signal.SIGVTALRM:
-        raise ValueError("it is damaged: reading it does not end")
+        raise ValueError("it is damaged: reading does not terminate")
     if done.returncode < 0:
         raise ValueError(
-            f"it is damaged: reading it ends by {signal.Signals(-done.returncode).name}"
+            f"it is damaged: reading terminates with {signal.Signals(-done.returncode).name}"
         )
     if done.returncode:
         lines = done.stderr.decode(errors="replace").strip().splitlines()
@@ -63,9 +63,11 @@ def try_to_read(path: Path, call: float = CALL) -> None:
 
 
 def read_all(path: str, call: float) -> None:
-    """Read all attributes, dimension scales and values of a file; the process ends where a call
-    takes too long, or with an exit code that is not 0, and what is wrong as the last line of
-    stderr."""
+    """Read all attributes, dimension scales and values of a file.
+
+    The process ends if a call takes too long. On an error, its exit code is not 0, and the last
+    line of stderr is the error.
+    """
     try:
         _read_all(Path(path), call)
     except Exception as error:
@@ -90,7 +92,7 @@ def _read_all(path: Path, call: float) -> None:
             for dimension in part.dims:
                 begin()
                 len(dimension)
-            if not (part.external or part.is_virtual):  # refused later
+            if not (part.external or part.is_virtual):  # such values are refused later
                 _read_values(part, begin)
 
     begin()
@@ -104,7 +106,7 @@ def _read_all(path: Path, call: float) -> None:
 
 
 def _read_values(part: h5py.Dataset, begin: Begin) -> None:
-    """Read one chunk after the other, or blocks of rows."""
+    """Read the values chunk by chunk, or in blocks of rows."""
     if part.ndim == 0 or part.size == 0:
         part[()]
         return

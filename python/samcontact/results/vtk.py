@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of one increment, and tracks, as VTK files, which ParaView opens.
+"""VTK files of the fields of one increment, and of tracks, for ParaView.
 
-Written by VTK itself (extra ``vtk``), which alone names the components of tensors and keeps units.
+Written by VTK itself (extra ``vtk``), which names tensor components and keeps units.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from .motion import track_of
 from .reading import body_shown, cell_size, parts_of_a_run
 from .zones import cells_of
 
-# The order in which VTK keeps symmetric tensors, which is not that of this package.
+# Order of the components of symmetric tensors in VTK, which differs from this package.
 VTK_COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
-_VOXEL = 11  # VTK's number of this type of cell
+_VOXEL = 11  # number of this cell type in VTK
 _COMMON = (
     "pressure", "repulsion", "gap", "shear_x", "shear_y", "slip_x", "slip_y", "sticking",
     "initial_gap",
@@ -33,41 +33,40 @@ def to_vtk(
 ) -> list[Path]:
     """Write the fields of one increment as VTK XML files of rectilinear grids (.vtr).
 
-    Volume fields of a body whose plastic strain lies in several zones are those of cells with
-    strain, and go to a file of an unstructured grid (.vtu).
+    If the plastic strain of a body is in several subdomains, its volume fields are written for the
+    cells with plastic strain only, as an unstructured grid (.vtu).
 
-    Of a body that has moved, what is left along its whole track at the end of the run is written
-    too; x = 0 is where the contact stood on the body at the start.
+    For a body that has moved, the residual fields along its whole track at the end of the run are
+    also written; x = 0 is the initial contact position on the body.
 
-    The files have the axes x and y of the contact and z upwards, out of body 2: body 2 lies at
-    z < 0, body 1 at z > 0, so that both can be shown together. Shear components xz and yz of body 2
-    have the sign that belongs to these axes, the opposite of the one in the dataset. Values are in
-    SI units, and lie in cells.
+    The axes are x and y of the contact and z upwards, out of body 2: body 2 is at z < 0, body 1 at
+    z > 0, so that both can be shown together. Shear components xz and yz of body 2 have the sign of
+    these axes, opposite to the dataset. Values are cell values in SI units.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `samcontact.results.to_dataset` or `open_results`.
+        Result of `samcontact.results.to_dataset` or `open_results`.
     path : str or Path
-        File of the volume fields; those of the surface go beside it, to ``*_surface.vtr``, those of
-        a track to ``*_track.vtr`` and ``*_track_surface.vtr``. Its directory must exist. The ending
-        .vtr is added where it is missing.
+        File of the volume fields. Surface fields are written to ``*_surface.vtr``, a track to
+        ``*_track.vtr`` and ``*_track_surface.vtr``. The folder must exist. The suffix .vtr is added
+        if missing.
     increment : int, optional
-        Number of the increment, from 1; or -1 for the last one (-2 the one before, ...) of those
-        with volume fields, where there are any.
+        Number of the increment, from 1. Negative numbers count from the end of the increments with
+        volume fields, if there are any.
     body : {1, 2}, optional
-        Whose volume fields and print are written; without "_body1", "_body2" in their names.
-        Default that of [output], or the one that has volume fields.
+        Body whose volume fields and residual imprint are written, without "_body1" or "_body2" in
+        their names. Default: the body of [output], or the body with volume fields.
 
     Returns
     -------
     list of Path
-        The files: volume (where volume fields are stored), surface, and those of a track.
+        Files of the volume (if volume fields are stored), of the surface, and of a track.
 
     Raises
     ------
     ValueError
-        An unknown body, or an increment that is not stored.
+        The body is unknown, or the increment is not stored.
     ModuleNotFoundError
         VTK is not installed.
     OSError
@@ -89,7 +88,7 @@ def _write_all(dataset: xr.Dataset, target: Path, increment: int, body: int) -> 
 
 
 def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
-    """Of an increment that has volume fields; the file."""
+    """Write the volume fields of an increment, and return the file."""
     fields = dataset[volume_names(dataset, body)].sel(volume_increment=number)
     edges = _volume_edges(dataset, number, body)
     cells = cells_of(next(iter(fields.data_vars.values())), dataset)
@@ -106,7 +105,7 @@ def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> P
 
 
 def write_surface(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
-    """Of any increment; the file."""
+    """Write the surface fields of an increment, and return the file."""
     fields = dataset[_surface_names(dataset, body)].sel(increment=number)
     edges = [_edges(dataset, "x"), _edges(dataset, "y"), np.zeros(1)]
     _write(target, _rectilinear(edges), fields, body, number)
@@ -114,7 +113,7 @@ def write_surface(dataset: xr.Dataset, target: Path, number: int, body: int) -> 
 
 
 def write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
-    """What is left in a body that has moved, if it is inelastic."""
+    """Write the track of an elastic-plastic body that has moved, and return the files."""
     track = track_of(dataset, body)
     if track is None:
         return []
@@ -135,7 +134,7 @@ def write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
 
 
 def volume_names(dataset: xr.Dataset, body: int) -> list[str]:
-    """Fields of a body that belong to increments with volume fields."""
+    """Return the names of the volume fields of a body."""
     return [
         str(name)
         for name, field in dataset.data_vars.items()
@@ -169,12 +168,12 @@ def _volume_edges(dataset: xr.Dataset, number: int, body: int) -> list[FloatArra
     x, depth = _edges(dataset, "x"), _edges(dataset, "z")
     if f"offset_body{body}" in dataset:
         x = x + float(dataset[f"offset_body{body}"].sel(increment=number))
-    # coordinates must grow: the deepest layer of body 2 comes first
+    # coordinates must increase: the deepest layer of body 2 comes first
     return [x, _edges(dataset, "y"), depth if body == 1 else -depth[::-1]]
 
 
 def _values(field: xr.DataArray, body: int) -> FloatArray:
-    """Cell values in VTK's order (x fastest), shape (cells,) or (cells, components)."""
+    """Return cell values in VTK order (x fastest), shape (cells,) or (cells, components)."""
     upside_down = body == 2 and "z" in field.dims
     axes = [axis for axis in "zyx" if axis in field.dims]
     if "component" in field.dims:
@@ -183,7 +182,7 @@ def _values(field: xr.DataArray, body: int) -> FloatArray:
         if upside_down:
             tensor = tensor[::-1]
         if body == 2:
-            # components with one z change their sign with the axis
+            # components with one z change sign with the axis
             tensor = tensor * np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0])
         return np.ascontiguousarray(tensor.reshape(-1, len(VTK_COMPONENTS)))
     scalar = field.transpose(*axes, ...).values
@@ -200,12 +199,12 @@ def _rectilinear(edges: list[FloatArray]) -> Any:
 
 
 def _voxels(edges: list[FloatArray], cells: NDArray[np.int64], body: int) -> Any:
-    """Cells i, j, k of a grid, as an unstructured grid of theirs."""
+    """Return cells i, j, k of a grid as an unstructured grid."""
     vtk = _modules()
     counts = [len(axis) for axis in edges]
     i, j, k = cells
     first = np.array([i, j, k if body == 1 else counts[2] - 2 - k])
-    # x first, as VTK counts the corners of a voxel
+    # x first: order of the corners of a VTK voxel
     steps = np.array([(n & 1, n >> 1 & 1, n >> 2) for n in range(8)])
     corners = np.ravel_multi_index(tuple(first[:, :, None] + steps.T[:, None]), counts)
     used, numbers = np.unique(corners, return_inverse=True)
@@ -225,7 +224,7 @@ def _write(target: Path, grid: Any, fields: xr.Dataset, body: int, increment: in
     for name, field in fields.data_vars.items():
         array = vtk["array"](_values(field, body), deep=True)
         array.SetName(str(name).removesuffix(f"_body{body}"))
-        # read back by VTK as the unit of the array
+        # VTK reads this name as the unit of the array
         array.GetInformation().Set(array.UNITS_LABEL(), field.attrs["units"])
         if array.GetNumberOfComponents() > 1:
             for index, component in enumerate(VTK_COMPONENTS):
@@ -237,7 +236,7 @@ def _write(target: Path, grid: Any, fields: xr.Dataset, body: int, increment: in
         grid.GetFieldData().AddArray(array)
     writer = vtk["Unstructured" if grid.IsA("vtkUnstructuredGrid") else "Rectilinear"]()
     writer.SetInputData(grid)
-    # VTK prints to stderr where Python raises, and knows fewer names of files
+    # VTK prints to stderr instead of raising, and accepts fewer file names
     writer.WriteToOutputStringOn()
     writer.Write()
     with replacing(target) as part:
@@ -245,7 +244,7 @@ def _write(target: Path, grid: Any, fields: xr.Dataset, body: int, increment: in
 
 
 def _modules() -> dict[str, Any]:
-    """What is needed of VTK; the whole of it takes seconds to load."""
+    """Return the required modules of VTK; loading all of VTK takes seconds."""
     try:
         import vtkmodules.vtkCommonCore as core
         import vtkmodules.vtkCommonDataModel as data
@@ -253,7 +252,7 @@ def _modules() -> dict[str, Any]:
         from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
     except ModuleNotFoundError as error:
         raise ModuleNotFoundError(
-            f"VTK files need the package vtk ({error}): pip install samcontact[vtk]"
+            f"VTK files require the package vtk ({error}): pip install samcontact[vtk]"
         ) from error
     return {
         "array": numpy_to_vtk,

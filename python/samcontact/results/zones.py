@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Volume fields of a body with plastic strain in several zones: of the cells with strain only.
+"""Volume fields of a body with several plastic subdomains, for cells with plastic strain only.
 
-Gathered in one dimension as the CF conventions have it (section 8.2, "Lossless Compression by
-Gathering"): the coordinate of that dimension holds the numbers of the cells in the grid.
+The fields have one dimension by the CF conventions (section 8.2, "Lossless Compression by
+Gathering"): its coordinate contains the numbers of the cells in the grid.
 """
 
 from __future__ import annotations
@@ -36,12 +36,12 @@ _FIELDS = {
 
 
 def is_gathered(states: Sequence[State], body: int) -> bool:
-    """Whether the fields of a body are kept so."""
+    """Whether the fields of a body are gathered."""
     return any(len(state.zones(body)) > 1 for state in states)
 
 
 def max_von_mises(state: State, body: int) -> float:
-    """Largest von Mises stress [Pa]: where the strain lies in several zones, that in them."""
+    """Return the maximum von Mises stress [Pa]; with several subdomains, the maximum in them."""
     zones = state.zones(body)
     if len(zones) < 2:
         return float(state.von_mises(body=body).max())
@@ -49,7 +49,7 @@ def max_von_mises(state: State, body: int) -> float:
 
 
 def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> None:
-    """Add the fields of the increments that have volume fields."""
+    """Add the gathered fields of the increments with volume fields."""
     parts = [_of_state(state, body) for state in states]
     cells = np.unique(np.concatenate([numbers for numbers, _ in parts]))
     dim = f"cell_body{body}"
@@ -65,22 +65,22 @@ def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> Non
 
 
 def on_grid(field: xr.DataArray, dataset: xr.Dataset) -> xr.DataArray:
-    """A field, or a part of it, over x, y and z, where results have its cells only.
+    """Return a gathered field, or a part of it, with the dimensions x, y and z.
 
     Parameters
     ----------
     field : xarray.DataArray
-        Of the dataset, e.g. ``dataset["residual_stress_body2"].sel(component="xx")``. Selecting
-        components and increments before takes less memory. One that has x, y and z is returned as
-        it is.
+        Field of the dataset, e.g. ``dataset["residual_stress_body2"].sel(component="xx")``.
+        Selecting components and increments first saves memory. A field with x, y and z is returned
+        unchanged.
     dataset : xarray.Dataset
-        From `samcontact.results.to_dataset` or `open_results`.
+        Result of `samcontact.results.to_dataset` or `open_results`.
 
     Returns
     -------
     xarray.DataArray
-        Dimensions x, y and z last. Where there is no plastic strain, strains are 0 and stresses,
-        which are not stored there, NaN.
+        Field with x, y and z as last dimensions. In cells without plastic strain, strains are 0 and
+        stresses, which are not stored, are NaN.
     """
     gathered = [str(dim) for dim in field.dims if "compress" in dataset[dim].attrs]
     if not gathered:
@@ -98,7 +98,7 @@ def on_grid(field: xr.DataArray, dataset: xr.Dataset) -> xr.DataArray:
 
 
 def cells_of(field: xr.DataArray, dataset: xr.Dataset) -> NDArray[np.int64] | None:
-    """Rows i, j, k of its cells, shape (3, cells); None where it is that of all of the grid."""
+    """Return the indices i, j, k of gathered cells, shape (3, cells); None for a full grid."""
     for dim in field.dims:
         if "compress" in dataset[dim].attrs:
             shape = tuple(dataset.sizes[axis] for axis in _AXES)
@@ -107,12 +107,12 @@ def cells_of(field: xr.DataArray, dataset: xr.Dataset) -> NDArray[np.int64] | No
 
 
 def _beside(name: str) -> float:
-    """Of cells without plastic strain; stress there is not known."""
+    """Return the value of a field in cells without plastic strain; NaN for unknown stress."""
     return 0.0 if "strain" in name else np.nan
 
 
 def _of_state(state: State, body: int) -> tuple[NDArray[np.int64], dict[str, FloatArray]]:
-    """Numbers of the cells with strain, and fields of them, [component][cell]."""
+    """Return the numbers of the cells with plastic strain, and their fields, [component][cell]."""
     shape = (*state.grid.surface_shape, len(state.depths))
     numbers = []
     parts: dict[str, list[FloatArray]] = {name: [] for name in _FIELDS}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The cases of a sweep: what a base case and lists of values make, validated before any runs."""
+"""Cases of a parameter study, from a base case and lists of values, validated before any run."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from ..cases.base import CaseError, CaseFile
 from ..cases.field_units import field_unit
 
 MODES = ("product", "zip")
-MOST_LINES = 10  # of an error message
+MOST_LINES = 10  # maximum number of lines of an error message
 MOST_CASES = 100_000
 
 _DOTTED = re.compile(r"[A-Za-z_]\w*(\[\d+\])*(\.[A-Za-z_]\w*(\[\d+\])*)*")
@@ -31,14 +31,14 @@ Keys = list[str | int]
 
 @dataclass(frozen=True)
 class Plan:
-    """Every case of a sweep, and the labels of its dimensions."""
+    """All cases of a parameter study, and the labels of its dimensions."""
 
     dims: dict[str, int]
     """Name and size of each dimension, slowest first."""
     cases: list[CaseFile]
-    """In the order of the dimensions."""
+    """Cases in the order of the dimensions."""
     coordinates: dict[str, tuple[str, Any, dict[str, str]]]
-    """Of each parameter: its dimension, values and attributes."""
+    """Dimension, values and attributes of each parameter."""
 
 
 class _UnknownField(ValueError):
@@ -46,7 +46,7 @@ class _UnknownField(ValueError):
 
 
 def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str) -> Plan:
-    """Every combination as a validated case; raises as `samcontact.sweep`."""
+    """Return every combination as a validated case; raises the errors of `samcontact.sweep`."""
     choice("mode", mode, MODES)
     if not isinstance(parameters, Mapping) or not parameters:
         raise ValueError(
@@ -57,13 +57,15 @@ def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str
     counts = {name: len(column) for name, column in values.items()}
     if mode == "zip" and len(set(counts.values())) > 1:
         listed = ", ".join(f"{name} {count}" for name, count in counts.items())
-        raise ValueError(f"parameters must have as many values each in mode 'zip', got {listed}")
+        raise ValueError(
+            f"parameters must have equal numbers of values in mode 'zip', got {listed}"
+        )
     wanted = math.prod(counts.values()) if mode == "product" else max(counts.values())
     if wanted > MOST_CASES:
         listed = ", ".join(f"{name} {count}" for name, count in counts.items())
         raise ValueError(
-            f"a sweep must have at most {MOST_CASES} cases, got {wanted}: values of {listed} in "
-            f"mode {in_short(mode)}; mode 'zip' takes first values, second ones, ... together"
+            f"a sweep must have at most {MOST_CASES} cases, got {wanted} (values of {listed} in "
+            f"mode {in_short(mode)}): use fewer values, or mode 'zip' to combine them pairwise"
         )
     combine: Any = itertools.product if mode == "product" else zip
     cases = _validated(case, keys, list(combine(*values.values())))
@@ -75,7 +77,7 @@ def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str
     places = np.arange(len(cases)).reshape(tuple(counts.values()))
     coordinates = {}
     for axis, name in enumerate(values):
-        # the cases that differ in this parameter only
+        # cases that differ in this parameter only
         line = np.moveaxis(places, axis, 0).reshape(counts[name], -1)[:, 0]
         labels = _labels([cases[place] for place in line], keys[name])
         _require_different(name, labels)
@@ -86,32 +88,32 @@ def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str
 def _coordinate(name: str, dim: str, labels: Any) -> tuple[str, Any, dict[str, str]]:
     unit = field_unit(name) if labels.dtype.kind in "if" else ""
     if not unit and labels.dtype.kind == "f" and not name.endswith(".start"):
-        unit = "1"  # but the unit of a start is that of what its segment changes
+        unit = "1"  # except a start, whose unit depends on its segment
     return dim, labels, {"units": unit} if unit else {}
 
 
 def _values(name: str, given: Any) -> list[Any]:
-    """A list of plain values: NumPy's are no numbers to a strict model."""
+    """Return plain Python values: strict models refuse NumPy numbers."""
     if isinstance(given, np.ndarray) and given.ndim > 0:
         given = given.tolist()
     if isinstance(given, (str, bytes, Mapping)) or not isinstance(given, Sequence):
-        raise TypeError(f"{name} must be given a sequence of values, got {in_short(given)}")
+        raise TypeError(f"{name} must have a sequence of values, got {in_short(given)}")
     if len(given) == 0:
-        raise ValueError(f"{name} must be given at least one value, got none")
+        raise ValueError(f"{name} must have at least one value, got none")
     return [v.tolist() if isinstance(v, (np.generic, np.ndarray)) else v for v in given]
 
 
 def _keys(case: CaseFile, name: Any) -> Keys:
-    """A dotted name as the keys of a nested dictionary."""
+    """Return the keys of a nested dictionary for a dotted name."""
     if not isinstance(name, str) or not _DOTTED.fullmatch(name):
         example = "'body2.yield_stress' or 'path[0].load'"
-        raise ValueError(f"names of parameters must be like {example}, got {in_short(name)}")
+        raise ValueError(f"parameter names must be like {example}, got {in_short(name)}")
     parts = re.findall(r"[A-Za-z_]\w*|\d+", name)
     return [int(part) if part[0].isdigit() else part for part in parts]
 
 
 def _set(content: Any, keys: Keys, value: Any) -> None:
-    """Put a value into nested dictionaries and lists; sections that are missing are made."""
+    """Set a value in nested dictionaries and lists; missing sections are created."""
     for key in keys[:-1]:
         content = _step(content, key)
     last = keys[-1]
@@ -138,10 +140,10 @@ def _step(content: Any, key: str | int) -> Any:
 def _validated(
     case: CaseFile, keys: Mapping[str, Keys], combinations: list[tuple[Any, ...]]
 ) -> list[CaseFile]:
-    """The case of each combination; one CaseError for all that cannot be."""
+    """Return the case of each combination; raises one CaseError for all invalid combinations."""
     base = case.model_dump(exclude_unset=True)
     cases: list[CaseFile] = []
-    problems: dict[str, str] = {}  # what is wrong: the first combination where it is
+    problems: dict[str, str] = {}  # error: first combination with this error
     for values in combinations:
         content = copy.deepcopy(base)
         try:
@@ -158,18 +160,18 @@ def _validated(
         else:
             if getattr(made, "wear", None) is not None:
                 raise CaseError(
-                    f"{case.source}: [wear] is not for a sweep, which solves the path once: leave "
-                    "it out, or call samcontact.wear.run for each value"
+                    f"{case.source}: a sweep does not support [wear], because it solves the path "
+                    "once: remove it, or call samcontact.wear.run for each value"
                 )
             if getattr(made, "fatigue", None) is not None:
                 raise CaseError(
-                    f"{case.source}: [fatigue] is not for a sweep, which keeps no states: leave "
-                    "it out, or call samcontact.fatigue for each value"
+                    f"{case.source}: a sweep does not support [fatigue], because it stores no "
+                    "states: remove it, or call samcontact.fatigue for each value"
                 )
             if getattr(made, "shakedown", None) is not None:
                 raise CaseError(
-                    f"{case.source}: [shakedown] is not for a sweep, which solves the path once: "
-                    "leave it out, or call samcontact.shakedown.run for each value"
+                    f"{case.source}: a sweep does not support [shakedown], because it solves the "
+                    "path once: remove it, or call samcontact.shakedown.run for each value"
                 )
             cases.append(made.written_in(case.source, case.text))
             continue
@@ -189,7 +191,7 @@ def _listed(problems: Mapping[str, str]) -> str:
 
 
 def _renamed(case: CaseFile, line: str, names: Sequence[str]) -> str:
-    """A problem of a case; of a parameter that does not exist, with the nearest that does."""
+    """Return an error of a case; for an unknown parameter, with the most similar field."""
     where, _, reason = line.partition(": ")
     if reason.startswith("unknown field;"):
         for name in names:
@@ -204,7 +206,7 @@ def _nearest(case: CaseFile, name: str) -> str:
 
 
 def field_names(model: BaseModel, prefix: str = "") -> Iterator[str]:
-    """Dotted names of all fields of a case, in the sections that it has."""
+    """Yield the dotted names of all fields in the sections of a case."""
     for name in type(model).model_fields:
         yield prefix + name
         value = getattr(model, name)
@@ -217,7 +219,7 @@ def field_names(model: BaseModel, prefix: str = "") -> Iterator[str]:
 
 
 def _labels(cases: Sequence[CaseFile], keys: Keys) -> Any:
-    """Values of a field as validated; lists, sections and mixtures become JSON text."""
+    """Return the validated values of a field; lists, sections and mixed types as JSON text."""
     values = []
     for case in cases:
         value: Any = case.model_dump(exclude_unset=True)

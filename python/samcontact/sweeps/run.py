@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Handing the cases to an executor, and collecting what comes back."""
+"""Solution of the cases of a parameter study by an executor."""
 
 from __future__ import annotations
 
@@ -38,10 +38,10 @@ Take = Callable[[str, Outcome], None]
 
 
 class SweepInterrupted(KeyboardInterrupt):
-    """Ctrl-C during a sweep; what was finished by then is in the attribute `dataset`."""
+    """Interruption of a sweep by Ctrl-C; the attribute `dataset` has the finished cases."""
 
     def __init__(self, dataset: xr.Dataset) -> None:
-        super().__init__("the sweep was interrupted; its attribute dataset has what was finished")
+        super().__init__("sweep interrupted; the attribute dataset has the finished cases")
         self.dataset = dataset
 
 
@@ -54,54 +54,54 @@ def sweep(
     progress: bool = True,
     mode: str = "product",
 ) -> xr.Dataset:
-    """Solve a case for many values of its fields; one dataset of all.
+    """Solve a case for many values of its fields, and return one dataset.
 
-    Results have the same bits whatever solves them.
+    Results are bit-identical for all executors.
 
     Parameters
     ----------
     case : Case, TuggingCase or path
-        What all cases have in common, or the case file.
+        Base case, or case file.
     parameters : mapping of str to sequence
         Values of fields in SI units, by dotted name: "body2.yield_stress", "path[0].load". A whole
-        section may be given as dictionaries.
+        section can be given by dictionaries.
     executor : optional
-        What solves the cases: by default this process, one after the other; a number of worker
-        processes on this machine, of one thread each; an executor of `concurrent.futures` or one
-        that is like it; a Dask client.
+        None: this process solves the cases one after the other. A number: so many worker processes
+        on this machine, with one thread each. An executor of `concurrent.futures` or with its
+        interface, or a Dask client.
     output : path, optional
-        Folder of the results: each case is written there as soon as it is done, all in `sweep.nc`
-        at the end. A later call reads what is done and tries again what failed.
+        Folder of the results: each case is written as soon as it is solved, and all cases in
+        `sweep.nc` at the end. A later call reads solved cases and solves failed cases again.
     progress : bool, optional
-        Show a progress bar; where there is no terminal, ten lines at most.
+        Show a progress bar; without a terminal, at most ten lines.
     mode : {"product", "zip"}, optional
-        All combinations of values, each parameter being a dimension; or the first values of all
-        parameters, then the second ones, and so on, along a dimension "case".
+        "product": all combinations of values, with one dimension per parameter. "zip": the values
+        of all parameters are combined pairwise, along a dimension "case".
 
     Returns
     -------
     xarray.Dataset
-        All quantities with one value per increment (those of `results.scalars`; of a tugging those
-        of `asperities.tug`), with NaN behind the end of shorter paths and for cases that failed;
-        status "done" or "failed", and error, a text, of each case.
+        All quantities with one value per increment (as in `results.scalars`; for asperity
+        collisions, as in `asperities.tug`), with NaN beyond the end of shorter paths and for failed
+        cases. Each case has a status, "done" or "failed", and an error text.
 
     Raises
     ------
     CaseError
-        A case that is not valid, a field that does not exist, a file that cannot be read: before
-        any case is solved. A ValueError.
+        A case is invalid, a field does not exist or a file cannot be read; raised before any case
+        is solved. A subclass of ValueError.
     ValueError, TypeError
-        Parameters, mode or executor that cannot be used.
+        Parameters, mode or executor are invalid.
     OSError
         The output cannot be written.
     SweepInterrupted
-        Ctrl-C. What is finished is kept.
+        The sweep was interrupted by Ctrl-C. Finished cases are kept.
 
     Warns
     -----
     ResolutionWarning
-        Once: how many cases are fewer than 8 cells across, or have plastic zones of fewer than 8
-        layers.
+        Issued once, with the number of cases with fewer than 8 cells across the contact or fewer
+        than 8 layers across the plastic zone.
     """
     from ..cases import load_case
     from ..cases.base import CaseFile
@@ -136,14 +136,14 @@ def sweep(
 
 
 class _Run:
-    """The different cases of a sweep by key, and the outcomes so far."""
+    """Distinct cases of a sweep by key, and the outcomes so far."""
 
     def __init__(self, cases: dict[str, CaseFile], store: Store | None) -> None:
         self.cases, self.store = cases, store
         self.outcomes: dict[str, Outcome] = {}
 
     def solve(self, executor: Any, progress: bool) -> None:
-        """Find the outcome of every case: what is kept of it, or a new one."""
+        """Determine the outcome of every case: stored or new."""
         with progress_bar(len(self.cases), "case", shown=progress) as bar:
 
             def take(key: str, outcome: Outcome) -> None:
@@ -165,7 +165,7 @@ class _Run:
 
 
 def _solve(executor: Any, tasks: Tasks, take: Take) -> None:
-    """Hand on the outcome of each task, as they come."""
+    """Solve all tasks, and pass on each outcome as soon as it is available."""
     if executor is None:
         for key, task in tasks.items():
             take(key, worker.solve_case(*task))
@@ -175,7 +175,7 @@ def _solve(executor: Any, tasks: Tasks, take: Take) -> None:
         for key, task in tasks.items():
             try:
                 futures[executor.submit(worker.solve_case, *task)] = key
-            except BrokenExecutor as error:  # a worker has died already
+            except BrokenExecutor as error:  # a worker process has terminated
                 take(key, failure(error))
         for future in as_completed(list(futures)):
             take(futures.pop(future), _outcome(future))
@@ -190,7 +190,7 @@ def _solve(executor: Any, tasks: Tasks, take: Take) -> None:
 
 
 def _outcome(future: Future[Outcome]) -> Outcome:
-    """What a task returned, or the end of the process that had it."""
+    """Return the outcome of a task, or the failure of its process."""
     try:
         error = future.exception()
     except CancelledError as cancelled:
@@ -200,14 +200,14 @@ def _outcome(future: Future[Outcome]) -> Outcome:
 
 @contextmanager
 def _resolved(executor: Any) -> Iterator[Any]:
-    """The executor that the user's argument stands for."""
+    """Provide the executor for the argument `executor`."""
     if executor is None:
         yield None
     elif isinstance(executor, int):
         with _one_thread(), _OwnPool(integer("executor", executor, 1)) as pool:
             yield pool
     elif hasattr(executor, "get_executor"):
-        # a Dask client; not pure, else a failed case would be remembered instead of tried again
+        # a Dask client; pure=False, so that failed cases are solved again
         yield executor.get_executor(pure=False)
     elif hasattr(executor, "submit"):
         yield executor
@@ -219,16 +219,16 @@ def _resolved(executor: Any) -> Iterator[Any]:
 
 
 class _OwnPool(ProcessPoolExecutor):
-    """Worker processes that end with a sweep.
+    """Pool of worker processes that end with a sweep.
 
-    They are spawned: a fork of a process that used OpenMP hangs.
+    The processes are spawned: a fork of a process that used OpenMP hangs.
     """
 
     def __init__(self, count: int) -> None:
         super().__init__(count, get_context("spawn"))
 
     def submit(self, *task: Any, **named: Any) -> Future[Any]:
-        """Workers that start now inherit that Ctrl-C is not for them, also while they import."""
+        """Submit a task; workers started by it ignore Ctrl-C, also while importing."""
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
             return super().submit(*task, **named)
@@ -236,14 +236,14 @@ class _OwnPool(ProcessPoolExecutor):
             signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
     def terminate(self) -> None:
-        """End the workers now, in the middle of their cases."""
+        """Terminate the workers immediately."""
         for process in list((self._processes or {}).values()):
             process.terminate()
 
 
 @contextmanager
 def _one_thread() -> Iterator[None]:
-    """Processes started meanwhile use one thread each, unless the user has set a number."""
+    """Limit processes started within to one thread each, unless the user has set a number."""
     name = "OMP_NUM_THREADS"
     given = os.environ.get(name)
     os.environ.setdefault(name, "1")

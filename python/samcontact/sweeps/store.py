@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results of a sweep: a small file for each case that is done, and one dataset of them all."""
+"""Results of a sweep: one file for each solved case, and one dataset of all cases."""
 
 from __future__ import annotations
 
@@ -24,31 +24,31 @@ if TYPE_CHECKING:
 
 CANCELLED = "cancelled"
 _KIND = "case"
-_INNER = ("pass", "increment", "body")  # dimensions of a case, in their order
+_INNER = ("pass", "increment", "body")  # dimensions of a case, in order
 _COUNTED = {
     "increment": CONTACT["increment"],
     "pass": TUGGING["pass"],
     "body": CONTACT["body"],
-    "case": Quantity("1", "number of the case"),
+    "case": Quantity("1", "case number"),
 }
 
 
 class Store:
-    """Files of the cases that are done, in the folder `cases` of the output.
+    """Files of the solved cases, in the folder `cases` of the output.
 
     Parameters
     ----------
     folder : Path
-        The output; made when it is missing.
+        Output folder; created if missing.
     """
 
     def __init__(self, folder: Path) -> None:
-        require_marked(folder / "sweep.nc", "move it away, or choose another output")
+        require_marked(folder / "sweep.nc", "move it, or use another output")
         self.folder = folder / "cases"
         if os.path.lexists(self.folder) and not self.folder.is_dir():
             raise ValueError(
-                f"{self.folder} must be a folder, or free for one, but it is a file: move it away, "
-                "or choose another output"
+                f"{self.folder} must be a folder, or not exist, but it is a file: move it, or use "
+                "another output"
             )
         self.folder.mkdir(parents=True, exist_ok=True)
 
@@ -56,11 +56,11 @@ class Store:
         return self.folder / f"{key}.h5"
 
     def read(self, key: str) -> Variables | None:
-        """What is kept of a case; None where nothing is, or a damaged file.
+        """Return the stored results of a case; None without a file, or with a damaged file.
 
-        Raises ValueError for a file of others.
+        Raises ValueError for a file that this package did not write.
         """
-        require_marked(self.file(key), "move it away, or choose another output")
+        require_marked(self.file(key), "move it, or use another output")
         try:
             tree = read(self.file(key), _KIND)
             require_same(self.file(key), {"key": key}, tree)
@@ -72,7 +72,7 @@ class Store:
             return None
 
     def write(self, key: str, variables: Variables) -> None:
-        """Keep a case; the file appears when it is complete."""
+        """Store the results of a case; the file appears only when it is complete."""
         parts = {
             name: {
                 "dims": " ".join(dims),
@@ -87,18 +87,18 @@ class Store:
 def assemble(
     plan: Plan, keys: Sequence[str], outcomes: Mapping[str, Outcome], base: CaseFile
 ) -> xr.Dataset:
-    """One dataset of all cases.
+    """Assemble one dataset of all cases.
 
     Parameters
     ----------
     plan : Plan
-        Gives the dimensions.
+        Plan with the dimensions.
     keys : sequence of str
-        Of each case, in the order of the plan.
+        Key of each case, in the order of the plan.
     outcomes : mapping
-        By key; cases without one were cancelled.
+        Outcomes by key; cases without an outcome were cancelled.
     base : CaseFile
-        Its title and text are stored.
+        Base case, whose title and text are stored.
     """
     shape = tuple(plan.dims.values())
     done = [outcomes.get(key, {}).get("variables", {}) for key in keys]
@@ -111,7 +111,7 @@ def assemble(
         dataset[name] = _combined(plan, inner, [variables.get(name) for variables in done])
     status = [_status(outcomes.get(key)) for key in keys]
     error = [outcomes.get(key, {}).get("error", "") for key in keys]
-    texts = {"status": "done, failed or cancelled", "error": "why a case failed"}
+    texts = {"status": "done, failed or cancelled", "error": "error of a failed case"}
     for (name, text), words in zip(texts.items(), (status, error), strict=True):
         array = np.array(words, dtype=object).reshape(shape)
         dataset[name] = xr.Variable(tuple(plan.dims), array, {"long_name": text})
@@ -135,7 +135,7 @@ def _coordinates(plan: Plan, inner: Mapping[str, int]) -> dict[str, Any]:
 
 
 def _combined(plan: Plan, inner: Mapping[str, int], fields: Sequence[Any]) -> xr.Variable:
-    """One variable of all cases; NaN where a case has none or fewer values."""
+    """Combine a variable of all cases; NaN for missing values."""
     dims, _, attributes = next(field for field in fields if field is not None)
     table = np.full((len(fields), *(inner[dim] for dim in dims)), np.nan)
     for row, field in zip(table, fields, strict=True):

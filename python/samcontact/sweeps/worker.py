@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One case of a sweep as a task for any process: plain data in, plain data out."""
+"""Solution of one case of a sweep as a task for any process, with plain input and output data."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ if TYPE_CHECKING:
     from ..cases.base import CaseFile
 
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, str]]]
-"""Of each name: dimensions, array and attributes."""
+"""Dimensions, array and attributes of each variable."""
 Outcome = dict[str, Any]
-"""{"variables": Variables} or {"error": text}."""
+"""Outcome of a case: {"variables": Variables} or {"error": text}."""
 
 
 def solve_case(content: Mapping[str, Any], source: str) -> Outcome:
-    """Solve a case and return what has one value per increment.
+    """Solve a case and return the quantities with one value per increment.
 
     Parameters
     ----------
     content : mapping
-        The fields of a case file.
+        Fields of a case file.
     source : str
-        The case file that they are of; files of heights are looked for beside it.
+        Path of the case file; paths of files of heights are relative to its folder.
 
     Returns
     -------
     dict
-        "variables", or "error" of a case that cannot be solved: exceptions are returned as text,
-        since not every kind of exception can travel between processes.
+        "variables", or "error" for a case that cannot be solved. Exceptions are returned as text,
+        because not every exception can be passed between processes.
     """
     from ..cases import Case, TuggingCase
 
@@ -53,7 +53,7 @@ def solve_case(content: Mapping[str, Any], source: str) -> Outcome:
 
 
 def failure(error: BaseException) -> Outcome:
-    """The outcome of a case that ended with an exception."""
+    """Return the outcome of a case that ended with an exception."""
     return {"error": f"{type(error).__name__}: {error}"}
 
 
@@ -62,7 +62,7 @@ def _solve(case: Any) -> Variables:
     from ..accuracy import to_accuracy
 
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ResolutionWarning)  # the sweep tells it of all
+        warnings.simplefilter("ignore", ResolutionWarning)  # the sweep warns once for all cases
         if case.accuracy is not None:
             dataset = to_accuracy(case, progress=False).to_dataset(volume="none")
         else:
@@ -81,16 +81,16 @@ def _plain(dataset: xr.Dataset) -> Variables:
 
 
 def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
-    """Hash of all that a case's numbers depend on: its fields, heights of files, and the version.
+    """Return a hash of everything that affects the results: fields, files of heights and version.
 
-    Titles and where results go are no part of it.
+    Title and output folder are not included.
 
     Parameters
     ----------
     case : CaseFile
-        A validated case.
+        Validated case.
     digests : dict
-        Hashes of files that were read before; more are added.
+        Hashes of files already read; new hashes are added.
 
     Raises
     ------
@@ -109,7 +109,7 @@ def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
 
 
 def _digest(case: CaseFile, name: str, digests: dict[Path, str]) -> str | None:
-    """Hash of the file that a section names; None without one."""
+    """Return the hash of the file named by a section; None without a file."""
     from ..cases.base import CaseError
 
     path = getattr(getattr(case, name, None), "path", None)

@@ -36,8 +36,8 @@ class TestArrays:
             ([["1e-6"] * 15] * 15, "texts"),
             (np.full((15, 15), b"1e-6", dtype=object), "texts"),
             (np.full((15, 15), np.datetime64("2020-01-01")), "dates"),
-            (np.full((15, 15), np.timedelta64(1, "s")), "spans of time"),
-            (np.zeros((15, 15), dtype=bool), "truth values"),
+            (np.full((15, 15), np.timedelta64(1, "s")), "time spans"),
+            (np.zeros((15, 15), dtype=bool), "Boolean values"),
             (np.zeros((15, 15), dtype=[("height", float)]), "records"),
             (np.zeros((15, 15), dtype=complex).astype(object), "complex numbers"),
         ],
@@ -86,9 +86,9 @@ class TestBeyondTheRange:
     def test_tractions(self):
         pressure = np.zeros((15, 15))
         pressure[7, 7] = 1e300
-        with pytest.raises(ValueError, match="pressure must be of a size up to 1e\\+75 Pa"):
+        with pytest.raises(ValueError, match="pressure must be of magnitude <= 1e\\+75 Pa"):
             small().step(pressure=pressure)
-        with pytest.raises(ValueError, match="shear must be of a size up to"):
+        with pytest.raises(ValueError, match="shear must be of magnitude <="):
             small().step(pressure=0 * pressure, shear=pressure)
 
     @pytest.mark.parametrize("name", ["green", "onset", "green_cylinder", "onset_cylinder"])

@@ -46,12 +46,12 @@ def test_short_values_are_shown_as_they_are():
 @pytest.mark.parametrize(
     ("value", "named"),
     [
-        ([True, 2.5], "truth values"),
-        ([[1.0, 2.0], [3.0, np.True_]], "truth values"),
+        ([True, 2.5], "Boolean values"),
+        ([[1.0, 2.0], [3.0, np.True_]], "Boolean values"),
         ([1.0, None], "None"),
         ([datetime.date(1979, 5, 27)], "date"),
         ([[1.0], [1.0, 2.0]], r"\[\[1.0\], \[1.0, 2.0\]\]"),
-        ([np.array([True]), np.array([1.0])], "truth values"),
+        ([np.array([True]), np.array([1.0])], "Boolean values"),
         ({"a": 1.0}, "dict"),
     ],
 )
@@ -62,7 +62,7 @@ def test_lists_hold_numbers_only(value, named):
 
 @pytest.mark.parametrize("value", [[1e305], [0.0, -2e300], [[10**400]], np.array([np.nan, 1e301])])
 def test_numbers_beyond_the_range_of_products(value):
-    with pytest.raises(ValueError, match=r"height must be .* of a size up to 1e\+300"):
+    with pytest.raises(ValueError, match=r"height must be .* of magnitude <= 1e\+300"):
         real_array("height", value)
 
 

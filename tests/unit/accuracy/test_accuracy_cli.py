@@ -41,7 +41,7 @@ def case(tmp_path):
 def test_values_come_with_errors(case, tmp_path, undrawn):
     outcome = invoke("run", case, "--output", tmp_path / "out", "--no-figures")
     assert outcome.exit_code == 0, outcome.output
-    assert "Values with their errors" in outcome.stdout
+    assert "Estimated errors" in outcome.stdout
     data = fields(tmp_path / "out")
     ratio = data["max_pressure_best"][1] / data["max_pressure_best"][0]
     assert float(ratio) == pytest.approx(4 ** (1 / 3), rel=2e-3)  # Hertz
@@ -55,7 +55,7 @@ def test_values_come_with_errors(case, tmp_path, undrawn):
     assert [check.limit for check in checks] == [0.02, 0.1]
     assert all(check.passed for check in checks)
     report.write(data, tmp_path / "report.html")
-    assert "Values with their errors" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "Results with estimated errors" in (tmp_path / "report.html").read_text(encoding="utf-8")
 
 
 def test_what_is_no_accuracy_is_refused(case, tmp_path):

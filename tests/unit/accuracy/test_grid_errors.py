@@ -110,7 +110,7 @@ def run(folder, text):
 
 def test_a_run_of_a_case_has_errors_and_changes_nothing_else(tmp_path):
     told, on = run(tmp_path, MINIMAL)
-    assert "Values with their errors" in told
+    assert "Estimated grid errors" in told
     more = {name for name in on if name.endswith("_error")}
     assert {"max_pressure_error", "contact_area_error", "print_depth_body2_error"} <= more
     case = parse_case(MINIMAL)
@@ -119,16 +119,16 @@ def test_a_run_of_a_case_has_errors_and_changes_nothing_else(tmp_path):
     for name in plain:
         np.testing.assert_array_equal(on[name].values, plain[name].values)
     names = [check.name for check in report.checks(on)]
-    assert any("largest estimated error" in name for name in names)
+    assert any("maximum estimated relative" in name for name in names)
 
 
 def test_errors_that_nobody_wants_or_that_cannot_be_estimated(tmp_path):
     elastic = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3')
     told, _ = run(tmp_path, f"estimate_error = false\n{elastic}")
-    assert "with their errors" not in told
-    assert "not estimated" not in told
+    assert "Estimated grid errors" not in told
+    assert "could not estimate" not in told
     told, _ = run(tmp_path, elastic.replace("ny = 13", 'ny = 14\nperiodic = "y"'))
-    assert "errors of the grid are not estimated: ny must be a multiple of 4" in told
+    assert "could not estimate the grid errors: ny must be a multiple of 4" in told
 
 
 @pytest.mark.parametrize(("ends", "deeper"), [((2,), 2), ((3,), 3), ((5, 15), 2.5), ((3, 4), 1)])
@@ -145,7 +145,7 @@ def test_layers_that_yield_end_between_the_coarser_cells_too(ends, deeper):
         warnings.simplefilter("always")
         found = sc.estimate_errors(run, path, run.run(path, progress=False))
     assert np.isfinite(found.errors["print_depth_body2"]).all()
-    assert any("nothing of the depth" in str(w.message) for w in told) == (deeper == 1)
+    assert any("exclude the effect of dz" in str(w.message) for w in told) == (deeper == 1)
 
 
 def test_what_a_rough_surface_has_beyond_its_grid_is_told(tmp_path):

@@ -120,7 +120,7 @@ def test_a_damaged_file_is_solved_again(expected, tmp_path, steps):
     file = tmp_path / f"{scene.name_of(0, 1)}.h5"
     file.write_bytes(file.read_bytes()[:-10])
     steps.stop(0)
-    with pytest.warns(UserWarning, match="is damaged: .* solved again"):
+    with pytest.warns(UserWarning, match="is damaged: .* solution is repeated"):
         assert_same(solved(ELASTIC, checkpoint=tmp_path), expected)
     assert steps.made == 3
 
@@ -137,9 +137,9 @@ def test_the_command_leaves_the_best_values_and_goes_on(expected, steps, tmp_pat
     told = f"values of 3 grids are in {out}, marked as incomplete"
     if error is None:
         assert outcome.exit_code == 130
-        assert outcome.stderr == f"{told}\ninterrupted: go on with\n  samcontact resume {out}\n"
+        assert outcome.stderr == f"{told}\ninterrupted; resume with:\n  samcontact resume {out}\n"
     else:
-        check_failure(outcome, 1, f"{told}; to try on:\n  samcontact resume {out}")
+        check_failure(outcome, 1, f"{told}; resume with:\n  samcontact resume {out}")
     left = fields(out)
     assert left.attrs["complete"] == 0
     assert left["max_pressure_error"][-1] > expected.errors["max_pressure"]
@@ -168,8 +168,8 @@ def test_each_grid_is_told_with_the_errors_that_are_too_large(capsys):
     assert len(grids) == len(found.runs)
     for line, (nx, ny, *_) in zip(grids, found.runs, strict=True):
         assert f": {nx} × {ny} cells, " in line
-    assert lines[-3].startswith("  errors: contact_area 1.")
-    assert lines[-1] == "  errors: all are below those asked for"
+    assert lines[-3].startswith("  estimated errors: contact_area 1.")
+    assert lines[-1] == "  estimated errors: all below the prescribed accuracy"
 
 
 def found(build, **settings):
@@ -224,8 +224,8 @@ def test_the_command_goes_on_looking_for_a_load(steps, tmp_path, monkeypatch):
     assert outcome.exit_code == 130
     *lines, last, end = outcome.stderr.splitlines()
     assert end == "interrupted"
-    assert last.startswith("the same command goes on from results/case/find_")
-    assert all("that are asked for" in line for line in lines)
+    assert last.startswith("progress saved in results/case/find_")
+    assert all("(target " in line for line in lines)
     steps.stop(0)
     again = invoke(*command, "--quiet")
     assert again.stdout == whole.stdout

@@ -51,7 +51,7 @@ def test_fretting_against_mindlin_and_deresiewicz():
     # where the shift passes through zero both grids agree by chance
     assert error.min() >= 0
     assert np.all(found.errors["shift_x"][4:] >= 0.2 * found.errors["shift_x"][3])
-    assert {"shift along x", "friction work"} <= set(dict(found._rows()))
+    assert {"tangential displacement, x", "frictional work"} <= set(dict(found._rows()))
 
 
 def test_rolling_against_finer_cells():

@@ -71,7 +71,7 @@ def test_the_command_writes_series_and_figures(case_file, tmp_path):
 def test_no_figures_and_no_animation(case_file, tmp_path):
     assert invoke("run", case_file, "--output", tmp_path, "--no-figures").exit_code == 0
     assert not list(tmp_path.glob("*.png"))
-    check_failure(invoke("run", case_file, "--animate"), 2, "--animate is not for a case with")
+    check_failure(invoke("run", case_file, "--animate"), 2, "--animate cannot be combined with")
 
 
 @pytest.mark.parametrize(
@@ -81,7 +81,7 @@ def test_no_figures_and_no_animation(case_file, tmp_path):
         ("R1 = 1.0", "R1 = -1.0", r"tugging.R1: must be a finite number > 0 \[m\]"),
         ("passes = 2", "pases = 2", r"tugging.pases: unknown field; allowed here: R1, R2"),
         ("[contact]", "[contact]\nfriction = 0.1", r"contact.friction: unknown field"),
-        ("[contact]", GRID + "[contact]", r"tugging: increments make a grid: leave out \[grid\]"),
+        ("[contact]", GRID + "[contact]", r"tugging: increments cannot be combined with \[grid\]"),
         ('"elastic"', '"rigid"', r"body1"),
         ("increments = 8", "increments = 2", r"tugging.increments: must be a whole number >= 4"),
     ],

@@ -162,7 +162,7 @@ def test_results_tell_it_and_figures_show_it(profile, tmp_path):
         assert graded_of(dataset, 1) is None
     ax = plotting.axis_profile(state.stress(), grid, body=body)
     lines = {line.get_label(): line.get_xydata() for line in ax.lines}
-    limit = lines["yield stress at first"]
+    limit = lines["initial yield stress"]
     np.testing.assert_allclose(limit[:, 0], 1e-6 * Y * np.interp(limit[:, 1] * 1e-6, *profile))
     for name, at_surface in ((r"$\sigma_{xx}$", -200.0), (r"$\sigma_{yy}$", -100.0)):
-        assert lines[f"{name} at first"][0] == pytest.approx([at_surface, 0.0])
+        assert lines[f"initial {name}"][0] == pytest.approx([at_surface, 0.0])

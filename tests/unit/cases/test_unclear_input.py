@@ -198,7 +198,7 @@ def test_control_characters_of_names_are_escaped_in_errors(tmp_path):
 def test_names_of_files_with_null_characters(arguments):
     outcome = CliRunner().invoke(main, arguments)
     assert outcome.exit_code == 2
-    assert "must not hold a null character" in outcome.output
+    assert "must not contain a null character" in outcome.output
     assert "\0" not in outcome.output
 
 
@@ -294,7 +294,7 @@ def test_a_report_replaces_nothing_but_a_page(tmp_path, name):
 def test_a_report_that_cannot_be_written_is_refused_first(tmp_path):
     (tmp_path / "results.nc").write_text("not read")
     missing = tmp_path / "nowhere" / "report.html"
-    check_failure(invoke("report", tmp_path, "--output", missing), 2, "directory that exists")
+    check_failure(invoke("report", tmp_path, "--output", missing), 2, "existing folder")
     check_failure(invoke("report", tmp_path, "--output", tmp_path), 2, "is a directory")
     check_failure(invoke("report", tmp_path / "nowhere"), 1, "no results file", "nowhere")
 
@@ -366,7 +366,7 @@ def test_warnings_that_the_environment_makes_errors(tmp_path):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         outcome = invoke("run", case, "--output", tmp_path / "out", "--quiet")
-    check_failure(outcome, 1, "a warning, which the environment makes an error")
+    check_failure(outcome, 1, "warning treated as an error")
 
 
 @pytest.mark.parametrize("Ry", [1e200, 1e-300])

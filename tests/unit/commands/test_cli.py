@@ -95,7 +95,7 @@ def test_no_convergence_is_exit_code_1(case_file, tmp_path, monkeypatch):
 
     monkeypatch.setattr(samcontact.Simulation, "step", diverge)
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--quiet")
-    check_failure(outcome, 1, "no convergence: residual 0.1")
+    check_failure(outcome, 1, "did not converge: residual 0.1")
 
 
 def test_unwritable_output_fails_before_the_computation(case_file, tmp_path, monkeypatch):
@@ -149,7 +149,9 @@ def test_hertz_line():
     values = hertz_values("--load", "1 kN", "--length", "10 mm", "--nu", 0.3)
     assert values["maximum pressure p0 [Pa]"] == pytest.approx(line.p0, rel=1e-8)
     assert values["half-width b [m]"] == pytest.approx(line.b, rel=1e-8)
-    assert values["its depth [m]"] == pytest.approx(line.max_von_mises(0.3)[1], rel=1e-8)
+    assert values["depth of maximum von Mises stress [m]"] == pytest.approx(
+        line.max_von_mises(0.3)[1], rel=1e-8
+    )
     same = hertz_values("--load-per-length", "100 N/mm", "--nu", 0.3)
     assert {**same, "load [N]": 1000.0} == values
     by_pressure = hertz_values("--p0", line.p0, "--length", 0.01)
@@ -170,19 +172,25 @@ def test_hertz_stress_on_the_axis():
         expected = normal if len(normal) == 3 else (normal[0], *normal)
         assert found == pytest.approx(expected, rel=1e-8)
         largest = values["maximum von Mises stress [Pa]"]
-        assert values[f"von Mises at {depth:.5g} m [Pa]"] == pytest.approx(largest, rel=1e-8)
+        assert values[f"von Mises stress at {depth:.5g} m [Pa]"] == pytest.approx(largest, rel=1e-8)
 
 
 def test_hertz_errors():
     common = ("hertz", "--R", "1", "--E-star", "1")
-    check_failure(invoke(*common), 2, "exactly one of load, approach, p0; got none")
+    check_failure(invoke(*common), 2, "exactly one of load, approach, p0 must be given, got none")
     check_failure(invoke(*common, "--load", "-1"), 2, "load must be a finite number > 0, got -1.0")
     check_failure(invoke(*common, "--load", "1", "--nu", "2"), 2, "nu must be in [0, 0.5]")
-    check_failure(invoke(*common, "--load", "1", "--depth", "1"), 2, "nu is needed")
+    check_failure(invoke(*common, "--load", "1", "--depth", "1"), 2, "nu is required")
     common = (*common, "--length", "1")
-    check_failure(invoke(*common), 2, "exactly one of load, load_per_length, p0; got none")
-    check_failure(invoke(*common, "--approach", "1"), 2, "approach is for point and elliptic")
-    check_failure(invoke(*common, "--load", "1", "--Ry", "1"), 2, "Ry is for elliptic contacts")
+    check_failure(
+        invoke(*common), 2, "exactly one of load, load_per_length, p0 must be given, got none"
+    )
+    check_failure(
+        invoke(*common, "--approach", "1"), 2, "approach is not supported for a line contact"
+    )
+    check_failure(
+        invoke(*common, "--load", "1", "--Ry", "1"), 2, "Ry cannot be combined with a line contact"
+    )
 
 
 def test_module_is_the_same_command():

@@ -138,18 +138,18 @@ def failing(monkeypatch, name, value):
 
 
 def test_wrong_numbers_fail(monkeypatch):
-    assert failing(monkeypatch, "approach", 1.0) == {"Hertz: approach against the closed form"}
+    assert failing(monkeypatch, "approach", 1.0) == {"Hertz: relative error of the approach"}
 
 
 def test_residuals_beyond_the_tolerance_fail(monkeypatch):
     failed = failing(monkeypatch, "plastic_residual", 1e-3)
-    assert failed == {"elastic-plastic: plastic residual"}
+    assert failed == {"elastic-plastic: plastic-strain residual"}
 
 
 def test_wrong_pressures_fail(monkeypatch):
     assert failing(monkeypatch, "pressure", np.ones((15, 15))) == {
-        "Hertz: maximum pressure against the closed form",
-        "elastic-plastic: balance of the load",
+        "Hertz: relative error of the maximum pressure",
+        "elastic-plastic: load balance",
     }
 
 

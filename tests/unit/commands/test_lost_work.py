@@ -83,7 +83,7 @@ def test_ctrl_c_after_the_last_increment(case_file, expected, tmp_path, place, j
         assert place.endswith("forgetting")
         xr.testing.assert_identical(fields(tmp_path), expected)
         return
-    assert outcome.stderr == f"interrupted: go on with\n  samcontact resume {tmp_path}\n"
+    assert outcome.stderr == f"interrupted; resume with:\n  samcontact resume {tmp_path}\n"
     assert len(list((tmp_path / "checkpoints").glob("*.h5"))) == 3
     outcome = invoke("resume", tmp_path, *OPTIONS)
     assert outcome.exit_code == 0, outcome.output
@@ -179,9 +179,9 @@ def test_no_room_for_anything(case_file, tmp_path, monkeypatch):
     monkeypatch.setattr(journal.Journal, "add", fails(full))
     outcome = invoke("run", case_file, "--output", tmp_path, *OPTIONS)
     assert outcome.exit_code == 1
-    assert "error: no convergence: residual 0.1" in outcome.stderr
-    assert "2 of 3 increments are done, but not all could be written" in outcome.stderr
-    assert "not all increments could be kept to go on from" in outcome.stderr
+    assert "error: did not converge: residual 0.1" in outcome.stderr
+    assert "2 of 3 increments were completed, but could not all be written" in outcome.stderr
+    assert "could not write all checkpoints" in outcome.stderr
 
 
 # Case, file of the results, the increment that fails, the first one too many when it goes on.
@@ -228,7 +228,7 @@ class TestStudies:
             patch.setattr(sc.Simulation, "step", stop_at(failing, ERRORS[0]))
             outcome = invoke("run", case, "--output", out, *OPTIONS)
         what = "1 of up to 2 cycles" if "wear" in name else "1 of 1 passes, the last in part,"
-        check_failure(outcome, 1, "no convergence: residual 0.1", f"{what} are in {out}")
+        check_failure(outcome, 1, "did not converge: residual 0.1", f"{what} are in {out}")
         with results.open_results(out / name) as found:
             assert found.attrs["complete"] == 0
             assert not all(check.passed for check in report.checks(found))

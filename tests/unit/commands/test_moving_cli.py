@@ -51,7 +51,7 @@ def test_figures_and_animation(case_file, tmp_path, monkeypatch):
 def test_animation_of_what_does_not_move(case_file, tmp_path):
     case_file.write_text(MINIMAL)
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--animate")
-    check_failure(outcome, 2, "--animate needs a path that moves a body, and a grid with layers")
+    check_failure(outcome, 2, "--animate requires rolling or sliding motion and a grid with dz")
     assert not (tmp_path / "out").exists()
 
 
@@ -124,7 +124,7 @@ class TestForeignCheckpoints:
     def test_another_load(self, folder, case_file, tmp_path):
         case_file.write_text(MOVING.replace("load = 600.0", "load = 500.0"))
         outcome = invoke(*self.command(case_file, tmp_path))
-        check_failure(outcome, 2, str(folder), "of another run: remove it, or choose another")
+        check_failure(outcome, 2, str(folder), "of another run", "remove it, or use another path")
         # it still belongs to the run that left it
         _, source, text = (folder / "case.txt").read_text().split("\n", 2)
         assert (source, text) == (str(case_file), MOVING)
@@ -149,7 +149,7 @@ class TestForeignCheckpoints:
             outcome = invoke(*plain)
         aside = folder.with_name("checkpoints.old")
         assert outcome.exit_code == 130
-        assert outcome.stderr.startswith(f"checkpoints of another run, set aside: {aside}\n")
+        assert outcome.stderr.startswith(f"checkpoints of a different run were moved to {aside}\n")
         assert (aside / "increment_00001.h5").exists()
         outcome = invoke(*plain)  # of the same run: none is lost
         assert outcome.exit_code == 0
@@ -208,9 +208,7 @@ def test_resume_refuses_a_case_that_changed(case_file, tmp_path):
     folder.mkdir(parents=True)
     (folder / "case.txt").write_text(f"samcontact run 0\n{case_file}\n{MOVING}")
     case_file.write_text(MOVING.replace("600.0", "500.0"))
-    check_failure(
-        invoke("resume", tmp_path / "out"), 2, "is not the case file that was interrupted"
-    )
+    check_failure(invoke("resume", tmp_path / "out"), 2, "has changed since the interruption")
 
 
 def test_a_run_tells_its_increments(case_file, caplog):

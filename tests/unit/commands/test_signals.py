@@ -67,7 +67,7 @@ def test_what_a_batch_system_or_a_closed_terminal_sends(tmp_path, kind):
         with results.open_results(out / "sweep.nc") as found:
             assert found["status"].values.tolist() == ["done", "cancelled"]
         return
-    assert errors == f"interrupted: go on with\n  samcontact resume {out}\n"
+    assert errors == f"interrupted; resume with:\n  samcontact resume {out}\n"
     kept = [file.name for file in (out / "checkpoints").glob("*.h5")]
     assert len(kept) == (1 if kind == "wear" else 2)
     assert invoke("resume", out, *OPTIONS).exit_code == 0
@@ -102,7 +102,7 @@ def test_pressed_again_and_again(tmp_path):
     with start(TWICE, 3, int(signal.SIGTERM), "run", case, "--output", out, *OPTIONS) as process:
         _, errors = process.communicate()
     assert process.returncode in (130, 143)
-    assert errors == f"twice, interrupted: go on with\n  samcontact resume {out}\n"
+    assert errors == f"twice, interrupted; resume with:\n  samcontact resume {out}\n"
     assert len(list((out / "checkpoints").glob("*.h5"))) == 2
 
 

@@ -172,11 +172,11 @@ class TestBadInput:
     @pytest.mark.parametrize(
         ("arguments", "error", "text"),
         [
-            ({}, ValueError, "give exactly one of load, approach; got none"),
+            ({}, ValueError, "exactly one of load, approach must be given, got none"),
             (
                 {"load": 1.0, "approach": 1.0},
                 ValueError,
-                "give exactly one of load, approach; got load, approach",
+                "exactly one of load, approach must be given, got load, approach",
             ),
             ({"load": -1.0}, ValueError, "load must be a finite number >= 0 [N], got -1"),
             ({"load": math.nan}, ValueError, "load must be a finite number >= 0 [N], got nan"),

@@ -240,7 +240,7 @@ def test_a_case_grows_and_the_run_tells(tmp_path):
     with results.open_results(tmp_path / "results.nc") as data:
         nx, ny = data.sizes["x"], data.sizes["y"]
     assert nx > 15
-    assert f"grid enlarged from 15 x 13 to {nx} x {ny} cells" in outcome.stdout
+    assert f"grid enlarged from 15 x 13 to {nx} x {ny} cells; [grid] spec" in outcome.stdout
     rough = '[surface.roughness]\nkind = "self_affine"\nrms_height = 1e-8\nhurst = 0.8\nseed = 1\n'
     file.write_text(text + rough)
     check_failure(invoke("run", file, "--output", tmp_path / "rough", "--quiet"), 2, "border")

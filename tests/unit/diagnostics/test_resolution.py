@@ -111,8 +111,8 @@ def test_a_dataset_has_the_counts_and_a_report_fails_of_few():
         assert math.isnan(after)
         assert float(dataset["plastic_layers_body2"][1]) == pytest.approx(1.5 * cells, rel=0.5)
         checks = {check.name: check for check in report.checks(dataset)}
-        assert checks["cells across the contact under the largest load"].passed is passes
-        assert checks["layers of the plastic zone, body 2"].passed is passes
+        assert checks["cells across the contact at maximum load"].passed is passes
+        assert checks["layers across the plastic zone, body 2"].passed is passes
 
 
 def discs(diameter, count=9, shift=0.3):
@@ -157,7 +157,7 @@ def test_rough_contacts_of_small_spots_are_told():
         share = float(dataset["area_uncertainty"][0])
         checks = {check.name: check.passed for check in report.checks(dataset)}
         fine = cells == 64
-        assert checks["relative uncertainty of the contact area under the largest load"] is fine
+        assert checks["relative uncertainty of the contact area at maximum load"] is fine
         assert (share < resolution.UNCERTAIN) is fine
         expected = [] if fine else [f"uncertain by about {100 * share:.0f} %.* its 16 spots"]
         assert len(texts) == len(expected)

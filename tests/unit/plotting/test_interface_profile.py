@@ -40,9 +40,9 @@ def test_lines_are_those_of_the_interface(axis, along, shear):
     for name, values in expected.items():
         np.testing.assert_allclose(drawn[name], [x * 1e6, values])
     most = max(values.max() for name, values in expected.items() if f"{axis}z" not in name)
-    assert mark == f"largest tension {most:.4g} MPa"
+    assert mark == f"maximum tension {most:.4g} MPa"
     assert drawn[mark][1] == pytest.approx([most])
-    assert ax.get_ylabel() == "stress 5 µm deep [MPa]"
+    assert ax.get_ylabel() == "stress at 5 µm depth [MPa]"
 
 
 def test_a_bar_is_above_what_touches_and_no_tension_is_marked():
@@ -97,9 +97,9 @@ def test_of_many_interfaces_those_that_are_pulled_most_are_shown():
     three = np.sort(body.interfaces[np.argsort(-pulled.values)[:3]])
     panels = interface.interface_figure(scene, 1).axes
     assert [ax.get_ylabel() for ax in panels] == [
-        f"stress {depth * 1e6:.4g} µm deep [MPa]" for depth in three
+        f"stress at {depth * 1e6:.4g} µm depth [MPa]" for depth in three
     ]
     # the table of a report has them all
     ((_, text, _),) = [made for made in figures._volume(scene) if "interfaces" in made[0]]
     tension = 1e-6 * float(stored.sel(component=["xx", "yy"]).max())
-    assert f"at most {tension:.4g} MPa along them" in text
+    assert f"in-plane tension {tension:.4g} MPa" in text

@@ -115,7 +115,7 @@ def test_a_field_that_is_zero_says_so(simulation, ax):
     for quantity in ("equivalent_plastic_strain", "hydrostatic"):
         ax = Figure().subplots()
         plotting.section(np.zeros((grid.nx, grid.ny, grid.nz)), grid, ax, quantity=quantity)
-        assert ax.texts[0].get_text() == "zero\neverywhere"
+        assert ax.texts[0].get_text() == "identically\nzero"
         assert len(ax.figure.axes) == 1  # no scale
         assert ax.get_title() != ""
 

@@ -57,7 +57,7 @@ def test_the_map_shows_each_cell_and_the_directions_of_slip(fretting):
     largest = np.hypot(*state.slip).max()
     assert f"{largest * 1e9:.3g} nm" in ax.get_title()
     told = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert told == ["sticks", "slips"]
+    assert told == ["stick", "slip"]
     kinds = drawn_values(ax, GRID.x, GRID.y)
     np.testing.assert_array_equal(kinds == 0, state.sticking)
     np.testing.assert_array_equal(np.isnan(kinds), state.pressure == 0)
@@ -106,7 +106,7 @@ def test_the_loop_encloses_the_work_of_friction(fretting):
     for direction in "xy":
         ax = plotting.fretting_loop(data, direction=direction)
         (line,) = ax.lines
-        assert ax.get_xlabel() == f"shift along {direction} [µm]"
+        assert ax.get_xlabel() == f"tangential displacement, {direction} [µm]"
         x, y = line.get_xdata()[-33:] * 1e-6, line.get_ydata()[-33:]
         area += np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(x))
     work = states[-1].friction_work - states[-33].friction_work
@@ -152,9 +152,9 @@ def test_runs_write_them(fretting, rolling, tmp_path):
     _, slides = run([], friction=0.3)
     written = plotting.summary_figures(slides, tmp_path)
     assert not {"stick_slip.png", "fretting_loop.png"} & {path.name for path in written}
-    with pytest.raises(ValueError, match="dataset must be of bodies that stick and slip"):
+    with pytest.raises(ValueError, match="dataset must be of a contact with partial slip"):
         plotting.fretting_loop(slides)
-    with pytest.raises(ValueError, match="dataset must be of bodies that roll"):
+    with pytest.raises(ValueError, match="dataset must be of rolling bodies"):
         plotting.rolling_force(fretting[1])
 
 

@@ -57,7 +57,7 @@ def test_load_ratio(results):
 def test_energy_and_print_against_the_interference(results):
     ax = tugging_figures.net_energy(results, critical=CRITICAL)
     assert [line.get_label() for line in lines(ax)] == [
-        "net energy", "pass 2", "of this in residual stress"
+        "net energy", "pass 2", "energy of residual stress"
     ]  # fmt: skip
     first = lines(ax)[0]
     np.testing.assert_allclose(first.get_xdata(), [2, 4])

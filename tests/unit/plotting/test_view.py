@@ -147,7 +147,7 @@ def test_an_empty_folder_has_nothing_to_export(tmp_path):
     (tmp_path / "wear.nc").touch()
     outcome = CliRunner().invoke(main, ["export", str(tmp_path), "--vtk"])
     assert outcome.exit_code == 2
-    assert "must hold one of results.nc, has wear.nc: name the file" in outcome.stderr
+    assert "must contain one of results.nc, got wear.nc: specify the file" in outcome.stderr
     file = results.save(dataset()[["load"]], tmp_path / "wear.nc")
     outcome = CliRunner().invoke(main, ["export", str(file), "--html"])
     assert outcome.exit_code == 2

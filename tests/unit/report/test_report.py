@@ -78,7 +78,7 @@ def test_the_browser_shows_every_figure(page):
         assert width > 300
         assert len(description) > 20
     assert "Pressure along x, increment 2, 600 N" in captions
-    assert "Print, increment 3, 0 N" in captions
+    assert "Residual imprint, increment 3, 0 N" in captions
     assert captions[-1] == "Convergence"
 
 
@@ -111,7 +111,7 @@ def test_increments_equal_the_dataset(page, data):
             "max_equivalent_plastic_strain_body2",
             1e2,
         ),
-        "print depth in the grid, body 2 [µm]": ("print_depth_body2", 1e6),
+        "residual imprint depth (within the grid), body 2 [µm]": ("print_depth_body2", 1e6),
     }
     assert headings == list(columns)
     assert [row[0] for row in rows] == ["1", "2", "3"]
@@ -124,7 +124,7 @@ def test_increments_equal_the_dataset(page, data):
 
 def test_convergence_equals_the_dataset(page, data):
     headings, *rows = cells(page, "convergence-table")
-    assert headings[1:4] == ["plastic iterations", "plastic residual", "yield excess"]
+    assert headings[1:4] == ["plastic iterations", "plastic-strain residual", "yield violation"]
     names = ["iterations", "plastic_residual", "yield_excess", "contact_iterations", "substeps"]
     behind = exact(page, "convergence-table")
     for index, name in enumerate(names):
@@ -155,11 +155,30 @@ def test_checks_in_the_browser(page, data):
     verdicts = report.checks(data)
     assert all(verdict.passed for verdict in verdicts)
     assert page.driver.find_element(By.ID, "verdict").text == "16 of 16 checks passed"
-    rows = cells(page, "checks-table")[1:]
-    expected = [[v.name, v.shown, v.condition, "✓ passed"] for v in verdicts]
-    assert rows == expected
-    behind = [row[0] for row in exact(page, "checks-table")]
-    np.testing.assert_array_equal(np.array(behind, dtype=float), [v.value for v in verdicts])
+    assert 0 < sum(verdict.of_input for verdict in verdicts) < len(verdicts)
+    for name, of_input in (("checks-table", False), ("input-table", True)):
+        shown = [verdict for verdict in verdicts if verdict.of_input is of_input]
+        expected = [[v.name, v.shown, v.condition, "✓ passed"] for v in shown]
+        assert cells(page, name)[1:] == expected
+        behind = np.array([row[0] for row in exact(page, name)], dtype=float)
+        np.testing.assert_array_equal(behind, [v.value for v in shown])
+
+
+def test_answers_come_first_then_figures_then_checks(page):
+    headings = [h.text for h in page.driver.find_elements(By.CSS_SELECTOR, "h2, h3")]
+    assert headings == [
+        "Results", "Comparison with elastic Hertz contact", "Figures", "Checks",
+        "Plausibility of the input", "Parameters", "Increments", "Convergence", "Case file",
+    ]  # fmt: skip
+
+
+def test_results_are_the_maxima_of_the_increments(page, data):
+    _, *rows = cells(page, "results-table")
+    shown = {name: (number, value) for name, number, value in rows}
+    peak = float(data["max_pressure"].max()) * 1e-6
+    number, value = shown["maximum pressure [MPa]"]
+    assert number == str(1 + int(np.argmax(data["max_pressure"].values)))
+    assert float(value) == pytest.approx(peak, rel=1e-5)
 
 
 def test_the_page_is_fit_for_screen_readers_and_paper(page):
@@ -228,17 +247,17 @@ def one_cell(value):
 
 SPOILERS = [
     ("load balance", "pressure", lambda p: 1.00001 * p, 1e-5),
-    ("least pressure", "pressure", one_cell(-5.0), -5.0),
-    ("least gap", "gap", one_cell(-1e-9), None),
+    ("minimum contact pressure", "pressure", one_cell(-5.0), -5.0),
+    ("minimum gap", "gap", one_cell(-1e-9), None),
     ("complementarity", "pressure", one_cell(1e9), None),
-    ("stress beyond", "yield_excess", lambda x: x + 2e-6, None),
-    ("last change", "plastic_residual", lambda x: x * 0 + 1e-3, 1e-3),
-    ("cells between contact", "contact_margin", lambda x: x * 0, 0.0),
-    ("cells between plastic", "plastic_margin_body2", lambda x: x * 0, 0.0),
+    ("maximum relative violation", "yield_excess", lambda x: x + 2e-6, None),
+    ("relative change", "plastic_residual", lambda x: x * 0 + 1e-3, 1e-3),
+    ("minimum distance between contact", "contact_margin", lambda x: x * 0, 0.0),
+    ("minimum distance between plastic", "plastic_margin_body2", lambda x: x * 0, 0.0),
     ("cells across", "contact_cells", lambda x: x * 0 + 3, 3.0),
-    ("layers of the plastic zone", "plastic_layers_body2", lambda x: x * 0 + 3, 3.0),
+    ("layers across the plastic zone", "plastic_layers_body2", lambda x: x * 0 + 3, 3.0),
     (
-        "largest plastic strain magnitude",
+        "maximum plastic strain magnitude",
         "max_plastic_strain_magnitude_body2",
         lambda x: x * 0 + 0.06,
         0.06,
@@ -260,7 +279,9 @@ def test_a_failed_check_is_told(data, tmp_path, undrawn):
     results.save(spoilt(data, "contact_margin", lambda x: x * 0), tmp_path / "bad.nc")
     outcome = CliRunner().invoke(main, ["report", str(tmp_path / "bad.nc")])
     assert outcome.exit_code == 0
-    assert "check failed: cells between contact and border of the grid: 0" in outcome.stderr
+    assert (
+        "check failed: minimum distance between contact and grid edge [cells]: 0" in outcome.stderr
+    )
     text = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "15 of 16 checks passed" in text
     assert text.count("✗ failed") == 1
@@ -282,7 +303,7 @@ def test_border_is_seen_in_a_real_run():
     dataset = results.to_dataset(simulation, states)
     for name in MARGINS:
         assert float(dataset[name][0]) == 0.0
-    assert not find(dataset, "cells between contact").passed
+    assert not find(dataset, "minimum distance between contact").passed
 
 
 def written(dataset, tmp_path):
@@ -306,7 +327,7 @@ def test_elastic_surface_run_without_case(tmp_path, undrawn):
         "Pressure along y, increment 1, 300 N",
         "Map of the pressure, increment 1, 300 N",
         "Map of the gap, increment 1, 300 N",
-        "Load against approach",
+        "Load–approach curve",
         "Convergence",
     ]
 
@@ -318,9 +339,9 @@ def test_moving_contact_has_a_track(tmp_path, undrawn):
     states = simulation.run([{"load": 600.0}, move, move, {"load": 0.0}], progress=False)
     dataset = results.to_dataset(simulation, states)
     text = written(dataset, tmp_path)
-    for caption in ("Print", "Map of the print", "Residual von Mises stress"):
+    for caption in ("Residual imprint", "Map of the residual imprint", "Residual von Mises stress"):
         assert f"{caption} of the track, body 2, unloaded" in text
-    assert "Print, increment" not in text  # a corner of it
+    assert "Residual imprint, increment" not in text  # a corner of it
     assert "travel, body 2 [µm]" in text
     # what the contact leaves behind may leave the grid, too
     assert all(verdict.passed for verdict in report.checks(dataset))
@@ -333,8 +354,8 @@ def test_prescribed_tractions_have_no_complementarity(tmp_path, undrawn):
     pressure[3:5, 3:5] = 1e9
     dataset = results.to_dataset(simulation, [simulation.step(pressure=pressure)])
     names = [verdict.name for verdict in report.checks(dataset)]
-    assert not any("gap" in name or "least" in name for name in names)
-    assert "Load against approach" not in written(dataset, tmp_path)
+    assert not any("gap" in name or "minimum" in name for name in names)
+    assert "Load–approach curve" not in written(dataset, tmp_path)
 
 
 def test_heated_body_of_interest(tmp_path, undrawn):

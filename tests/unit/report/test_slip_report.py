@@ -142,12 +142,12 @@ def named(verdicts, start):
 @pytest.mark.parametrize(
     ("start", "name", "change"),
     [
-        ("shear beyond", "shear_x", lambda s: 1.001 * s),
-        ("shear beyond", "shear_x", lambda s: s + 1e3),  # where the bodies are apart
-        ("forces along", "shear_x", lambda s: 0.999 * s),
-        ("least work", "friction_work", lambda w: w - 1e-12 * w["increment"]),
-        ("work that is not found", "friction_work", lambda w: 5 * w),
-        ("work that is not found", "elastic_energy", lambda e: math.nan * e),
+        ("friction law", "shear_x", lambda s: 1.001 * s),
+        ("friction law", "shear_x", lambda s: s + 1e3),  # where the bodies are apart
+        ("tangential force balance", "shear_x", lambda s: 0.999 * s),
+        ("minimum frictional work", "friction_work", lambda w: w - 1e-12 * w["increment"]),
+        ("energy balance", "friction_work", lambda w: 5 * w),
+        ("energy balance", "elastic_energy", lambda e: math.nan * e),
     ],
 )
 def test_every_check_can_fail(data, start, name, change):
@@ -159,13 +159,13 @@ def test_every_check_can_fail(data, start, name, change):
 
 def test_the_page_has_stick_and_slip(data, tmp_path):
     text = report.write(data, tmp_path / "report.html").read_text(encoding="utf-8")
-    for heading in ("Stick and slip", "Energy", "Where it sticks and slips, increment 18"):
+    for heading in ("Partial slip", "Energy balance", "Stick and slip zones, increment 18"):
         assert heading in text
-    assert "Force over motion" in text
+    assert "Tangential force versus displacement" in text
     table = text.split('id="slipping-table"')[1].split("</table>")[0]
     assert re.findall(r'scope="col" class="number">(.*?)</th>', table) == [
-        "force along x [N]", "shift along x [µm]", "friction work [µJ]",
-        "share of the contact that sticks [%]",
+        "tangential force, x [N]", "tangential displacement, x [µm]", "frictional work [µJ]",
+        "stick fraction [%]",
     ]  # fmt: skip
     last = re.findall(r'<data value="(.*?)">', table)[-4:]
     names = ("tangential_load_x", "shift_x", "friction_work", "sticking_share")

@@ -276,4 +276,4 @@ def test_the_command_exports_all(tmp_path):
     assert [name for name in written if not is_own(tmp_path / name)] == []
     outcome = CliRunner().invoke(main, ["export", str(file), "--vtk", "--all", "--increment", "1"])
     assert outcome.exit_code == 2
-    assert "give --increment or --all, not both" in outcome.stderr
+    assert "--increment and --all cannot be combined" in outcome.stderr

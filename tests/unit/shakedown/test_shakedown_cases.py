@@ -96,12 +96,12 @@ Rx = 7.5e-3""")  # fmt: skip
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        (ELASTIC, "a body that can yield"),
-        (MOVING, "a path that brings both bodies back"),
-        (f"{MINIMAL}\n[wear]\nthreshold = 0.002\n", "not for a case with wear"),
+        (ELASTIC, "requires an elastic-plastic body"),
+        (MOVING, "requires a closed path"),
+        (f"{MINIMAL}\n[wear]\nthreshold = 0.002\n", "cannot be combined with wear"),
         (MINIMAL.replace(GRID, "").replace("increments", "# ").replace(
             'title = "two balls"', 'title = "two balls"\naccuracy = 0.1'),
-         "not for a case with accuracy"),
+         "cannot be combined with accuracy"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_repeated_is_told_before_the_run(run, text, told):

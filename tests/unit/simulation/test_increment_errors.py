@@ -193,7 +193,7 @@ def test_table_results_and_report_state_them(tmp_path):
         outcome = invoke("run", tmp_path / "case.toml", "--output", tmp_path / "out")
     assert outcome.exit_code == 0
     assert [w.category for w in caught].count(sc.IncrementWarning) <= 1
-    assert "by increments" in outcome.stdout
+    assert "Estimated grid errors" in outcome.stdout
     data = fields(tmp_path / "out")
     shear = data.attrs["increment_error_shear"]
     assert shear > 0.3
@@ -202,11 +202,13 @@ def test_table_results_and_report_state_them(tmp_path):
     )
     assert 0 < data["max_pressure_error"].attrs["by_increments"] < 0.05
     found = {v.name: v for v in report.checks(data)}
-    (name,) = (n for n in found if n.startswith("largest estimated error by the increments"))
+    (name,) = (
+        n for n in found if n.startswith("maximum estimated relative error due to increments")
+    )
     assert not found[name].passed
     assert found[name].value == pytest.approx(shear)
     table = errors_table(data)
-    assert "by increments [%]" in table.headings
+    assert "increment error [%]" in table.headings
     assert "More increments would change the shear" in table.note
 
 

@@ -182,7 +182,7 @@ def test_a_history_that_a_layer_cannot_have_is_refused():
 
 def test_a_load_of_first_yield_is_not_found_for_several_laws():
     run, _ = indented(sc.Layered(SANDWICH, STEEL), loads=())
-    with pytest.raises(ValueError, match="not for layers, which body2 has"):
+    with pytest.raises(ValueError, match="does not support layers, which body2 has"):
         sc.find_load(lambda load: (run, [{"load": load}]), "yield", largest_load=10.0)
 
 
@@ -219,12 +219,12 @@ def test_results_tell_the_strength_of_each_layer(tmp_path):
     assert rows["substrate B"] == "945 MPa"
     ax = plotting.axis_profile(states[0].stress(), run.grid, body=body, interfaces=body.interfaces)
     drawn = {line.get_label(): line.get_xydata().T for line in ax.lines}
-    limit, depth = drawn["yield stress at first"]
+    limit, depth = drawn["initial yield stress"]
     assert np.isnan(limit[depth < 6.0 * (1 - 1e-9)]).all()
     inside = (depth > 6.1) & (depth < 11.9)
     assert limit[inside] == pytest.approx(450.0)
     assert np.interp(11.9, depth, limit) == pytest.approx(450.0)
-    start, depth = drawn[r"$\sigma_{xx} = \sigma_{yy}$ at first"]
+    start, depth = drawn[r"initial $\sigma_{xx} = \sigma_{yy}$"]
     assert start[depth < 5.9] == pytest.approx(-1000.0)
     assert np.abs(start[depth > 6.0]).max() == 0
 

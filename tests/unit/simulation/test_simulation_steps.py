@@ -255,7 +255,7 @@ class TestBadInput:
     @pytest.mark.parametrize(
         ("arguments", "error", "text"),
         [
-            ({}, ValueError, "give exactly one of load, approach, pressure; got none"),
+            ({}, ValueError, "one of load, approach, pressure must be given"),
             ({"load": 1.0, "approach": 0.0}, ValueError, "pressure; got load, approach"),
             ({"load": 1.0, "pressure": BALL}, ValueError, "pressure; got load, pressure"),
             ({"load": -1.0}, ValueError, "load must be a finite number >= 0 [N], got -1"),
@@ -278,7 +278,7 @@ class TestBadInput:
             ),
             ({"pressure": BALL, "shear": BALL * np.nan}, ValueError, "shear must be finite every"),
             ({"load": 1.0, "shear": BALL}, ValueError, "shear cannot be combined with load"),
-            ({"shear": BALL}, ValueError, "give exactly one of load, approach, pressure; got none"),
+            ({"shear": BALL}, ValueError, "one of load, approach, pressure must be given"),
         ],
     )
     def test_of_a_step(self, arguments, error, text):

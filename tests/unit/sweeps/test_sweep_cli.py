@@ -103,7 +103,10 @@ def test_ctrl_c_ends_the_workers_too(case_file, tmp_path):
         (("--set", "body2.yield=1e9"), "body2.yield: unknown field; did you mean"),
         (("--set", "body2.B"), "--set must be FIELD=VALUE,VALUE,..., got 'body2.B'"),
         (("--set", "body2.B=1", "--set", "body2.B=2"), "got body2.B twice"),
-        (("--set", "body2.B=1", "--jobs", "1", "--dask", "tcp://x"), "--jobs or --dask, not both"),
+        (
+            ("--set", "body2.B=1", "--jobs", "1", "--dask", "tcp://x"),
+            "--jobs and --dask cannot be combined",
+        ),
     ],
 )
 def test_bad_use_of_the_command(case_file, arguments, message):

@@ -149,7 +149,7 @@ def test_dataset_and_report(worn, tmp_path):
         verdicts = report.checks(kept)
         assert all(verdict.passed for verdict in verdicts)
         report.write(kept, tmp_path / "report.html")
-    assert "sticking area" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "stick area" in (tmp_path / "report.html").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(

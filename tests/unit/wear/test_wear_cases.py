@@ -39,14 +39,14 @@ def test_the_command_is_the_call_that_the_case_describes(case_file, tmp_path):
     table = pd.read_csv(tmp_path / "out" / "wear.csv")
     np.testing.assert_allclose(table.wear_rate, expected.rate)
     assert f"{1e18 * expected.rate[0]:.0f}" in outcome.stdout
-    assert "still wearing after 1 cycles" in outcome.stdout
+    assert "wear has not ceased after 1 cycles" in outcome.stdout
 
 
 def test_a_run_that_stops_says_nothing_of_wearing_on(case_file, tmp_path):
     case_file.write_text(WEAR.replace("1700.0", "170.0").replace("cycles = 1", "cycles = 3"))
     outcome = invoke("run", case_file, "--output", tmp_path / "out")
     assert outcome.exit_code == 0, outcome.output
-    assert "still wearing" not in outcome.stdout
+    assert "not ceased" not in outcome.stdout
 
 
 def test_the_command_makes_a_scar(case_file, tmp_path):
@@ -92,7 +92,7 @@ def test_what_wear_refuses(case_file, tmp_path, old, new, text):
 
 def test_what_the_case_refuses(case_file, tmp_path):
     check_failure(
-        invoke("run", case_file, "--animate"), 2, "--animate is not for a case with [wear]"
+        invoke("run", case_file, "--animate"), 2, "--animate cannot be combined with [wear]"
     )
     case_file.write_text(WEAR.replace("threshold", "treshold"))
     with pytest.raises(CaseError, match=r"wear.treshold: unknown field; allowed here: threshold"):
