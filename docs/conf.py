@@ -2,6 +2,7 @@
 """The documentation site: python -m sphinx -W docs build/site."""
 
 import builtins
+import re
 import sys
 from importlib.util import find_spec
 from pathlib import Path
@@ -28,6 +29,7 @@ extensions = [
     "sphinx.ext.viewcode",
     "cards",
     "case_schema",
+    "code_links",
     "executed",
     "modules",
 ]
@@ -69,6 +71,12 @@ html_copy_source = False
 def _link_to_pages(app, relative_path, parent_docname, content):
     """Files of the root that pages include link to each other, and to pages in docs."""
     content[0] = content[0].replace("](CHANGELOG.md)", "](changes.md)").replace("](docs/", "](")
+
+
+def _link_to_notebooks(app, docname, content):
+    """Notebooks lie outside docs; their pages are found by name."""
+    link = r"\[([^]]+)\]\((?:\.\./)+notebooks/(\w+)\.ipynb\)"
+    content[0] = re.sub(link, r"{doc}`\1 </notebooks/\2>`", content[0])
 
 
 def _no_fields_of_cases(app, what, name, obj, options, signature, returns):
@@ -130,3 +138,4 @@ def setup(app):
     app.connect("autodoc-process-signature", _no_fields_of_cases)
     app.connect("autodoc-process-bases", _bases)
     app.connect("include-read", _link_to_pages)
+    app.connect("source-read", _link_to_notebooks)

@@ -122,7 +122,7 @@ def _shown(cell: Any) -> Iterator[str]:
     for output in cell.outputs:
         if picture := output.get("data", {}).get("image/png"):
             encoded = picture.replace("\n", "")
-            yield f"\n![What the code draws](data:image/png;base64,{encoded})\n"
+            yield f"\n![Figure drawn by the code](data:image/png;base64,{encoded})\n"
 
 
 def with_outputs(page: str) -> str:
