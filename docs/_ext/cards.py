@@ -2,7 +2,8 @@
 """Tables of linked pictures, which the style sheet shows as cards.
 
 ``notebook-cards`` has all notebooks. ``page-cards`` has the pages of its lines "picture | page |
-title | text"; the picture is a file or, as "notebook 12", the most colourful one of a notebook.
+title | text"; the picture is a file of the repository or, as "notebook 12", the most colourful
+picture of a notebook.
 """
 
 from __future__ import annotations
@@ -95,8 +96,9 @@ class PageCards(_Cards):
                 (file,) = self.notebooks(f"{source.removeprefix('notebook ')}_*")
                 picture = notebook_picture(file)
             else:
-                self.env.note_dependency(source)
-                picture = Image.open(Path(self.env.srcdir, source)).convert("RGB")
+                file = Path(self.env.srcdir).parent / source
+                self.env.note_dependency(str(file))
+                picture = Image.open(file).convert("RGB")
             cards.append(card(page, title, picture, text))
         return self.show(cards)
 
