@@ -24,7 +24,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 SIZE = 480, 320
-"""Pixels of a picture at most: twice those of a card, for fine screens."""
+"""Maximum size of a picture in pixels: twice that of a card, for fine screens."""
 
 
 def pictures(notebook: Any) -> Iterator[Image.Image]:
@@ -42,7 +42,7 @@ def colour(picture: Image.Image) -> float:
 
 
 def encoded(picture: Image.Image) -> str:
-    """A picture of the size of a card, as the address of an image."""
+    """Picture of the size of a card, as the address of an image."""
     picture.thumbnail(SIZE, Image.Resampling.LANCZOS)
     buffer = io.BytesIO()
     picture.quantize(128).save(buffer, "PNG", optimize=True)
@@ -50,19 +50,19 @@ def encoded(picture: Image.Image) -> str:
 
 
 def notebook_picture(file: Path) -> Image.Image:
-    """The most colourful picture of a notebook."""
+    """Most colourful picture of a notebook."""
     return max(pictures(executed(nbformat.read(file, as_version=4))), key=colour)
 
 
 def card(page: str, title: str, picture: Image.Image, text: str = "") -> str:
-    """A row of the table: picture and title, both links, and a line of text."""
-    # The folder of notebooks is a link, which paths of files are followed through.
+    """Row of the table: picture and title, both links, and a line of text."""
+    # HTML and a role, because Sphinx follows the link of the folder of notebooks in file paths.
     shown = f'<a href="{page}.html"><img alt="{title}" src="{encoded(picture)}"></a>'
     return f"| {shown} | {{doc}}`{title} </{page}>` | {text} |"
 
 
 class _Cards(SphinxDirective):
-    """A table of cards."""
+    """Table of cards."""
 
     def show(self, cards: list[str]) -> list[nodes.Node]:
         return self.parse_text_to_nodes("\n".join(["| | | |", "|---|---|---|", *cards]))

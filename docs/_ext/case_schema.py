@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The directive ``case-schema``: tables of the fields of a case file, from its models.
+"""Directive ``case-schema``: tables of the fields of a case file, from its models.
 
 Names, units, ranges and defaults are those of the models; meanings are in field_meanings.toml.
 """
@@ -37,7 +37,7 @@ PLAIN = {float: "number", int: "integer", bool: "true or false", str: "text", li
 
 
 def kind(annotation: Any) -> str:
-    """A type in words."""
+    """Type in words."""
     origin, parts = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
         return kind(parts[0]) + limits(parts[1:])
@@ -56,12 +56,12 @@ def kind(annotation: Any) -> str:
 
 
 def several(what: str) -> str:
-    """The plural of a type in words; listed values stay as they are."""
+    """Plural of a type in words; listed values stay as they are."""
     return re.sub(r"^(number|integer|section|list)\b", r"\1s", what)
 
 
 def limits(metadata: Any) -> str:
-    """The bounds among the constraints of a field, in words."""
+    """Bounds among the constraints of a field, in words."""
     found = []
     for item in metadata:
         for part in (item, *getattr(item, "metadata", ())):
@@ -83,7 +83,7 @@ def default(field: Any) -> str:
 
 
 def places(root: type[BaseModel]) -> dict[type[BaseModel], list[str]]:
-    """The sections below a file of this kind, outermost first, with their headings in the file."""
+    """Sections below a file of this kind, outermost first, with their headings in the file."""
     found: dict[type[BaseModel], list[str]] = {}
     waiting = [(root, "")]
     while waiting:
@@ -109,7 +109,7 @@ def word(model: type[BaseModel]) -> str:
 
 
 def titled() -> dict[type[BaseModel], str]:
-    """All sections and their titles, as they stand in case files."""
+    """All sections with their titles, as in case files."""
     titles: dict[type[BaseModel], str] = dict(ROOTS)
     for root in ROOTS:
         for model, headings in places(root).items():
