@@ -302,7 +302,7 @@ def draw(records: list[Record]) -> dict[str, Any]:
 
 STUDY = Study(
     "resolution", "How fine a rough contact must be.", points, run, page, draw,
-    document="rough_resolution", fresh=True,
+    document="rough_resolution", fresh=True, figures="docs/figures",
 )  # fmt: skip
 
 if __name__ == "__main__":

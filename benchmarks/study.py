@@ -25,6 +25,8 @@ import click
 import samcontact as sc
 
 ROOT = Path(__file__).resolve().parents[1]
+DRAWN = "build/figures"
+"""Folder of figures that are drawn from stored records, also when the site is built."""
 Record = dict[str, Any]
 
 
@@ -50,6 +52,8 @@ class Study:
     """Whether measurements take so long that each is kept, and --docs measures nothing."""
     keeps_quick: bool = False
     """Whether the small points are kept beside the others."""
+    figures: str = DRAWN
+    """Folder of its figures: docs/figures where no records are stored to draw them from."""
 
     @property
     def file(self) -> Path:
@@ -85,8 +89,7 @@ class Study:
     def write(self, records: list[Record]) -> None:
         """Write the page and its figures."""
         self.document_file.write_text(self.page(records), encoding="utf-8")
-        for name, figure in self.draw(records).items():
-            figure.savefig(ROOT / "docs" / "figures" / name, dpi=150)
+        save(self.draw(records), self.figures)
 
     def solve(self, points: Sequence[Record], processes: int = 1) -> Iterator[list[Record]]:
         """Records of points, each found in a process that has one thread."""
@@ -106,6 +109,15 @@ def find(name: str) -> Study:
     module = importlib.import_module(f"benchmarks.{name}" + ".page" * folder.is_dir())
     found: Study = module.STUDY
     return found
+
+
+def save(figures: dict[str, Any], folder: str = DRAWN) -> None:
+    """Write figures by the name of their file, each whole for whoever reads it meanwhile."""
+    (ROOT / folder).mkdir(parents=True, exist_ok=True)
+    for name, figure in figures.items():
+        part = ROOT / folder / f"{name}.{os.getpid()}"
+        figure.savefig(part, format="png", dpi=150)
+        part.replace(ROOT / folder / name)
 
 
 def measured_on() -> str:

@@ -31,6 +31,7 @@ extensions = [
     "case_schema",
     "code_links",
     "executed",
+    "figures",
     "modules",
 ]
 exclude_patterns = ["_ext", "notebooks/.ipynb_checkpoints"]

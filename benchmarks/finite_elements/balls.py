@@ -70,7 +70,7 @@ An elastic ball on a ball of AISI 52100 that yields, of 15 mm radius each: press
 - the same asked for to 5, 1 and 0.2 % (`sc.to_accuracy`), which chooses cells and increments;
   its time is that of all its grids. Its limit is also that of ever more increments.
 
-![Largest error of two balls over time](figures/finite_elements.png)
+![Largest error of two balls over time](../build/figures/finite_elements.png)
 
 ### Errors of two balls
 

@@ -40,7 +40,7 @@ three dimensions:
 - samcontact: cubic cells on the whole period, as many as the table says (`periodic="xy"`), no `nz`,
   all settings as they come; the mirror planes are found.
 
-![Largest error over time](figures/finite_elements_wave.png)
+![Largest error over time](../build/figures/finite_elements_wave.png)
 
 ### Errors of the wavy surface
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 
 from ..harness import ROOT
+from ..study import save
 from .running import ONE_THREAD
 from .schedule import PROBLEMS, STORED
 
@@ -47,7 +48,7 @@ def main(
         click.echo(page.tables_of(results.data))
     else:
         page.write(results.data)
-        figures.write(results.data)
+        save(figures.draw(results.data))
 
 
 if __name__ == "__main__":

@@ -3,15 +3,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
-import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
-from ..harness import ROOT
 from ..plots import COLOURS, MARKERS
 from .page import COUNTED_AT, MEASURE, OURS, TITLES, Ladder, by_place, points, ratio_at, time_at
 from .running import CODES
@@ -61,9 +58,8 @@ def figure(data: dict[str, Any], problem: str) -> Figure | None:
             by_case.setdefault(case, {})[n] = codes
     if not by_case:
         return None
-    drawn, grid = plt.subplots(
-        len(by_case), 2, figsize=(9, 3.4 * len(by_case) + 0.5), squeeze=False, layout="constrained"
-    )
+    drawn = Figure(figsize=(9, 3.4 * len(by_case) + 0.5), layout="constrained")
+    grid = drawn.subplots(len(by_case), 2, squeeze=False)
     for (left, right), (case, places) in zip(grid, by_case.items(), strict=True):
         # The largest size where most codes are, so that there is something to compare.
         most = max(len(codes) for codes in places.values())
@@ -80,13 +76,7 @@ def figure(data: dict[str, Any], problem: str) -> Figure | None:
     return drawn
 
 
-def write(data: dict[str, Any], folder: Path = ROOT / "docs" / "figures") -> list[Path]:
-    """peers_PROBLEM.png where there is something to draw."""
-    written = []
-    for problem in MEASURE:
-        drawn = figure(data, problem)
-        if drawn is not None:
-            written.append(folder / f"peers_{problem}.png")
-            drawn.savefig(written[-1], dpi=150)
-            plt.close(drawn)
-    return written
+def draw(data: dict[str, Any]) -> dict[str, Figure]:
+    """Figures by the name of their file, of the problems that have something to draw."""
+    drawn = {f"peers_{problem}.png": figure(data, problem) for problem in MEASURE}
+    return {name: one for name, one in drawn.items() if one is not None}

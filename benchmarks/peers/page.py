@@ -348,7 +348,7 @@ def tables_of(data: dict[str, Any]) -> str:
         if lines:
             sections += [f"### {title}", table(without_empty(lines))]
             if problem in MEASURE:
-                sections.append(f"![{title}: time and error](figures/peers_{problem}.png)")
+                sections.append(f"![{title}: time and error](../build/figures/peers_{problem}.png)")
         if lines:
             sections += about_grids(problem, data)
     sections += ["### Where a peer is faster", *wins_of_peers(data), *failures(data)]

@@ -4,7 +4,6 @@
 import atexit
 import shutil
 import tempfile
-from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
@@ -123,27 +122,6 @@ CALLS = [
     *(
         ("ContactSolver.solve", SOLVER.solve, {"gap": GAP, "initial_pressure": PATCH, **driver})
         for driver in DRIVERS
-    ),
-    *(
-        (f"{type(law).__name__}{call}", function, arguments)
-        for law in (sc.Coulomb(0.3), sc.Tresca(1e8), sc.CappedCoulomb(0.3, 1e8))
-        for call, function, arguments in (
-            ("", type(law), asdict(law)),
-            (".bound", law.bound, {"pressure": PATCH}),
-            (".ratio", law.ratio, {"pressure": 1e8}),
-            (".to_core", law.to_core, {}),
-            (".to_tree", law.to_tree, {}),
-        )
-    ),
-    *(
-        (f"{type(law).__name__}{call}", function, arguments)
-        for law in (sc.HardContact(), sc.TensileLimit(1e6))
-        for call, function, arguments in (
-            ("", type(law), asdict(law)),
-            (".require_possible", law.require_possible, {"heat": sc.Heat(), "given": {}}),
-            (".to_core", law.to_core, {}),
-            (".to_tree", law.to_tree, {}),
-        )
     ),
     *(
         (

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
 import samcontact as sc
 from browser import chromium, served
@@ -147,6 +148,20 @@ def test_every_part_of_the_gallery_has_its_picture(site):
     picture = r'href="gallery/(\w+)\.html">(?:<span[^>]*>)?<img alt="[^"]+"[^>]* src="_images/'
     linked = re.findall(picture, text)
     assert sorted(linked) == sorted(parts)
+
+
+def test_figures_of_benchmarks_are_drawn(site):
+    drawn = {}
+    for page in DOCS.glob("*.md"):
+        drawn[page.stem] = re.findall(r"\.\./build/figures/(\w+)\.png", page.read_text())
+        text = (site / f"{page.stem}.html").read_text()
+        for name in drawn[page.stem]:
+            assert f'src="_images/{name}.png"' in text
+            with Image.open(site / "_images" / f"{name}.png") as picture:
+                assert picture.width > 700
+    assert {page for page in drawn if drawn[page]} == {
+        "experiments", "finite_elements", "peers", "static_capacity"
+    }  # fmt: skip
 
 
 def test_every_module_is_listed_with_its_first_line(site):

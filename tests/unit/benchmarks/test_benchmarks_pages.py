@@ -166,7 +166,7 @@ class TestStudy:
         kept = study.file.read_bytes()
         page = tmp_path / "page.md"
         monkeypatch.setattr(studies, "ROOT", tmp_path)
-        (tmp_path / "docs" / "figures").mkdir(parents=True)
+        (tmp_path / "docs").mkdir()
         done = CliRunner().invoke(studies.command(study), ["contacts", "--quick"])
         assert done.exit_code == 0, done.output
         assert done.output.startswith(
@@ -177,7 +177,8 @@ class TestStudy:
         assert study.file.read_bytes() == kept
         assert CliRunner().invoke(studies.command(study), ["--page"]).exit_code == 0
         assert page.read_text(encoding="utf-8") == study.page(study.records())
-        assert list((tmp_path / "docs" / "figures").glob("*.png"))
+        drawn = [file.name for file in (tmp_path / "build" / "figures").iterdir()]
+        assert drawn == ["static_capacity.png"]
         done = CliRunner().invoke(studies.command(study), ["nothing"])
         assert done.exit_code == 2
         assert "is not one of 'contacts', 'steels', 'fine'" in done.output

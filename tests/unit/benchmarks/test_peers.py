@@ -105,7 +105,6 @@ def test_figures(stored):
     drawn = figures.figure(stored, "hertz")
     assert all(axes.get_xscale() == axes.get_yscale() == "log" for axes in drawn.axes)
     assert figures.figure({"rows": {}}, "hertz") is None
-    figures.plt.close(drawn)
 
 
 def test_time_at_an_error():

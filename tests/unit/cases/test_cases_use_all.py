@@ -9,164 +9,25 @@ import numpy as np
 import pytest
 from pydantic import BaseModel
 
+from case_kinds import (
+    BASE,
+    COATED,
+    COLD,
+    CONTACT,
+    DENT,
+    GRID,
+    HEAT,
+    KINDS,
+    LAYER,
+    ROLL,
+    ROUGH,
+    SWIFT,
+    TUGGING,
+    WEAR,
+)
 from samcontact import wear
 from samcontact.cases import Case, CaseError, TuggingCase, fatigue, shakedown, tugging
 
-SWIFT = {
-    "law": "swift", "E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121,
-    "kinematic": {"modulus": [1e9], "recovery": [5.0]},
-    "thermal": {"conductivity": 46.0, "expansion": 11e-6, "diffusivity": 13e-6},
-    "softening": {"kind": "johnson_cook", "melting": 1800.0, "m": 1.0, "reference": 300.0,
-                  "ambient": 300.0, "floor": 0.1},
-    "yield_profile": {"z": [0.0, 1e-5], "factor": [2.0, 1.5]},
-    "residual_stress": {"z": [0.0, 1e-5], "sxx": [-1e8, 0.0], "syy": [-2e8, 0.0],
-                        "sxy": [1e7, 0.0]},
-}  # fmt: skip
-VOCE = {
-    "law": "voce", "E": 210e9, "nu": 0.3, "yield_stress": 1e9, "saturation_stress": 2e9,
-    "rate": 50.0, "thermal": SWIFT["thermal"],
-}  # fmt: skip
-TABULATED = {
-    "law": "tabulated", "E": 210e9, "nu": 0.3, "plastic_strain": [0.0, 1e-3], "stress": [1e9, 2e9],
-    "thermal": SWIFT["thermal"],
-}  # fmt: skip
-LAYER = {"E": 420e9, "nu": 0.22, "thickness": 2e-6}
-COATED = {"law": "elastic", "E": 210e9, "nu": 0.3, "layers": [LAYER, LAYER | {"E": 70e9}]}
-COLD = {name: value for name, value in SWIFT.items() if name not in ("thermal", "softening")}
-GRID = {"nx": 16, "ny": 14, "dx": 5e-6, "dy": 6e-6, "nz": 4, "dz": 5e-6}
-ROUGH = {
-    "kind": "self_affine", "rms_height": 1e-8, "hurst": 0.7, "seed": 1, "wavelength_min": 15e-6,
-    "wavelength_max": 60e-6, "roll_off": 40e-6,
-}  # fmt: skip
-SURFACE = {"shape": "paraboloid", "Rx": 1e-3, "Ry": 2e-3, "roughness": ROUGH}
-CONTACT = {
-    "friction": 0.1, "tol": 1e-6, "increment_tol": 1e-3, "on_border": "warn",
-    "residual_stress": "fast", "image_tol": 2e-3, "max_iterations": 50,
-    "reach": 1e-4,
-}  # fmt: skip
-HEAT = {
-    "factor": [1e-3, 2e-3], "velocity": [[1.0, 0.0], [0.5, 0.0]], "time": 1e-3, "reference": 0.5,
-}  # fmt: skip
-RAMP = {
-    "load": 2.0, "increments": 2, "start": 0.5, "spacing": "power", "exponent": 3.0,
-    "advance": [1e-5, 5e-6], "heat_factor": [3e-3, 1e-3],
-}  # fmt: skip
-DENT = {"kind": "dent", "depth": 1e-7, "radius": 3e-5, "x": 1e-6, "y": 2e-6}
-FURROW = {"kind": "furrow", "depth": 1e-7, "half_width": 2e-5, "along": "x", "position": 1e-6}
-BASE = {
-    "title": "t", "grid": GRID, "body1": SWIFT, "body2": SWIFT, "surface": SURFACE,
-    "contact": CONTACT, "heat": HEAT, "path": [RAMP],
-}  # fmt: skip
-ROLL = {
-    "distance": 1e-5, "step": 5e-6, "passes": 2, "unload_increments": 3, "slide_to_roll": -0.1,
-}  # fmt: skip
-MEASURED = {
-    "path": "h.npy", "channel": 0, "detrend": "none", "unit": "um", "dx": 2e-6, "dy": 3e-6,
-    "y": 1e-6, "mirror": "x", "method": "linear", "average": True, "fill": 1e-7, "x": 2e-6,
-}  # fmt: skip
-MARCHED = {"factor": [0.0, 2e-3], "velocity": HEAT["velocity"], "history": [1e-6, 1e-3]}
-FLAT = {"shape": "paraboloid", "Rx": 1e-3}
-TUGGING = {
-    "title": "t",
-    "tugging": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6, "passes": 2, "back_and_forth": True,
-                "cells_per_increment": 2, "increments": 12, "width": 1.7, "depth": 1.5},
-    "body1": COLD, "body2": COLD, "relief1": DENT, "relief2": ROUGH,
-    "contact": {k: CONTACT[k] for k in ("tol", "increment_tol", "on_border", "residual_stress",
-                                        "image_tol", "max_iterations", "reach")},
-}  # fmt: skip
-WEAR = {"threshold": 2e-3, "cycles": 3, "worn": [2], "window": [3, 5], "order": 1}
-WARM = COLD | {"thermal": SWIFT["thermal"]}
-STICKS = {
-    "title": "t", "grid": GRID, "body1": COLD, "body2": COLD, "surface": FLAT,
-    "contact": {"friction": {"coulomb": 0.3}},
-}  # fmt: skip
-KINDS = {
-    "contact": BASE,
-    "sphere": BASE | {"surface": {"shape": "sphere", "R": 1e-3}, "relief1": DENT,
-                      "relief2": FURROW},
-    "cylinder": BASE | {"surface": {"shape": "cylinder", "R": 1e-3, "axis": "x"}, "relief1": ROUGH},
-    "sinusoidal": BASE
-    | {"surface": FLAT | {"roughness": {"kind": "sinusoidal", "amplitude": 1e-8,
-                                        "wavelength_x": 2e-5, "wavelength_y": 3e-5}}},
-    "file": BASE
-    | {"surface": {"shape": "file", "Rx": 1e-3, "Ry": 2e-3} | MEASURED,
-       "relief2": {"kind": "file", "periodic": True} | MEASURED},
-    "coated": BASE | {"body1": COLD, "body2": COATED, "heat": None, "path": [{"load": 2.0}]},
-    "coated by other laws": BASE | {"body1": COLD, "body2": COLD | {"layers": [
-        COLD | {"thickness": 5e-6},
-        *({k: v for k, v in law.items() if k != "thermal"} | {"thickness": 10e-6}
-          for law in (VOCE, TABULATED)),
-    ]}, "heat": None, "path": [{"load": 2.0}]},
-    "Voce": BASE | {"body1": VOCE},
-    "tabulated": BASE | {"body2": TABULATED},
-    "rolling": BASE
-    | {"path": [{"load": 2.0, "increments": 2, "heat_factor": 0.0, "roll": ROLL}]},
-    "sliding": BASE
-    | {"path": [{"load": 2.0, "slide": {"distance": 1e-5, "step": 5e-6, "passes": 2,
-                                        "unload_increments": 3, "slider": 1}}]},
-    "judged": BASE
-    | {"fatigue": {"dang_van": 0.3, "crossland": 0.3, "findley": 0.2, "fatemi_socie": 0.5,
-                   "orthogonal_shear": "x", "yield_stress": 1e9,
-                   "limit": {"dang_van": 3e8, "crossland": 3e8, "findley": 3e8,
-                             "fatemi_socie": 4e-3, "orthogonal_shear": 4e8}}},
-    "repeated": BASE
-    | {"path": [{k: v for k, v in RAMP.items() if k != "advance"}],
-       "shakedown": {"cycles": 7, "tol": 2e-3, "accelerate": False}},
-    "approach": BASE | {"path": [{"approach": 1e-7, "start": 1e-8}]},
-    "marched": BASE
-    | {"heat": MARCHED, "path": [{"load": 1.0, "duration": 1e-4},
-                                 {"load": 1.0, "duration": 1e-4}]},
-    "marched sliding": BASE
-    | {"heat": MARCHED | {"velocity": [-2.0, 0.0]}, "surface": FLAT,
-       "path": [{"load": 1.0, "slide": {"distance": 1e-5, "step": 5e-6, "speed": 2.0,
-                                        "passes": 2}}]},
-    "stick and slip": STICKS
-    | {"path": [{"load": 2.0, "increments": 2, "spacing": "power", "exponent": 3.0,
-                 "shift_x": 1e-8, "tangential_load_y": 0.1, "torque": 1e-9},
-                {"load": 3.0, "increments": 2, "tangential_load_y": 0.05, "twist": 1e-6}]},
-    "creeping": STICKS
-    | {"path": [{"load": 2.0, "increments": 2,
-                 "roll": ROLL | {"lateral_creepage": 1e-3, "spin": 2.0}},
-                {"load": 2.0, "increments": 2, "roll": {
-                    "distance": 1e-5, "step": 5e-6, "passes": 2, "tangential_load_x": 0.1}}]},
-    "capped friction": STICKS
-    | {"contact": {"friction": {"capped_coulomb": {"coefficient": 0.3, "limit": 1e8}}},
-       "path": [{"load": 2.0, "shift_x": 1e-8}]},
-    "shear strength": STICKS
-    | {"contact": {"friction": {"tresca": 1e8}}, "path": [{"load": 2.0, "shift_x": 1e-8}]},
-    "hard": STICKS
-    | {"contact": STICKS["contact"] | {"contact_law": {"kind": "hard"}},
-       "path": [{"load": 2.0, "increments": 2}]},
-    "attracted": STICKS
-    | {"contact": STICKS["contact"]
-       | {"contact_law": {"kind": "tensile_limit", "limit": 1e6}},
-       "path": [{"load": 2.0, "increments": 2}]},
-    "fretting": STICKS
-    | {"path": [{"load": 2.0, "increments": 2},
-                {"load": 2.0, "fret": {"tangential_load_x": 0.1, "tangential_load_y": 0.05,
-                                       "cycles": 2}}]},
-    "fretting heat": STICKS
-    | {"body1": WARM, "body2": WARM, "heat": {"partition": 0.4, "time": 1e-3},
-       "path": [{"load": 2.0, "increments": 2, "duration": 1e-3},
-                {"load": 2.0, "duration": 1e-2, "fret": {"shift_x": 1e-8}}]},
-    "fretting by motion": STICKS
-    | {"path": [{"load": 2.0, "increments": 2},
-                {"load": 2.0, "fret": {"shift_x": 1e-8, "shift_y": 1e-9}}]},
-    "wear": BASE | {"wear": WEAR | {"strain_depth": "smoothed"}},
-    "running in": BASE | {"wear": {"threshold": 2e-3, "smoothing_length": 8e-6}},
-    "fretting wear": STICKS
-    | {"wear": {"energy": [1e-14, 2e-14], "cycles": 3, "repeats": 1000},
-       "path": [{"load": 2.0, "increments": 2},
-                {"load": 2.0, "fret": {"tangential_load_x": 0.1, "cycles": 2}}]},
-    "Archard's wear": STICKS
-    | {"wear": {"archard": 1e-14},
-       "path": [{"load": 2.0}, {"load": 2.0, "fret": {"shift_x": 1e-8}}]},
-    "marched wear": BASE
-    | {"wear": WEAR, "heat": MARCHED, "path": [{"load": 1.0, "duration": 1e-4}]},
-    "tugging": TUGGING,
-    "tugging on a grid": TUGGING
-    | {"grid": GRID, "tugging": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6}},
-}  # fmt: skip
 # Not of what is computed: title and place of results, and what the command shows of them.
 OF_RESULTS = {"title", "description", "estimate_error", "output"}
 # What has no grid to build: tests of to_accuracy see to it.

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A valid call of every friction law and contact law, with all of its arguments."""
+
+from dataclasses import asdict
+
+import numpy as np
+
+import samcontact as sc
+
+CALLS = [
+    *(
+        (f"{type(law).__name__}{call}", function, arguments)
+        for law in (sc.Coulomb(0.3), sc.Tresca(1e8), sc.CappedCoulomb(0.3, 1e8))
+        for call, function, arguments in (
+            ("", type(law), asdict(law)),
+            (".bound", law.bound, {"pressure": np.full((3, 3), 1e8)}),
+            (".ratio", law.ratio, {"pressure": 1e8}),
+            (".to_core", law.to_core, {}),
+            (".to_tree", law.to_tree, {}),
+        )
+    ),
+    *(
+        (f"{type(law).__name__}{call}", function, arguments)
+        for law in (sc.HardContact(), sc.TensileLimit(1e6))
+        for call, function, arguments in (
+            ("", type(law), asdict(law)),
+            (".require_possible", law.require_possible, {"heat": sc.Heat(), "given": {}}),
+            (".to_core", law.to_core, {}),
+            (".to_tree", law.to_tree, {}),
+        )
+    ),
+]
