@@ -2,6 +2,7 @@
 """The documentation site: python -m sphinx -W docs build/site."""
 
 import builtins
+import re
 import sys
 from importlib.util import find_spec
 from pathlib import Path
@@ -28,24 +29,25 @@ extensions = [
     "sphinx.ext.viewcode",
     "cards",
     "case_schema",
+    "code_links",
     "executed",
     "figures",
     "modules",
 ]
 exclude_patterns = ["_ext", "notebooks/.ipynb_checkpoints"]
-nitpicky = False  # units in numpydoc types are no references
+nitpicky = False  # units in numpydoc types are not references
 
 myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 3
 executed_pages = ["index", "tutorial"]
-nb_execution_mode = "off"  # they come with outputs
+nb_execution_mode = "off"  # notebooks come with outputs
 nb_merge_streams = True
 
 python_maximum_signature_line_length = 72  # then a line for each parameter
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_type_aliases = {name: name for name in ("ArrayLike", "FloatArray")}
-# Names of these also where they stand in unions, and as types of properties.
+# Aliases by name also within unions, and as types of properties.
 TypeAliasForwardRef.__repr__ = lambda self: self.name
 autodoc_default_options = {
     "members": True,
@@ -55,7 +57,7 @@ autodoc_default_options = {
 napoleon_google_docstring = False
 napoleon_use_rtype = False
 
-# One file, fonts included: formulas need no network. Of this package nothing else is used.
+# One file, fonts included: formulas need no network.
 _mathjax = Path(find_spec("sphinx-mathjax-offline").origin).parent / "static" / "mathjax"
 mathjax_path = "tex-svg.js"
 mathjax3_config = {"svg": {"scale": 0.88}}
@@ -68,8 +70,14 @@ html_copy_source = False
 
 
 def _link_to_pages(app, relative_path, parent_docname, content):
-    """Files of the root that pages include link to each other, and to pages in docs."""
+    """Translate links in included files of the root to links between pages."""
     content[0] = content[0].replace("](CHANGELOG.md)", "](changes.md)").replace("](docs/", "](")
+
+
+def _link_to_notebooks(app, docname, content):
+    """Translate links to notebooks, which lie outside docs, to links to their pages."""
+    link = r"\[([^]]+)\]\((?:\.\./)+notebooks/(\w+)\.ipynb\)"
+    content[0] = re.sub(link, r"{doc}`\1 </notebooks/\2>`", content[0])
 
 
 def _no_fields_of_cases(app, what, name, obj, options, signature, returns):
@@ -79,7 +87,7 @@ def _no_fields_of_cases(app, what, name, obj, options, signature, returns):
 
 
 def _bases(app, name, obj, options, bases):
-    """Only those that users can name."""
+    """Keep only public base classes."""
     bases[:] = [base for base in bases if _is_public(base)] or [object]
 
 
@@ -90,7 +98,7 @@ def _is_public(base):
 
 
 def _whole_formulas(app, doctree):
-    """Sphinx would put a formula of several rows into `split`, where no number may stand."""
+    """Keep formulas of several rows out of `split`, in which they cannot be numbered."""
     for node in doctree.findall(nodes.math_block):
         if r"\\" in node.astext() and not node.get("nowrap"):
             node["nowrap"] = True
@@ -98,14 +106,14 @@ def _whole_formulas(app, doctree):
 
 
 def _no_bases(app, doctree):
-    """What has no base is told to have `object`."""
+    """Remove the base class `object`."""
     for node in list(doctree.findall(nodes.paragraph)):
         if node.astext() == "Bases: object":
             node.parent.remove(node)
 
 
 def _wide_pictures(app, doctree, docname):
-    """Pictures wider than eight inches get a class: on a phone they need more than its width."""
+    """Mark pictures wider than eight inches, which scroll on a phone."""
     for node in doctree.findall(nodes.image):
         file = Path(app.srcdir, node["candidates"].get("*", ""))
         if file.suffix == ".png" and file.exists():
@@ -115,7 +123,7 @@ def _wide_pictures(app, doctree, docname):
 
 
 def _words_are_no_links(app, doctree):
-    """Of a type such as "array_like, shape (n,)" all words would be looked up as names."""
+    """Remove links from the words of a type such as "array_like, shape (n,)"."""
     for node in list(doctree.findall(pending_xref)):
         last = node.get("reftarget", "").rpartition(".")[2]
         is_type = node.get("refdomain") == "py" and node.get("reftype") in ("class", "obj")
@@ -131,3 +139,4 @@ def setup(app):
     app.connect("autodoc-process-signature", _no_fields_of_cases)
     app.connect("autodoc-process-bases", _bases)
     app.connect("include-read", _link_to_pages)
+    app.connect("source-read", _link_to_notebooks)

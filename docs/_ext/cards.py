@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The directive ``notebook-cards``: all notebooks, each with its most colourful picture."""
+"""Tables of linked pictures, which the style sheet shows as cards.
+
+``notebook-cards`` has all notebooks. ``page-cards`` has the pages of its lines "picture | page |
+title | text"; the picture is a file of the repository or, as "notebook 12", the most colourful
+picture of a notebook.
+"""
 
 from __future__ import annotations
 
@@ -19,11 +24,11 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 SIZE = 480, 320
-"""Pixels of a picture at most: twice those of a card, for fine screens."""
+"""Maximum size of a picture in pixels: twice that of a card, for fine screens."""
 
 
 def pictures(notebook: Any) -> Iterator[Image.Image]:
-    """All that the cells of an executed notebook draw."""
+    """All pictures that the cells of an executed notebook draw."""
     for cell in notebook.cells:
         for output in cell.get("outputs", ()):
             if encoded := output.get("data", {}).get("image/png"):
@@ -31,33 +36,74 @@ def pictures(notebook: Any) -> Iterator[Image.Image]:
 
 
 def colour(picture: Image.Image) -> float:
-    """The part of a picture that is neither grey nor white."""
+    """Fraction of a picture that is neither grey nor white."""
     small = np.asarray(picture.resize((90, 60), Image.Resampling.BOX), dtype=int)
     return float(np.mean(np.ptp(small, axis=2) > 40))
 
 
-def card(name: str, notebook: Any) -> str:
-    """A row of the table: picture and title, both links."""
-    title = re.search(r"^# (.+)$", notebook.cells[0].source, re.MULTILINE)[1]
-    picture = max(pictures(notebook), key=colour)
+def encoded(picture: Image.Image) -> str:
+    """Picture of the size of a card, as the address of an image."""
     picture.thumbnail(SIZE, Image.Resampling.LANCZOS)
     buffer = io.BytesIO()
     picture.quantize(128).save(buffer, "PNG", optimize=True)
-    source = f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}"
-    # The folder of notebooks is a link, which paths of files are followed through.
-    shown = f'<a href="notebooks/{name}.html"><img alt="{title}" src="{source}"></a>'
-    return f"| {shown} | {{doc}}`{title} </notebooks/{name}>` |"
+    return f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}"
 
 
-class NotebookCards(SphinxDirective):
-    """A table of the notebooks, which the style sheet shows as cards."""
+def notebook_picture(file: Path) -> Image.Image:
+    """Most colourful picture of a notebook."""
+    return max(pictures(executed(nbformat.read(file, as_version=4))), key=colour)
+
+
+def card(page: str, title: str, picture: Image.Image, text: str = "") -> str:
+    """Row of the table: picture and title, both links, and a line of text."""
+    # HTML and a role, because Sphinx follows the link of the folder of notebooks in file paths.
+    shown = f'<a href="{page}.html"><img alt="{title}" src="{encoded(picture)}"></a>'
+    return f"| {shown} | {{doc}}`{title} </{page}>` | {text} |"
+
+
+class _Cards(SphinxDirective):
+    """Table of cards."""
+
+    def show(self, cards: list[str]) -> list[nodes.Node]:
+        return self.parse_text_to_nodes("\n".join(["| | | |", "|---|---|---|", *cards]))
+
+    def notebooks(self, pattern: str = "*") -> list[Path]:
+        return sorted(Path(self.env.srcdir, "notebooks").glob(f"{pattern}.ipynb"))
+
+
+class NotebookCards(_Cards):
+    """All notebooks, each with its most colourful picture."""
 
     def run(self) -> list[nodes.Node]:
-        files = sorted(Path(self.env.srcdir, "notebooks").glob("*.ipynb"))
-        rows = [card(file.stem, executed(nbformat.read(file, as_version=4))) for file in files]
-        return self.parse_text_to_nodes("\n".join(["| | |", "|---|---|", *rows]))
+        cards = []
+        for file in self.notebooks():
+            first = nbformat.read(file, as_version=4).cells[0].source
+            title = re.search(r"^# (.+)$", first, re.MULTILINE)[1]
+            cards.append(card(f"notebooks/{file.stem}", title, notebook_picture(file)))
+        return self.show(cards)
+
+
+class PageCards(_Cards):
+    """Pages, each with a picture and a line of text."""
+
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        cards = []
+        for line in self.content:
+            source, page, title, text = (part.strip() for part in line.split("|"))
+            if source.startswith("notebook "):
+                (file,) = self.notebooks(f"{source.removeprefix('notebook ')}_*")
+                picture = notebook_picture(file)
+            else:
+                file = Path(self.env.srcdir).parent / source
+                self.env.note_dependency(str(file))
+                picture = Image.open(file).convert("RGB")
+            cards.append(card(page, title, picture, text))
+        return self.show(cards)
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("notebook-cards", NotebookCards)
+    app.add_directive("page-cards", PageCards)
     return {"parallel_read_safe": True}

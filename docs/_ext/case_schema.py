@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The directive ``case-schema``: tables of the fields of a case file, from its models."""
+"""Directive ``case-schema``: tables of the fields of a case file, from its models.
+
+Names, units, ranges and defaults are those of the models; meanings are in field_meanings.toml.
+"""
 
 from __future__ import annotations
 
 import json
 import re
+import sys
+from pathlib import Path
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
@@ -17,6 +22,12 @@ from sphinx.util.docutils import SphinxDirective
 from samcontact import cases
 from samcontact.cases.field_units import models_in, unit_of
 
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+MEANINGS = Path(__file__).with_name("field_meanings.toml")
 SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"))
 ROOTS = {
     cases.Case: "Top of the file",
@@ -26,7 +37,7 @@ PLAIN = {float: "number", int: "integer", bool: "true or false", str: "text", li
 
 
 def kind(annotation: Any) -> str:
-    """A type in words."""
+    """Type in words."""
     origin, parts = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
         return kind(parts[0]) + limits(parts[1:])
@@ -45,12 +56,12 @@ def kind(annotation: Any) -> str:
 
 
 def several(what: str) -> str:
-    """The plural of what `kind` says, but for values that are listed."""
+    """Plural of a type in words; listed values stay as they are."""
     return re.sub(r"^(number|integer|section|list)\b", r"\1s", what)
 
 
 def limits(metadata: Any) -> str:
-    """The bounds among the constraints of a field, in words."""
+    """Bounds among the constraints of a field, in words."""
     found = []
     for item in metadata:
         for part in (item, *getattr(item, "metadata", ())):
@@ -72,7 +83,7 @@ def default(field: Any) -> str:
 
 
 def places(root: type[BaseModel]) -> dict[type[BaseModel], list[str]]:
-    """The sections below a file of this kind, outermost first, with their headings in the file."""
+    """Sections below a file of this kind, outermost first, with their headings in the file."""
     found: dict[type[BaseModel], list[str]] = {}
     waiting = [(root, "")]
     while waiting:
@@ -90,7 +101,7 @@ def places(root: type[BaseModel]) -> dict[type[BaseModel], list[str]]:
 
 
 def word(model: type[BaseModel]) -> str:
-    """What tells this section from others of its name, e.g. ``law = "swift"``; "" for nothing."""
+    """Field that distinguishes sections of one name, e.g. ``law = "swift"``; "" without one."""
     for name, field in model.model_fields.items():
         if field.is_required() and get_origin(field.annotation) is Literal:
             return f'{name} = "{get_args(field.annotation)[0]}"'
@@ -98,7 +109,7 @@ def word(model: type[BaseModel]) -> str:
 
 
 def titled() -> dict[type[BaseModel], str]:
-    """All sections and their titles, as they stand in case files."""
+    """All sections with their titles, as in case files."""
     titles: dict[type[BaseModel], str] = dict(ROOTS)
     for root in ROOTS:
         for model, headings in places(root).items():
@@ -110,16 +121,36 @@ def titled() -> dict[type[BaseModel], str]:
     return titles
 
 
-def table(model: type[BaseModel], title: str) -> list[str]:
+def place_of(model: type[BaseModel]) -> str:
+    """Name of a section in field_meanings.toml: its innermost heading, without body numbers."""
+    if model in ROOTS:
+        return "case"
+    headings = [found for root in ROOTS for found in places(root).get(model, [])]
+    return re.sub(r"[][]|(?<=body)\d|(?<=relief)\d", "", min(headings, key=len))
+
+
+def meanings() -> dict[type[BaseModel], dict[str, str]]:
+    """One line on each field of each section; raises KeyError where one is missing."""
+    tables = tomllib.loads(MEANINGS.read_text(encoding="utf-8"))
+    found: dict[type[BaseModel], dict[str, str]] = {}
+    for model in titled():
+        place = place_of(model)
+        above = place.removesuffix(".layers")  # a layer has the fields of a body
+        known = tables["any"] | tables.get(above, {}) | tables.get(place, {})
+        found[model] = {name: known[name] for name in model.model_fields}
+    return found
+
+
+def table(model: type[BaseModel], title: str, meaning: dict[str, str]) -> list[str]:
     """Markdown of one section."""
     first = "" if model in ROOTS else (model.__doc__ or "").strip().splitlines()[0]
     first = re.sub(r"^\[+\w+\]+: (.)", lambda found: found[1].upper(), first)
-    lines = [f"## {title}", "", first, "", "| field | unit | kind | default |"]
-    lines.append("|---|---|---|---|")
+    lines = [f"## {title}", "", first, "", "| field | meaning | unit | values | default |"]
+    lines.append("|---|---|---|---|---|")
     for name, field in model.model_fields.items():
         said = kind(field.annotation) + limits(field.metadata)
         unit = unit_of(field.annotation, field.metadata)
-        lines.append(f"| `{name}` | {unit} | {said} | {default(field)} |")
+        lines.append(f"| `{name}` | {meaning[name]} | {unit} | {said} | {default(field)} |")
     return [*lines, ""]
 
 
@@ -127,7 +158,10 @@ class CaseSchema(SphinxDirective):
     """Tables of all sections of a case file."""
 
     def run(self) -> list[nodes.Node]:
-        lines = [line for model, title in titled().items() for line in table(model, title)]
+        self.env.note_dependency(str(MEANINGS))
+        said = meanings()
+        parts = [table(model, title, said[model]) for model, title in titled().items()]
+        lines = [line for part in parts for line in part]
         return self.parse_text_to_nodes("\n".join(lines), allow_section_headings=True)
 
 

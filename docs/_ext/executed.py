@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Notebooks and pages with what their code prints and draws in a run of this package.
+"""Notebooks and pages with the outputs of their code in a run of this package.
 
-A run is kept in build/executed under a name made of all that it depends on, and serves the site
-and the tests. Nothing here looks at a clock: what hangs is ended by whoever waits for it.
+A run is kept in build/executed under a hash of everything that it depends on, and serves the site
+and the tests. No time limit applies: whoever waits for a hanging run ends it.
 """
 
 from __future__ import annotations
@@ -26,21 +26,21 @@ import samcontact
 
 ROOT = Path(__file__).parents[2]
 STORE = ROOT / "build" / "executed"
-NEVER = 10**8  # seconds, where None is no choice
+NEVER = 10**8  # seconds, where None is not accepted
 
 STRICT = """
 import warnings
 warnings.simplefilter("error")
-# of the kernel itself, when it shuts down
+# from the kernel itself, when it shuts down
 warnings.simplefilter("ignore", PendingDeprecationWarning)
-# of libraries that look for others
+# from libraries that look for others
 warnings.simplefilter("ignore", ImportWarning)
 """
 
 
 @cache
 def fingerprint() -> str:
-    """Of what any run depends on: this package with its core, and all packages installed."""
+    """Hash of this package with its core, and of all installed packages."""
     found = hashlib.sha256(Path(__file__).read_bytes())
     package = Path(samcontact.__file__).parent
     for file in sorted(package.rglob("*")):
@@ -52,12 +52,12 @@ def fingerprint() -> str:
 
 
 def executed(notebook: Any) -> Any:
-    """The notebook with its outputs; raises `nbclient.exceptions.CellExecutionError`."""
+    """Notebook with its outputs; raises `nbclient.exceptions.CellExecutionError`."""
     key = hashlib.sha256((fingerprint() + nbformat.writes(notebook)).encode()).hexdigest()
     STORE.mkdir(parents=True, exist_ok=True)
     kept = STORE / f"{key}.ipynb"
     with (STORE / f"{key}.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)  # whoever comes second waits, and reads
+        fcntl.flock(lock, fcntl.LOCK_EX)  # a second process waits, then reads
         if not kept.exists():
             nbformat.write(_run(notebook), kept.with_suffix(".part"))
             kept.with_suffix(".part").rename(kept)
@@ -65,10 +65,10 @@ def executed(notebook: Any) -> Any:
 
 
 def _run(notebook: Any) -> Any:
-    """In an empty folder, which stays empty, with warnings as errors."""
+    """Run a notebook in an empty folder, with warnings as errors."""
     strict = nbformat.v4.new_code_cell(STRICT)
     whole = nbformat.v4.new_notebook(cells=[strict, *notebook.cells], metadata=notebook.metadata)
-    # The kernel finds what this process finds, wherever it starts.
+    # The kernel imports from the same places as this process.
     places = [str(Path(place).resolve()) for place in sys.path if place]
     with tempfile.TemporaryDirectory() as folder:
         nbclient.NotebookClient(
@@ -84,7 +84,7 @@ def _run(notebook: Any) -> Any:
     return whole
 
 
-# A page of text: code of Python, and a case file that the command below it is given.
+# A page of text: Python code, and a case file with the command below it.
 BLOCK = re.compile(
     r"^```python\n(?P<code>.*?)^```\n"
     r"|^```toml\n(?P<case>.*?)^```\n(?P<between>(?:(?!```).)*?)"
@@ -99,7 +99,7 @@ command = [sys.executable, "-m", "samcontact", *{words!r}.split()]
 plain = {{**os.environ, "FORCE_COLOR": "", "CLICOLOR_FORCE": ""}}  # kernels ask for colours
 print(subprocess.run(command, check=True, capture_output=True, text=True, env=plain).stdout)
 """
-# Of the figures of a command one is enough.
+# One figure of a command is enough.
 SAVED = """
 import pathlib, IPython.display
 here = pathlib.Path()
@@ -115,20 +115,20 @@ def _cell(block: re.Match[str]) -> Any:
 
 
 def _shown(cell: Any) -> Iterator[str]:
-    """Markdown of what a cell printed, and of the figures it saved."""
+    """Markdown of the printed output and of the saved figures of a cell."""
     printed = "".join(o.text for o in cell.outputs if o.output_type == "stream").rstrip()
     if printed:
         yield f"\n`````{{code-block}} text\n:class: output\n{printed}\n`````\n"
     for output in cell.outputs:
         if picture := output.get("data", {}).get("image/png"):
             encoded = picture.replace("\n", "")
-            yield f"\n![What the code draws](data:image/png;base64,{encoded})\n"
+            yield f"\n![Figure drawn by the code](data:image/png;base64,{encoded})\n"
 
 
 def with_outputs(page: str) -> str:
-    """A page of Markdown with the outputs below each block.
+    """Page of Markdown with the outputs below each block.
 
-    The last picture of a page that has a place for it stands there.
+    If the page has a place for a figure, the last picture is moved there.
     """
     blocks = list(BLOCK.finditer(page))
     notebook = executed(nbformat.v4.new_notebook(cells=[_cell(block) for block in blocks]))
@@ -147,7 +147,7 @@ LINK = re.compile(r"\[([^]]+)\]\((\w+)\.ipynb\)")
 
 
 def _page_of(notebook: Any) -> Any:
-    """With its links to other notebooks in the form that leads through a folder that is a link."""
+    """Notebook with links to other notebooks that work although their folder is a link."""
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
             cell.source = LINK.sub(r"{doc}`\1 <\2>`", cell.source)
@@ -155,7 +155,7 @@ def _page_of(notebook: Any) -> Any:
 
 
 def show(app: Any, docname: str, content: list[str]) -> None:
-    """Replace the source of a notebook, or of a page of `executed_pages`, by what came out."""
+    """Replace the source of a notebook, or of a page of `executed_pages`, by its run."""
     if app.env.doc2path(docname).suffix == ".ipynb":
         run = executed(nbformat.reads(content[0], as_version=4))
         content[0] = nbformat.writes(_page_of(run))
@@ -165,6 +165,6 @@ def show(app: Any, docname: str, content: list[str]) -> None:
 
 def setup(app: Any) -> dict[str, bool]:
     app.add_config_value("executed_pages", [], "env", list)
-    app.add_config_value("executed_by", fingerprint(), "env", str)  # another one: all anew
+    app.add_config_value("executed_by", fingerprint(), "env", str)  # a change rebuilds all pages
     app.connect("source-read", show)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The directives ``python-rooms`` and ``module-table``: what the first lines of the sources say.
+"""Directives ``python-rooms`` and ``module-table``: tables of the first lines of the sources.
 
 ``python-rooms`` is a table of the rooms of the Python package. ``module-table cpp`` and
 ``module-table python`` are tables of all headers and of all modules, one for each folder.
@@ -22,13 +22,13 @@ INCLUDE = ROOT / "cpp" / "include" / "samcontact"
 
 
 def first_sentence(text: str) -> str:
-    """The first paragraph of a text, up to the end of its first sentence, on one line."""
+    """First sentence of the first paragraph of a text, on one line."""
     line = " ".join(text.strip().partition("\n\n")[0].split())
     return re.split(r"(?<=\w[.:)`\"])\s+(?=[A-Z`])", line)[0].rstrip(":").replace("|", r"\|")
 
 
 def says(file: Path) -> str:
-    """The first sentence of a module's docstring, or of the comment at the top of a header."""
+    """First sentence of a module's docstring, or of the comment at the top of a header."""
     text = file.read_text(encoding="utf-8")
     if file.suffix == ".py":
         return first_sentence(ast.get_docstring(ast.parse(text)) or "")
@@ -53,7 +53,7 @@ def table(heading: str, rows: dict[str, str]) -> list[str]:
 
 
 class _OfSources(SphinxDirective):
-    """Tables made from the sources; a changed source makes its pages again."""
+    """Tables made from the sources; a changed source rebuilds its pages."""
 
     def depend_on(self, folder: Path) -> None:
         for file in folder.rglob("*.?p*"):
@@ -61,7 +61,7 @@ class _OfSources(SphinxDirective):
 
 
 class PythonRooms(_OfSources):
-    """A table of the folders and public modules of the package."""
+    """Table of the folders and public modules of the package."""
 
     def run(self) -> list[nodes.Node]:
         self.depend_on(PACKAGE)

@@ -79,8 +79,3 @@ def test_runs_and_shows_figures(path):
     assert sum("image/png" in o.get("data", {}) for o in outputs) >= 3
     assert [o.text for o in outputs if o.output_type == "stream" and o.name == "stderr"] == []
     assert run.metadata.files == []
-
-
-def test_the_readme_lists_every_notebook():
-    links = re.findall(r"\]\(notebooks/([^)]+)\)", (ROOT / "README.md").read_text(encoding="utf-8"))
-    assert links == [path.name for path in PATHS]

@@ -28,8 +28,7 @@ EXAMPLES = [
 ]
 
 
-INDEXES = [f"docs/{folder}/index.md" for folder in ("theory", "developer", "decisions")]
-PARTS = tuple(index.removesuffix("index.md") for index in INDEXES)
+INDEXES = [f"docs/{folder}/index.md" for folder in ("guides", "theory", "developer", "decisions")]
 
 
 def prose(page):
@@ -106,16 +105,41 @@ def test_links_lead_somewhere(page):
             assert anchor in anchors(str(file.resolve().relative_to(ROOT))), target
 
 
-def test_every_page_is_linked_from_the_readme():
-    links = set(re.findall(r"\]\(([^)\s]+)\)", TEXTS["README.md"]))
-    parts = {page for page in TEXTS if page.startswith(PARTS)} - set(INDEXES)
-    parts |= {page for page in TEXTS if page.startswith(("docs/gallery/", "docs/api/"))}
-    # made from others, or there for the site only
-    site = {
-        f"docs/{name}.md"
-        for name in ("index", "case_reference", "notebooks", "contributing", "changes")
-    }
-    assert links >= set(TEXTS) - parts - site - {"README.md"}
+def toctrees(page):
+    """Pages in the tables of contents of a page, in their order."""
+    folder = page.rpartition("/")[0]
+    for kind, block in BLOCKS.findall(TEXTS[page]):
+        for name in block.split("\n") if kind == "{toctree}" else ():
+            if name and not name.startswith(":"):
+                found = sorted((ROOT / folder).glob(f"{name}.md"))
+                yield from (str(file.relative_to(ROOT)) for file in found)
+
+
+def test_every_page_is_in_the_navigation():
+    found, waiting = set(), ["docs/index.md"]
+    while waiting:
+        page = waiting.pop()
+        found.add(page)
+        waiting += set(toctrees(page)) - found
+    assert found == {page for page in TEXTS if page.startswith("docs/")}
+
+
+def test_the_readme_is_short_and_leads_to_each_part():
+    assert len(TEXTS["README.md"].splitlines()) <= 110
+    links = set(re.findall(r"\]\(([^)#\s]+)", TEXTS["README.md"]))
+    using, trusting, theory, extending = re.findall(
+        r":caption: .*?\n(.*?)```", TEXTS["docs/index.md"], re.DOTALL
+    )
+    for part in (using, trusting, theory, extending):
+        assert links & {f"docs/{name}.md" for name in part.split()}, part
+    guides = set(toctrees("docs/guides/index.md"))
+    assert links & guides >= guides - {"docs/guides/heat.md"}
+
+
+def test_every_notebook_is_linked_from_a_guide():
+    text = "".join(TEXTS[page] for page in pages_below("docs/guides/index.md"))
+    linked = set(re.findall(r"/notebooks/(\w+\.ipynb)\)", text))
+    assert linked == {file.name for file in (ROOT / "notebooks").glob("*.ipynb")}
 
 
 @pytest.mark.parametrize("index", INDEXES)
@@ -145,8 +169,7 @@ def test_every_version_tells_whether_numbers_changed():
 
 def pages_below(index):
     """Pages in the order of the table of contents of an index page."""
-    toctree = dict(BLOCKS.findall(TEXTS[index]))["{toctree}"]
-    return [index.replace("index", name) for name in toctree.split() if not name.startswith(":")]
+    return list(toctrees(index))
 
 
 def test_equations_are_numbered_in_order():
@@ -175,6 +198,38 @@ def test_every_field_of_a_case_file_is_documented():
     fields = {name for section in sections() for name in section.model_fields}
     assert fields > {"title", "nx", "yield_stress", "hurst", "on_border", "spacing", "volume"}
     assert sorted(name for name in fields if not re.search(rf"\b{name}\b", text)) == []
+
+
+def test_every_field_of_a_case_file_has_a_meaning_and_no_other(monkeypatch):
+    """The table of the case reference, one short line for each field."""
+    monkeypatch.syspath_prepend(ROOT / "docs" / "_ext")
+    schema = importlib.import_module("case_schema")
+    tables = schema.tomllib.loads(schema.MEANINGS.read_text(encoding="utf-8"))
+    unused = {(place, name) for place, fields in tables.items() for name in fields}
+    for model, meaning in schema.meanings().items():
+        place = schema.place_of(model)
+        for name, line in meaning.items():
+            assert 8 < len(line) <= 100, (place, name)
+            assert line[-1] != ".", (place, name)
+            places = [p for p in (place, place.removesuffix(".layers"), "any") if p in tables]
+            unused.discard((next(p for p in places if name in tables[p]), name))
+    assert unused == set()
+
+
+def test_every_error_and_warning_is_on_the_page_of_troubles():
+    classes = {name for name in sc.__all__ if name.endswith(("Error", "Warning", "Interrupted"))}
+    assert len(classes) > 8
+    text = TEXTS["docs/troubles.md"]
+    assert {name for name in classes if f"`sc.{name}`" not in text} == set()
+
+
+@pytest.mark.parametrize(
+    ("word", "page"),
+    [("brinelling", "bearing"), ("misalignment", "bearing"), ("indentation", "indentation"),
+     ("coating", "coating"), ("fretting", "fretting"), ("creepage", "rail")],
+)  # fmt: skip
+def test_words_that_users_search_for_lead_to_a_guide(word, page):
+    assert re.search(rf"\b{word}", TEXTS[f"docs/guides/{page}.md"], re.IGNORECASE)
 
 
 # Bodies that move differently, and by parts of a cell, have the most to tell.
@@ -210,14 +265,19 @@ def test_the_tutorial_states_what_its_examples_compute(capsys):
     exec(compile(first, "example", "exec"), made)
     hertz, steel = made["hertz"], made["steel"]
     text = " ".join(prose(page).split())
-    assert f"{hertz.p0 / 1e9:.1f} GPa, and a von Mises stress of" in text
-    assert f"von Mises stress of {hertz.max_von_mises(0.3)[0] / 1e9:.1f} GPa below" in text
-    assert f"begins to yield at {float(steel.yield_stress(0.0)) / 1e9:.2f} GPa" in text
+    stress, depth = hertz.max_von_mises(0.3)
+    assert f"maximum pressure is {hertz.p0 / 1e9:.2f} GPa" in text
+    assert f"von Mises stress, {stress / 1e9:.2f} GPa at a depth of {depth * 1e3:.2f} mm" in text
+    assert f"initial yield stress of {float(steel.yield_stress(0.0)) / 1e9:.2f} GPa" in text
     exec(compile(second, "example", "exec"), made)
     grid, law = made["grid"], made["simulation"].body2
     assert f"{grid.nx * grid.dx / (2 * hertz.a):.1f} times as wide as the contact" in text
-    assert f"has {hertz.a / grid.dx:.0f} cells to a contact radius" in text
+    assert f"has {hertz.a / grid.dx:.0f} cells per contact radius" in text
+    assert f"limits the pressure to {made['loaded'].pressure.max() / 1e9:.2f} GPa" in text
+    imprint = made["unloaded"].residual_displacement(body=2).max()
+    assert f"an imprint {imprint * 1e6:.2f} µm deep" in text
     assert law.yield_stress(0.0) == steel.yield_stress(0.0)  # the same steel
     # every number with a unit in these sentences is one of those above, or what is given
-    stated = set(re.findall(r"[\d.]+ (?:GPa|MPa|N|mm)\b", text))
-    assert stated == {"15 mm", "1500 N", "4.1 GPa", "2.5 GPa", "1.36 GPa"}
+    stated = set(re.findall(r"[\d.]+ (?:GPa|MPa|N|mm|µm)\b", text))
+    given, pressures = {"15 mm", "1500 N"}, {"4.10 GPa", "2.54 GPa", "1.36 GPa", "3.98 GPa"}
+    assert stated == given | pressures | {"0.20 mm", "0.29 µm"}

@@ -51,7 +51,22 @@ def test_the_fields_of_case_files_come_from_the_models(site):
     text = (site / "case_reference.html").read_text()
     for expected in ("image_tol", "&gt; 0.0", "back_and_forth", "list of lists of numbers"):
         assert expected in text
-    assert re.search(r">dx</span></code></p></td>\s*<td><p>m</p></td>", text)  # with its unit
+    meaning = r"<td><p>cell size along x</p></td>"
+    assert re.search(rf">dx</span></code></p></td>\s*{meaning}\s*<td><p>m</p></td>", text)
+
+
+def test_functions_that_answer_questions_are_links(site):
+    text = (site / "questions.html").read_text().partition("<h1>")[2]
+    named = re.findall(r'(<a [^>]*>)?<code [^>]*><span class="pre">sc\.[\w.]+</span></code>', text)
+    assert len(named) > 60
+    assert all(named)
+    assert 'href="api/references.html#samcontact.hertz.point"' in text
+
+
+def test_the_first_page_has_a_picture_for_each_kind_of_user(site):
+    text = (site / "index.html").read_text()
+    card = r'href="(?:guides|theory)/(\w+)\.html"><img alt="([^"]+)" src="data:image/png'
+    assert len(dict(re.findall(card, text))) == 9
 
 
 def headings(page):
@@ -108,11 +123,11 @@ def test_notebooks_and_tutorial_come_with_what_they_print_and_draw(site):
         assert page.count('<img alt="../_images/') >= 3, source
         assert "output stream" in page, source
     tutorial = (site / "tutorial.html").read_text()
-    assert re.search(r"largest pressure \d\.\d\d GPa", tutorial)
+    assert re.search(r"maximum pressure \d\.\d\d GPa", tutorial)
     assert "results/ball/results.nc" in tutorial  # from the command below the case file
     assert "[1m" not in tutorial  # nor codes for a terminal
     assert tutorial.count("data:image/png;base64,") == 2
-    assert "data:image/png;base64," in (site / "index.html").read_text()
+    assert '<img alt="Figure drawn by the code"' in (site / "index.html").read_text()
 
 
 def test_every_notebook_has_its_picture(site):
@@ -181,7 +196,8 @@ return {
 
 def test_pages_in_a_browser_without_a_network(site):
     """Pictures and formulas are there; a phone shows the whole width, and labels of pictures."""
-    pages = ["index", "tutorial", "questions", "gallery", "case_reference", "api/contact"]
+    pages = ["index", "tutorial", "questions", "features", "troubles", "guides/bearing", "gallery"]
+    pages += ["case_reference", "api/contact"]
     pages += ["gallery/friction", "notebooks/02_yield_and_hardening", "genindex", "architecture"]
     pages += ["developer/modules", "developer/recipes", "developer/data_layout"]
     pages += [f"theory/{file.stem}" for file in sorted((DOCS / "theory").glob("*.md"))]

@@ -32,9 +32,9 @@ def test_each_number_has_its_test():
     assert {row.test for row in STORED.values()} <= set(found.stdout.splitlines())
 
 
-def test_the_readme_says_the_same():
+def test_the_page_of_features_states_stored_numbers():
     """Each line of its table with two numbers of a unit is a stored one, to the digits given."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "features.md").read_text(encoding="utf-8")
     lines = text.partition("## Accuracy")[2].partition("\n## ")[0].splitlines()
     number = r"\| [^|]*?([\d.]+) (GPa|MPa|nm|%) \| [^|]*?([\d.]+) \2 \|$"
     pairs = [match.groups() for line in lines if (match := re.search(number, line))]
