@@ -120,9 +120,10 @@ void bind_simulation(py::module_& m) {
                if (softening[b]) settings.softening[b] = softening_law(*softening[b], grid);
              }
              const Team team;
-             return std::make_unique<Simulation>(
-                 grid, body1, body2, to_field(gap), friction, settings,
-                 simulation::HeatMarch{march[0], march[1]}, to_reliefs(reliefs), contact_law);
+             return std::make_unique<Simulation>(grid, body1, body2, to_field(gap), friction,
+                                                 settings,
+                                                 simulation::TransientHeating{march[0], march[1]},
+                                                 to_reliefs(reliefs), contact_law);
            }),
            py::kw_only(), py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"),
            py::arg("friction"), py::arg("settings"), py::arg("march"), py::arg("softening"),
