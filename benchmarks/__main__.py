@@ -34,8 +34,8 @@ PARTS = (
     "counts",
     "threads",
 )
-LARGE = ("plastic_zones_large",)  # only where they are asked for
-USUAL = tuple(name for name in PARTS if name not in LARGE)
+OPTIONAL_PARTS = ("plastic_zones_large",)  # only where they are asked for
+DEFAULT_PARTS = tuple(name for name in PARTS if name not in OPTIONAL_PARTS)
 PAGE = ROOT / "docs" / "benchmarks.md"
 
 
@@ -53,7 +53,7 @@ def main(
     if notes:
         write_notes()
     else:
-        sys.exit(measure(parts or USUAL, quick, threads, output.resolve(), docs))
+        sys.exit(measure(parts or DEFAULT_PARTS, quick, threads, output.resolve(), docs))
 
 
 def module(name: str) -> ModuleType:

@@ -17,23 +17,23 @@ from reference import fem
 
 from .accuracy_cases import CASES, closed_form
 from .study import Record, Study, table
-from .truth import FINEST, known
+from .truth import MAX_SOLVE_SECONDS, known
 
-ASKED = (0.05, 0.01, 0.002)
-LONGEST = 25.0  # limit of the processor time of a run [s]
-LATER = ("V1, diamond tip", "2d, rigid on perfectly plastic", "F2, friction 0.25",
+ACCURACIES = (0.05, 0.01, 0.002)
+MAX_SECONDS = 25.0  # limit of the processor time of a run [s]
+SLOW_CASES = ("V1, diamond tip", "2d, rigid on perfectly plastic", "F2, friction 0.25",
          "R2, two passes", "rolling along the short axis, 1:2",
          "rolling along the long axis, 2:1")  # fmt: skip
-QUICK = ("balls, 1500 N", "semi-axes 1:4", "T1, 600 N")
-LONG = {"max_von_mises": "von Mises", "max_equivalent_plastic_strain": "plastic strain",
+QUICK_CASES = ("balls, 1500 N", "semi-axes 1:4", "T1, 600 N")
+SHORT_NAMES = {"max_von_mises": "von Mises", "max_equivalent_plastic_strain": "plastic strain",
         "max_residual_von_mises": "residual von Mises", "max_pressure": "pressure",
-        "contact_area": "area", "print_depth": "imprint depth"}  # fmt: skip
-SCENE_2D = "2d, rigid on perfectly plastic"
-GOOD = {"approach": 0.002, "max_pressure": 0.005, "max_von_mises": 0.01,
+        "contact_area": "area", "imprint_depth": "imprint depth"}  # fmt: skip
+CASE_2D = "2d, rigid on perfectly plastic"
+FINITE_ELEMENT_ERRORS = {"approach": 0.002, "max_pressure": 0.005, "max_von_mises": 0.01,
         "max_equivalent_plastic_strain": 0.01, "max_residual_von_mises": 0.02,
-        "print_depth": 0.02}  # fmt: skip
+        "imprint_depth": 0.02}  # fmt: skip
 """Relative accuracy of the finite elements, from their page; that of 2d follows."""
-GOOD_OF_2D = 0.04
+FINITE_ELEMENT_ERROR_2D = 0.04
 TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.accuracy --docs -->
 # Reliability of the estimated errors
@@ -98,7 +98,7 @@ def judged(name: str, truth: dict[str, float], asked: float) -> Record:
     """
     start = time.process_time()
     with mock.patch.object(time, "perf_counter", time.process_time):
-        found = sc.to_accuracy(CASES[name], asked, max_time=LONGEST, progress=False)
+        found = sc.to_accuracy(CASES[name], asked, max_time=MAX_SECONDS, progress=False)
     seconds = time.process_time() - start
     exact = {key: value for key, value in truth.items() if value != 0 and key in found.values}
     return {
@@ -122,7 +122,11 @@ def _beyond_rounding(difference: float) -> float:
 
 
 def points(quick: bool) -> list[Record]:
-    return [{"of": name, "asked": asked} for name in (QUICK if quick else CASES) for asked in ASKED]
+    return [
+        {"of": name, "asked": asked}
+        for name in (QUICK_CASES if quick else CASES)
+        for asked in ACCURACIES
+    ]
 
 
 def run(of: str, asked: float) -> Record:
@@ -142,7 +146,7 @@ def summary(rows: list[Judged]) -> str:
     head = ("accuracy [%]", "values", "covered [%]", "maximum true over stated",
             "median stated over true", "reached")  # fmt: skip
     lines = []
-    for asked in ASKED:
+    for asked in ACCURACIES:
         mine = [row for row in rows if row.asked == asked]
         ratio = np.array([row.true / max(row.stated, 1e-16) for row in mine])
         median = 1 / np.median(ratio[ratio > 0])
@@ -155,13 +159,13 @@ def summary(rows: list[Judged]) -> str:
 
 def costs(rows: list[Judged]) -> str:
     """Table of times and cells of the finest surface."""
-    head = "case", "reference", *(f"to {100 * asked:g} %" for asked in ASKED)
+    head = "case", "reference", *(f"to {100 * asked:g} %" for asked in ACCURACIES)
     by = {name: "finer grids, and finite elements" for name in elements_of()}
     by |= {name: "Hertz" for name, case in CASES.items() if closed_form(case)}
     lines = []
     for name in dict.fromkeys(row.case for row in rows):
         texts = []
-        for asked in ASKED:
+        for asked in ACCURACIES:
             mine = [row for row in rows if (row.case, row.asked) == (name, asked)]
             side = round(mine[0].cells ** 0.5)
             beyond = "" if mine[0].reached else ", not reached"
@@ -179,7 +183,11 @@ def elements() -> str:
     for name, found in elements_of().items():
         for quantity, value in found.items():
             here = truth[name][quantity]
-            good = GOOD_OF_2D if name == SCENE_2D else GOOD[quantity.partition("_body")[0]]
+            good = (
+                FINITE_ELEMENT_ERROR_2D
+                if name == CASE_2D
+                else FINITE_ELEMENT_ERRORS[quantity.partition("_body")[0]]
+            )
             lines.append((name, _words(quantity), f"{value:.5g}", f"{here:.5g}",
                           f"{100 * (here / value - 1):+.2g}", f"{100 * good:.2g}"))  # fmt: skip
     return table(head, lines)
@@ -197,12 +205,12 @@ def elements_of() -> dict[str, dict[str, float]]:
             "max_von_mises_body2": loaded["max_vm_Pa"],
             "max_equivalent_plastic_strain_body2": loaded["max_gamma_p"],
             "max_residual_von_mises_body2": unloaded["max_vm_Pa"],
-            "print_depth_body2": summary["uz_center_residual_m"],
+            "imprint_depth_body2": summary["uz_center_residual_m"],
         }
     curve = fem.load("2d").load_displacement
     (at,) = np.flatnonzero(np.isclose(curve["load_N"][: curve["load_N"].argmax()],
-                                      CASES[SCENE_2D]["path"][0]["load"], rtol=1e-6))  # fmt: skip
-    found[SCENE_2D] = {
+                                      CASES[CASE_2D]["path"][0]["load"], rtol=1e-6))  # fmt: skip
+    found[CASE_2D] = {
         "approach": float(curve["approach_m"][at]),
         "max_pressure": float(curve["p_max_Pa"][at]),
         "max_equivalent_plastic_strain_body2": float(curve["gamma_p_max"][at]),
@@ -216,7 +224,7 @@ def errors(rows: list[Judged], name: str) -> str:
     shown = list(dict.fromkeys(row.quantity for row in mine))
     head = "accuracy [%]", *(_words(quantity) for quantity in shown)
     lines = []
-    for asked in ASKED:
+    for asked in ACCURACIES:
         found = {row.quantity: row for row in mine if row.asked == asked}
         texts = [f"{100 * found[q].true:.2g} / {100 * found[q].stated:.2g}" for q in shown]
         lines.append((f"{100 * asked:g}", *texts))
@@ -225,15 +233,15 @@ def errors(rows: list[Judged], name: str) -> str:
 
 def _words(quantity: str) -> str:
     kind, _, body = quantity.partition("_body")
-    return LONG.get(kind, kind) + (f", body {body}" if body else "")
+    return SHORT_NAMES.get(kind, kind) + (f", body {body}" if body else "")
 
 
 def page(records: list[Record]) -> str:
     rows = quantities(records)
     names = list(dict.fromkeys(row.case for row in rows))
     return TEXT.format(
-        cases=len(names), finest=FINEST, longest=LONGEST,
-        new=len(LATER), later="; ".join(LATER),
+        cases=len(names), finest=MAX_SOLVE_SECONDS, longest=MAX_SECONDS,
+        new=len(SLOW_CASES), later="; ".join(SLOW_CASES),
         summary=summary(rows), costs=costs(rows), elements=elements(),
         tables="\n\n".join(errors(rows, name) for name in names),
     )  # fmt: skip

@@ -10,19 +10,19 @@ from typing import NamedTuple
 import numpy as np
 
 import samcontact as sc
-from samcontact.accuracy import Refinable
+from samcontact.accuracy import RefinableCase
 from samcontact.cases import Case as SectionsOfCase
 
 from .accuracy_cases import CASES
 from .study import Record, Study, table
 from .truth import known
 
-ASKED = (0.05, 0.01, 0.002)
+ACCURACIES = (0.05, 0.01, 0.002)
 NAMES = ("balls, 1500 N", "T1, 600 N", "T1, 1500 N", "T1, 4000 N", "V2, both yield",
          "2a, rigid on M50", "F2, friction 0.2")  # fmt: skip
 LEVELS = range(7)
 INCREMENTS = (2, 4, 8, 16, 32, 64)
-LONGEST = 5.0  # s of a grid chosen by hand
+MAX_SECONDS = 5.0  # s of a grid chosen by hand
 TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: OMP_NUM_THREADS=1 python -m benchmarks.accuracy_cost --docs -->
 # What an accuracy costs
@@ -61,13 +61,13 @@ def error_of(values: dict[str, float], truth: dict[str, float]) -> float:
 def by_hand(name: str, levels: range = LEVELS) -> list[Solved]:
     """Grids and increments, each by itself."""
     case = SectionsOfCase.model_validate({"title": "by hand", "accuracy": 0.1, **CASES[name]})
-    scene, truth = Refinable(case), known()[name]
+    scene, truth = RefinableCase(case), known()[name]
     scene.settle(scene.run(0, INCREMENTS[0]))
     found = []
     for level in levels:
         seconds = 0.0
         for count in INCREMENTS if scene.has_history else (1,):
-            if 2 * seconds > LONGEST:
+            if 2 * seconds > MAX_SECONDS:
                 break
             start = time.process_time()
             run = scene.run(level, count)
@@ -93,7 +93,7 @@ def chosen(name: str, asked: float) -> Solved:
 
 
 def points(quick: bool) -> list[Record]:
-    found = [{"of": name, "asked": asked} for name in NAMES for asked in ASKED]
+    found = [{"of": name, "asked": asked} for name in NAMES for asked in ACCURACIES]
     return found[:1] if quick else found
 
 
@@ -119,7 +119,7 @@ def page(records: list[Record]) -> str:
                       f"{best.seconds:.2g}",
                       f"{ratio:.2g}" if record["as_exact"] else ""))  # fmt: skip
     return TEXT.format(
-        increments=f"{INCREMENTS[0]} to {INCREMENTS[-1]}", longest=2 * LONGEST,
+        increments=f"{INCREMENTS[0]} to {INCREMENTS[-1]}", longest=2 * MAX_SECONDS,
         table=table(head, lines), median=float(np.median(ratios)),
         count=len(ratios), rows=len(records),
     )  # fmt: skip

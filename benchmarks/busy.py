@@ -20,7 +20,7 @@ import click
 
 import samcontact as sc
 
-BUSY = (0, 3, 8)
+BUSY_PROCESSES = (0, 3, 8)
 CASES = ("three balls on a flat", "two find_load")
 
 
@@ -98,7 +98,7 @@ def main(rounds: int, case: str | None) -> None:
     print(
         "busy  case                   clock of 1 [s]  clock 2/1  processor of 1 [s]  processor 2/1"
     )
-    for busy in BUSY:
+    for busy in BUSY_PROCESSES:
         for case in CASES:
             with beside(busy):
                 pairs = [[measured(case, threads) for threads in (1, 2)] for _ in range(rounds)]

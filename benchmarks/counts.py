@@ -17,8 +17,8 @@ from .steel import HEAVY_LOAD, LOAD, balls
 NAME = "counts"
 TITLE = "Operator applications and increments"
 SERIES = ("case", "control")
-HEAVY = {"load": HEAVY_LOAD, "width": 1.8, "depth": 2.4}
-UP = {  # load [N], increments
+HEAVY_SETUP = {"load": HEAVY_LOAD, "width": 1.8, "depth": 2.4}
+LOADINGS = {  # load [N], increments
     "1500 N in 20 increments": (LOAD, 20),
     "1500 N at once": (LOAD, 1),
     "p0 = 8 GPa at once": (HEAVY_LOAD, 1),
@@ -30,7 +30,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
     across = 8 if quick else 16
     found = [
         Task(NAME, case, "fast", "load_up", {"across": across, "path": case, "method": "fast"})
-        for case in UP
+        for case in LOADINGS
     ]
     # As many increments up as down; the last is the reference.
     across, finest = (6, 50) if quick else (10, 200)
@@ -59,8 +59,8 @@ def columns(simulation: sc.Simulation, increments: int, substeps: int) -> dict[s
 
 
 def load_up(meter: Meter, across: int, path: str, method: str) -> dict[str, Any]:
-    load, increments = UP[path]
-    scene = HEAVY if load == HEAVY_LOAD else {}
+    load, increments = LOADINGS[path]
+    scene = HEAVY_SETUP if load == HEAVY_LOAD else {}
 
     def run() -> tuple[sc.Simulation, int]:
         simulation = balls(across, **scene, residual_stress=method)
@@ -82,7 +82,7 @@ def there_and_back(
     tol = float(method.split()[1]) if automatic else None
 
     def run() -> tuple[sc.Simulation, sc.State, sc.State, int]:
-        simulation = balls(across, **HEAVY, increment_tol=tol, residual_stress="fast")
+        simulation = balls(across, **HEAVY_SETUP, increment_tol=tol, residual_stress="fast")
         substeps = 0
         for k in range(1, half + 1):
             loaded = simulation.step(load=HEAVY_LOAD * k / half)

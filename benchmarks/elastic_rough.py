@@ -19,7 +19,7 @@ NAME = "elastic_rough"
 TITLE = "Elastic rough contact"
 SIDE = 1e-3  # m
 RMS = 1e-6  # m
-HIGHEST = 12  # periods over the side of the shortest wave
+MAX_PERIODS = 12  # periods over the side of the shortest wave
 HURST = 0.8
 CROWN = 0.02  # m: radius of curvature that keeps the contact inside the grid
 LOAD = 60.0  # N: about a tenth of the surface is in contact
@@ -46,7 +46,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 def contact(meter: Meter, n: int, method: str) -> sc.ContactSolution:
     grid = sc.Grid(n, n, SIDE / n, SIDE / n)
     gap = sc.surfaces.paraboloid(grid, CROWN)
-    gap -= heights(n, wave_amplitudes(HIGHEST, HURST, seed=1), RMS)
+    gap -= heights(n, wave_amplitudes(MAX_PERIODS, HURST, seed=1), RMS)
     tol = TOLERANCES[method]
     return meter(lambda: sc.ContactSolver(grid, ELASTIC, ELASTIC, tol=tol).solve(gap, load=LOAD))
 

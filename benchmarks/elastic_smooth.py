@@ -58,5 +58,5 @@ def work(found: sc.ContactSolution) -> dict[str, Any]:
     columns = {"contact_iterations": found.iterations}
     if hasattr(found, "operator_applications"):
         columns["surface_applications"] = found.operator_applications
-    columns["contact_cells"] = int(np.count_nonzero(found.pressure))
+    columns["cells_in_contact"] = int(np.count_nonzero(found.pressure))
     return columns

@@ -27,7 +27,7 @@ import scipy.ndimage  # noqa: F401  (loaded by the first solve of a process: no 
 from .study import ROOT
 
 T = TypeVar("T")
-SHORT = 0.5  # s: what is shorter is timed three times, and the best time counts
+MAX_REPEATED_SECONDS = 0.5  # s: what is shorter is timed three times, and the best time counts
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ class Meter:
         """Do the work, more than once when it is short; time and memory go to the meter."""
         before = peak_memory()
         times, processor = [], []
-        while len(times) < (3 if sum(times) < SHORT else 1):
+        while len(times) < (3 if sum(times) < MAX_REPEATED_SECONDS else 1):
             start, used = time.perf_counter(), time.process_time()
             result = work()
             times.append(time.perf_counter() - start)

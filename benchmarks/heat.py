@@ -19,12 +19,12 @@ TITLE = "Frictional heat"
 THERMAL = {"conductivity": 50.2, "expansion": 11.7e-6, "diffusivity": 1.367e-5}
 FACTOR = 0.05  # m/s
 STEP = 1e-3  # s
-HEATED = {
+HEAT_CASES = {
     "cold": sc.Heat(0.0),
     "at rest": sc.Heat(FACTOR),
     "moving, 0.1 m/s": sc.Heat(FACTOR, velocity=(0.1, 0.0)),
 }
-MARCHED = sc.Heat(FACTOR, history=(STEP, 1.0))
+TRANSIENT_HEAT = sc.Heat(FACTOR, history=(STEP, 1.0))
 MAX_MISES = {"cold": 2351e6, "at rest": 1926e6}  # Pa, elastic-plastic, independent computations
 
 
@@ -33,13 +33,13 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
     contact = [
         Task(NAME, "contact", method, "solve", {"n": n, "method": method}, "cold")
         for n in sizes
-        for method in HEATED
+        for method in HEAT_CASES
     ]
     cells = (12,) if quick else (12, 20)
     plastic = [
         Task(NAME, "12 increments", method, "press", {"cells": c, "method": method}, "cold")
         for c in cells
-        for method in (*HEATED, "marched in time")
+        for method in (*HEAT_CASES, "marched in time")
     ]
     return contact + plastic
 
@@ -49,7 +49,9 @@ def solve(meter: Meter, n: int, method: str) -> dict[str, Any]:
     d = 2.6 * hertz().a / n
     grid = sc.Grid(n, n, d, d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    solver = sc.ContactSolver(grid, ELASTIC, ELASTIC.with_thermal(**THERMAL), heat=HEATED[method])
+    solver = sc.ContactSolver(
+        grid, ELASTIC, ELASTIC.with_thermal(**THERMAL), heat=HEAT_CASES[method]
+    )
     found = meter(lambda: solver.solve(gap, load=LOAD))
     return {"cells": n * n, "across": n, "errors": {}, **work(found)}
 
@@ -61,7 +63,7 @@ def press(meter: Meter, cells: int, method: str) -> dict[str, Any]:
     grid = sc.Grid(n, n, d, d, int(1.7 * cells), d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     marched = method == "marched in time"
-    heat = MARCHED if marched else HEATED[method]
+    heat = TRANSIENT_HEAT if marched else HEAT_CASES[method]
     extra = {"duration": STEP} if marched else {}
 
     def run() -> tuple[sc.Simulation, sc.State]:

@@ -28,7 +28,7 @@ BOXES = {  # nx, ny, nz, thickness of the layers over the width of the cells
     "48 x 48 x 20, thin layers": (48, 48, 20, 0.3),
 }
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
-WIDER = 8
+REFERENCE_WIDTH_FACTOR = 8
 BASE = "image_tol 1e-03"
 
 
@@ -55,7 +55,7 @@ def blob(box: str) -> tuple[sc.Grid, np.ndarray]:
 
 def make_reference(meter: Meter, box: str, file: str) -> dict[str, Any]:
     grid, strain = blob(box)
-    n = WIDER * max(grid.nx, grid.ny)
+    n = REFERENCE_WIDTH_FACTOR * max(grid.nx, grid.ny)
     wide = sc.Grid(n, n, 1.0, 1.0, grid.nz, grid.dz)
     i, j = (n - grid.nx) // 2, (n - grid.ny) // 2
     here = np.s_[:, i : i + grid.nx, j : j + grid.ny]

@@ -23,7 +23,7 @@ SWIFT = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 HARDENING = sc.Material.linear_hardening(210e9, 0.3, 1e9, 10e9)
 PERFECT = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
 R = 7.5e-3
-ROLLED = 12  # cells
+CELLS_ROLLED = 12  # cells
 
 Path = list[dict[str, Any]]
 Friction = float | sc.Coulomb
@@ -63,12 +63,12 @@ def shaken(load: float, force: float, count: int) -> Path:
 
 
 def rolled(load: float, size: float, count: int) -> Path:
-    """Load, then roll over `ROLLED` cells in as many increments."""
-    way = ROLLED / count * size
+    """Load, then roll over `CELLS_ROLLED` cells in as many increments."""
+    way = CELLS_ROLLED / count * size
     return pressed(load, count) + [{"load": load, "advance": (way, way)}] * count
 
 
-class Scene(NamedTuple):
+class Setup(NamedTuple):
     """A body pressed, shaken or rolled on another."""
 
     cells: int
@@ -85,34 +85,34 @@ class Scene(NamedTuple):
 
 STRAIN = "equivalent_plastic_strain_body2"
 SCENES = {
-    "rigid ball on an elastic body, μ = 0.3 (Coulomb)": Scene(
+    "rigid ball on an elastic body, μ = 0.3 (Coulomb)": Setup(
         16, lambda n: ball(RIGID, ALUMINIUM, 50.0, sc.Coulomb(0.3), n),
         lambda sim, n: pressed(50.0, n), ("pressure", "shear"),
     ),
-    "fretting loop of dissimilar bodies, μ = 0.5 (Coulomb)": Scene(
+    "fretting loop of dissimilar bodies, μ = 0.5 (Coulomb)": Setup(
         12, lambda n: ball(STEEL, ALUMINIUM, 50.0, sc.Coulomb(0.5), n),
         lambda sim, n: shaken(50.0, 15.0, n), ("pressure", "shear"),
     ),
-    "rigid ball on elastic-plastic steel, μ = 0.3 (Coulomb)": Scene(
+    "rigid ball on elastic-plastic steel, μ = 0.3 (Coulomb)": Setup(
         12, lambda n: ball(RIGID, SWIFT, 1000.0, sc.Coulomb(0.3), n),
         lambda sim, n: pressed(1000.0, n), ("shear", STRAIN),
     ),
-    "rigid ball on a perfectly plastic body": Scene(
+    "rigid ball on a perfectly plastic body": Setup(
         12, lambda n: ball(RIGID, PERFECT, 2000.0, cells=n),
         lambda sim, n: pressed(2000.0, n), ("pressure", STRAIN),
     ),
-    "two steel balls": Scene(
+    "two steel balls": Setup(
         12, lambda n: ball(STEEL, SWIFT, 1500.0, cells=n),
         lambda sim, n: pressed(1500.0, n), (STRAIN,),
     ),
-    "rolling pass over 12 cells with plastic flow, μ = 0.1": Scene(
+    "rolling pass over 12 cells with plastic flow, μ = 0.1": Setup(
         12, lambda n: ball(STEEL, HARDENING, 600.0, 0.1, n),
         lambda sim, n: rolled(600.0, sim.grid.dx, n), ("pressure", STRAIN), (3, 6, 12), 48,
     ),
 }  # fmt: skip
 
 
-def solved(scene: Scene, count: int) -> tuple[sc.Simulation, Path, list[sc.State]]:
+def solved(scene: Setup, count: int) -> tuple[sc.Simulation, Path, list[sc.State]]:
     """Solve a scene with so many increments in each segment of its path."""
     simulation = scene.make(scene.cells)
     path = scene.path(simulation, count)
@@ -143,7 +143,7 @@ def _difference(one: np.ndarray, other: np.ndarray) -> np.ndarray:
     return np.asarray(one[..., layers] - other[..., layers])
 
 
-def errors(scene: Scene, counts: Sequence[int], many: int) -> dict[str, list[tuple[float, float]]]:
+def errors(scene: Setup, counts: Sequence[int], many: int) -> dict[str, list[tuple[float, float]]]:
     """True and stated relative errors of each field, for each number of increments."""
     found: dict[str, list[tuple[float, float]]] = {name: [] for name in scene.fields}
     with warnings.catch_warnings():

@@ -27,7 +27,7 @@ MATERIALS = {
     "perfect plasticity": sc.Material.perfect_plastic(STEEL.E, STEEL.nu, 1.4e9),
 }
 REFINEMENT = {8: 9, 16: 5, 32: 3}
-TIGHT = 1e-5  # image tolerance of the reference
+REFERENCE_TOLERANCE = 1e-5  # image tolerance of the reference
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
@@ -123,7 +123,7 @@ def make_reference(meter: Meter, cells: int, profile: str, file: str) -> dict[st
         times * coarse.nz,
         coarse.dz / times,
     )
-    field = meter(lambda: stress(fine, sample(known, fine), "fast", TIGHT))
+    field = meter(lambda: stress(fine, sample(known, fine), "fast", REFERENCE_TOLERANCE))
     centres = slice(times // 2, None, times)
     np.savez(file, stress=field[:, centres, centres, centres])
     return {}

@@ -18,7 +18,7 @@ NAME = "plastic_rough"
 TITLE = "Elastic-plastic rough contact"
 SIDE = 200e-6  # m
 RMS = 0.4e-6  # m
-HIGHEST = 6  # periods over the side of the shortest wave
+MAX_PERIODS = 6  # periods over the side of the shortest wave
 HURST = 0.8
 CROWN = 3e-3  # m: radius of curvature that keeps the contact inside the grid
 LOAD = 12.0  # N
@@ -48,7 +48,7 @@ def run(meter: Meter, n: int, method: str) -> tuple[sc.Simulation, sc.State, sc.
     d = SIDE / n
     grid = sc.Grid(n, n, d, d, int(DEPTH * n), d)
     gap = sc.surfaces.paraboloid(grid, CROWN)
-    gap -= heights(n, wave_amplitudes(HIGHEST, HURST, seed=3), RMS)
+    gap -= heights(n, wave_amplitudes(MAX_PERIODS, HURST, seed=3), RMS)
 
     def load_and_unload() -> tuple[sc.Simulation, sc.State, sc.State]:
         simulation = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap, residual_stress=method)

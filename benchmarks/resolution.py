@@ -21,19 +21,19 @@ from .roughness import heights, surface_rms, wave_amplitudes
 from .steel import STEEL
 from .study import Record, Study, table
 
-SHORTEST = 16e-6  # m, wavelength
+MIN_WAVELENGTH = 16e-6  # m, wavelength
 WAVES = 8  # of the shortest along a side
-SIDE = WAVES * SHORTEST
-LONGEST = 2  # waves of the longest along a side
+SIDE = WAVES * MIN_WAVELENGTH
+MIN_WAVES = 2  # waves of the longest along a side
 HURST, SLOPE, SEED = 0.8, 0.06, 5
 BOWL = 3.0  # height of the border over the rms of the roughness: it keeps the contact inside
-DEPTH = SHORTEST / 20  # m, below which residual stress converges
+DEPTH = MIN_WAVELENGTH / 20  # m, below which residual stress converges
 HARDNESS = 4.2e9  # Pa: load over contact area, nearly
 PERCENT = (1.0, 2.0)
-FINE = (8, 16, 32, 64, 128)  # cells of the shortest wave
-QUICK = (16, 32)
+CELLS_PER_WAVE = (8, 16, 32, 64, 128)  # cells of the shortest wave
+QUICK_CELLS_PER_WAVE = (16, 32)
 PARTS = (1, 4, 16)  # increments from load to load
-PARTED = 32  # cells of the shortest wave, for these
+CELLS_PER_WAVE_OF_PARTS = 32  # cells of the shortest wave, for these
 SERIES = {
     "area": "contact area",
     "pressure": "mean pressure in contact",
@@ -107,7 +107,7 @@ and are better by far.
 
 def surface(n: int) -> tuple[np.ndarray, float]:
     """Heights of the waves [m], and how high they are."""
-    waves = wave_amplitudes(WAVES, HURST, seed=SEED, lowest=LONGEST)
+    waves = wave_amplitudes(WAVES, HURST, seed=SEED, lowest=MIN_WAVES)
     kx, ky = np.arange(-WAVES, WAVES + 1)[:, None], np.arange(WAVES + 1)
     slopes = [surface_rms(2j * np.pi / SIDE * k * waves) for k in (kx, ky)]
     rms = SLOPE * surface_rms(waves) / np.hypot(*slopes)
@@ -126,7 +126,7 @@ def run(of: str, fine: int, parts: int) -> list[Record]:
 
     Each load is reached from the one before in so many increments; memory is that of all.
     """
-    n, cell = WAVES * fine, SHORTEST / fine
+    n, cell = WAVES * fine, MIN_WAVELENGTH / fine
     grid = sc.Grid(n, n, cell, cell, dz=cell)
     simulation = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap(grid), tol=1e-3)
     rows = []
@@ -152,8 +152,13 @@ def run(of: str, fine: int, parts: int) -> list[Record]:
 
 
 def points(quick: bool) -> list[Record]:
-    grids = [{"of": "grids", "fine": n, "parts": 1} for n in (QUICK if quick else FINE)]
-    more = [{"of": "increments", "fine": PARTED, "parts": parts} for parts in PARTS]
+    grids = [
+        {"of": "grids", "fine": n, "parts": 1}
+        for n in (QUICK_CELLS_PER_WAVE if quick else CELLS_PER_WAVE)
+    ]
+    more = [
+        {"of": "increments", "fine": CELLS_PER_WAVE_OF_PARTS, "parts": parts} for parts in PARTS
+    ]
     return grids if quick else [*grids, *more]
 
 
@@ -200,7 +205,7 @@ def area_table(rows: list[Record]) -> str:
         lines.append(
             (
                 str(row["fine"]), str(row["spots"]),
-                f"{resolution.ROUND_SPOT / row['uncertainty']:.1f}", f"{100 * row['area']:.3f}",
+                f"{resolution.ROUND_SPOT_AREA_ERROR / row['uncertainty']:.1f}", f"{100 * row['area']:.3f}",
                 f"{100 * row['uncertainty']:.1f}", percent(error["area"]),
                 f"{1e-9 * row['pressure']:.3f}", percent(error["pressure"]),
             )
@@ -258,14 +263,14 @@ def page(records: list[Record]) -> str:
         ]
         found = zip(mine, errors(mine), strict=True)
         ratios += [error["area"] / row["uncertainty"] for row, error in found]
-    spot = 100 * resolution.ROUND_SPOT
+    spot = 100 * resolution.ROUND_SPOT_AREA_ERROR
     return TEXT.format(
-        longest=1e6 * SIDE / LONGEST, shortest=1e6 * SHORTEST, hurst=HURST, slope=SLOPE,
-        cells=WAVES * int(rows[-1]["fine"]), parted=PARTED, parts=parts_table(parted),
+        longest=1e6 * SIDE / MIN_WAVES, shortest=1e6 * MIN_WAVELENGTH, hurst=HURST, slope=SLOPE,
+        cells=WAVES * int(rows[-1]["fine"]), parted=CELLS_PER_WAVE_OF_PARTS, parts=parts_table(parted),
         memory=1e-9 * rows[-1]["memory"], tables="\n\n".join(tables),
-        side=resolution.AREA_OF_A_SIDE, low=min(ratios), high=max(ratios), round=spot / 100,
-        eight=spot / 8, four=spot / 4, warn=100 * resolution.UNCERTAIN,
-        fail=100 * resolution.TOO_UNCERTAIN,
+        side=resolution.AREA_PER_SIDE, low=min(ratios), high=max(ratios), round=spot / 100,
+        eight=spot / 8, four=spot / 4, warn=100 * resolution.AREA_ERROR_WARNING,
+        fail=100 * resolution.AREA_ERROR_LIMIT,
     )  # fmt: skip
 
 

@@ -27,7 +27,7 @@ from .study import Record, Study, table
 PARTS = tuple(FIGURES)
 
 # The contact of tugging moves by whole cells: its increments can be halved when its cells are.
-AFTER = {("tugging", "increments"): "cells"}
+AFTER = {("asperities", "increments"): "cells"}
 HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.sensitivity --docs -->
 # What the gallery's numbers depend on
@@ -45,9 +45,9 @@ each cell, so that halved cells halve its steps too; tugging can have smaller in
 cells only, and is compared with these.
 """
 MESHES = {
-    moves.OWN: "The page's mesh.\n",
-    moves.COARSE: "The coarse mesh.\n",
-    moves.BOTH: "The page's mesh; in brackets, the coarse one.\n",
+    moves.OWN_MESH_NOTE: "The page's mesh.\n",
+    moves.COARSE_MESH_NOTE: "The coarse mesh.\n",
+    moves.BOTH_MESHES_NOTE: "The page's mesh; in brackets, the coarse one.\n",
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 ROUNDING = 1e-8
@@ -85,7 +85,7 @@ def changed(what: str | None) -> Iterator[None]:
             real_step(simulation, **(target | half))
         return real_step(simulation, **target)
 
-    def tug(collision: Any, body1: Any, body2: Any, mesh: Any, **settings: Any) -> Any:
+    def collide(collision: Any, body1: Any, body2: Any, mesh: Any, **settings: Any) -> Any:
         # The contact moves by whole cells: half the increments are compared with half the cells.
         cells = 2 if what == "cells" else 1
         finer = resized(
@@ -93,12 +93,12 @@ def changed(what: str | None) -> Iterator[None]:
             mesh.nx, mesh.ny, mesh.dx, mesh.dy, mesh.nz, mesh.dz,
         )  # fmt: skip
         with mock.patch.object(sc.Simulation, "step", real_step):
-            return real_tug(
+            return real_collide(
                 collision, body1, body2, real_grid(*finer), cells_per_increment=cells, **settings
             )
 
-    real_grid, real_step, real_tug = sc.Grid, sc.Simulation.step, asperities.tug
-    with mock.patch.object(sc, "Grid", grid), mock.patch.object(asperities, "tug", tug):
+    real_grid, real_step, real_collide = sc.Grid, sc.Simulation.step, asperities.collide
+    with mock.patch.object(sc, "Grid", grid), mock.patch.object(asperities, "collide", collide):
         if what != "increments":
             yield
         else:
@@ -166,7 +166,7 @@ def page(records: list[Record]) -> str:
         for row in shown:
             numbers = ", ".join(f"{number:.4g}" for number in row.values[:6])
             more = ", ..." if len(row.values) > 6 else ""
-            cells = [cell(row.by.get(what), meshes == moves.BOTH) for what in CHANGES]
+            cells = [cell(row.by.get(what), meshes == moves.BOTH_MESHES_NOTE) for what in CHANGES]
             lines.append([row.quantity, f"{numbers}{more}", *cells])
         if lines:
             text.append(table(["value", "numbers", *CHANGES], lines) + "\n")

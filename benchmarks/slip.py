@@ -149,7 +149,7 @@ def roll_on(meter: Meter, steps: int) -> dict[str, Any]:
     solver = sc.ContactSolver(grid, body, body, law)
     first = solver.solve(gap, **force)
 
-    def march() -> list[sc.StickSlipSolution]:
+    def march() -> list[sc.PartialSlipSolution]:
         found = [first]
         for _ in range(steps):
             found.append(solver.solve(gap, **force, previous=found[-1], advance=(-0.25, -0.25)))
@@ -172,7 +172,7 @@ def roll_on(meter: Meter, steps: int) -> dict[str, Any]:
     }
 
 
-def told(found: sc.StickSlipSolution | sc.RollingSolution) -> dict[str, Any]:
+def told(found: sc.PartialSlipSolution | sc.RollingSolution) -> dict[str, Any]:
     """Columns of any solution with shear."""
     return {"errors": {}, **work(found), **shear_work(found)}
 
@@ -200,13 +200,13 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         if size == " x ".join(map(str, WHEEL_ON_RAIL)) and "time_s" in row:
             stated = CONTACT_STATES[name]
             lines.append(
-                f"{size} cells, {row['contact_cells']:.0f} touch, {name}: {row['time_s']:.2g} s; "
+                f"{size} cells, {row['cells_in_contact']:.0f} touch, {name}: {row['time_s']:.2g} s; "
                 f"CONTACT states {stated:g} s for a wheel on a rail, 50 796 cells, in 2016."
             )
     return ["\n".join(f"- {line}" for line in lines)] if lines else []
 
 
-def shear_work(found: sc.StickSlipSolution | sc.RollingSolution) -> dict[str, Any]:
+def shear_work(found: sc.PartialSlipSolution | sc.RollingSolution) -> dict[str, Any]:
     return {
         "work": found.work,
         "shear_iterations": found.tangential_iterations,

@@ -17,7 +17,7 @@ from . import study
 
 BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
 # Columns in this order, where they have values; errors come after "across", others at the end.
-FIRST = ("part", "case", "method", "options", "cells", "across")
+FIRST_COLUMNS = ("part", "case", "method", "options", "cells", "across")
 WORK = (
     "time_s",
     "time_ratio",
@@ -34,8 +34,8 @@ def frame(rows: list[dict[str, Any]]) -> pd.DataFrame:
     """All rows, columns in a fixed order."""
     table = pd.DataFrame(rows)
     errors = [c for c in table if c.startswith("error: ")]
-    others = [c for c in table if c not in (*FIRST, *errors, *WORK)]
-    wanted = [*FIRST, *errors, *WORK, *others]
+    others = [c for c in table if c not in (*FIRST_COLUMNS, *errors, *WORK)]
+    wanted = [*FIRST_COLUMNS, *errors, *WORK, *others]
     return table[[c for c in wanted if c in table]]
 
 

@@ -68,12 +68,12 @@ def contact_counts(rough: Sequence[tuple[int, float]] = ROUGH) -> str:
 
 def shakedown_limits(frictions: Sequence[float] = FRICTIONS) -> str:
     """Limits of shakedown, p₀/k, of contacts that roll with friction."""
-    limits: dict[str, Callable[[float], shakedown.Limit]] = {
+    limits: dict[str, Callable[[float], shakedown.ShakedownLimit]] = {
         "line, Tresca": lambda mu: shakedown.line(mu, criterion="tresca"),
         "line, von Mises": lambda mu: shakedown.line(mu, criterion="von_mises"),
         "line, kinematic": shakedown.line_kinematic,
         "circle, upper bound": shakedown.point,
-        "circle, lower bound": shakedown.point_safe,
+        "circle, lower bound": shakedown.point_lower_bound,
     }
     rows = [
         [name, *(f"{limit(mu).ratio:.3f}" for mu in frictions)] for name, limit in limits.items()
@@ -136,7 +136,7 @@ def shakedown_cycles(scenes: Sequence[tuple[float, float, float]] = CYCLES) -> s
         ]
         strains = [f"{1e3 * one.rate / one.yield_strain:.3g}" for one in found]
         cycles = [f"{one.solved} of {one.cycles[-1].number}" for one in found]
-        rows.append([name, *dict.fromkeys(one.verdict for one in found), *cycles, *strains])
+        rows.append([name, *dict.fromkeys(one.response for one in found), *cycles, *strains])
     heading = ["load, friction", "result", "with jumps", "without"]
     return table([*heading, "strain of the last cycle [10⁻³ σ_y/E]", "without"], rows)
 
@@ -148,7 +148,7 @@ ERRORS = {
     "max_von_mises_body2": "maximum von Mises stress",
     "max_equivalent_plastic_strain_body2": "maximum plastic strain",
     "max_residual_von_mises_body2": "residual von Mises stress",
-    "print_depth_body2": "imprint depth",
+    "imprint_depth_body2": "imprint depth",
 }
 CIRCLES = (4, 5, 6, 7, 8, 9, 10, 12, 14, 17, 20, 23, 26)  # cells in the radius
 ELLIPSES = (5.3, 40.0)  # ratios of the radii of curvature; semi-axes of 1:3 and 1:11

@@ -29,7 +29,13 @@ SIZES = {
     "sweep": (4, 16, 64),
 }
 ROUNDS = 3  # of all but sweeps, which take minutes
-LARGE = {"contact": 256**2, "stick and slip": 256**2, "increments": 1e5, "zones": 1e5, "sweep": 64}
+LARGE_SIZES = {
+    "contact": 256**2,
+    "stick and slip": 256**2,
+    "increments": 1e5,
+    "zones": 1e5,
+    "sweep": 64,
+}
 """Cells, or cases, from which on the second thread has to pay: a process starts in a second."""
 
 
@@ -97,8 +103,8 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
     lines = []
     for case in SIZES:
         both = [row for row in rows if row["case"] == case and row["method"] != BASE]
-        large = [efficiency(row) for row in both if row["cells"] >= LARGE[case]]
-        small = [row["time_ratio"] for row in both if row["cells"] < LARGE[case]]
+        large = [efficiency(row) for row in both if row["cells"] >= LARGE_SIZES[case]]
+        small = [row["time_ratio"] for row in both if row["cells"] < LARGE_SIZES[case]]
         told = [f"efficiency of two at least {min(large):.2f}"] if large else []
         told += [f"small ones take {max(small):.2f} times as long as on one"] if small else []
         lines += [f"- {case}: {'; '.join(told)}."] if told else []

@@ -9,13 +9,13 @@ import time
 import numpy as np
 from numpy.typing import NDArray
 
-from samcontact.accuracy import Refinable
+from samcontact.accuracy import RefinableCase
 from samcontact.cases import Case as SectionsOfCase
 
 from .accuracy_cases import CASES, Case, closed_form
 from .study import Record, Study
 
-FINEST = 35.0  # s of a processor
+MAX_SOLVE_SECONDS = 35.0  # s of a processor
 INCREMENTS = (4, 8, 16, 32)  # of a segment
 INCREMENTS_ON = 3  # the grid of these
 FINER_INCREMENTS = {
@@ -30,7 +30,7 @@ Values = NDArray[np.float64]
 
 def finest(
     case: Case,
-    seconds: float = FINEST,
+    seconds: float = MAX_SOLVE_SECONDS,
     grid: int = INCREMENTS_ON,
     increments: tuple[int, ...] = INCREMENTS,
 ) -> dict[str, float]:
@@ -38,7 +38,9 @@ def finest(
 
     The fewest increments a segment on all grids, corrected by more of them on one of these.
     """
-    scene = Refinable(SectionsOfCase.model_validate({"title": "truth", "accuracy": 0.1, **case}))
+    scene = RefinableCase(
+        SectionsOfCase.model_validate({"title": "truth", "accuracy": 0.1, **case})
+    )
     counts = increments if scene.has_history else (1,)
     start = time.process_time()
     runs = [scene.run(0, counts[0])]
@@ -71,7 +73,7 @@ def extrapolated(
 
 def run(of: str) -> Record:
     more = FINER_INCREMENTS.get(of, (INCREMENTS_ON, INCREMENTS))
-    return {"values": finest(CASES[of], FINEST, *more)}
+    return {"values": finest(CASES[of], MAX_SOLVE_SECONDS, *more)}
 
 
 def points(quick: bool) -> list[Record]:

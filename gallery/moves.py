@@ -10,14 +10,14 @@ from typing import Any
 
 TABLE = Path(__file__).parents[1] / "benchmarks" / "sensitivity.json"
 CHANGES = ("cells", "layers", "increments", "window")
-OWN = """Moves: by how much the numbers change at most when the cells, layers or increments of the
+OWN_MESH_NOTE = """Moves: by how much the numbers change at most when the cells, layers or increments of the
 page's mesh are halved, or its window is made larger ([sensitivity](../sensitivity.md)).
 """
-COARSE = """Moves: by how much the numbers change at most when the cells, layers or increments of a
+COARSE_MESH_NOTE = """Moves: by how much the numbers change at most when the cells, layers or increments of a
 mesh about half as fine as the page's are halved, or its window is made larger
 ([sensitivity](../sensitivity.md)); about an upper bound of their error.
 """
-BOTH = """Moves: by how much the numbers change at most when the cells, layers or increments of the
+BOTH_MESHES_NOTE = """Moves: by how much the numbers change at most when the cells, layers or increments of the
 page's mesh are halved, or its window is made larger; in brackets where the largest change is that
 of a mesh about half as fine ([sensitivity](../sensitivity.md)), about an upper bound of the error.
 """
@@ -80,12 +80,14 @@ def of_part(name: str, records: list[dict[str, Any]]) -> list[Moves]:
 def note(table: list[Moves]) -> str:
     """What the column of a page means."""
     own = {move.own for moves in table for move in moves.by.values()}
-    return BOTH if len(own) == 2 else OWN if own == {True} else COARSE
+    return (
+        BOTH_MESHES_NOTE if len(own) == 2 else OWN_MESH_NOTE if own == {True} else COARSE_MESH_NOTE
+    )
 
 
 def column(table: list[Moves]) -> dict[str, str]:
     """The largest move of each quantity, by its `words`; in brackets where `note` says it."""
-    mixed = note(table) == BOTH
+    mixed = note(table) == BOTH_MESHES_NOTE
     largest: dict[str, Move] = {}
     for moves in table:
         if move := moves.largest:

@@ -16,7 +16,7 @@ from .drawing import gridded
 from .page import Picture
 from .stated import Number, Stated, Statement
 
-SAID = Stated("nano_indentation")
+STATED = Stated("nano_indentation")
 TITLE = "Nano-indentation"
 INTRODUCTION = """
 A spherical tip of radius 105 µm, taken as rigid, is pressed on nitrided steel (E = 210 GPa,
@@ -113,7 +113,7 @@ def stated(results: Results) -> list[Number | Statement]:
     difference = difference_of_the_drives(results)
     radius = float(np.sqrt(top.contact_area / np.pi))
     flattened = top.pressure.max() < elastic.p0 and radius > elastic.a
-    say = SAID.on(results.mesh)
+    say = STATED.on(results.mesh)
     return [
         say.number("largest interference", top.approach * 1e9),
         say.number("elastic interference", elastic.approach * 1e9),
@@ -138,7 +138,7 @@ def figures(results: Results) -> list[Picture]:
     """Figures 2.9, 2.14 and 2.15."""
     return [
         Picture(
-            "nano_print",
+            "nano_imprint",
             "Figure 2.9: permanent print at the centre against the load it was pressed with.",
             print_figure(results),
         ),

@@ -23,7 +23,7 @@ PARTS: dict[str, tuple[str | tuple[str, str], ...]] = {
     "rolling_ellipticity": (("3.18", "3.24"),),
     "rolling_load": (("3.25", "3.28"),),
     "rolling_two_bodies": (("3.29", "3.33"),),
-    "tugging": (("4.7", "4.11"),),
+    "asperities": (("4.7", "4.11"),),
     "wear": (("5.9", "5.11"),),
     "running_in": (("5.12", "5.15"),),
 }

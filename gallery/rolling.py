@@ -19,7 +19,7 @@ from .profiles import succession
 from .stated import Number, Stated, Statement
 from .track import BALL, RADIUS, Cycle, Mesh, Run, ellipse, roll
 
-SAID = Stated("rolling")
+STATED = Stated("rolling")
 TITLE = "Rolling, and its cycles"
 INTRODUCTION = """
 Sections 3.2.1.1 and 3.2.1.2 of the thesis: a ceramic ball of 9.525 mm diameter rolls over a flat of
@@ -80,8 +80,8 @@ def stated_bearing(results: Results) -> list[Number | Statement]:
     soft, hard = (results.bearing[name].steady for name in ("52100", "M50"))
     p0 = results.bearing["M50"].p0
     return [
-        SAID.number("pressure at 460 N", p0 * 1e-9),
-        SAID.trend(
+        STATED.number("pressure at 460 N", p0 * 1e-9),
+        STATED.trend(
             "prints at 460 N",
             0 < hard.depth < soft.depth and hard.width() < soft.width(),
             soft.depth * 1e9,
@@ -103,7 +103,7 @@ def stated_depth(results: Results) -> list[Number | Statement]:
     deepest, pressed_depth = float(first.along.max()), float(pressed.along.max())
     inside = (first.x > 4 * a) & (first.x < run.way - 2 * a)
     change = float(np.ptp(first.along[inside])) / first.depth
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.number("contact radius", a * 1e6),
         say.number("load", BALL.load),
@@ -128,7 +128,7 @@ def stated_depth(results: Results) -> list[Number | Statement]:
 def stated_shoulders(results: Results) -> list[Number | Statement]:
     mesh, first = results.mesh, results.rolled.cycles[0]
     before, beyond, beside = (1e9 * height for height in first.shoulders())
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend("end shoulders", beyond > 1.5 * before, beyond, before),
         say.trend("side shoulders", 0.75 * beside < beyond < beside, beyond, beside),
@@ -140,7 +140,7 @@ def stated_cycles(results: Results) -> list[Number | Statement]:
     depths = [cycle.depth for cycle in results.repeated.cycles]
     growth = np.diff(depths) / depths[-1]
     counters = run.counters
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "print by cycles",
@@ -176,7 +176,7 @@ def stated_largest(results: Results) -> list[Number | Statement]:
     loaded, elastic = float(results.rolled.loaded.max()), BALL.max_von_mises(0.3)[0]
     percent = [100 * strain for strain in results.strains.values()]
     limit = first_order(list(results.strains), percent, "cells and steps per radius")
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend("stress under load", loaded < 0.9 * elastic, loaded * 1e-9, elastic * 1e-9),
         say.number(
@@ -202,7 +202,7 @@ def stated_residual(results: Results) -> list[Number | Statement]:
     signs = ", ".join(succession(second.profile("hydrostatic"), 2e-3 * BALL.p0))
     wanted = "tensile, compressive, tensile"
     again = np.abs(second.von_mises_across - first.von_mises_across).max()
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "residual bands",
@@ -265,7 +265,7 @@ def prints(results: Results) -> Picture:
     finish(left, "rolling direction x/a", "height of the surface [a/1000]")
     finish(right, "across the track y/a")
     return Picture(
-        "rolling_prints",
+        "rolling_imprints",
         "Figures 3.10 to 3.12: print of a ball that is pressed, or rolled to the right, once "
         f"({run.way * 1e3:.2g} mm); and of up to three cycles (2 mm) along and across the track. "
         "Of figure 3.12 only the computed profiles.",

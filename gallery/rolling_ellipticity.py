@@ -16,7 +16,7 @@ from .profiles import falls, grows, succession, top
 from .stated import Number, Stated, Statement
 from .track import BALL, Mesh, Run, both_cycles, ellipse, roll, table_ellipse
 
-SAID = Stated("rolling_ellipticity")
+STATED = Stated("rolling_ellipticity")
 TITLE = "Rolling, effect of the ellipticity"
 INTRODUCTION = """
 Section 3.2.1.3 of the thesis: a ceramic ellipsoid rolls twice by 4 mm along the minor axis of its
@@ -70,16 +70,16 @@ def contacts(results: Results) -> list[Number | Statement]:
     table = [table_ellipse(k, k * LOAD) for k in RATIOS]
     widest = max(abs(contact.p0 / BALL.p0 - 1) for contact in table)
     return [
-        SAID.trend(
+        STATED.trend(
             "pressure of the table",
             widest > 0.1,
             [contact.p0 * 1e-9 for contact in table],
             ratios=[contact.k for contact in table],
             minor=[1e6 * contact.a_x for contact in table],
         ),
-        *(SAID.number("ratio of radii", exact[k], at=k) for k in RATIOS),
-        SAID.number("semi major axis", ellipse(16).a_y * 1e6),
-        SAID.number("distance", 4e-3 / BALL.a),
+        *(STATED.number("ratio of radii", exact[k], at=k) for k in RATIOS),
+        STATED.number("semi major axis", ellipse(16).a_y * 1e6),
+        STATED.number("distance", 4e-3 / BALL.a),
     ]
 
 
@@ -94,7 +94,7 @@ def print_trends(results: Results) -> list[Number | Statement]:
     x = np.linspace(-2 * BALL.a, 2.4e-3, 400)
     along = [np.interp(x, cycle.x, cycle.along) for cycle in steady]
     change = [float(np.abs(b - a).max()) * 1e6 for a, b in pairwise(along)]
-    say = SAID.on(mesh, which=name)
+    say = STATED.on(mesh, which=name)
     return [
         say.trend("depth", falls(depths), depths),
         say.trend("width", grows(widths), widths),
@@ -121,7 +121,7 @@ def pressure_trends(results: Results) -> list[Number | Statement]:
     own = [run.p_max() / run.p0 for run in runs.values()]
     drops = -np.diff(tops)
     return [
-        SAID.trend(
+        STATED.trend(
             "pressure",
             tops[0] == max(tops) and abs(drops[-1]) < 0.3 * drops[0],
             tops,
@@ -148,7 +148,7 @@ def profile_trends(results: Results) -> list[Number | Statement]:
     ]
     share = [float(a) / s for a, (s, _) in zip(apart, stress, strict=True)]
     a = BALL.a
-    say = SAID.on(mesh, which=name)
+    say = STATED.on(mesh, which=name)
     return [
         say.trend("strain", falls([g for g, _ in gamma]), [100 * g for g, _ in gamma]),
         say.trend(
@@ -188,7 +188,7 @@ def at_pressure(results: Results) -> list[Number | Statement]:
     gamma = [100 * run.steady.peak("gamma")[0] for run in runs.values()]
     stress = [1e-6 * run.steady.peak("von_mises")[0] for run in runs.values()]
     depths = [run.steady.depth * 1e6 for run in runs.values()]
-    say = SAID.on(mesh, which=name)
+    say = STATED.on(mesh, which=name)
     return [
         say.trend("exact pressure", grows(tops), tops),
         say.trend("exact strain", falls(gamma) and gamma[list(runs).index(8)] > 1.7 * 0.4, gamma),
@@ -226,7 +226,7 @@ def prints(results: Results) -> Picture:
     finish(left, "rolling direction x/a", "height of the surface [a/1000]")
     finish(right, "across the track y/a")
     return Picture(
-        "rolling_ellipticity_prints",
+        "rolling_ellipticity_imprints",
         "Figures 3.18 and 3.19: prints along and across the track after one (dashed) and two "
         "cycles, rolled to the right.",
         figure,

@@ -17,7 +17,7 @@ from .profiles import grows
 from .stated import Number, Stated, Statement
 from .track import BALL, Mesh, Run, both_cycles, roll, table_ellipse
 
-SAID = Stated("rolling_load")
+STATED = Stated("rolling_load")
 TITLE = "Rolling, effect of the load"
 INTRODUCTION = """
 Section 3.2.1.3 of the thesis, tables 3.2 and 3.3: a ceramic ellipsoid rolls twice by 4 mm along the
@@ -73,22 +73,22 @@ def contacts(results: Results) -> list[Number | Statement]:
     ratios = [run.contact.k for run in runs.values()]
     kept = [BALL.a * 1e6 * pressure / 5.7 for pressure in runs]
     return [
-        SAID.trend(
+        STATED.trend(
             "pressure of the table",
             all(value < 0.87 * name for value, name in zip(actual, runs, strict=True)),
             actual,
             ratios[0],
         ),
-        SAID.number("semi minor axis", kept[-1]),
+        STATED.number("semi minor axis", kept[-1]),
     ]
 
 
 def numbers(results: Results) -> list[Number | Statement]:
     runs, mesh = results.runs, results.mesh
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     strains = [100 * float(run.steady.gamma.max()) for run in runs.values()]
     steady = [100 * run.steady.peak("gamma")[0] for run in runs.values()]
-    lower = zip(steady[1:], [*SAID.values("strain").values()][1:], strict=True)
+    lower = zip(steady[1:], [*STATED.values("strain").values()][1:], strict=True)
     stresses = [1e-6 * run.steady.peak("von_mises")[0] for run in runs.values()]
     last = runs[8.0].steady
     below = last.z > 1.5 * runs[8.0].a
@@ -112,7 +112,7 @@ def trends(results: Results) -> list[Number | Statement]:
     depths = [run.steady.peak("gamma")[1] * 1e6 for run in runs.values()]
     zones = [np.ptp(run.z[run.steady.profile("gamma") > 0]) * 1e6 for run in runs.values()]
     loaded = float(runs[8.0].loaded_axis[-1].max())
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend("strain depth", grows(depths), depths),
         say.trend("plastic zone", grows(zones) and zones[-1] > 2 * zones[0], zones),
@@ -137,7 +137,7 @@ def hydrostatic_trends(results: Results) -> list[Number | Statement]:
     runs, mesh = results.runs, results.mesh
     surface = [run.steady.profile("hydrostatic")[0] * 1e-6 for run in runs.values()]
     ends = [zero(run) / (HERTZ_DEPTH * run.a) for run in runs.values()]
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend("tensile surface", min(surface) > 0 and surface[-1] > surface[0], surface),
         say.trend(
@@ -173,8 +173,8 @@ def strains(results: Results) -> Picture:
     figure, (left, right) = axes()
     curves(left, results, "gamma", 100.0)
     curves(right, results, "von_mises", 1e-6)
-    marks(left, SAID.values("strain"))
-    marks(right, SAID.values("residual stress"))
+    marks(left, STATED.values("strain"))
+    marks(right, STATED.values("residual stress"))
     finish(left, "depth [µm]", "equivalent plastic strain [%]")
     finish(right, "depth [µm]", "residual von Mises stress [MPa]")
     return Picture(
@@ -208,7 +208,7 @@ def prints(results: Results) -> Picture:
     ax.set_xlim(-1.2, 5.2)
     finish(ax, "rolling direction x [mm]", "height of the surface [µm]")
     return Picture(
-        "rolling_load_prints",
+        "rolling_load_imprints",
         "Figure 3.28: print in the middle of the track after one (dashed) and two cycles, rolled "
         "to the right.",
         figure,

@@ -16,7 +16,7 @@ from .profiles import each, grows, top
 from .stated import Number, Stated, Statement
 from .track import BALL, Mesh, Run, ellipse, roll
 
-SAID = Stated("rolling_two_bodies")
+STATED = Stated("rolling_two_bodies")
 TITLE = "Pressed and rolled"
 INTRODUCTION = """
 Section 3.2.2 of the thesis: what rolling changes. First two bodies of steel 52100 with a circular
@@ -113,7 +113,7 @@ def stated_rolled(results: Results, found: dict[Key, Curves]) -> list[Statement]
     entries = []
     for (pair, k), c in found.items():
         entries.append(
-            SAID.trend(
+            STATED.trend(
                 "pressure rolled",
                 bool(np.all(c.rolled > c.pressed)) and c.rolled[-1] > 1.02 * c.pressed[-1],
                 percents(c.pressed),
@@ -125,7 +125,7 @@ def stated_rolled(results: Results, found: dict[Key, Curves]) -> list[Statement]
             )
         )
         entries.append(
-            SAID.trend(
+            STATED.trend(
                 "strain rolled",
                 c.rolled_gamma[-1] > 1.15 * c.pressed_gamma[-1]
                 and bool(np.all(c.rolled_gamma >= 0.98 * c.pressed_gamma)),
@@ -149,7 +149,7 @@ def stated_second_body(results: Results, found: dict[Key, Curves]) -> list[State
                  (two.rolled_gamma, one.rolled_gamma)]  # fmt: skip
         change = ", ".join(f"{100 * (b[-1] / a[-1] - 1):.1f}" for b, a in lower)
         entries.append(
-            SAID.trend(
+            STATED.trend(
                 "two plastic bodies",
                 all(bool(np.all(b < a)) for b, a in lower),
                 change.split(", ")[0],
@@ -166,7 +166,7 @@ def stated_second_body(results: Results, found: dict[Key, Curves]) -> list[State
 def stated_geometry(results: Results, found: dict[Key, Curves]) -> list[Statement]:
     mesh = results.mesh
     round_, long = found["E_EP", 1], found["E_EP", 8]
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "geometry",
@@ -206,7 +206,7 @@ def stated_hardening(results: Results) -> list[Number | Statement]:
         for run in runs.values()
     ]
     name = each(runs, "g")
-    say = SAID.on(mesh, which=name)
+    say = STATED.on(mesh, which=name)
     return [
         say.trend("hardening pressed", grows(pressed) and pressed[-1] < 5.7, pressed),
         say.trend(

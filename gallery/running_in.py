@@ -17,7 +17,7 @@ from .stated import Number, Stated, Statement
 from .wear import E_STAR, FRICTION, RADIUS, STEEL, THRESHOLD
 from .wear import HERTZ as SMOOTH
 
-SAID = Stated("running_in")
+STATED = Stated("running_in")
 TITLE = "Running-in of a rough surface"
 INTRODUCTION = """
 Section 5.2.2 of the thesis: the balls and the steel of [wear of a flat surface](wear.md) under
@@ -70,8 +70,8 @@ def stated_begin(results: Results) -> list[Statement]:
     micro = float(STEEL.yield_stress(20e-6))
     critical = sc.critical.onset_sliding(RADIUS, E_STAR, 0.3, micro, FRICTION)
     return [
-        SAID.trend("smooth surfaces", critical.load > LOAD, critical.load),
-        SAID.trend(
+        STATED.trend("smooth surfaces", critical.load > LOAD, critical.load),
+        STATED.trend(
             "first pressure",
             0.7 < first.max_pressure / SMOOTH.p0 < 1.4,
             first.max_pressure * 1e-9,
@@ -85,7 +85,7 @@ def stated_cycles(results: Results) -> list[Statement]:
     found, mesh = results.wear, results.mesh
     worn = len(found.cycles) - 1
     share = found.rate[:2].sum() / found.rate.sum()
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend("running", found.stopped, worn + 1),
         say.trend("cycles", 2 <= worn <= STATED_CYCLES, worn, stated_cycles=STATED_CYCLES),
@@ -96,11 +96,11 @@ def stated_cycles(results: Results) -> list[Statement]:
 def stated_end(results: Results) -> list[Statement]:
     found, mesh = results.wear, results.mesh
     first, last = found.cycles[0], found.cycles[-1]
-    conserved = max(abs(c.lost[0] / c.volume[0] - 1) for c in found.cycles[:-1])
+    conserved = max(abs(c.lost_volume[0] / c.volume[0] - 1) for c in found.cycles[:-1])
     x, y = found.x(), found.grid.y
     middle = np.hypot(x[:, None], y[None, :]) < 75e-6
     before, after = (float(found.profile(n)[middle].std()) for n in (0, -1))
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend("roughness", after < 0.8 * before, 1e6 * before, 1e6 * after),
         say.trend(

@@ -16,7 +16,7 @@ from .page import Picture
 from .profiles import succession, top
 from .stated import Number, Stated, Statement
 
-SAID = Stated("two_plastic_bodies")
+STATED = Stated("two_plastic_bodies")
 TITLE = "Two inelastic bodies"
 INTRODUCTION = """
 Section 2.3.1.4 of the thesis: two balls of 15 mm radius (equivalent radius 7.5 mm), steel 52100, to
@@ -28,7 +28,7 @@ Hertz contact radius at 11 179 N; values up to 1900 N come from a finer grid.
 RADIUS = 7.5e-3
 PEAK = 11179.0
 MICRO_YIELD = 1476.7e6  # at a plastic strain of 20e-6
-LC = SAID.values("critical load")
+LC = STATED.values("critical load")
 PAIRS = {
     "E_EP": (ELASTIC, STEEL_52100),
     "EP_EP": (STEEL_52100, STEEL_52100),
@@ -135,10 +135,10 @@ def difference(results: Results, other: str) -> tuple[np.ndarray, np.ndarray]:
 def stated(results: Results) -> list[Number | Statement]:
     peak, cases = results.peak, results.cases
     return [
-        SAID.number("peak pressure", peak.p0 * 1e-9),
-        SAID.number("peak radius", peak.a * 1e6),
+        STATED.number("peak pressure", peak.p0 * 1e-9),
+        STATED.number("peak radius", peak.a * 1e6),
         *(
-            SAID.number("critical load", cases[pair].critical, mesh=results.low_mesh, at=pair)
+            STATED.number("critical load", cases[pair].critical, mesh=results.low_mesh, at=pair)
             for pair in LC
         ),
         *stated_pressure(results),
@@ -153,7 +153,7 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
     load, percent = difference(results, "EP_EP")
     below = float(percent[load <= LC["EP_EP"]].max())
     other = float(difference(results, "M50 against 52100")[1][-1])
-    say = SAID.on(low_mesh)
+    say = STATED.on(low_mesh)
     return [
         say.number("pressure at the critical load", at_lc),
         say.trend("pressure below the critical load", below < 3, below),
@@ -174,7 +174,7 @@ def stated_axis(results: Results) -> list[Number | Statement]:
         abs(np.max(one.hydrostatic[part]) - np.max(two.hydrostatic[part])) / p0
         for part in (one.z < 0.4 * a, one.z > a)
     ]
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.number("compression depth", depth),
         say.trend("compression depth of both", min(depth, depth2) > 0.5, depth, depth2),
@@ -194,7 +194,7 @@ def stated_axis(results: Results) -> list[Number | Statement]:
 def stated_beyond(results: Results) -> list[Number | Statement]:
     pressures, strains = results.beyond
     p0 = float(np.interp(0.02, strains, pressures))
-    say = SAID.on(results.mesh)
+    say = STATED.on(results.mesh)
     return [
         say.number("pressure at 2 %", p0 * 1e-9),
         say.number("pressure over yield", p0 / MICRO_YIELD),

@@ -16,7 +16,7 @@ from .drawing import axes, finish
 from .page import Picture
 from .stated import Number, Stated, Statement
 
-SAID = Stated("wear")
+STATED = Stated("wear")
 TITLE = "Wear of a flat surface"
 INTRODUCTION = """
 Section 5.2.1 of the thesis: two balls of 15 mm radius, smooth, pressed together thirteen times by
@@ -92,13 +92,13 @@ def stated_first_cycle(results: Results) -> list[Statement]:
         RADIUS, E_STAR, 0.3, float(STEEL.yield_stress(20e-6)), FRICTION
     )
     return [
-        SAID.trend(
+        STATED.trend(
             "onset of yield",
             HERTZ.load > 2 * critical.load,
             HERTZ.p0 * 1e-9,
             (HERTZ.load / critical.load) ** (1 / 3),
         ),
-        SAID.trend(
+        STATED.trend(
             "first plastic zone",
             first.max_equivalent_plastic_strain == first.surface_strain,
             100 * first.max_equivalent_plastic_strain[0],
@@ -111,7 +111,7 @@ def stated_rate(results: Results) -> list[Statement]:
     found, mesh = results.exact, results.mesh
     falling, rate = (1e9 * run.rate[STEADY] for run in (found, results.smoothed))
     spread = rate.max() / rate.mean() - 1, rate.min() / rate.mean() - 1
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "thirteen cycles",
@@ -148,8 +148,8 @@ def stated_largest(results: Results) -> list[Statement]:
     first = found.cycles[0]
     pressure = max(cycle.max_pressure for cycle in found.cycles)
     strain = max(cycle.max_equivalent_plastic_strain[0] for cycle in found.cycles)
-    conserved = max(abs(c.lost[0] / c.volume[0] - 1) for c in found.cycles)
-    say = SAID.on(mesh)
+    conserved = max(abs(c.lost_volume[0] / c.volume[0] - 1) for c in found.cycles)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "pressure",

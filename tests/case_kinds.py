@@ -55,9 +55,9 @@ MEASURED = {
 }  # fmt: skip
 MARCHED = {"factor": [0.0, 2e-3], "velocity": HEAT["velocity"], "history": [1e-6, 1e-3]}
 FLAT = {"shape": "paraboloid", "Rx": 1e-3}
-TUGGING = {
+ASPERITIES = {
     "title": "t",
-    "tugging": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6, "passes": 2, "back_and_forth": True,
+    "asperities": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6, "passes": 2, "back_and_forth": True,
                 "cells_per_increment": 2, "increments": 12, "width": 1.7, "depth": 1.5},
     "body1": COLD, "body2": COLD, "relief1": DENT, "relief2": ROUGH,
     "contact": {k: CONTACT[k] for k in ("tol", "increment_tol", "on_border", "residual_stress",
@@ -152,7 +152,7 @@ KINDS = {
        "path": [{"load": 2.0}, {"load": 2.0, "fret": {"shift_x": 1e-8}}]},
     "marched wear": BASE
     | {"wear": WEAR, "heat": MARCHED, "path": [{"load": 1.0, "duration": 1e-4}]},
-    "tugging": TUGGING,
-    "tugging on a grid": TUGGING
-    | {"grid": GRID, "tugging": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6}},
+    "asperities": ASPERITIES,
+    "tugging on a grid": ASPERITIES
+    | {"grid": GRID, "asperities": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6}},
 }  # fmt: skip

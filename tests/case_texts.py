@@ -40,9 +40,9 @@ load = 600.0
 increments = 2
 roll = {{distance = 180e-6, step = 60e-6, passes = 2, unload_increments = 1}}
 """
-TUGGING = """
+ASPERITIES = """
 title = "Two spheres"
-[tugging]
+[asperities]
 R1 = 1.0
 R2 = 2.0
 interference = 6e-4

@@ -17,7 +17,7 @@ hypothesis.settings.register_profile("project", deadline=None, derandomize=True,
 hypothesis.settings.load_profile("project")
 
 # The longest files: begun first, so that no process is left alone with one at the end.
-LONG = (
+LONG_TESTS = (
     "validation/test_gallery.py",
     "structure/test_site.py",
     "notebooks/test_notebooks.py",
@@ -53,6 +53,9 @@ def steps_alone(monkeypatch):
 
 def pytest_collection_modifyitems(items):
     def place(item):
-        return next((n for n, name in enumerate(LONG) if f"tests/{name}" in item.nodeid), len(LONG))
+        return next(
+            (n for n, name in enumerate(LONG_TESTS) if f"tests/{name}" in item.nodeid),
+            len(LONG_TESTS),
+        )
 
     items.sort(key=place)  # stable: files stay together

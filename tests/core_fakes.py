@@ -30,7 +30,7 @@ class FakeState:
         self.domain = SimpleNamespace(grid=grid, initial_gap=self.gap, reliefs=(None, None))
         self.setup = SimpleNamespace(bodies=(ELASTIC, ELASTIC))
         self.converged, self.iterations, self.contact_iterations, self.substeps = True, 3, 20, 1
-        self.plastic_residual, self.yield_excess = 1e-8, 2e-9
+        self.plastic_strain_residual, self.yield_violation = 1e-8, 2e-9
         if load > 0:
             contact = hertz.point(7.5e-3, 115384615384.6154, load=load)
             self.pressure = contact.pressure(grid.x[:, None], grid.y[None, :])

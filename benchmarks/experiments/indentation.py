@@ -24,7 +24,7 @@ REPRESENTATIVE = 0.2
 """Tabor's representative strain over a/R."""
 
 
-class Print(NamedTuple):
+class Indentation(NamedTuple):
     """Under load. Lengths over the radius of the ball, stresses over E*."""
 
     cells: int
@@ -45,7 +45,7 @@ class Print(NamedTuple):
         return self.mean_pressure / self.yield_stress
 
 
-def press(material: sc.Material, radius: float, mean_pressure: float, cells: int) -> Print:
+def press(material: sc.Material, radius: float, mean_pressure: float, cells: int) -> Indentation:
     """Load until about this contact radius [m], at about this mean pressure [Pa].
 
     The contact's area is that of the cells that bear pressure.
@@ -61,7 +61,7 @@ def press(material: sc.Material, radius: float, mean_pressure: float, cells: int
             state = simulation.step(load=load * part**2)
     area = np.count_nonzero(state.pressure) * grid.cell_area
     reached = math.sqrt(area / math.pi)
-    return Print(
+    return Indentation(
         cells,
         reached / RADIUS,
         state.load / area / E_STAR,
@@ -71,7 +71,7 @@ def press(material: sc.Material, radius: float, mean_pressure: float, cells: int
     )
 
 
-def perfect(stiffness: float, cells: int) -> Print:
+def perfect(stiffness: float, cells: int) -> Indentation:
     """Of a perfectly plastic body, to about this E* a/(Y R)."""
     Y = YIELD_STRAIN * E
     guess = min(float(cavity(stiffness)), 2.9)
@@ -81,7 +81,7 @@ def perfect(stiffness: float, cells: int) -> Print:
     return press(sc.Material.perfect_plastic(E, NU, Y), radius, guess * Y, cells)
 
 
-def hardening(exponent: float, to_radius: float, cells: int) -> Print:
+def hardening(exponent: float, to_radius: float, cells: int) -> Indentation:
     """Of a body whose stress grows with this power of the plastic strain.
 
     At a contact radius of 0.02 R, E* a/(Y R) is 40 with Y at the representative strain.

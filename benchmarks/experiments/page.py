@@ -15,7 +15,7 @@ from ..study import Record, Study, table_of
 from .indentation import (
     E_STAR,
     INCREMENTS,
-    Print,
+    Indentation,
     cavity,
     first_yield,
     hardening,
@@ -25,7 +25,7 @@ from .indentation import (
 
 STIFFNESSES = (2.0, 2.5, 3.0, 4.0, 6.0, 9.0, 13.0, 20.0, 30.0, 45.0, 65.0, 100.0)
 CELLS = (10, 14, 20)
-SLOW = 60.0  # from which on the finest grid is left out
+MAX_FINE_STIFFNESS = 60.0  # from which on the finest grid is left out
 EXPONENTS = (0.1, 0.2, 0.3)
 RADII = (0.02, 0.04)
 
@@ -45,7 +45,7 @@ VICKERS_STRAIN = 0.08
 TEXT = Path(__file__).with_name("template.md")
 
 
-Prints = list[tuple[float, Print]]
+Prints = list[tuple[float, Indentation]]
 """Each with the stiffness that was asked for, or the exponent of its hardening."""
 
 
@@ -53,7 +53,7 @@ def points(quick: bool) -> list[Record]:
     found: list[Record] = [
         {"of": "perfect", "stiffness": stiffness, "cells": cells}
         for stiffness in STIFFNESSES
-        for cells in (CELLS if stiffness < SLOW else CELLS[:2])
+        for cells in (CELLS if stiffness < MAX_FINE_STIFFNESS else CELLS[:2])
     ]
     found += [{"of": "hardening", "exponent": exponent, "cells": CELLS[0], "to_radius": radius}
               for exponent in EXPONENTS for radius in RADII]  # fmt: skip
@@ -68,13 +68,13 @@ def run(of: str, **point: Any) -> Record:
 def prints(records: list[Record]) -> dict[str, Prints]:
     """Prints of each group."""
     return {
-        name: [(record[first], Print(*(record[field] for field in Print._fields)))
+        name: [(record[first], Indentation(*(record[field] for field in Indentation._fields)))
                for record in records if record["of"] == name]
         for name, first in (("perfect", "stiffness"), ("hardening", "exponent"))
     }  # fmt: skip
 
 
-def finest(rows: Prints) -> list[Print]:
+def finest(rows: Prints) -> list[Indentation]:
     """The last of each load."""
     return list(dict(rows).values())
 
@@ -171,13 +171,13 @@ def spread(rows: Prints) -> float:
     return max(abs(one.constraint / last[asked].constraint - 1) for asked, one in rows)
 
 
-def edge(curve: list[Print]) -> float:
+def edge(curve: list[Indentation]) -> float:
     """Largest plastic strain over a/R where the fully plastic range begins."""
     at = min(curve, key=lambda one: abs(one.stiffness - 30))
     return at.max_strain / at.radius
 
 
-def honest_table(curve: list[Print]) -> list[dict[str, Any]]:
+def honest_table(curve: list[Indentation]) -> list[dict[str, Any]]:
     lines = []
     for metal, stress in METALS.items():
         radius = 30 * stress / E_STAR

@@ -34,8 +34,8 @@ from .tables import (
 
 ELEMENTS = (5, 10, 20)  # on the Hertz radius
 CELLS = (8, 16, 32, 64)
-ASKED = (0.05, 0.01, 0.002)
-TRUTH = 150.0  # s for what these are compared with
+ACCURACIES = (0.05, 0.01, 0.002)
+REFERENCE_SECONDS = 150.0  # s for what these are compared with
 FLATTER, SLOPES_ON = (1.0, 4.0), 10
 REPEATS = 3  # of what is asked for to an accuracy: the least time counts
 FIGURE = "finite_elements.png"
@@ -47,12 +47,12 @@ QUANTITIES = {
     "residual_von_mises": ("largest residual von Mises stress [MPa]", 1e-6),
     "print": ("depth of the print [µm]", 1e6),
 }
-ASKED_FOR = {
+CONTROLLED_QUANTITIES = {
     "load": "load",
     "von_mises": "max_von_mises_body2",
     "plastic_strain": "max_equivalent_plastic_strain_body2",
     "residual_von_mises": "max_residual_von_mises_body2",
-    "print": "print_depth_body2",
+    "print": "imprint_depth_body2",
 }
 """Names of the quantities in `to_accuracy`."""
 TEXT = """## Two balls
@@ -97,15 +97,15 @@ def solve(across: int) -> dict[str, float]:
     n = 2 * int(1.25 * across) + 1
     grid = sc.Grid(n, n, cell, cell, dz=cell)
     simulation = sc.Simulation(grid, ELASTIC, STEEL, lambda grid: paraboloid(grid, RADIUS))
-    for part in range(1, deck.UP + 1):
-        loaded = simulation.step(approach=1e-3 * deck.APPROACH * part / deck.UP)
+    for part in range(1, deck.LOADING_INCREMENTS + 1):
+        loaded = simulation.step(approach=1e-3 * deck.APPROACH * part / deck.LOADING_INCREMENTS)
     found = {
         "load": loaded.load,
         "von_mises": float(loaded.von_mises(2).max()),
         "plastic_strain": float(loaded.equivalent_plastic_strain(2).max()),
     }
-    for part in range(1, deck.DOWN + 1):
-        released = simulation.step(load=loaded.load * (1 - part / deck.DOWN))
+    for part in range(1, deck.UNLOADING_INCREMENTS + 1):
+        released = simulation.step(load=loaded.load * (1 - part / deck.UNLOADING_INCREMENTS))
     found["residual_von_mises"] = float(released.von_mises(2).max())
     found["print"] = float(released.residual_displacement(2).max())
     return {"cells": n * n * len(loaded.depths), "seconds": time.process_time() - start, **found}
@@ -149,8 +149,8 @@ CASE = {
 
 def limit() -> dict[str, float]:
     """Limit of the scene for finer grids and more increments."""
-    truth = finest(CASE, TRUTH)
-    return {quantity: truth[name] for quantity, name in ASKED_FOR.items()}
+    truth = finest(CASE, REFERENCE_SECONDS)
+    return {quantity: truth[name] for quantity, name in CONTROLLED_QUANTITIES.items()}
 
 
 def measure_accuracy(asked: float) -> dict[str, float]:
@@ -158,9 +158,9 @@ def measure_accuracy(asked: float) -> dict[str, float]:
     timed = []
     for _ in range(REPEATS):
         start = time.process_time()
-        run = sc.to_accuracy(CASE, asked, quantities=list(ASKED_FOR.values()))
+        run = sc.to_accuracy(CASE, asked, quantities=list(CONTROLLED_QUANTITIES.values()))
         timed.append(time.process_time() - start)
-    values = {quantity: run.values[name] for quantity, name in ASKED_FOR.items()}
+    values = {quantity: run.values[name] for quantity, name in CONTROLLED_QUANTITIES.items()}
     cells = run.grid.nx * run.grid.ny * len(run.states[-1].depths)
     return {"cells": cells, "seconds": min(timed), **values}
 
@@ -195,16 +195,16 @@ def section(found: dict[str, Runs]) -> str:
         flat_load=off["4"]["load"],
         flat_stress=off["4"]["von_mises"],
         approach=1e3 * deck.APPROACH,
-        up=deck.UP,
-        down=deck.DOWN,
-        fine=deck.FINE,
+        up=deck.LOADING_INCREMENTS,
+        down=deck.UNLOADING_INCREMENTS,
+        fine=deck.FINE_RADIUS,
         growth=deck.GROWTH,
-        far=deck.FAR,
+        far=deck.OUTER_RADIUS,
         times=times(name, rows),
         ratios=ratios(runs["CalculiX"], QUANTITIES, ours(found)),
         numbers=numbers(name, runs, QUANTITIES),
         differ=apart(runs, QUANTITIES),
-        slope=100 * deck.FINE * deck.CONTACT / deck.RADIUS,
+        slope=100 * deck.FINE_RADIUS * deck.CONTACT / deck.RADIUS,
     )
 
 

@@ -17,9 +17,9 @@ from .deck import FloatArray, contact, named, steel, step, surface
 RADIUS = 7.5  # equivalent [mm]
 CONTACT = 0.41817  # Hertz radius at 1500 N [mm]
 APPROACH = 23.363e-3  # under about 1500 N [mm]
-UP, DOWN = 12, 4  # increments
-FAR = 4000.0  # Hertz radii to the border
-FINE = 1.4  # radii of the evenly divided part
+LOADING_INCREMENTS, UNLOADING_INCREMENTS = 12, 4  # increments
+OUTER_RADIUS = 4000.0  # Hertz radii to the border
+FINE_RADIUS = 1.4  # radii of the evenly divided part
 GROWTH = 1.3  # of elements beyond it
 HOLE = 1e-3  # radii of a hole on the axis: faces that end in a point lose their contact pressure
 STIFFNESS = 1e9  # of the contact [N/mm^3]: 4 nm of penetration
@@ -44,8 +44,8 @@ class Block(NamedTuple):
 def ticks(per_radius: int) -> FloatArray:
     """Corners of elements along r or z [mm]."""
     step = 1.0 / per_radius
-    found = [n * step for n in range(round(FINE * per_radius) + 1)]
-    while found[-1] < FAR:
+    found = [n * step for n in range(round(FINE_RADIUS * per_radius) + 1)]
+    while found[-1] < OUTER_RADIUS:
         step *= GROWTH
         found.append(found[-1] + step)
     return np.array(found) * CONTACT
@@ -53,7 +53,7 @@ def ticks(per_radius: int) -> FloatArray:
 
 def lifted(r: float, depth: float, flatter: float = 1.0) -> float:
     """What the paraboloid adds to the height of a node of the upper body [mm]."""
-    height = min(r, FINE * CONTACT) ** 2 / (2 * RADIUS * flatter)
+    height = min(r, FINE_RADIUS * CONTACT) ** 2 / (2 * RADIUS * flatter)
     return float(height * np.exp(-depth / (20 * CONTACT)))
 
 
@@ -108,7 +108,7 @@ def write(path: Path, per_radius: int, flatter: float | None = None) -> int:
     lower = block(per_radius, False, scale, 1, 1)
     upper = block(per_radius, True, scale, len(lower.nodes) + 1, len(lower.elements) + 1)
     last = 2 * (len(ticks(per_radius)) - 1)
-    fine = round(FINE * per_radius)
+    fine = round(FINE_RADIUS * per_radius)
     lines = [*lower.lines, *upper.lines]
     lines += named("NSET", "AXIS", lower.column(0) + upper.column(0))
     lines += named("NSET", "BOTTOM", lower.row(last))
@@ -119,7 +119,7 @@ def write(path: Path, per_radius: int, flatter: float | None = None) -> int:
     lines += surface("ABOVE", [upper.elements[i, 0] for i in range(fine)], "S1")
     lines += steel(flatter is not None) + contact(STIFFNESS)
     lines += ["*BOUNDARY", "AXIS, 1, 1", "BOTTOM, 1, 2", "TOP, 1, 1"]
-    up, down = (UP, DOWN) if flatter is None else (1, 1)
+    up, down = (LOADING_INCREMENTS, UNLOADING_INCREMENTS) if flatter is None else (1, 1)
     lines += to_approach(APPROACH / scale, up) + to_approach(0.0, down)
     path.write_text("\n".join(lines) + "\n")
     return len(lower.elements) + len(upper.elements)

@@ -43,7 +43,7 @@ def cases(quick: bool) -> list[Record]:
         }
         for name, scene in SCENES.items()
     }
-    more = {"slopes": balls.FLATTER, "an accuracy": balls.ASKED, "truth": (0,)}
+    more = {"slopes": balls.FLATTER, "an accuracy": balls.ACCURACIES, "truth": (0,)}
     sizes["balls"] |= {} if quick else more
     return [{"of": name, "by": by, "size": size} for name, codes in sizes.items()
             for by, some in codes.items() for size in some]  # fmt: skip

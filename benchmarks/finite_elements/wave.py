@@ -71,15 +71,15 @@ def solve(across: int) -> dict[str, float]:
     gap = amplitude * (wave[:, None] + wave[None, :])
     simulation = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap)
     full = 1e6 * deck.PRESSURE * period**2
-    for part in range(1, deck.UP + 1):
-        loaded = simulation.step(load=full * part / deck.UP)
+    for part in range(1, deck.LOADING_INCREMENTS + 1):
+        loaded = simulation.step(load=full * part / deck.LOADING_INCREMENTS)
     found = {
         "approach": loaded.approach,
         "von_mises": float(loaded.von_mises(2).max()),
         "plastic_strain": float(loaded.equivalent_plastic_strain(2).max()),
     }
-    for part in range(1, deck.DOWN + 1):
-        released = simulation.step(load=full * (1 - part / deck.DOWN))
+    for part in range(1, deck.UNLOADING_INCREMENTS + 1):
+        released = simulation.step(load=full * (1 - part / deck.UNLOADING_INCREMENTS))
     found["residual_von_mises"] = float(released.von_mises(2).max())
     found["print"] = float(np.ptp(released.residual_displacement(2)))
     cells = across**2 * len(loaded.depths)
@@ -136,9 +136,9 @@ def section(runs: dict[str, Runs]) -> str:
         amplitude=1e3 * deck.AMPLITUDE,
         period=deck.PERIOD,
         pressure=deck.PRESSURE,
-        up=deck.UP,
-        down=deck.DOWN,
-        fine=deck.FINE,
+        up=deck.LOADING_INCREMENTS,
+        down=deck.UNLOADING_INCREMENTS,
+        fine=deck.FINE_DEPTH,
         growth=deck.GROWTH,
         depth=deck.DEPTH,
         times=times(name, time_rows(runs, QUANTITIES)),

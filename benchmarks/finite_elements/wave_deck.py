@@ -17,8 +17,8 @@ from .deck import FloatArray, contact, named, steel, step, surface
 PERIOD = 1.0  # along x and y [mm]
 AMPLITUDE = 4e-3  # of the wave along x, and of that along y [mm]
 PRESSURE = 1160.0  # mean [MPa]: a fifth of what closes the elastic gap
-UP, DOWN = 6, 3  # increments
-FINE = 0.25  # periods of the evenly divided depth
+LOADING_INCREMENTS, UNLOADING_INCREMENTS = 6, 3  # increments
+FINE_DEPTH = 0.25  # periods of the evenly divided depth
 GROWTH = 1.3  # of elements below it
 DEPTH = 1.0  # periods to the bottom
 OVERLAP = 1e-4  # at the start [mm]: without any contact a load has no equilibrium
@@ -53,7 +53,7 @@ class Block(NamedTuple):
 def depths(across: int) -> FloatArray:
     """Corners of elements from the surface to the bottom [mm]."""
     step = 0.5 * PERIOD / across
-    fine = round(FINE * PERIOD / step)
+    fine = round(FINE_DEPTH * PERIOD / step)
     found = [step * n for n in range(fine + 1)]
     while found[-1] < DEPTH * PERIOD:
         step *= GROWTH
@@ -110,8 +110,12 @@ def steps(pushed: int) -> list[str]:
     ]  # fmt: skip
     force = PRESSURE * (0.5 * PERIOD) ** 2
     return [
-        *step(["*CLOAD", f"{pushed}, 3, {-force:.10g}"], UP, printed),
-        *step(["*CLOAD, OP=NEW", "*BOUNDARY", f"PUSHED, 3, 3, {OVERLAP + LIFT:g}"], DOWN, printed),
+        *step(["*CLOAD", f"{pushed}, 3, {-force:.10g}"], LOADING_INCREMENTS, printed),
+        *step(
+            ["*CLOAD, OP=NEW", "*BOUNDARY", f"PUSHED, 3, 3, {OVERLAP + LIFT:g}"],
+            UNLOADING_INCREMENTS,
+            printed,
+        ),
     ]
 
 
@@ -124,7 +128,7 @@ def write(path: Path, across: int) -> int:
     wide, thick = np.r_[-beyond, x, x[-1] + beyond], np.array([0.0, beyond])
     upper = block("UPPER", wide, thick, True, len(lower.nodes) + 1, len(lower.elements) + 1)
     layers = len(z) - 1
-    fine = round(FINE * PERIOD / beyond)
+    fine = round(FINE_DEPTH * PERIOD / beyond)
     pushed = upper.nodes[0, 0, 2]
     lines = [*lower.lines, *upper.lines]
     lines += named("NSET", "ACROSSX", lower.plane(0, 0, 2 * across))

@@ -56,7 +56,7 @@ class Slip:
         if problem.shift is not None:
             drive["shift"] = (problem.shift, 0.0)
         found = self.solver.solve(problem.gap, load=problem.load, **drive)
-        assert isinstance(found, sc.StickSlipSolution)
+        assert isinstance(found, sc.PartialSlipSolution)
         counts = {
             "iterations": found.tangential_iterations,
             "applications": found.tangential_applications,

@@ -12,7 +12,7 @@ from ..harness import ROOT
 from ..study import table_of
 from ..tables import between_markers, cell
 from .problems import PLASTIC
-from .running import FINEST, tight
+from .running import MAX_CELLS, tight
 
 PAGE = ROOT / "docs" / "peers.md"
 OURS = "samcontact"
@@ -240,7 +240,9 @@ def without_empty(lines: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [{name: line[name] for name in kept} for line in lines]
 
 
-SMALL = 256  # cells across below which the set-up decides the ratios of elastic contact
+MAX_SETUP_BOUND_CELLS = (
+    256  # cells across below which the set-up decides the ratios of elastic contact
+)
 
 
 def least_ratios(data: dict[str, Any]) -> str:
@@ -248,7 +250,7 @@ def least_ratios(data: dict[str, Any]) -> str:
     found: dict[str, list[float]] = {}
     for place, codes in by_place(data).items():
         problem = place[0]
-        small = problem in ELASTIC and place[2] < SMALL
+        small = problem in ELASTIC and place[2] < MAX_SETUP_BOUND_CELLS
         if problem not in MEASURE or OURS not in codes or small:
             continue
         kind = KINDS[problem]
@@ -258,7 +260,7 @@ def least_ratios(data: dict[str, Any]) -> str:
                 found.setdefault(kind, []).extend([ratio] if ratio else [])
     return "; ".join(
         f"least ratio of {kind} contact at an error of {COUNTED_AT[problem]:g}"
-        + (f", from {SMALL}² cells on" if problem in ELASTIC else "")
+        + (f", from {MAX_SETUP_BOUND_CELLS}² cells on" if problem in ELASTIC else "")
         + f": {min(found[kind]):.2g}"
         for kind, problem in {kind: problem for problem, kind in KINDS.items()}.items()
         if found.get(kind)
@@ -321,7 +323,7 @@ def about_grids(problem: str, data: dict[str, Any]) -> list[str]:
         sections += ["Tightly converged, against samcontact on the finest grid:", table(grid)]
     if problem in PERIODIC and (lines := list(accuracy_lines(problem, data))):
         sections += [
-            f"Against samcontact on {FINEST[problem]}² cells, times with set-up at a tenth of the "
+            f"Against samcontact on {MAX_CELLS[problem]}² cells, times with set-up at a tenth of the "
             "error of the grid:",
             table(without_empty(lines)),
         ]

@@ -38,13 +38,13 @@ TOO_LONG = "more than"
 REPEAT_FOR = 0.5  # s of solves with the set-up done
 REPEATS = 20
 # Tolerances of the references: of one code where all solve the same discrete problem, else of each.
-TIGHT = {"samcontact": 1e-12}
-TIGHT_PERIODIC = {"samcontact": 1e-12, "tamaas": 1e-12}
-TIGHT_SLIP = {"samcontact": 1e-11}
-TIGHT_PLASTIC = {"samcontact": 1e-9, "tamaas": 1e-7}
+REFERENCE_TOL = {"samcontact": 1e-12}
+REFERENCE_TOL_PERIODIC = {"samcontact": 1e-12, "tamaas": 1e-12}
+REFERENCE_TOL_SLIP = {"samcontact": 1e-11}
+REFERENCE_TOL_PLASTIC = {"samcontact": 1e-9, "tamaas": 1e-7}
 # Cells across of a grid of samcontact that shows the errors of the others.
-LEAST_REFINEMENT = 3
-FINEST = {"plastic": 96, "periodic": 4096, "periodic_plastic": 120}
+MIN_REFINEMENT = 3
+MAX_CELLS = {"plastic": 96, "periodic": 4096, "periodic_plastic": 120}
 # Codes as columns: module and the class for elastic contact.
 CODES = {
     "samcontact": ("code_samcontact", "Contact"),
@@ -102,10 +102,10 @@ def code_class(code: str, problem: str) -> Any:
 def tight(problem: str) -> dict[str, float]:
     """Tolerance of the reference by code."""
     if problem in problems.PLASTIC:
-        return TIGHT_PLASTIC
+        return REFERENCE_TOL_PLASTIC
     if problem == "slip":
-        return TIGHT_SLIP
-    return TIGHT_PERIODIC if problem == "periodic" else TIGHT
+        return REFERENCE_TOL_SLIP
+    return REFERENCE_TOL_PERIODIC if problem == "periodic" else REFERENCE_TOL
 
 
 def reference_file(task: Task, code: str = "samcontact") -> Path:
@@ -115,13 +115,13 @@ def reference_file(task: Task, code: str = "samcontact") -> Path:
 
 def fine_errors(task: Task, found: Outcome) -> dict[str, float]:
     """Against the finest grid, at the points that it shares with this one."""
-    file = reference_file(replace(task, n=FINEST.get(task.problem, 0)))
+    file = reference_file(replace(task, n=MAX_CELLS.get(task.problem, 0)))
     if "periodic" not in task.problem or not file.exists():
         return {}
     with np.load(file) as finest:
         fine = finest["pressure"]
     step = fine.shape[0] // task.n
-    if step < LEAST_REFINEMENT:
+    if step < MIN_REFINEMENT:
         return {}
     # The points of the rough surface begin at 0, the others are centres of cells.
     shared = slice(0 if task.problem == "periodic" else step // 2, None, step)

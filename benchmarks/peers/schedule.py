@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from . import problems
-from .running import CODES, FINEST, PACKAGES, TOO_LONG, Server, Task, code_class, tight
+from .running import CODES, MAX_CELLS, PACKAGES, TOO_LONG, Server, Task, code_class, tight
 
 SIZES = {
     "hertz": (64, 128, 256, 512, 1024),
@@ -30,7 +30,7 @@ QUICK_SIZES |= {"periodic": (128,), "periodic_plastic": (12,), "slip": (32,)}
 PROBLEMS = tuple(SIZES)
 STORED = Path(__file__).with_name("results.json")
 BOTH = ("samcontact", "tamaas")  # where there is a volume, or a period
-LONG = 3.0  # s: what takes longer is measured once
+MAX_REPEATED_SECONDS = 3.0  # s: what takes longer is measured once
 GROWTH = 4.0  # least factor of time from a size to the next
 
 
@@ -183,7 +183,9 @@ def measure_all(
         for number in range(rounds):
             for task in alternating(problem, case, n, available):
                 done = results.rounds(task)
-                again = number == 0 or ("failed" not in done[0] and done[0]["with_setup_s"] < LONG)
+                again = number == 0 or (
+                    "failed" not in done[0] and done[0]["with_setup_s"] < MAX_REPEATED_SECONDS
+                )
                 if len(done) <= number and again:
                     measure(task, limit=limit)
     for server in servers.values():
@@ -193,9 +195,9 @@ def measure_all(
 def finest_of(chosen: list[str]) -> list[Task]:
     """Of each problem and case; before the others, whose errors it tells."""
     return [
-        Task(problem, case, FINEST[problem], "samcontact", tight(problem)["samcontact"])
+        Task(problem, case, MAX_CELLS[problem], "samcontact", tight(problem)["samcontact"])
         for problem in chosen
-        if problem in FINEST
+        if problem in MAX_CELLS
         for case in cases(problem)
     ]
 

@@ -27,7 +27,7 @@ PLASTIC_PRESSURE = 0.05 * HARDNESS
 STEPS = 8
 
 
-USUAL = 1.15
+MAX_EXPONENT = 1.15
 """Exponent of the time over all sizes below which a job shall stay."""
 
 
@@ -40,7 +40,7 @@ class Job(NamedTuple):
     unit: str
     sizes: tuple[int, ...]
     stated: float
-    exponent: float = USUAL
+    exponent: float = MAX_EXPONENT
 
 
 SURFACES = (64, 128, 256, 512, 1024, 2048)

@@ -11,7 +11,7 @@ from ..harness import Meter
 from ..scaling import exponent
 from ..study import Study, table
 from . import cluster
-from .jobs import JOBS, USUAL, Job, measure
+from .jobs import JOBS, MAX_EXPONENT, Job, measure
 
 TEXT = Path(__file__).with_name("template.md")
 DECADE = 10.0
@@ -79,7 +79,7 @@ def sizes(rows: Rows) -> str:
 
 
 # The others are no surfaces, or above their size what they take is not known.
-LARGE = [job for job in JOBS if job.unit == "surface" and job.exponent < 1.2]
+LARGE_SURFACE_JOBS = [job for job in JOBS if job.unit == "surface" and job.exponent < 1.2]
 
 
 def memory(rows: Rows, job: Job) -> float:
@@ -90,7 +90,7 @@ def memory(rows: Rows, job: Job) -> float:
 def needs(rows: Rows) -> str:
     """Time and memory of the large surface, from the largest that was solved."""
     lines = []
-    for job in LARGE:
+    for job in LARGE_SURFACE_JOBS:
         found = of(rows, job)
         times = (cluster.SIDE**2 / found[-1]["cells"]) ** growth(found)
         hours = times * found[-1]["cpu_s"] / 3600
@@ -100,9 +100,9 @@ def needs(rows: Rows) -> str:
 
 def communication(rows: Rows) -> str:
     """What travels between processes, of each job and number of them."""
-    by_name = {job.function: of(rows, job)[-1] for job in LARGE}
+    by_name = {job.function: of(rows, job)[-1] for job in LARGE_SURFACE_JOBS}
     lines = []
-    for job in LARGE:
+    for job in LARGE_SURFACE_JOBS:
         count = cluster.planes(job.function, by_name)
         for ranks in cluster.RANKS:
             each = cluster.bytes_of_a_rank(cluster.SIDE, ranks, count.padded)
@@ -153,8 +153,8 @@ def transforms(rows: Rows) -> str:
 def above(rows: Rows) -> str:
     """Which jobs grow faster than is usual."""
     found = [(job, overall(of(rows, job))) for job in JOBS]
-    beyond = [f"{job.name} (exponent {value:.2f})" for job, value in found if value > USUAL]
-    said = f"above {USUAL:g} over all sizes"
+    beyond = [f"{job.name} (exponent {value:.2f})" for job, value in found if value > MAX_EXPONENT]
+    said = f"above {MAX_EXPONENT:g} over all sizes"
     return f"{said[0].upper()}{said[1:]}: {'; '.join(beyond)}." if beyond else f"None is {said}."
 
 
@@ -182,7 +182,7 @@ def page(rows: Rows) -> str:
         caches=caches(rows),
         transforms=transforms(rows),
         above=above(rows),
-        fits=fits({job.name: memory(rows, job) for job in LARGE}),
+        fits=fits({job.name: memory(rows, job) for job in LARGE_SURFACE_JOBS}),
         rate=f"{cluster.RATE / 1e9:g}",
         bands=f"{cluster.BANDS:.2g}",
         tensors=cluster.STRAINS + cluster.STRESSES,

@@ -12,7 +12,7 @@ import samcontact as sc
 from .materials import MU, RADIUS, STEEL, YIELD, E, slip_error
 from .table import COUNT, VALUE, Column, Table, trace
 
-LONG = ("1:1", "2:1", "4:1", "8:1", "16:1", "1:16")
+ASPECT_RATIOS = ("1:1", "2:1", "4:1", "8:1", "16:1", "1:16")
 ACROSS = 24  # cells of the coarser direction
 SOFT = sc.Material.linear_hardening(E, 0.3, YIELD, 0.1 * E)
 EXACT = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(STEEL, STEEL), p0=2.4e9)
@@ -71,13 +71,13 @@ def flat_cells(row: str) -> dict[str, Any]:
         "pressure": float(pressure),
         "print": float(depth),
         "flow": float(volume),
-        "beyond": max(state.yield_excess, 0.0),
+        "beyond": max(state.yield_violation, 0.0),
         "trace": trace(state.plastic_strain()),
     }
 
 
 SURFACE = Table(
-    "long_cells", "dx:dy", LONG, long_cells,
+    "long_cells", "dx:dy", ASPECT_RATIOS, long_cells,
     (
         Column("cells", "cells", COUNT),
         Column("iterations", "elastic: iterations", COUNT, 40),

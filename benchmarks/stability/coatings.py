@@ -86,9 +86,9 @@ def yielding(row: str) -> dict[str, Any]:
         "contact": sum(state.contact_iterations for state in states),
         "parts": max(state.substeps for state in states),
         "strain": last.max_equivalent_plastic_strain(),
-        "beyond": max(0.0, *(state.yield_excess for state in states)),
+        "beyond": max(0.0, *(state.yield_violation for state in states)),
         "trace": trace(strain),
-        "residual": max(state.plastic_residual for state in states),
+        "residual": max(state.plastic_strain_residual for state in states),
     }
 
 

@@ -6,18 +6,18 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from . import scaled_scenes, sliding_scenes
-from .scaled_scenes import POWERS_OF_TWO, UNITS, Units
+from . import scaled_setups, sliding_setups
+from .scaled_setups import POWERS_OF_TWO, UNITS, Units
 from .table import Column, Table, apart
 
 
 def _slid(scene: Any, unit: Units) -> dict[str, Any]:
-    found: dict[str, Any] = scene(sliding_scenes.Scene(unit))
+    found: dict[str, Any] = scene(sliding_setups.Setup(unit))
     return found
 
 
-SLIDING = {name: partial(_slid, scene) for name, scene in sliding_scenes.SCENES.items()}
-SCENES = SLIDING | scaled_scenes.SCENES
+SLIDING = {name: partial(_slid, scene) for name, scene in sliding_setups.SCENES.items()}
+SCENES = SLIDING | scaled_setups.SCENES
 
 
 def differences(name: str) -> dict[str, float]:

@@ -10,7 +10,7 @@ from typing import Any
 from samcontact import bearings, critical, hertz
 
 from ..study import Record, Study, table_of
-from .scenes import (
+from .setups import (
     ALLOWED,
     BALL,
     BALLS,
@@ -26,7 +26,7 @@ from .scenes import (
     reaches,
 )
 
-FINE = 20  # cells in a semi-axis, beside the usual ones
+FINE_CELLS = 20  # cells in a semi-axis, beside the usual ones
 GROOVE = "deep groove, inner race"
 
 TEXT = Path(__file__).with_name("template.md")
@@ -50,7 +50,7 @@ def points(quick: bool) -> list[Record]:
 def run(of: str, name: str, pressure: float) -> Record:
     contact = CONTACTS[GROOVE if of == "steels" else name]
     steel = STEELS[name if of == "steels" else STEEL]
-    cells = {"cells": FINE} if of == "fine" else {}
+    cells = {"cells": FINE_CELLS} if of == "fine" else {}
     return press(contact, steel, pressure, **cells)._asdict()
 
 
@@ -90,11 +90,14 @@ def page(records: list[Record]) -> str:
     race = CONTACTS[GROOVE].race
     rating = {
         p0: bearings.static_load_rating([race], BALLS, pressure=p0, E_star=modulus)
-        for p0, modulus in ((4.2e9, bearings.rating.STEEL), (allowed[GROOVE], E_STAR))
+        for p0, modulus in (
+            (4.2e9, bearings.rating.STEEL_CONTACT_MODULUS),
+            (allowed[GROOVE], E_STAR),
+        )
     }
     ratios = [at(groove, p).deformation / at(flat, p).deformation for p in (4.2e9, 6e9)]
     return TEXT.read_text(encoding="utf-8").format(
-        ball=1e3 * BALL, pitch=1e3 * PITCH, balls=BALLS, fine=FINE,
+        ball=1e3 * BALL, pitch=1e3 * PITCH, balls=BALLS, fine=FINE_CELLS,
         contacts=table_of([contact_row(name, contacts[name], iso[name]) for name in contacts]),
         steels=table_of([steel_row(name, rows) for name, rows in steels.items()]),
         grids=100 * max(fine),

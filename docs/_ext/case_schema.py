@@ -31,9 +31,9 @@ MEANINGS = Path(__file__).with_name("field_meanings.toml")
 SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"))
 ROOTS = {
     cases.Case: "Top of the file",
-    cases.TuggingCase: "Top of a file with `[tugging]`",
+    cases.AsperityCase: "Top of a file with `[asperities]`",
 }
-PLAIN = {float: "number", int: "integer", bool: "true or false", str: "text", list: "list"}
+TYPE_NAMES = {float: "number", int: "integer", bool: "true or false", str: "text", list: "list"}
 
 
 def kind(annotation: Any) -> str:
@@ -52,7 +52,7 @@ def kind(annotation: Any) -> str:
         return f"list of {several(kind(parts[0]))}"
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return "section"
-    return PLAIN.get(annotation, str(annotation))
+    return TYPE_NAMES.get(annotation, str(annotation))
 
 
 def several(what: str) -> str:
@@ -116,7 +116,7 @@ def titled() -> dict[type[BaseModel], str]:
             title = ", ".join(f"`{heading}`" for heading in headings)
             title += f" with `{word(model)}`" if word(model) else ""
             if model not in titles and title in titles.values():
-                title += ", in a file with `[tugging]`"
+                title += ", in a file with `[asperities]`"
             titles.setdefault(model, title)
     return titles
 

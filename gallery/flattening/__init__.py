@@ -2,7 +2,7 @@
 """Rigid sphere on an elastic, perfectly plastic half-space: figures 2.10 to 2.13 of the thesis."""
 
 from .pictures import figures
-from .scenes import compute
+from .setups import compute
 from .statements import stated
 
 TITLE = "Flattening, perfect plasticity"

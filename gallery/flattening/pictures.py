@@ -14,7 +14,7 @@ from reference import fem
 
 from ..drawing import axes, gridded
 from ..page import Picture
-from .scenes import CRITICAL, YIELD, Point, Results, models
+from .setups import CRITICAL, YIELD, Point, Results, models
 
 SMALL, LARGE = (2.0, 4.0, 6.0, 8.0, 11.0), (12.0, 20.0, 40.0, 70.0, 110.0)
 

@@ -9,9 +9,9 @@ import samcontact as sc
 
 from ..profiles import falls, grows
 from ..stated import Number, Stated, Statement
-from .scenes import CRITICAL, E_STAR, FRICTION, NU, RADIUS, YIELD, Results, models
+from .setups import CRITICAL, E_STAR, FRICTION, NU, RADIUS, YIELD, Results, models
 
-SAID = Stated("flattening")
+STATED = Stated("flattening")
 COMPARED = (2.0, 4.0, 6.0, 10.0, 20.0, 30.0)
 REACHED = 5.0
 """Mesh study of the interference at which the zone reaches the surface, see `stated`."""
@@ -23,7 +23,7 @@ def stated(results: Results) -> list[Number | Statement]:
     reached = results.surface[0]
     entries: list[Number | Statement] = [
         core_at_two(results, mesh),
-        SAID.number(
+        STATED.number(
             "zone reaches surface",
             reached.ratio,
             remark=surface_remark(results),
@@ -38,7 +38,7 @@ def stated(results: Results) -> list[Number | Statement]:
 
 def core_at_two(results: Results, mesh: str) -> Statement:
     at = results.at(2.0)
-    return SAID.trend(
+    return STATED.trend(
         "elastic core at 2",
         at.top[0] > 0.1 and not at.outline[2][:, 0].any(),
         at.top[0],
@@ -53,7 +53,7 @@ def core_shrinks(results: Results, mesh: str) -> Statement:
     radii = [results.at(ratio).area ** 0.5 for ratio in ratios]
     parts = [area / radius**2 for area, radius in zip(areas, radii, strict=True)]
     listed = ", ".join(f"{100 * part:.1f}" for part in parts)
-    return SAID.trend(
+    return STATED.trend(
         "elastic core above 6",
         bool(np.all(np.diff(parts) <= 0) and areas[-1] < 0.1 * areas[0]),
         listed,
@@ -64,7 +64,7 @@ def core_shrinks(results: Results, mesh: str) -> Statement:
 def strain_limit(results: Results, mesh: str) -> Statement:
     strain = results.at(28.0).strain
     needed = 0.05 / strain
-    return SAID.trend(
+    return STATED.trend(
         "largest plastic strain",
         0.0065 < needed < 0.0095 and grows([p.strain for p in results.points]),
         strain,
@@ -88,7 +88,7 @@ def against(name: str, results: Results, mesh: str) -> Statement:
     ranges = {
         key: f"{100 * min(v):+.0f} to {100 * max(v):+.0f} %" for key, v in differences.items()
     }
-    return SAID.trend(
+    return STATED.trend(
         "load of a model",
         max(np.abs(differences["load"])) < 0.07,
         loads,
@@ -104,7 +104,7 @@ def friction(results: Results) -> list[Statement]:
     ratios = [surface.ratio for surface in results.surface]
     mesh = f"{results.surface[0].cells} cells per a_c"
     listed = ", ".join(f"{s.ratio:.2f} (μ = {s.friction:g})" for s in results.surface)
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend("friction and surface", falls(ratios), listed),
         say.trend(

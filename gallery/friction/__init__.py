@@ -2,7 +2,7 @@
 """A ball that slides over a half-space of steel M50: section 2.3.3."""
 
 from .pictures import figures
-from .scenes import compute
+from .setups import compute
 from .statements import stated
 
 TITLE = "Normal load and friction"

@@ -13,7 +13,7 @@ from reference import fem
 from ..drawing import axes, finish, hertz_curve
 from ..page import Picture
 from ..profiles import von_mises
-from .scenes import F1_FRICTION, F2_LOAD, HERTZ_DEPTH, MICRO_YIELD, RADIUS, SHOWN, Results
+from .setups import F1_FRICTION, F2_LOAD, HERTZ_DEPTH, MICRO_YIELD, RADIUS, SHOWN, Results
 from .statements import bound, rivals
 
 

@@ -13,9 +13,9 @@ from reference import fem
 from ..bodies import MICRO_STRAIN, STEEL_M50
 from ..profiles import succession
 from ..stated import Number, Stated, Statement
-from .scenes import F1_FRICTION, HERTZ_DEPTH, MICRO_YIELD, RADIUS, SHOWN, Elastic, Plastic, Results
+from .setups import F1_FRICTION, HERTZ_DEPTH, MICRO_YIELD, RADIUS, SHOWN, Elastic, Plastic, Results
 
-SAID = Stated("friction")
+STATED = Stated("friction")
 
 
 def peak_position(x: np.ndarray, pressure: np.ndarray) -> float:
@@ -58,8 +58,8 @@ def stated(results: Results) -> list[Number | Statement]:
 def stated_rigid(results: Results) -> list[Number | Statement]:
     a = results.rigid.a
     entries: list[Number | Statement] = [
-        SAID.number("rigid pressure", results.rigid.p0 * 1e-9),
-        SAID.number("rigid radius", a * 1e6),
+        STATED.number("rigid pressure", results.rigid.p0 * 1e-9),
+        STATED.number("rigid radius", a * 1e6),
     ]
     for name, cases, mesh_name in (
         ("elastic", results.elastic, "elastic"),
@@ -67,7 +67,7 @@ def stated_rigid(results: Results) -> list[Number | Statement]:
     ):
         shift = [peak_position(cases[mu].x, cases[mu].pressure) / a for mu in F1_FRICTION]
         entries.append(
-            SAID.trend(
+            STATED.trend(
                 "pressure shift",
                 abs(shift[0]) < 1e-3 and shift[2] < shift[1] < -0.02,
                 [round(s, 3) + 0.0 for s in shift],
@@ -77,13 +77,13 @@ def stated_rigid(results: Results) -> list[Number | Statement]:
         )
     depth = {mu: results.elastic[mu].largest_at[1] / a for mu in F1_FRICTION}
     entries += [
-        SAID.trend(
+        STATED.trend(
             "elastic depth",
             depth[0.0] > 0.3 and depth[0.2] > 0.3 and depth[0.4] == 0.0,
             ", ".join(f"z/a = {depth[mu]:.2f} (µ = {mu:g})" for mu in F1_FRICTION),
             mesh=results.mesh["elastic"],
         ),
-        SAID.number("elastic surface friction", surface_jump()),
+        STATED.number("elastic surface friction", surface_jump()),
     ]
     return [*entries, *without_friction(results)]
 
@@ -103,7 +103,7 @@ def without_friction(results: Results) -> list[Number | Statement]:
         "von Mises stress": apart(ours.z, ours.von_mises, z, axis["vonMises_Pa"]),
         "plastic strain": apart(ours.z, ours.gamma, z, axis["gamma_p"]),
     }
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "plasticity",
@@ -153,17 +153,17 @@ def stated_onset(results: Results) -> list[Number | Statement]:
     at_rest = sc.critical.onset(RADIUS, ball.E_star, 0.3, MICRO_YIELD)
     last = sc.critical.onset_sliding(RADIUS, ball.E_star, 0.3, MICRO_YIELD, 0.5)
     return [
-        SAID.number("elastic ball pressure", ball.p0 * 1e-9),
-        SAID.number("micro yield stress", MICRO_YIELD * 1e-6),
-        SAID.number("yield stress gamma", float(STEEL_M50.yield_stress(2e-3)) * 1e-6),
-        SAID.number("interference", ball.approach / at_rest.interference),
-        SAID.trend(
+        STATED.number("elastic ball pressure", ball.p0 * 1e-9),
+        STATED.number("micro yield stress", MICRO_YIELD * 1e-6),
+        STATED.number("yield stress gamma", float(STEEL_M50.yield_stress(2e-3)) * 1e-6),
+        STATED.number("interference", ball.approach / at_rest.interference),
+        STATED.trend(
             "critical load interference",
             last.load < 0.5 * at_rest.load,
             last.load / at_rest.load,
             last.interference / at_rest.interference,
         ),
-        SAID.number("largest plastic strain", 100 * sliding[0.0].gamma_max[-1], mesh=mesh),
+        STATED.number("largest plastic strain", 100 * sliding[0.0].gamma_max[-1], mesh=mesh),
     ]
 
 
@@ -171,7 +171,7 @@ def stated_first_layer(results: Results) -> Statement:
     least = bound(0.5, float(results.sliding[0.5].pressure.max()))
     depth, gamma = np.array(results.layers).T
     there = float(np.interp(0.0534, gamma, depth))
-    return SAID.trend(
+    return STATED.trend(
         "sliding strain",
         gamma.min() < 0.0534 < gamma.max() and 0.03 < there < 0.05,
         ", ".join((f"{100 * g:.1f} % (first layer at {z:.4f} a)" for z, g in results.layers)),
@@ -190,7 +190,7 @@ def stated_depths(results: Results) -> list[Statement]:
     z = frictionless.z[outside]
     radial, axial = results.ball.axis_stress(z, 0.3)
     error = float(np.abs(frictionless.von_mises[outside] / np.abs(axial - radial) - 1).max())
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "strain depth",
@@ -215,7 +215,7 @@ def stated_maximum(results: Results) -> list[Number | Statement]:
     jump = crossing(range_, [near - below for near, below in pairs])
     ahead = {mu: sliding[mu].von_mises_at[1] / a for mu in sorted(sliding)}
     shown = by_friction({mu: ahead[mu] for mu in SHOWN})
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.number("surface friction", jump),
         say.trend(
@@ -243,7 +243,7 @@ def stated_residual_von_mises(results: Results) -> list[Statement]:
     reaches = crossing(mus, [math.log(reach[mu] / MICRO_STRAIN) for mu in mus])
     rest, z = sliding[0.0].residual * 1e-6, sliding[0.0].z
     zones = rest[0], rest[z < HERTZ_DEPTH * a].min(), rest[z > 0.3 * a].max()
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "residual zones", zones[1] < 0.2 * min(zones[0], zones[2]), zones[0], zones[1], zones[2]
@@ -278,7 +278,7 @@ def stated_residual_hydrostatic(results: Results) -> list[Statement]:
         for load in sorted(by_load)
     }
     wanted = ["compressive", "tensile", "compressive", "tensile"]
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "hydrostatic",

@@ -2,7 +2,7 @@
 """A heated contact of two balls, one of them of steel 52100: section 2.3.2."""
 
 from .pictures import figures
-from .scenes import compute
+from .setups import compute
 from .statements import stated
 
 TITLE = "Frictional heat"

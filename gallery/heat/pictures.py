@@ -9,8 +9,8 @@ from matplotlib.ticker import MaxNLocator
 
 from ..drawing import axes, finish
 from ..page import Picture
-from .scenes import FACTORS, HERTZ, SMALL_LOAD, SMALL_LOAD_FACTORS, YIELD, Results, hertz
-from .statements import SAID
+from .setups import FACTORS, HERTZ, SMALL_LOAD, SMALL_LOAD_FACTORS, YIELD, Results, hertz
+from .statements import STATED
 
 
 def figures(results: Results) -> list[Picture]:
@@ -68,7 +68,7 @@ def onset_figure(results: Results) -> Picture:
     left.plot(curve.factor, curve.p0 / YIELD, "C0")
     top = 1.38 * curve.p0[0] / YIELD
     left.plot(0.075, top, "ko", markerfacecolor="none", label="stated: +38 % at 0.075")
-    loads = [hertz(load).p0 / YIELD for load in SAID.values("onset load").values()]
+    loads = [hertz(load).p0 / YIELD for load in STATED.values("onset load").values()]
     left.plot(FACTORS, loads, "k+", label="stated loads of Table 2.2")
     middle.plot(curve.factor, curve.depth, "C0")
     right.plot(curve.factor, curve.radius, "C0")
@@ -126,7 +126,7 @@ def sections(results: Results) -> list[Picture]:
             ax.plot(x[i], z[k], "wx", markersize=7, clip_on=False, zorder=4)
             ax.set_title(
                 f"$Q_f$ = {factor:g} m/s: {case.largest[0] * 1e-6:.0f} MPa at "
-                f"{case.largest[1] * 1e6:.0f} µm (stated {SAID.values(row)[factor]:.0f})",
+                f"{case.largest[1] * 1e6:.0f} µm (stated {STATED.values(row)[factor]:.0f})",
                 fontsize="small",
             )
             ax.set(xlim=(-1.5, 1.5), ylim=(1.2, 0), aspect="equal", xlabel="x/a",
@@ -153,7 +153,7 @@ def residual_figure(results: Results) -> Picture:
         if factor == 0.20:
             ax.plot(case.z * 1e6, case.elastic_unloading * 1e-6, "k:", linewidth=1.2,
                     label="elastic unloading")  # fmt: skip
-        stated = SAID.values("residual stress")[factor]
+        stated = STATED.values("residual stress")[factor]
         ax.plot(0, stated, "ko", markerfacecolor="none", clip_on=False, zorder=4,
                 label=f"stated: {stated:.0f} MPa")  # fmt: skip
         ax.set_xlim(0, 60)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..stated import Number, Stated, Statement
-from .scenes import (
+from .setups import (
     FACTORS,
     HERTZ,
     SMALL_LOAD,
@@ -19,9 +19,9 @@ from .scenes import (
     hertz,
 )
 
-SAID = Stated("heat")
+STATED = Stated("heat")
 FINE_ONSET = {0.0: 296.0, 0.05: 497.0, 0.12: 472.0, 0.20: 209.0}
-FINE = {0.0: 2539.4, 0.05: 1961.9, 0.12: 3530.4, 0.20: 7391.6}
+FINE_GRID_STRESSES = {0.0: 2539.4, 0.05: 1961.9, 0.12: 3530.4, 0.20: 7391.6}
 """Of a separate computation of the thermo-elastic contact on a fine grid."""
 STEP = 20.0
 """Of the depths of the thesis's tables [µm]."""
@@ -62,7 +62,7 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
     tops = [float(case.pressure.max()) * 1e-9 for case in small]
     areas = [case.area / (np.pi * hertz(SMALL_LOAD).a ** 2) for case in small]
     return [
-        SAID.trend(
+        STATED.trend(
             "largest pressure",
             rises and radius[1] < 0.9 * radius[0],
             ", ".join(listed),
@@ -70,12 +70,12 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
             radius[1],
             mesh=results.mesh["heated"],
         ),
-        SAID.number(
+        STATED.number(
             "strain at 8.12 GPa",
             100 * strain,
             mesh=f"{results.mesh['plastic'].split(',')[0]}, layers a/20",
         ),
-        SAID.trend(
+        STATED.trend(
             "light load",
             bool(np.all(np.diff(tops) > 0) and np.all(np.diff(areas) < 0)) and small[0].gamma == 0,
             tops,
@@ -102,7 +102,7 @@ def stated_onset(results: Results) -> list[Number | Statement]:
     depth = np.interp((0.0, 0.07), curve.factor, curve.depth)
     ring = (curve.factor > curve.leaves_axis()) & (curve.factor < curve.reaches_surface())
     above = curve.factor >= curve.reaches_surface()
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         *(say.number("onset load", curve.load(factor), at=factor) for factor in FACTORS),
         say.number("onset rise", rise),
@@ -139,7 +139,7 @@ def stated_onset(results: Results) -> list[Number | Statement]:
 def stated_stress(results: Results) -> list[Number | Statement]:
     return [
         *(
-            SAID.number(
+            STATED.number(
                 "elastic stress",
                 results.elastic[f].largest[0] * 1e-6,
                 mesh=results.mesh["elastic"],
@@ -163,15 +163,17 @@ def stated_stress(results: Results) -> list[Number | Statement]:
 
 def against_fine_grid(results: Results) -> Statement:
     apart = {
-        "stresses": [results.elastic[f].largest[0] * 1e-6 / FINE[f] - 1 for f in FACTORS],
+        "stresses": [
+            results.elastic[f].largest[0] * 1e-6 / FINE_GRID_STRESSES[f] - 1 for f in FACTORS
+        ],
         "loads": [results.onset.load(f) / FINE_ONSET[f] - 1 for f in FACTORS],
     }
-    return SAID.trend(
+    return STATED.trend(
         "fine grid",
         all(np.abs(d).max() < 0.01 for d in apart.values()),
         "; ".join((f"{name} at most {100 * np.abs(d).max():.2f} %" for name, d in apart.items())),
         mesh=f"{results.mesh['elastic']}, {results.mesh['onset']}",
-        fine=list(FINE.values()),
+        fine=list(FINE_GRID_STRESSES.values()),
         fine_onset=list(FINE_ONSET.values()),
     )
 
@@ -180,7 +182,7 @@ def stated_plastic(results: Results) -> list[Number | Statement]:
     distances = [results.last(f).distance / HERTZ.a for f in (0.12, 0.20)]
     return [
         *(
-            SAID.number(
+            STATED.number(
                 "plastic stress",
                 results.last(f).largest[0] * 1e-6,
                 mesh=mesh_of(results, f),
@@ -197,7 +199,7 @@ def stated_plastic(results: Results) -> list[Number | Statement]:
             f"For 0.12 and 0.20 m/s it is on a ring of radius {distances[0]:.2f} and "
             f"{distances[1]:.2f} a.",
         ),
-        SAID.number(
+        STATED.number(
             "largest plastic strain", 100 * results.last(0.0).gamma, mesh=results.mesh["plastic"]
         ),
     ]
@@ -207,7 +209,7 @@ def depths(
     name: str, thesis: tuple[int, ...], found: list[float], mesh: str, remark: str = ""
 ) -> Statement:
     ours = [1e6 * value for value in found]
-    return SAID.trend(
+    return STATED.trend(
         "stress depths",
         all(abs(a - b) < STEP for a, b in zip(ours, thesis, strict=True)),
         ours,
@@ -220,7 +222,7 @@ def depths(
 
 def attenuated(results: Results) -> Statement:
     elastic, plastic = results.elastic[0.0].largest, results.last(0.0).largest
-    return SAID.trend(
+    return STATED.trend(
         "plasticity",
         plastic[0] < 0.95 * elastic[0] and abs(plastic[1] - elastic[1]) < STEP,
         elastic[0] * 1e-6,
@@ -240,7 +242,7 @@ def competition(results: Results) -> list[Statement]:
     hertz_depth = float(z[int(axis[0.0].argmax())])
     at_depth = {f: float(np.interp(hertz_depth, z, axis[f])) for f in FACTORS}
     mesh = results.mesh["elastic"]
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "little heat",
@@ -270,7 +272,7 @@ def stated_residual(results: Results) -> list[Number | Statement]:
     }
     free = at_surface(case.elastic_unloading) * 1e-6
     where = [1e6 * depth for _, depth in found]
-    say = SAID.on(results.mesh["heated"])
+    say = STATED.on(results.mesh["heated"])
     return [
         *(
             say.number(
@@ -294,7 +296,7 @@ def stated_residual(results: Results) -> list[Number | Statement]:
 def reversed_flow(results: Results) -> str:
     gamma = results.last(0.20).gamma
     B, C, n = (float(STEEL.parameters[name]) for name in "BCn")
-    needed = ((SAID.values("residual stress")[0.20] * 1e6 / B) ** (1 / n) - C) * 1e-6
+    needed = ((STATED.values("residual stress")[0.20] * 1e6 / B) ** (1 / n) - C) * 1e-6
     return (
         "No residual stress can be larger than the yield stress, "
         f"{1e-6 * float(STEEL.yield_stress(gamma)):.0f} MPa at the largest strain of "

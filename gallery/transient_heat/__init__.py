@@ -2,7 +2,7 @@
 """A tool that heats a flat of steel 52100, at rest or moving over it: section 3.2.3."""
 
 from .pictures import figures
-from .scenes import compute
+from .setups import compute
 from .statements import stated
 
 TITLE = "Transient frictional heat"

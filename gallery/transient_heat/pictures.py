@@ -12,7 +12,7 @@ from matplotlib.ticker import MaxNLocator
 
 from ..drawing import axes, finish
 from ..page import Picture
-from .scenes import HERTZ, KINDS, NAMES, TIME, Results
+from .setups import HERTZ, KINDS, NAMES, TIME, Results
 from .statements import still_missing
 
 

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from ..stated import Number, Stated, Statement
-from .scenes import (
+from .setups import (
     CONDUCTIVITY,
     DIFFUSIVITY,
     FACTOR,
@@ -22,7 +22,7 @@ from .scenes import (
     Results,
 )
 
-SAID = Stated("transient_heat")
+STATED = Stated("transient_heat")
 
 
 def still_missing(time: float) -> float:
@@ -56,7 +56,7 @@ def stated_steady(results: Results) -> list[Number | Statement]:
     steady, time = rise["(ii)"][0], float(results.times[-1])
     missing = (steady - results.rises[-1], still_missing(time))
     pressure_error = results.pressures[-1] * 1e-9 / top["(ii)"] - 1
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.number("hertz pressure", HERTZ.p0 * 1e-9),
         say.number("contact radius", HERTZ.a * 1e6),
@@ -81,7 +81,7 @@ def stated_rise(results: Results) -> list[Number | Statement]:
     rise = {kind: case[kind].hottest for kind in NAMES}
     estimate = moving_source()
     settled = float(np.abs(results.steady.flash / case["(iii)"].flash - 1).max())
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "temperature rise",
@@ -104,7 +104,7 @@ def stated_rise(results: Results) -> list[Number | Statement]:
 def stated_stress(results: Results) -> list[Number | Statement]:
     a, mesh, top = HERTZ.a, results.mesh["elastic"], tops(results)
     case, plastic = results.elastic, results.plastic
-    say = SAID.on(mesh)
+    say = STATED.on(mesh)
     return [
         say.trend(
             "pressure",

@@ -44,30 +44,30 @@ from ._util.errors import (
     SingularPressureWarning,
     UnitWarning,
 )
-from .accuracy import AccuracyWarning, Accurate, to_accuracy
+from .accuracy import AccuracyResult, AccuracyWarning, to_accuracy
 from .accuracy.grid_errors import GridErrors, estimate_errors
 from .accuracy.load_search import FoundLoad, find_load
 from .bodies.layered import Layered
 from .bodies.material import Material
 from .contact.solver import ContactSolver
 from .heat import Heat
+from .problem import friction as _friction
+from .problem.contact_law import HardContact, TensileLimit
+from .problem.friction import *  # noqa: F403  (all laws)
+from .problem.grid import Grid
+from .problem.moving_topography import Relief
 from .restart.file import CheckpointError
-from .scene import friction as _friction
-from .scene.contact_law import HardContact, TensileLimit
-from .scene.friction import *  # noqa: F403  (all laws)
-from .scene.grid import Grid
-from .scene.moving_topography import Relief
 from .simulation.increment_errors import IncrementErrors
 from .simulation.simulation import Simulation
-from .solutions.contact_solution import ContactSolution, RollingSolution, StickSlipSolution
+from .solutions.contact_solution import ContactSolution, PartialSlipSolution, RollingSolution
 from .solutions.state import State
 from .solutions.track import Track
 from .solutions.zone import Zone
 from .sweeps import SweepInterrupted, sweep
 
 __all__ = [
+    "AccuracyResult",
     "AccuracyWarning",
-    "Accurate",
     "CheckpointError",
     "ContactSolution",
     "ContactSolver",
@@ -84,6 +84,7 @@ __all__ = [
     "IncrementWarning",
     "Layered",
     "Material",
+    "PartialSlipSolution",
     "PlasticStrainWarning",
     "Relief",
     "ResolutionWarning",
@@ -91,7 +92,6 @@ __all__ = [
     "Simulation",
     "SingularPressureWarning",
     "State",
-    "StickSlipSolution",
     "SweepInterrupted",
     "TensileLimit",
     "Track",

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from ._util.checks import FloatArray, choice, finite, positive
-from .scene.moving_topography import Relief, rows_within
+from .problem.moving_topography import Relief, rows_within
 from .surfaces import SurfaceGrid, require_surface
 
 __all__ = ["furrow", "spherical"]

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ._util.checks import FloatArray, require_list, require_type
-from ._util.display import Rows, Shown, percent, quantity
+from ._util.display import HtmlTable, Rows, percent, quantity
 from ._util.short_text import in_short
 from .bodies.layered import Body, backstresses_of, materials_at
 from .contact.solver import ContactSolver
-from .scene.friction import friction_law
+from .problem.friction import friction_law
 from .solutions.common_cells import on_common_cells
 from .solutions.track import Track
 
@@ -126,12 +126,12 @@ def eigenstrain_energy(track: Track) -> float:
 
 
 @dataclass(frozen=True)
-class EnergyBalance(Shown):
+class EnergyBalance(HtmlTable):
     """Energy balance of two bodies: external work and its distribution.
 
     Attributes
     ----------
-    put_in : float
+    work_input : float
         Work input: sum over the increments with positive work [J].
     net : float
         Net external work: work input minus the work recovered in other increments [J].
@@ -145,7 +145,7 @@ class EnergyBalance(Shown):
         Elastic energy of prescribed eigenstrain alone [J]; not part of the external work.
     """
 
-    put_in: float
+    work_input: float
     net: float
     elastic: float
     residual: float
@@ -157,10 +157,10 @@ class EnergyBalance(Shown):
     def missing(self) -> float:
         """Unaccounted part of the net external work, relative to the work input [-]."""
         found = self.elastic + self.residual + self.friction + self.plastic
-        return (self.net - found) / self.put_in if self.put_in > 0 else 0.0
+        return (self.net - found) / self.work_input if self.work_input > 0 else 0.0
 
     def _rows(self) -> Rows:
-        parts = ["put_in", "net", "elastic", "residual", "friction", "plastic"]
+        parts = ["work_input", "net", "elastic", "residual", "friction", "plastic"]
         parts += ["eigenstrain"] if self.eigenstrain > 0 else []
         rows = [(name.replace("_", " "), quantity(getattr(self, name), "J")) for name in parts]
         return [*rows, ("missing", percent(self.missing))]
@@ -203,7 +203,7 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     before, work = sum(first.values()) - first["eigenstrain"], _work(states)
     given_back = float(work[work < 0].sum())
     net = before + float(work.sum())
-    return EnergyBalance(put_in=net - given_back, net=net, **last)
+    return EnergyBalance(work_input=net - given_back, net=net, **last)
 
 
 def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from . import critical
 from ._util.checks import FloatArray, real_array
-from ._util.display import Brief
+from ._util.display import ShortRepr
 from .critical import CriticalSphere
 
 __all__ = ["Flattening", "jackson_green", "kogut_etsion"]
@@ -26,7 +26,7 @@ KOGUT_ETSION_LIMIT = 110.0
 
 
 @dataclass(frozen=True, repr=False)
-class Flattening(Brief):
+class Flattening(ShortRepr):
     """Load and area of a flattened sphere; arrays have the shape of the interference.
 
     Attributes

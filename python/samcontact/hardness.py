@@ -20,9 +20,9 @@ __all__ = ["HardnessRangeWarning", "flow_stress_from_vickers", "yield_from_vicke
 
 STANDARD_GRAVITY = 9.80665
 """Standard gravity [m/s^2], to convert Vickers numbers in kgf/mm^2."""
-OF_DATA = (129.0, 632.0)
+FITTED_RANGE = (129.0, 632.0)
 """Range of Vickers numbers of the steels in the regression of the yield stress."""
-PLAUSIBLE = (20.0, 3000.0)
+PLAUSIBLE_RANGE = (20.0, 3000.0)
 """Range for metals, up to hard carbides; a hardness in MPa or GPa is outside it."""
 
 
@@ -32,10 +32,10 @@ class HardnessRangeWarning(UserWarning):
 
 def _vickers(HV: ArrayLike) -> FloatArray:
     hardness = real_array("HV", HV)
-    wrong = hardness[~((hardness >= PLAUSIBLE[0]) & (hardness <= PLAUSIBLE[1]))]
+    wrong = hardness[~((hardness >= PLAUSIBLE_RANGE[0]) & (hardness <= PLAUSIBLE_RANGE[1]))]
     if wrong.size:
         raise ValueError(
-            f"HV must be Vickers numbers (kgf/mm^2) from {PLAUSIBLE[0]:g} to {PLAUSIBLE[1]:g}, "
+            f"HV must be Vickers numbers (kgf/mm^2) from {PLAUSIBLE_RANGE[0]:g} to {PLAUSIBLE_RANGE[1]:g}, "
             f"got {wrong.flat[0]:g}; 7 GPa is 714"
         )
     return hardness
@@ -69,11 +69,11 @@ def yield_from_vickers(HV: ArrayLike) -> FloatArray:
         A hardness is outside the data; the linear relation is extrapolated.
     """
     hardness = _vickers(HV)
-    beyond = hardness[(hardness < OF_DATA[0]) | (hardness > OF_DATA[1])]
+    beyond = hardness[(hardness < FITTED_RANGE[0]) | (hardness > FITTED_RANGE[1])]
     if beyond.size:
         warnings.warn(
-            f"HV = {beyond.flat[0]:g} is outside the data of the relation, {OF_DATA[0]:g} to "
-            f"{OF_DATA[1]:g}: extrapolated linearly",
+            f"HV = {beyond.flat[0]:g} is outside the data of the relation, {FITTED_RANGE[0]:g} to "
+            f"{FITTED_RANGE[1]:g}: extrapolated linearly",
             HardnessRangeWarning,
             stacklevel=2,
         )

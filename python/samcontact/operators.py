@@ -20,9 +20,9 @@ from ._util.checks import (
     require_fast,
     require_type,
 )
-from .scene.cell_fields import depth_major, depths_of, shear_components
-from .scene.grid import Grid
-from .scene.settings import Settings
+from .problem.cell_fields import depth_major, depths_of, shear_components
+from .problem.grid import Grid
+from .problem.settings import Settings
 
 __all__ = ["residual_displacement", "residual_stress", "surface_displacement", "surface_stress"]
 
@@ -62,7 +62,7 @@ def surface_displacement(
     """
     require_type("grid", grid, Grid)
     number_of_axis = axis_number(axis)
-    needed = memory.surface(grid, memory.DISPLACEMENT)
+    needed = memory.surface(grid, memory.DISPLACEMENT_BYTES)
     memory.require_for_grid("a displacement", grid, needed)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     body = _core.Stack(_core.Elastic.isotropic(number("E", E), number("nu", nu)))
@@ -95,7 +95,7 @@ def surface_stress(
     """
     require_type("grid", grid, Grid)
     depths = depths_of(z)
-    needed = memory.volume(grid, memory.STRESS_OF_TRACTIONS, len(depths))
+    needed = memory.volume(grid, memory.TRACTION_STRESS_BYTES, len(depths))
     memory.require_for_grid(f"the stress at {len(depths)} depths", grid, needed)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     # The stress due to tractions does not depend on Young's modulus.
@@ -138,7 +138,7 @@ def residual_stress(
     exact = choice("method", method, ("exact", "fast")) == "exact"
     require_fast("method", method, grid.periodic)
     images = Settings.checked("image_tol", image_tol)
-    cell = memory.EXACT_RESIDUAL if exact else memory.FAST_RESIDUAL
+    cell = memory.EXACT_RESIDUAL_BYTES if exact else memory.FAST_RESIDUAL_BYTES
     memory.require_for_grid(f"the {method} stress", grid, memory.volume(grid, cell))
     field: FloatArray = _core.operators.residual_stress(
         grid._core, depth_major(grid, "strain", strain), elastic, exact, images
@@ -169,7 +169,7 @@ def residual_displacement(
     number_of_axis = axis_number(axis)
     _require_volume(grid)
     nu = _core.Elastic.isotropic(1.0, number("nu", nu)).nu
-    needed = memory.volume(grid, memory.FAST_RESIDUAL)
+    needed = memory.volume(grid, memory.FAST_RESIDUAL_BYTES)
     memory.require_for_grid("a displacement", grid, needed)
     field: FloatArray = _core.operators.residual_displacement(
         grid._core, depth_major(grid, "strain", strain), nu, number_of_axis

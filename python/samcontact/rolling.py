@@ -14,10 +14,10 @@ from . import _core
 from ._util.checks import FloatArray, require_type
 from .bodies.material import Material
 from .contact.solver import ContactSolver, solve_driven
-from .contact.tangential_drive import GivenAlong, Pressing, Settings
-from .scene.friction import FrictionLaw, sticking_law
-from .scene.grid import Grid
-from .scene.settings import ContactSettings
+from .contact.tangential_drive import Pressing, Settings, TangentialInput
+from .problem.friction import FrictionLaw, sticking_law
+from .problem.grid import Grid
+from .problem.settings import ContactSettings
 from .solutions.contact_solution import ContactSolution, RollingSolution, before_on
 
 __all__ = ["steady"]
@@ -97,7 +97,7 @@ def steady(
     sticking_law(friction)
     if start is not None:
         require_type("start", start, RollingSolution)
-    given = GivenAlong.of(
+    given = TangentialInput.of(
         {"creepage": creepage, "spin": spin},
         {"tangential_load": tangential_load, "torque": torque},
     )
@@ -135,7 +135,7 @@ def _require_rolling(grid: Grid, spin: float | None, torque: float | None) -> No
 class _Rolling:
     """Drive of a contact in steady rolling."""
 
-    given: GivenAlong
+    given: TangentialInput
     friction: FrictionLaw
     previous: RollingSolution | None
 
@@ -166,7 +166,7 @@ class _Rolling:
             "creepage": np.array(creepage),
             "spin": spin,
             "friction": self.friction,
-            "work_per_way": found.pop("friction_work"),
+            "friction_work_per_distance": found.pop("friction_work"),
             "tangential_load": np.array(force),
             "torque": torque,
         }

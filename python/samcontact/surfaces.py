@@ -54,7 +54,7 @@ def require_surface(grid: SurfaceGrid) -> None:
 def _require_memory(grid: SurfaceGrid) -> None:
     require_surface(grid)
     what = f"a surface of nx = {grid.nx}, ny = {grid.ny}"
-    memory.require(what, memory.SURFACE * grid.nx * grid.ny)
+    memory.require(what, memory.SURFACE_BYTES * grid.nx * grid.ny)
 
 
 def _coordinates(grid: SurfaceGrid) -> tuple[FloatArray, FloatArray]:

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ._util.short_text import LONGEST, in_short
+from ._util.short_text import MAX_CHARACTERS, in_short
 
 __all__ = ["si"]
 
@@ -42,7 +42,7 @@ def from_text(text: str, unit: str) -> float:
     allowed = (
         f"a number and a unit that converts to {unit}" if unit else "a number, or a percentage"
     )
-    match = _TEXT.fullmatch(text) if len(text) <= LONGEST else None
+    match = _TEXT.fullmatch(text) if len(text) <= MAX_CHARACTERS else None
     # pint reads up to a semicolon, comment or new line, and ignores the rest
     if match is None or not match.group(2) or re.search(r"[;#\n\r]", match.group(2)):
         raise ValueError(f"must be {allowed}, got {in_short(text)}")
@@ -92,7 +92,7 @@ def si(value: Any, unit: str) -> Any:
     -----
     Units are converted by pint (https://pint.readthedocs.io).
     """
-    if not isinstance(unit, str) or not unit or len(unit) > LONGEST:
+    if not isinstance(unit, str) or not unit or len(unit) > MAX_CHARACTERS:
         raise ValueError(f'unit must be the name of a unit, such as "Pa", got {in_short(unit)}')
     if isinstance(value, str):
         try:

@@ -14,7 +14,7 @@ import pytest
 TRIALS = {
     "kill: run": (3, 50),
     "kill: wear": (3, 50),
-    "kill: tugging": (2, 50),
+    "kill: asperities": (2, 50),
     "kill: sweep": (2, 50),
     "kill: kinds of runs": (1, 50),
     "full disk": (8, 200),

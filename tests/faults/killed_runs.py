@@ -57,7 +57,7 @@ def computed(folder):
 """,
     "zones": """
 def computed(folder):
-    from rough_scenes import simulation, PERCENT
+    from rough_setups import simulation, PERCENT
     sim = simulation()
     states = sim.run([{"load": q * PERCENT} for q in (0.5, 1.0)], progress=False,
                      checkpoint=folder)
@@ -66,7 +66,7 @@ def computed(folder):
 """,
     "periodic zones": """
 def computed(folder):
-    from rough_scenes import SIZE, rough_gap, simulation
+    from rough_setups import SIZE, rough_gap, simulation
     cells = 128
     gap = rough_gap(0.0, sc.Grid(cells, cells, SIZE, SIZE))
     sim = simulation(grid=sc.Grid(cells, cells, SIZE, SIZE, 8, SIZE, "xy"), gap=gap)
@@ -162,7 +162,7 @@ def poor(run, folder, there):
         asked.append(needed)
         with mock.patch.object(_memory, "available", lambda: there):
             require(what, needed, *more)
-    _memory._SMALL, _memory.require = 0.0, told
+    _memory._MAX_UNCHECKED_BYTES, _memory.require = 0.0, told
     try:
         return f"{{run(folder)}} {{max(asked)}}"
     except (MemoryError, ValueError) as error:

@@ -50,13 +50,13 @@ def computed(folder):
     return digest(result.heights[2], numbers, *(s.pressure for s in result.last))
 """
 )
-TUGGING = (
+ASPERITIES = (
     BEGIN
     + """
 def computed(folder):
     collision = sc.asperities.Collision(1e-3, 1e-3, 2e-6)
     grid = collision.grid(increments=4, width=1.5, depth=1.2)
-    result = sc.asperities.tug(collision, steel, steel, grid, passes=1, checkpoint=folder,
+    result = sc.asperities.collide(collision, steel, steel, grid, passes=1, checkpoint=folder,
                                progress=False, tol=1e-4, on_border="warn")
     series = result.series
     return digest(*(series[name].values for name in sorted(series.data_vars)))
@@ -82,7 +82,7 @@ def computed(folder):
     return digest(*(data[name].values for name in numbers))
 """
 )
-SCRIPTS = {"run": RUN, "wear": WEAR, "tugging": TUGGING, "sweep": SWEEP}
+SCRIPTS = {"run": RUN, "wear": WEAR, "asperities": ASPERITIES, "sweep": SWEEP}
 
 
 def check(kind, count, tmp_path):
@@ -112,9 +112,9 @@ def test_wear(count, tmp_path):
     check("wear", count, tmp_path)
 
 
-@tried("kill: tugging")
-def test_tugging(count, tmp_path):
-    check("tugging", count, tmp_path)
+@tried("kill: asperities")
+def test_asperities(count, tmp_path):
+    check("asperities", count, tmp_path)
 
 
 @tried("kill: sweep")
@@ -137,7 +137,7 @@ def deadly(module, name, number):
     setattr(module, name, counted)
 
 folder, module, name, number = sys.argv[1:]
-deadly({"os": os, "file": _atomic._Patient, "atomic": _atomic}[module], name, int(number))
+deadly({"os": os, "file": _atomic._ErrorHoldingFile, "atomic": _atomic}[module], name, int(number))
 """
 
 

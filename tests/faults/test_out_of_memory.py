@@ -32,7 +32,7 @@ from samcontact._util import memory
 from samcontact.simulation import increment_errors
 increment_errors.estimated = lambda *_, **__: None  # whose solves ask for memory of their own
 sys.path.insert(0, TESTS)
-import rough_scenes
+import rough_setups
 warnings.simplefilter("ignore")
 elastic, other = sc.Material.elastic(210e9, 0.3), sc.Material.elastic(300e9, 0.2)
 warm = elastic.with_thermal(50.0, 1e-5, 1.4e-5)
@@ -49,7 +49,7 @@ def status(name):
         return next(1024 * int(line.split()[1]) for line in lines if line.startswith(name))
 
 asked = [0.0]
-memory._SMALL = 0.0
+memory._MAX_UNCHECKED_BYTES = 0.0
 memory.require = lambda what, needed, remedy="": asked.append(needed)
 
 def computed(scene):
@@ -72,8 +72,8 @@ def computed(scene):
         if "field" in kind:
             state = sim.step(pressure=1e9 * pressure)
     if kind == "zones":
-        sim = rough_scenes.simulation(grid=sc.Grid(n, n, 1e-6, 1e-6, nz, 1e-6),
-                                      gap=rough_scenes.rough_gap(grid=sc.Grid(n, n, 1e-6, 1e-6)))
+        sim = rough_setups.simulation(grid=sc.Grid(n, n, 1e-6, 1e-6, nz, 1e-6),
+                                      gap=rough_setups.rough_gap(grid=sc.Grid(n, n, 1e-6, 1e-6)))
         sim.step(load=1e-6)
     asked.clear()
     before = status("VmHWM")
@@ -92,7 +92,7 @@ def computed(scene):
         sc.Simulation(grid, elastic, other, gap, sc.Coulomb(0.3)).step(**pull)
     elif kind == "sticking_all_over":
         sc.Simulation(grid, elastic, other, flat, sc.Coulomb(0.3), on_border="warn").step(**pull)
-    elif kind == "stick_slip":
+    elif kind == "partial_slip":
         sc.ContactSolver(grid, elastic, elastic, sc.Coulomb(0.3)).solve(gap, **pull)
     elif kind == "rolling":
         sc.rolling.steady(grid, elastic, elastic, gap, load=300.0, friction=sc.Coulomb(0.3),
@@ -134,7 +134,7 @@ SCENES = [
     "zones 192 12",
     "sticking 400 0",
     "sticking_all_over 200 0",
-    "stick_slip 500 0",
+    "partial_slip 500 0",
     "rolling 400 0",
 ]
 assert len(SCENES) == TRIALS["memory: estimates"][0]
@@ -211,7 +211,7 @@ def test_a_plastic_zone_is_refused_and_the_state_stays(monkeypatch):
     simulation.step(load=400.0)
     before = simulation.state.pressure.copy()
     with monkeypatch.context() as patch:
-        patch.setattr(memory, "_SMALL", 0.0)
+        patch.setattr(memory, "_MAX_UNCHECKED_BYTES", 0.0)
         patch.setattr(memory, "available", lambda: 20e6)
         told = r"the plastic zone, \d+ x \d+ x \d+ cells, needs about"
         with pytest.raises(MemoryError, match=told):

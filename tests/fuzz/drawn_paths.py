@@ -3,7 +3,7 @@
 
 import math
 
-from drawn_scenes import Scene, chance, power, uniform
+from drawn_setups import Setup, chance, power, uniform
 
 
 def contact(scene):
@@ -31,7 +31,7 @@ def contact(scene):
 class Driven:
     """Segments of a path, and the heat that goes with how they move."""
 
-    def __init__(self, scene: Scene, mu: float):
+    def __init__(self, scene: Setup, mu: float):
         self.scene, self.draw, self.mu = scene, scene.draw, min(mu, 1.0)
         self.firm = scene.sticks and mu > 0
         # a source that strains a body as much as its pressure does
@@ -138,7 +138,7 @@ class Driven:
 
 def drawn_case(seed):
     """A case file as a dictionary, of any kind that solves one contact."""
-    scene = Scene(seed)
+    scene = Setup(seed)
     draw = scene.draw
     case = {"title": f"drawn {seed}", "estimate_error": chance(draw, 0.1)}
     bodies = [scene.body(False), scene.body(scene.yields)]

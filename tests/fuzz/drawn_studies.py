@@ -7,7 +7,7 @@ import warnings
 import numpy as np
 from balances import assert_finite
 from drawn_paths import drawn_case
-from drawn_scenes import Scene, uniform
+from drawn_setups import Setup, uniform
 
 import samcontact as sc
 from samcontact.cases import Case
@@ -15,7 +15,7 @@ from samcontact.cases import Case
 
 def drawn_ball(seed, inelastic=False):
     """A ball of random size on a grid that contains its contact; bodies may be identical."""
-    scene = Scene(seed)
+    scene = Setup(seed)
     cells = int(scene.draw.integers(9, 14))
     layers = {"dz": scene.size} if inelastic else {}
     grid = sc.Grid(cells, cells, scene.size, scene.size, **layers)
@@ -45,7 +45,7 @@ def rolls(seed):
     assert found.converged
     assert_finite(pressure=found.pressure, shear=found.shear, slip=found.slip)
     assert abs(found.pressure.sum() * grid.cell_area - load) <= 1e-9 * load
-    assert found.work_per_way >= -1e-6 * load * np.hypot(*found.creepage)
+    assert found.friction_work_per_distance >= -1e-6 * load * np.hypot(*found.creepage)
     if math.isfinite(mu):
         most = mu * found.pressure.max()
         assert (np.hypot(*found.shear) <= mu * found.pressure + 1e-6 * most).all()
@@ -80,7 +80,7 @@ def repeats(seed):
     simulation = sc.Simulation(grid, body1, body2, gap, on_border="warn")
     load = scene.load * uniform(scene.draw, 0.2, 0.8)
     found = sc.shakedown.run(simulation, [{"load": load}, {"load": 0.0}], cycles=4, progress=False)
-    assert found.verdict in (
+    assert found.response in (
         "elastic", "elastic shakedown", "plastic shakedown", "ratcheting", "undecided",
     )  # fmt: skip
     assert_finite(**{f"strain {n}": c.net for n, c in enumerate(found.cycles)})
@@ -104,7 +104,7 @@ def tires(seed):
 
 def asks(seed):
     """Values to an accuracy: as near as was asked for to those of one four times as tight."""
-    scene = Scene(seed)
+    scene = Setup(seed)
     draw = scene.draw
     scene.heated, scene.periodic = False, ""
     body2 = scene.body(scene.yields)

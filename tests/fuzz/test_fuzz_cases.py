@@ -10,7 +10,7 @@ from fuzzing import tried, try_all, unless_refused
 from hypothesis import strategies as st
 
 from samcontact import Grid
-from samcontact.cases import Case, CaseError, TuggingCase, load_case, parse_case
+from samcontact.cases import AsperityCase, Case, CaseError, load_case, parse_case
 
 CASES = {
     path.stem: path.read_text(encoding="utf-8")
@@ -38,7 +38,9 @@ values = st.one_of(
 )
 scraps = st.one_of(
     st.text(max_size=6),
-    st.sampled_from(["[grid]", "[[path]]", "[tugging]", "[wear]", " = ", "\n", '"""', "{", "inf"]),
+    st.sampled_from(
+        ["[grid]", "[[path]]", "[asperities]", "[wear]", " = ", "\n", '"""', "{", "inf"]
+    ),
     values,
 )
 
@@ -46,7 +48,7 @@ scraps = st.one_of(
 def read(text):
     """The case, or None if it is refused correctly."""
     case = unless_refused(lambda: parse_case(text, "scene.toml"), CaseError, "scene.toml: ")
-    assert case is None or isinstance(case, (Case, TuggingCase))
+    assert case is None or isinstance(case, (Case, AsperityCase))
     return case
 
 

@@ -11,10 +11,10 @@ from fuzzing import tried, try_all, unless_refused
 from hypothesis import strategies as st
 
 import samcontact as sc
-from rough_scenes import PERCENT, RIGID, zones_of
-from rough_scenes import simulation as rough_simulation
+from rough_setups import PERCENT, RIGID, zones_of
+from rough_setups import simulation as rough_simulation
 from samcontact import wear
-from samcontact.restart.file import DAMAGED, CheckpointError
+from samcontact.restart.file import READ_ERRORS, CheckpointError
 from samcontact.wear import checkpoint as wear_checkpoint
 from samcontact.wear import repeating
 
@@ -229,4 +229,4 @@ def test_edited_wear(worn, tmp_path, count):
 
 def test_what_the_libraries_raise_is_refused():
     """CheckpointError is one of them: what is refused in a helper stays refused above."""
-    assert issubclass(CheckpointError, DAMAGED)
+    assert issubclass(CheckpointError, READ_ERRORS)

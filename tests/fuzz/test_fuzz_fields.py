@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from samcontact.cases import Case, CaseError, TuggingCase, parse_case
+from samcontact.cases import AsperityCase, Case, CaseError, parse_case
 from samcontact.cases.allowed import described, is_model, members, opened, tags
 
 if sys.version_info >= (3, 11):
@@ -22,7 +22,7 @@ FOREIGN = re.compile(
     r"|<class|Errno|object has no|not iterable|broadcast|list\[|dict\[|Decimal|literal|Section\b"
 )
 """Words of libraries that know nothing of contacts."""
-LONGEST = 400
+MAX_CHARACTERS = 400
 """Characters of a line but for lists of what is allowed, which are as long as they are."""
 WRONG = [
     math.nan, math.inf, -math.inf, 1e305, -1.0, 0, 10**400, -(10**400), True, "", "no", "0.3",
@@ -66,7 +66,7 @@ def chosen(models, given):
 @pytest.mark.parametrize("name", sorted(BASE))
 def test_every_field(name):
     content = BASE[name]
-    kind = TuggingCase if "tugging" in content else Case
+    kind = AsperityCase if "asperities" in content else Case
     refused = 0
     for case, field, wrong in spoiled(kind, content, lambda new: new):
         try:
@@ -76,7 +76,7 @@ def test_every_field(name):
             for line in str(error).split("\n"):
                 shown = re.sub(r"(one of|allowed here:) [^;]*", "", line)
                 assert not FOREIGN.search(line), (field, wrong, line)
-                assert len(shown) < LONGEST, (field, line)
+                assert len(shown) < MAX_CHARACTERS, (field, line)
                 assert re.match(r"[\w.\[\]' -]+(:| )", line), line
     assert refused > 100
 
@@ -84,7 +84,7 @@ def test_every_field(name):
 def test_each_kind_of_value_is_described():
     """No field falls back to the name of a Python class."""
     found = set()
-    waiting = [Case, TuggingCase]
+    waiting = [Case, AsperityCase]
     for model in waiting:
         for field in model.model_fields.values():
             marks = [*field.metadata, field]

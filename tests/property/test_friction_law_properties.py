@@ -3,10 +3,10 @@
 
 import numpy as np
 import pytest
-from stick_slip_paths import Path
+from partial_slip_paths import Path
 
 import samcontact as sc
-from samcontact.scene.friction import LAWS
+from samcontact.problem.friction import LAWS
 
 TOL = 1e-7
 pytestmark = [

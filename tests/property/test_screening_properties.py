@@ -96,7 +96,7 @@ def test_a_contact_that_reaches_far_is_not_coarse(seed, shape, periodic, few):
         warnings.simplefilter("ignore")
         found = resolution.warn_of_contact(solution, scene, few, stacklevel=1)
     share = resolution.area_uncertainty(pressure, periodic)
-    thin = share > (resolution.UNCERTAIN if few == 8 else resolution.TOO_UNCERTAIN)
+    thin = share > (resolution.AREA_ERROR_WARNING if few == 8 else resolution.AREA_ERROR_LIMIT)
     narrow = resolution.cells_across(pressure, periodic) < few
     assert found == (thin or (narrow and not resolution._is_wide(pressure)))
 

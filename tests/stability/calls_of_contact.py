@@ -233,7 +233,7 @@ CALLS = [
             "cycle": {},
         }.items()
     ),
-    ("fatigue.passing", sc.fatigue.passing, {"state": STATE, "body": 2}),
+    ("fatigue.steady_cycle", sc.fatigue.steady_cycle, {"state": STATE, "body": 2}),
     ("fatigue.FatigueField.over_depth", FATIGUE.over_depth, {}),
     ("fatigue.FatigueField.to_dataset", FATIGUE.to_dataset, {}),
     ("State.at_layers", STATE.at_layers, {"layers": 3}),
@@ -269,8 +269,8 @@ CALLS = [
     ("Layered.yield_stress_at", COATED.yield_stress_at, {"z": [0.0, 1e-6]}),
     ("Layered.residual_stress_at", COATED.residual_stress_at, {"z": [0.0, 1e-6]}),
     (
-        "asperities.tug",
-        sc.asperities.tug,
+        "asperities.collide",
+        sc.asperities.collide,
         {
             "collision": COLLISION, "body1": sc.Material.rigid(), "body2": STEEL,
             "grid": COLLISION.grid(4), "passes": 1, "cells_per_increment": 1,
@@ -381,5 +381,5 @@ CALLS = [
             "max_time": 1e3, "progress": False, "checkpoint": None,
         },
     ),
-    ("Accurate.to_dataset", ACCURATE.to_dataset, {"volume": "none"}),
+    ("AccuracyResult.to_dataset", ACCURATE.to_dataset, {"volume": "none"}),
 ]  # fmt: skip

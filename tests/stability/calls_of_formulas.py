@@ -49,8 +49,8 @@ CALLS = [
         {"states": STRESS, "plastic_strain": 1e-12 * STRESS},
     ),
     (
-        "fatigue.passing",
-        sc.fatigue.passing,
+        "fatigue.steady_cycle",
+        sc.fatigue.steady_cycle,
         {
             "state": STRESS.reshape(6, 3, 2, 1),
             "axis": "y",
@@ -309,7 +309,7 @@ CALLS = [
     ("shakedown.elliptic", sc.shakedown.elliptic, {"k": 2.0, "friction": 0.1}),
     *(
         (f"shakedown.{name}", getattr(sc.shakedown, name), {"friction": 0.2, "nu": NU})
-        for name in ("line_kinematic", "point", "point_kinematic", "point_safe")
+        for name in ("line_kinematic", "point", "point_kinematic", "point_lower_bound")
     ),
     *(
         (

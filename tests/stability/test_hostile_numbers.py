@@ -15,18 +15,18 @@ pytestmark = pytest.mark.filterwarnings("ignore::samcontact.SingularPressureWarn
 HOSTILE = (math.nan, math.inf, -math.inf)
 
 MADE_BY_THE_PACKAGE = {
-    "Accurate", "ContactSolution", "FoundLoad", "GridErrors", "IncrementErrors",
+    "AccuracyResult", "ContactSolution", "FoundLoad", "GridErrors", "IncrementErrors",
     "State", "Track",
-    "asperities.Tugging",
+    "asperities.CollisionResult",
     "bearings.LoadZone",
-    "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalLinePlace",
-    "critical.CriticalPlace",
+    "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalCylinderOverDepth",
+    "critical.CriticalSphereOverDepth",
     "critical.CriticalSlidingSphere", "critical.CriticalSphere", "energy.EnergyBalance",
     "fatigue.Cycle",
     "fatigue.FatigueField",
     "flattening.Flattening", "hertz.EllipticContact",
     "hertz.LineContact", "hertz.PointContact", "RollingSolution",
-    "shakedown.Cycle", "shakedown.Limit", "shakedown.ShakedownResult", "StickSlipSolution",
+    "shakedown.Cycle", "shakedown.ShakedownLimit", "shakedown.ShakedownResult", "PartialSlipSolution",
     "wear.Cycle",
     "wear.FrettingCycle", "wear.FrettingResult", "wear.WearResult", "Zone",
 }  # fmt: skip

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from rough_scenes import ELASTIC, NU, PERCENT, E, simulation
+from rough_setups import ELASTIC, NU, PERCENT, E, simulation
 
 PERFECT = sc.Material.perfect_plastic(E, NU, 1e9)
 LAWS = {

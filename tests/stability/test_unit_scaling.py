@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from benchmarks.stability.scaled_scenes import POWERS_OF_TWO, UNITS, Units
+from benchmarks.stability.scaled_setups import POWERS_OF_TWO, UNITS, Units
 from benchmarks.stability.table import apart
 from benchmarks.stability.units import SCENES, SLIDING
 

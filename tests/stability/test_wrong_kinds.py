@@ -17,7 +17,7 @@ FOREIGN = re.compile(
     r"|truth value of an array|cannot convert|unhashable|<class|Errno|object at 0x"
 )
 """Words of Python, NumPy and the binding layer."""
-LONGEST = 500
+MAX_CHARACTERS = 500
 PLACES = {"path", "checkpoint", "output"}
 
 
@@ -69,7 +69,7 @@ def check(name, function, arguments, argument):
             names = {*names, "heat.factor"} if argument == "heat_factor" else names
             shared = re.match(r"(?:\w, )+\w(?= must)", text)  # by coordinates
             named = any(is_named(n, text) or (shared and n in shared[0]) for n in names)
-            if FOREIGN.search(text) or len(text) > LONGEST or not named:
+            if FOREIGN.search(text) or len(text) > MAX_CHARACTERS or not named:
                 problems.append(f"{name}({argument}={kind}): {type(error).__name__}: {text[:200]}")
         except Exception as error:
             problems.append(f"{name}({argument}={kind}): {type(error).__name__}: {error!s:.200}")

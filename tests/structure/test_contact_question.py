@@ -9,7 +9,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "python" / "samcontact"
-MODULES = sorted(set(PACKAGE.rglob("*.py")) - {PACKAGE / "scene" / "contact_law.py"})
+MODULES = sorted(set(PACKAGE.rglob("*.py")) - {PACKAGE / "problem" / "contact_law.py"})
 CORE = [
     file for folder in ("include/samcontact", "src") for room in ("contact", "simulation")
     for file in sorted((ROOT / "cpp" / folder / room).rglob("*.?pp"))
@@ -80,7 +80,7 @@ def test_python_asks_the_contact_law():
         f"{file.relative_to(ROOT)}:{line}" for file in MODULES
         for line in questions_in(file.read_text())
     ]  # fmt: skip
-    assert not found, f"use scene.contact_law.in_contact, or in_contact of a state: {found}"
+    assert not found, f"use problem.contact_law.in_contact, or in_contact of a state: {found}"
 
 
 def test_the_core_asks_the_contact_law():

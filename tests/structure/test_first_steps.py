@@ -19,8 +19,8 @@ FIGURES = {
     "load_approach.png",
     "pressure.png",
     "pressure_map.png",
-    "print.png",
-    "print_map.png",
+    "imprint.png",
+    "imprint_map.png",
     "residual.png",
     "sections.png",
 }

@@ -40,7 +40,7 @@ COST = re.compile(
 SET = {
     ("docs/developer/data_layout.md", "64 kB"): ("cpp/src/base/aligned.cpp", "1} << 16"),
     ("docs/developer/threads.md", "1 MB"): (
-        "python/samcontact/_util/load_core.py", "LEAST_STACK = 2**20"),
+        "python/samcontact/_util/load_core.py", "MIN_STACK_BYTES = 2**20"),
     ("docs/developer/data_layout.md", "16 MB"): ("cpp/src/base/aligned.cpp", "1} << 24"),
     ("docs/developer/states.md", "512 MB"): ("python/samcontact/_util/field_cache.py", "512e6"),
     ("docs/peers.md", "3 s"): ("benchmarks/peers/schedule.py", "LONG = 3.0"),
@@ -158,10 +158,10 @@ def test_limits_of_shakedown_are_those_of_the_theory():
 
 def test_counts_of_drawn_scenes_are_those_of_a_run(monkeypatch):
     monkeypatch.syspath_prepend(ROOT / "tests" / "fuzz")
-    counter = importlib.import_module("scene_counts")
+    counter = importlib.import_module("setup_counts")
     counts = json.loads(counter.COUNTS.read_text(encoding="utf-8"))
     assert list(counts) == list(counter.KINDS)
-    assert kept(TEXTS["docs/testing.md"], "drawn_scenes") == counter.table(counts)
+    assert kept(TEXTS["docs/testing.md"], "drawn_setups") == counter.table(counts)
     assert counts["all"]["FAILED"] == 0
     once = counter.counted(counter.outcomes(["0 solved", "3 convergence", "0 parts", "x 1"]))
     assert once["all"]["convergence"] == once["all"]["parts"] == 1

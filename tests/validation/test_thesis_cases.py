@@ -188,7 +188,7 @@ class TestIncrementTolerance:
         assert (self.errors(states, many) < self.TOL).all()
         assert sum(state.substeps for state in states) <= 14
         for state in states:
-            assert state.yield_excess <= 1e-6
+            assert state.yield_violation <= 1e-6
 
     def test_one_increment_is_far_off(self, many):
         assert (self.errors(self.divided(), many)[:1] > 0.02).all()

@@ -21,19 +21,19 @@ from .short_text import in_short
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
-MOST_COUNT = (1 << 31) - 1
+MAX_COUNT = (1 << 31) - 1
 """Maximum count: the core uses 32-bit integers."""
-MOST_CELLS = 1 << 24
+MAX_CELLS_ALONG_AXIS = 1 << 24
 """Maximum number of cells along one axis; transforms need twice as many."""
-MOST_STRESS = 1e75
+MAX_STRESS = 1e75
 """Maximum stress [Pa], as for load and modulus: products stay in the floating-point range."""
-MOST_STEPS = 100_000
+MAX_INCREMENTS_OF_PATH = 100_000
 """Maximum number of increments of a path: more take months, and a typing error fills the memory."""
-MOST_OF_NAME = 200
+MAX_FILE_NAME_BYTES = 200
 """Maximum length of a file name [bytes]: file systems allow 255, and partial files need more."""
-MOST_NUMBER = 1e300
+MAX_NUMBER = 1e300
 """Maximum magnitude in SI units: products of larger numbers leave the floating-point range."""
-_NOT_REAL = (bool, np.bool_, np.timedelta64)  # numbers to Python or NumPy
+_NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)  # numbers to Python or NumPy
 
 
 def _has_unit(value: Any) -> bool:
@@ -45,15 +45,15 @@ def number(name: str, value: Any) -> float:
     """Return `value` as a float; raise TypeError unless it is a real number (not a bool)."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
-    if isinstance(value, _NOT_REAL) or not isinstance(value, Real):
+    if isinstance(value, _NON_REAL_TYPES) or not isinstance(value, Real):
         raise TypeError(f"{name} must be a number, got {in_short(value)}{_slip(value)}")
     try:
         found = float(value) + 0.0  # never -0.0
     except OverflowError:  # an integer of more than 308 digits
         found = sys.float_info.max
-    if MOST_NUMBER < abs(found) < math.inf or (math.isinf(found) and value != found):
+    if MAX_NUMBER < abs(found) < math.inf or (math.isinf(found) and value != found):
         raise ValueError(
-            f"{name} must be a number of magnitude <= {MOST_NUMBER:g}, got {in_short(value)}"
+            f"{name} must be a number of magnitude <= {MAX_NUMBER:g}, got {in_short(value)}"
         )
     return found
 
@@ -127,10 +127,10 @@ def poisson_ratio(name: str, value: Any) -> float:
 
 
 def integer(
-    name: str, value: Any, minimum: int | None = None, largest: int | None = MOST_COUNT
+    name: str, value: Any, minimum: int | None = None, largest: int | None = MAX_COUNT
 ) -> int:
     """Return `value` as an int >= `minimum` with magnitude <= `largest`."""
-    if isinstance(value, _NOT_REAL) or not isinstance(value, Integral):
+    if isinstance(value, _NON_REAL_TYPES) or not isinstance(value, Integral):
         raise TypeError(f"{name} must be an integer, got {in_short(value)}")
     if minimum is not None and value < minimum:
         raise ValueError(f"{name} must be an integer >= {minimum}, got {in_short(value)}")
@@ -143,10 +143,10 @@ def integer(
 
 
 def in_cells(name: str, length: float, step: float) -> float:
-    """Return a length [m] as a number of cells; raise ValueError if it exceeds `MOST_CELLS`."""
-    if not abs(length) <= MOST_CELLS * step:
+    """Return a length [m] as a number of cells; raise ValueError if it exceeds `MAX_CELLS_ALONG_AXIS`."""
+    if not abs(length) <= MAX_CELLS_ALONG_AXIS * step:
         raise ValueError(
-            f"{name} must be <= {MOST_CELLS * step:.6g} m ({MOST_CELLS} cells of {step!r} m), "
+            f"{name} must be <= {MAX_CELLS_ALONG_AXIS * step:.6g} m ({MAX_CELLS_ALONG_AXIS} cells of {step!r} m), "
             f"got {length!r} m"
         )
     return length / step
@@ -157,9 +157,9 @@ def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any
     several = isinstance(steps, Iterable) and not isinstance(
         steps, (Mapping, str, bytes, np.ndarray)
     )
-    given = list(islice(steps, MOST_STEPS + 1)) if several else [steps]
-    if len(given) > MOST_STEPS:
-        raise ValueError(f"{name} must have at most {MOST_STEPS} increments, got more")
+    given = list(islice(steps, MAX_INCREMENTS_OF_PATH + 1)) if several else [steps]
+    if len(given) > MAX_INCREMENTS_OF_PATH:
+        raise ValueError(f"{name} must have at most {MAX_INCREMENTS_OF_PATH} increments, got more")
     wrong = [step for step in given if not (several and isinstance(step, Mapping))]
     if wrong:
         raise TypeError(
@@ -182,10 +182,10 @@ def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any
 
 
 def step_count(name: str, value: Any) -> int:
-    """Return `value` as a number of increments, at most `MOST_STEPS`."""
+    """Return `value` as a number of increments, at most `MAX_INCREMENTS_OF_PATH`."""
     count = integer(name, value, 1)
-    if count > MOST_STEPS:
-        raise ValueError(f"{name} must be at most {MOST_STEPS}, got {count}")
+    if count > MAX_INCREMENTS_OF_PATH:
+        raise ValueError(f"{name} must be at most {MAX_INCREMENTS_OF_PATH}, got {count}")
     return count
 
 
@@ -196,7 +196,7 @@ def choice(name: str, value: Any, allowed: tuple[Any, ...]) -> Any:
     for item in allowed:
         # True and 1 + 0j are equal to 1; 2.0 is accepted as 2
         alike = Real if isinstance(item, Real) else type(item)
-        if isinstance(value, alike) and not isinstance(value, _NOT_REAL) and value == item:
+        if isinstance(value, alike) and not isinstance(value, _NON_REAL_TYPES) and value == item:
             return item
     listed = ", ".join(repr(item) for item in allowed)
     raise ValueError(f"{name} must be one of {listed}, got {in_short(value)}")
@@ -254,9 +254,9 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
     if array is None:
         rows = "" if wrong else ", whose rows are equally long"
         raise TypeError(f"{name} must be an array of numbers{rows}, got {wrong or in_short(value)}")
-    if array.size and max(-_finite_end(np.fmin, array), _finite_end(np.fmax, array)) > MOST_NUMBER:
+    if array.size and max(-_finite_end(np.fmin, array), _finite_end(np.fmax, array)) > MAX_NUMBER:
         raise ValueError(
-            f"{name} must be finite everywhere and of magnitude <= {MOST_NUMBER:g}, "
+            f"{name} must be finite everywhere and of magnitude <= {MAX_NUMBER:g}, "
             f"got {in_short(value)}"
         )
     return array
@@ -287,7 +287,9 @@ def _not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:
         return {names.get(given.dtype.kind, "records")}
     # NumPy converts a list of Boolean values and numbers to an array of numbers
     kinds = _kinds(given.flat if given.dtype.kind == "O" else value)
-    wrong = {k for k in kinds if not issubclass(k, (Real, Decimal)) or issubclass(k, _NOT_REAL)}
+    wrong = {
+        k for k in kinds if not issubclass(k, (Real, Decimal)) or issubclass(k, _NON_REAL_TYPES)
+    }
     return {names.get(np.dtype(k).kind, k.__name__.removesuffix("Type")) for k in wrong}
 
 
@@ -350,11 +352,11 @@ def gap_array(
 
 
 def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
-    """Return `value` as a contiguous array of stresses [Pa] with magnitudes <= `MOST_STRESS`."""
+    """Return `value` as a contiguous array of stresses [Pa] with magnitudes <= `MAX_STRESS`."""
     array = np.ascontiguousarray(finite_array(name, value, shape))
     largest = float(np.abs(array).max(initial=0.0))
-    if largest > MOST_STRESS:
-        raise ValueError(f"{name} must be of magnitude <= {MOST_STRESS:g} Pa, got {largest:.6g}")
+    if largest > MAX_STRESS:
+        raise ValueError(f"{name} must be of magnitude <= {MAX_STRESS:g} Pa, got {largest:.6g}")
     return array
 
 
@@ -375,9 +377,9 @@ def file_path(name: str, value: Any) -> Path:
     if not text or "\0" in text:
         raise ValueError(f"{name} must be a non-empty path without NUL, got {text!r:.80}")
     longest = max(Path(text).parts, key=len, default="")
-    if len(os.fsencode(longest)) > MOST_OF_NAME:
+    if len(os.fsencode(longest)) > MAX_FILE_NAME_BYTES:
         raise ValueError(
-            f"{name} must have parts of at most {MOST_OF_NAME} bytes, the limit of file systems, "
+            f"{name} must have parts of at most {MAX_FILE_NAME_BYTES} bytes, the limit of file systems, "
             f"got {in_short(longest)}"
         )
     return Path(text)

@@ -11,11 +11,11 @@ from html import escape
 from .short_text import in_short
 
 Rows = Sequence[tuple[str, str]]
-LONGEST = 160
+MAX_REPR_CHARACTERS = 160
 """Maximum number of characters of one value in a repr."""
 
 # Units of the fields of dataclasses shown as tables; "": pure number.
-UNITS = {
+UNIT_OF_FIELD = {
     "C": "",
     "E_star": "Pa",
     "R": "m",
@@ -37,7 +37,7 @@ UNITS = {
     "z": "m",
 }
 # Units whose prefixes are not powers of a thousand, with readable factors.
-_AREAS = (("m²", 1e-2), ("mm²", 1e-8), ("µm²", 0.0))
+_AREA_UNITS = (("m²", 1e-2), ("mm²", 1e-8), ("µm²", 0.0))
 _AREA_FACTORS = {"m²": 1.0, "mm²": 1e6, "µm²": 1e12}
 
 
@@ -65,7 +65,7 @@ def quantity(value: float, unit: str = "", digits: int = 4) -> str:
     if not math.isfinite(value):
         return {math.inf: "∞", -math.inf: "-∞"}.get(value, "none")
     if unit == "m²":
-        shown = next(name for name, least in _AREAS if abs(value) >= least)
+        shown = next(name for name, least in _AREA_UNITS if abs(value) >= least)
         return f"{value * _AREA_FACTORS[shown]:.{digits}g} {shown}"
     mantissa, power = f"{value:.{digits - 1}e}".split("e")
     place, shift = divmod(int(power), 3)
@@ -97,26 +97,28 @@ def html_table(title: str, rows: Rows) -> str:
     return f"<table>{caption}<tbody>{body}</tbody></table>"
 
 
-class Brief:
+class ShortRepr:
     """Base of dataclasses with arrays, with a short repr."""
 
     def __repr__(self) -> str:
         shown = [field.name for field in fields(self) if field.repr]  # type: ignore[arg-type]
-        listed = ", ".join(f"{name}={in_short(getattr(self, name), LONGEST)}" for name in shown)
+        listed = ", ".join(
+            f"{name}={in_short(getattr(self, name), MAX_REPR_CHARACTERS)}" for name in shown
+        )
         return f"{type(self).__name__}({listed})"
 
 
-def rows_of(shown: Shown) -> Rows:
+def rows_of(shown: HtmlTable) -> Rows:
     """Return the rows of the table of an object in notebooks."""
     return shown._rows()
 
 
-class Shown:
+class HtmlTable:
     """Base of objects shown as a table in notebooks; sufficient for dataclasses of numbers."""
 
     def _rows(self) -> Rows:
         return [
-            (field.name, quantity(getattr(self, field.name), UNITS[field.name]))
+            (field.name, quantity(getattr(self, field.name), UNIT_OF_FIELD[field.name]))
             for field in fields(self)  # type: ignore[arg-type]
         ]
 

@@ -2,7 +2,7 @@
 """Cache of the most recent fields, shared by files, tables and figures of a run.
 
 A field is removed with its state or track. It is removed earlier if all fields together exceed
-`MOST` bytes or a quarter of the available memory, or if memory is short.
+`MAX_BYTES` bytes or a quarter of the available memory, or if memory is short.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from . import memory
 from .checks import FloatArray
 from .frozen import read_only
 
-MOST = 512e6
-_PART = 0.25
+MAX_BYTES = 512e6
+_MAX_MEMORY_FRACTION = 0.25
 _lock = threading.Lock()  # states can be used in several threads
 if hasattr(os, "register_at_fork"):  # a child has no thread that could release the lock
     os.register_at_fork(
@@ -38,7 +38,7 @@ def kept(owner: Any, name: Hashable, compute: Callable[[], FloatArray]) -> Float
     field = read_only(compute())
     with _lock:
         _fields.setdefault(owner, {})[name] = field
-        _drop(min(MOST, _PART * (memory.available() or math.inf)))
+        _drop(min(MAX_BYTES, _MAX_MEMORY_FRACTION * (memory.available() or math.inf)))
     return field
 
 
@@ -50,7 +50,7 @@ def forget() -> bool:
     return there
 
 
-memory.GIVING.append(forget)
+memory.CACHE_RELEASERS.append(forget)
 
 
 def _drop(most: float) -> None:

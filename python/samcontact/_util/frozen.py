@@ -48,7 +48,7 @@ class FrozenDict(Mapping[str, Value]):
         return repr(self._items)
 
 
-class Fixed:
+class FixedAttributes:
     """Base of objects whose public attributes are read-only after `__init__` has set `_last`."""
 
     _last: ClassVar[str] = "_core"

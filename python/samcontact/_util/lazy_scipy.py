@@ -13,17 +13,17 @@ from typing import TYPE_CHECKING, Any
 
 from . import memory
 
-_PARTS = 90e6
+_SCIPY_BYTES = 90e6
 """Address space of the parts in use, with one thread of linear algebra [bytes]."""
 
 
-class _Parts:
+class _LazyModule:
     """Proxy of the package: `scipy.special` and so on."""
 
     def __getattr__(self, name: str) -> Any:
         if not sys.modules.keys() & {"scipy.special", "scipy.linalg"}:
-            buffers = memory.BLAS_BUFFER * (memory.blas_threads() - 1)
-            memory.require_address_space("loading SciPy", _PARTS + buffers)
+            buffers = memory.BLAS_BUFFER_BYTES * (memory.blas_threads() - 1)
+            memory.require_address_space("loading SciPy", _SCIPY_BYTES + buffers)
         part = importlib.import_module(f"scipy.{name}")
         setattr(self, name, part)
         return part
@@ -32,4 +32,4 @@ class _Parts:
 if TYPE_CHECKING:
     import scipy as scipy  # (as scipy: an explicit export)
 else:
-    scipy = _Parts()
+    scipy = _LazyModule()

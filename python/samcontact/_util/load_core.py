@@ -12,8 +12,8 @@ import sys
 import warnings
 from collections.abc import Callable, Iterator
 
-_UNITS = {"b": 1, "k": 2**10, "m": 2**20, "g": 2**30}
-LEAST_STACK = 2**20
+_BYTES_PER_UNIT = {"b": 1, "k": 2**10, "m": 2**20, "g": 2**30}
+MIN_STACK_BYTES = 2**20
 """Minimum stack of a thread [bytes]: an increment crashed with 16 kB and passed with 32 kB."""
 
 
@@ -51,9 +51,9 @@ def _limit(given: str) -> str:
 def _stack(given: str) -> str | None:
     """Return a stack size sufficient for the core, in kilobytes without unit; None: no setting."""
     text = given.strip().lower()
-    number, unit = (text[:-1], text[-1]) if text[-1:] in _UNITS else (text, "k")
+    number, unit = (text[:-1], text[-1]) if text[-1:] in _BYTES_PER_UNIT else (text, "k")
     count = _count(number.strip())
-    if count is not None and count * _UNITS[unit] >= LEAST_STACK:
+    if count is not None and count * _BYTES_PER_UNIT[unit] >= MIN_STACK_BYTES:
         return given
     return _default_stack() if not text or count is None else "1M"
 
@@ -65,7 +65,7 @@ def _default_stack() -> str | None:
     import resource
 
     soft, _ = resource.getrlimit(resource.RLIMIT_STACK)
-    return "1M" if 0 <= soft < LEAST_STACK else None
+    return "1M" if 0 <= soft < MIN_STACK_BYTES else None
 
 
 def _settings() -> Iterator[tuple[str, str | None]]:

@@ -12,33 +12,38 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Protocol
 
-GIVING: list[Callable[[], bool]] = []
+CACHE_RELEASERS: list[Callable[[], bool]] = []
 """Functions that release memory, and return whether there was any to release."""
-_SMALL = 64e6  # memory [bytes] below which no check is made
-CONTACT, COUPLED_CONTACT, COUPLED_STICK_SLIP, HEATED_CONTACT = 125.0, 215.0, 290.0, 185.0
+_MAX_UNCHECKED_BYTES = 64e6  # memory [bytes] below which no check is made
+CONTACT_BYTES, COUPLED_CONTACT_BYTES, COUPLED_PARTIAL_SLIP_BYTES, HEATED_CONTACT_BYTES = (
+    125.0,
+    215.0,
+    290.0,
+    185.0,
+)
 """Bytes per surface cell of an elastic contact: frictionless; with normal displacement by shear;
 with partial slip, in addition to the request of the core for contact cells; with heating."""
-SIMULATION, STICK_SLIP_SIMULATION, YIELD_SCAN = 75.0, 275.0, 450.0
+SIMULATION_BYTES, PARTIAL_SLIP_SIMULATION_BYTES, YIELD_SCAN_BYTES = 75.0, 275.0, 450.0
 """Bytes per surface cell, in addition to the contact: increments; increments with partial slip; and
 search for first yield."""
-SURFACE = 48.0
+SURFACE_BYTES = 48.0
 """Bytes per surface cell: heights, including the Fourier modes of roughness during generation."""
-DISPLACEMENT = 65.0
+DISPLACEMENT_BYTES = 65.0
 """Bytes per surface cell: displacement."""
-STRESS_OF_TRACTIONS, TEMPERATURE = 56.0, 35.0
+TRACTION_STRESS_BYTES, TEMPERATURE_BYTES = 56.0, 35.0
 """Bytes per cell of a layer: stress due to tractions; temperature."""
-FAST_RESIDUAL, EXACT_RESIDUAL = 350.0, 1200.0
+FAST_RESIDUAL_BYTES, EXACT_RESIDUAL_BYTES = 350.0, 1200.0
 """Bytes per volume cell: residual stress and displacement due to six strain components."""
-ZONE_FIELD = 200.0
+ZONE_FIELD_BYTES = 200.0
 """Bytes per cell of a plastic subdomain: stress."""
-LIBRARIES, BLAS_BUFFER, HDF5_FILE = 400e6, 45e6, 64e6
+LIBRARY_BYTES, BLAS_BUFFER_BYTES, HDF5_FILE_BYTES = 400e6, 45e6, 64e6
 """Address space [bytes]: all libraries of a run with one thread of linear algebra, including the
 first block of the core (128 MB); each further thread, per library; a file while it is written."""
-VOLUME_FIELD = 300.0
-"""Bytes per volume cell: field of a state; with exact residual stress as `EXACT_RESIDUAL`."""
+VOLUME_FIELD_BYTES = 300.0
+"""Bytes per volume cell: field of a state; with exact residual stress as `EXACT_RESIDUAL_BYTES`."""
 
 
-class Cells(Protocol):
+class CellCounts(Protocol):
     """Numbers of cells of a grid along x, y and z."""
 
     @property
@@ -56,10 +61,10 @@ class Cells(Protocol):
 
 def require(what: str, needed: float, remedy: str = "use fewer cells") -> None:
     """Raise MemoryError unless this many bytes are available."""
-    if needed < _SMALL:
+    if needed < _MAX_UNCHECKED_BYTES:
         return
     there = available()
-    if there is not None and needed > there and any([give() for give in GIVING]):
+    if there is not None and needed > there and any([give() for give in CACHE_RELEASERS]):
         there = available()
     if there is not None and needed > there:
         raise MemoryError(
@@ -96,9 +101,9 @@ def require_address_space(what: str, needed: float) -> None:
         )
 
 
-def require_for_grid(what: str, grid: Cells, needed: float) -> None:
+def require_for_grid(what: str, grid: CellCounts, needed: float) -> None:
     """Raise MemoryError, with the numbers of cells, unless this many bytes are available."""
-    if needed < _SMALL:
+    if needed < _MAX_UNCHECKED_BYTES:
         return
     cells = f"nx = {grid.nx}, ny = {grid.ny}" + (f", nz = {grid.nz}" if grid.nz else "")
     require(f"{what} on a grid of {cells}", needed)
@@ -110,16 +115,16 @@ def of_contact(*, coupled: bool, sticks: bool, heated: bool) -> float:
     coupled: dissimilar materials, whose shear displaces the surfaces normally; sticks: partial
     slip; heated: frictional heating.
     """
-    smooth = COUPLED_STICK_SLIP if sticks else COUPLED_CONTACT
-    return max(smooth if coupled else CONTACT, HEATED_CONTACT if heated else 0.0)
+    smooth = COUPLED_PARTIAL_SLIP_BYTES if sticks else COUPLED_CONTACT_BYTES
+    return max(smooth if coupled else CONTACT_BYTES, HEATED_CONTACT_BYTES if heated else 0.0)
 
 
-def surface(grid: Cells, bytes_a_cell: float) -> float:
+def surface(grid: CellCounts, bytes_a_cell: float) -> float:
     """Return the bytes of all surface cells of a grid."""
     return bytes_a_cell * grid.nx * grid.ny
 
 
-def volume(grid: Cells, bytes_a_cell: float, layers: int | None = None) -> float:
+def volume(grid: CellCounts, bytes_a_cell: float, layers: int | None = None) -> float:
     """Return the bytes of all volume cells of a grid, for its own or another number of layers."""
     return surface(grid, bytes_a_cell) * (grid.nz if layers is None else layers)
 

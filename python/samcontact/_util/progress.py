@@ -7,7 +7,7 @@ import sys
 from contextlib import suppress
 from typing import Any, TextIO
 
-LINES = 10
+MAX_LINES = 10
 """Maximum number of lines of a call whose messages go to a file or a pipe."""
 
 
@@ -17,18 +17,18 @@ def progress_bar(
     """Return a context with ``update()`` and ``set_postfix(**values)``; silent if not `shown`.
 
     A bar is redrawn in place, which is impossible in a log: there, one line is written per tenth.
-    Without `leave`, for parts that `tell` reports with one line each, the bar is removed when
+    Without `leave`, for parts that `report_progress` reports with one line each, the bar is removed when
     complete, and nothing is written to a log.
     """
     stream = sys.stderr if shown else None
     if not _in_place(stream):
-        return _Lines(total, unit, initial, stream if leave else None)
+        return _LineProgress(total, unit, initial, stream if leave else None)
     from tqdm.auto import tqdm  # a widget in a notebook
 
     return tqdm(total=total, initial=initial, unit=unit, leave=leave)
 
 
-def tell(text: str, *, shown: bool) -> None:
+def report_progress(text: str, *, shown: bool) -> None:
     """Print one line of progress."""
     with suppress(AttributeError, OSError, ValueError):  # failed output must not end a run
         if shown and sys.stderr is not None:
@@ -45,14 +45,14 @@ def _in_place(stream: TextIO | None) -> bool:
         return False
 
 
-class _Lines:
+class _LineProgress:
     """Progress as lines at fixed counts, so that repeated runs write identical lines."""
 
     def __init__(self, total: int, unit: str, initial: int, stream: TextIO | None) -> None:
         self.total, self.unit, self.count, self.stream = total, unit, initial, stream
-        self.told = initial * LINES // max(total, 1)
+        self.told = initial * MAX_LINES // max(total, 1)
 
-    def __enter__(self) -> _Lines:
+    def __enter__(self) -> _LineProgress:
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -60,10 +60,10 @@ class _Lines:
 
     def update(self, count: int = 1) -> None:
         self.count += count
-        part = self.count * LINES // max(self.total, 1)
-        if part > self.told and self.told < LINES and self.stream is not None:
+        part = self.count * MAX_LINES // max(self.total, 1)
+        if part > self.told and self.told < MAX_LINES and self.stream is not None:
             self.told = part
-            tell(f"{self.unit} {self.count} of {self.total}", shown=True)
+            report_progress(f"{self.unit} {self.count} of {self.total}", shown=True)
 
     def set_postfix(self, **_: object) -> None:
         """Do nothing: lines do not show values of the current step."""

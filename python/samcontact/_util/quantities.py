@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 if TYPE_CHECKING:
     import xarray as xr
 
-_FACTORS = {
+_DISPLAY_FACTORS = {
     "µm": 1e6,
     "µm²": 1e12,
     "mm²": 1e6,
@@ -19,7 +19,7 @@ _FACTORS = {
     "µJ": 1e6,
 }
 """Factors from SI units to the units shown."""
-_SMALL_AREA = 1e-8  # area [m^2] below which µm² are shown
+_MAX_AREA_IN_SQUARE_MICRONS = 1e-8  # area [m^2] below which µm² are shown
 _COLOURS = {
     "magnitude": "viridis",
     "criterion": "viridis",
@@ -55,7 +55,7 @@ class Quantity(NamedTuple):
     @property
     def factor(self) -> float:
         """Factor from the SI unit to the unit shown."""
-        return _FACTORS.get(self.shown, 1.0)
+        return _DISPLAY_FACTORS.get(self.shown, 1.0)
 
     @property
     def colours(self) -> str:
@@ -91,7 +91,7 @@ class Quantity(NamedTuple):
 
     def fitting(self, largest: float) -> Quantity:
         """Return the quantity with a unit that suits an area of this size [m^2]."""
-        small = self.unit == "m2" and largest < _SMALL_AREA
+        small = self.unit == "m2" and largest < _MAX_AREA_IN_SQUARE_MICRONS
         return self._replace(shown="µm²") if small else self
 
     def variable(self, dims: Any, data: Any, body: int | None = None) -> xr.Variable:
@@ -113,7 +113,7 @@ CONTACT = {
     "z": Q("m", "depth of layer centres, positive into the body"),
     "increment": Q("1", "increment number"),
     "cell": Q("1", "numbers of cells with plastic strain, counted along z, y, x"),
-    "volume_increment": Q("1", "increments with stored volume fields"),
+    "output_increment": Q("1", "increments with stored volume fields"),
     "body": Q("1", "number of the body"),
     # of each increment
     "load": Q("N", "normal load", "N", "load", "load", 6),
@@ -142,8 +142,8 @@ CONTACT = {
     "friction_work": Q(
         "J", "frictional work since the start", "µJ", "frictional work", "frictional\nwork"
     ),
-    "work_put_in": Q("J", "work input since the start (increments with positive work)"),
-    "net_work": Q("J", "net external work since the start", "", "net work"),
+    "work_input": Q("J", "work input since the start (increments with positive work)"),
+    "net_external_work": Q("J", "net external work since the start", "", "net work"),
     "elastic_energy": Q(
         "J", "elastic energy of the surface tractions after the last increment", "",
         "elastic energy of tractions",
@@ -156,7 +156,7 @@ CONTACT = {
         "J", "energy dissipated by plastic flow of both bodies since the start", "",
         "plastic dissipation",
     ),
-    "sticking_share": Q(
+    "stick_fraction": Q(
         "1", "fraction of the contact cells that stick in the increment", "%",
         "stick fraction", "stick\nfraction", 4,
     ),
@@ -174,7 +174,7 @@ CONTACT = {
         "Pa", "maximum von Mises stress of the residual stress", "MPa",
         "maximum residual von Mises stress", "residual\nvon Mises",
     ),
-    "print_depth": Q(
+    "imprint_depth": Q(
         "m", "residual imprint depth (within the grid)", "µm",
         "residual imprint depth (within the grid)", "imprint\ndepth",
     ),
@@ -199,35 +199,35 @@ CONTACT = {
         "1", "conjugate-gradient iterations of the contact solver", "", "contact iterations"
     ),
     "substeps": Q("1", "number of sub-increments", "", "sub-increments"),
-    "contact_margin": Q(
+    "contact_edge_distance": Q(
         "1", "minimum distance between contact and grid edge, in cells", "cells",
         "contact to grid edge",
     ),
-    "contact_cells": Q(
+    "cells_across_contact": Q(
         "1", "cells across the contact spot with maximum pressure", "cells", "across the contact"
     ),
-    "sharp_cells": Q(
+    "sharp_edge_cells": Q(
         "1", "contact cells at sharp edges, where the pressure is singular", "", "at sharp edges"
     ),
     "area_uncertainty": Q(
         "1", "relative uncertainty of the contact area", "%", "contact area uncertainty"
     ),
-    "plastic_residual": Q(
+    "plastic_strain_residual": Q(
         "1", "relative change of the plastic strain increment at convergence", "",
         "plastic-strain residual",
     ),
-    "yield_excess": Q(
+    "yield_violation": Q(
         "1", "maximum of (von Mises stress - yield stress)/yield stress at convergence", "",
         "yield violation",
     ),
     "max_plastic_strain_magnitude": Q(
         "1", "maximum plastic strain magnitude sqrt(2/3 e:e) (non-cumulative)"
     ),
-    "plastic_margin": Q(
+    "plastic_edge_distance": Q(
         "1", "minimum distance between plastic zone and volume edge, in cells", "cells",
         "plastic zone to volume edge",
     ),
-    "plastic_layers": Q(
+    "layers_across_plastic_zone": Q(
         "1", "layers from top to bottom of the plastic zone", "layers", "across the plastic zone"
     ),
     # of the surface
@@ -294,7 +294,7 @@ TRACK = {
     "equivalent_plastic_strain": Q("1", f"accumulated equivalent plastic strain {_TRACK}"),
 }
 
-TUGGING = {
+ASPERITIES = {
     # of each increment
     "offset": Q("m", "horizontal distance of the centres"),
     "angle": Q("rad", "angle of the line of centres from the vertical"),
@@ -312,8 +312,8 @@ TUGGING = {
     "max_pressure": CONTACT["max_pressure"],
     "contact_area": CONTACT["contact_area"],
     "max_equivalent_plastic_strain": Q("1", "maximum equivalent plastic strain of a body"),
-    "contact_cells": CONTACT["contact_cells"],
-    "plastic_layers": CONTACT["plastic_layers"]._replace(
+    "cells_across_contact": CONTACT["cells_across_contact"],
+    "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
         long_name="layers from top to bottom of the plastic zone of a body"
     ),
     # of each pass
@@ -350,7 +350,7 @@ WEAR = {
     "y": CONTACT["y"],
     # of each cycle and body
     "volume": Q("m3", "volume of the removed material", "µm³", "removed volume", "removed\nvolume"),
-    "lost": Q("m3", "decrease of the volume below the surface"),
+    "lost_volume": Q("m3", "decrease of the volume below the surface"),
     "depth": Q("m", "maximum wear depth of the cycle", "µm", "wear depth", "wear\ndepth"),
     "surface_strain": Q(
         "1", "maximum plastic strain of the first layer before removal", "%",
@@ -360,17 +360,17 @@ WEAR = {
         "1", "maximum equivalent plastic strain before removal", "%", "maximum plastic strain",
         "plastic\nstrain",
     ),
-    "plastic_layers": CONTACT["plastic_layers"]._replace(
+    "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
         long_name="layers from top to bottom of the plastic zone before removal"
     ),
     # of each cycle
     "parts": Q("1", "number of parts into which the repeats of the cycle were divided"),
     "friction_work": Q("J", "frictional work in the cycle", "J", "frictional work"),
-    "slip_path": Q(
+    "slip_distance": Q(
         "m", "maximum sliding distance in one repeat", "µm", "maximum sliding distance per cycle",
         "sliding\ndistance",
     ),
-    "sticking_area": Q(
+    "stick_area": Q(
         "m2", "area in contact that sticks during a whole repeat", "µm²", "stick area",
         "stick\narea",
     ),
@@ -381,7 +381,7 @@ WEAR = {
     "contact_area": CONTACT["contact_area"]._replace(
         long_name="contact area at maximum load", shown="µm²"
     ),
-    "contact_cells": CONTACT["contact_cells"],
+    "cells_across_contact": CONTACT["cells_across_contact"],
     "wear_rate": Q("m3", "worn volume per cycle", "µm³", "worn volume per cycle"),
     "worn_volume": Q("m3", "accumulated worn volume"),
     "x": Q("m", "x coordinate on body {body}"),

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-LONGEST = 80
+MAX_CHARACTERS = 80
 """Maximum number of characters of a value in a message."""
 
 
@@ -22,7 +22,7 @@ def escaped(text: str) -> str:
     )
 
 
-def in_short(value: Any, longest: int = LONGEST) -> str:
+def in_short(value: Any, longest: int = MAX_CHARACTERS) -> str:
     """Return the repr of a value in at most `longest` characters; large values by type and size."""
     if isinstance(value, np.ndarray) and value.ndim > 0:
         return _array(value)
@@ -51,8 +51,8 @@ def _cut(text: str, longest: int) -> str:
 def _array(value: Any) -> str:
     shape = " x ".join(map(str, value.shape))
     if value.dtype.kind not in "iuf":
-        return f"<array {shape} of {value.dtype}>"[:LONGEST]
+        return f"<array {shape} of {value.dtype}>"[:MAX_CHARACTERS]
     known = value[~np.isnan(value)] if value.dtype.kind == "f" else value
     span = f", {known.min():.4g} to {known.max():.4g}" if known.size else ""
     lost = f", {value.size - known.size} NaN" if known.size < value.size else ""
-    return f"<array {shape}{span}{lost}>"[:LONGEST]
+    return f"<array {shape}{span}{lost}>"[:MAX_CHARACTERS]

@@ -3,7 +3,7 @@
 
 from .._util.errors import AccuracyWarning
 from .asked import to_accuracy
-from .outcome import Accurate
-from .scene import Refinable
+from .outcome import AccuracyResult
+from .refinable_case import RefinableCase
 
-__all__ = ["AccuracyWarning", "Accurate", "Refinable", "to_accuracy"]
+__all__ = ["AccuracyResult", "AccuracyWarning", "RefinableCase", "to_accuracy"]

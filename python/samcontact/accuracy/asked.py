@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 from .._util import memory
 from .._util.checks import boolean, positive
 from .._util.short_text import in_short
-from .outcome import Accurate
-from .run import OF_INCREMENTS, Search
-from .scene import Refinable
+from .outcome import AccuracyResult
+from .refinable_case import RefinableCase
+from .run import INCREMENT_QUANTITIES, AccuracySearch
 
 if TYPE_CHECKING:
     from ..cases import Case
@@ -31,7 +31,7 @@ def to_accuracy(
     max_time: float | None = None,
     progress: bool = True,
     checkpoint: str | os.PathLike[str] | None = None,
-) -> Accurate:
+) -> AccuracyResult:
     """Solve a case on finer and finer grids until all errors are below the prescribed accuracy.
 
     Grid, layers and increments are chosen automatically; a [grid] of the case, its ``increments``
@@ -46,7 +46,7 @@ def to_accuracy(
         accuracy of the case.
     quantities : sequence of str, optional
         Quantities whose error is controlled, by their names in results files, e.g. "max_pressure",
-        "print_depth_body2". Default: the quantities named by the case, or all.
+        "imprint_depth_body2". Default: the quantities named by the case, or all.
     max_memory : float, optional
         Memory limit of the finest grid [bytes]. Default: available memory.
     max_time : float, optional
@@ -59,7 +59,7 @@ def to_accuracy(
 
     Returns
     -------
-    Accurate
+    AccuracyResult
         Values with errors. An exception or interruption (Ctrl-C) after the third grid has the best
         values so far as its attribute `result`.
 
@@ -92,26 +92,26 @@ def searched(
     max_time: float | None = None,
     *,
     progress: bool = False,
-) -> Search:
+) -> AccuracySearch:
     """Check the arguments of `to_accuracy` and prepare the search."""
     from ..cases.given import case_of_contact
 
     boolean("progress", progress)
     own = isinstance(case, Mapping) and "grid" not in case and accuracy is not None
     known = case_of_contact("case", case, **({"accuracy": accuracy} if own else {}))
-    scene = Refinable(known)
+    scene = RefinableCase(known)
     asked = _asked(scene, known, accuracy, quantities)
     scene.accept(min(asked.values()))
-    scene.names = [name for name in scene.names if name in asked or name in OF_INCREMENTS]
+    scene.names = [name for name in scene.names if name in asked or name in INCREMENT_QUANTITIES]
     most = known.max_memory if max_memory is None else positive("max_memory", max_memory)
     limit = known.max_time if max_time is None else positive("max_time", max_time)
     if most is None:
         most = memory.available() or math.inf
-    return Search(scene, asked, most, HOUR if limit is None else limit, progress)
+    return AccuracySearch(scene, asked, most, HOUR if limit is None else limit, progress)
 
 
 def _asked(
-    scene: Refinable,
+    scene: RefinableCase,
     case: Case,
     accuracy: float | Mapping[str, float] | None,
     quantities: Sequence[str] | None,

@@ -9,27 +9,27 @@ from typing import TYPE_CHECKING, NamedTuple
 from .._util.display import quantity
 from ..bodies.layered import Layered
 from ..bodies.material import Material
-from ..scene.friction import friction_law
-from .load_search_cases import PERMANENT, YIELD, label_and_unit
+from ..problem.friction import friction_law
+from .load_search_cases import PERMANENT_DEFORMATION, YIELD, label_and_unit
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..bodies.layered import Body
-    from ..diagnostics.expected_contact import Expected
+    from ..diagnostics.expected_contact import ExpectedContact
     from ..simulation.simulation import Simulation
 
-_MARGIN = 3.0
+_ESTIMATE_MARGIN = 3.0
 """Safety factor of the estimates: gaps within 3 % of a paraboloid, plastic contacts by the yield
 stress."""
-_SLIPS = {
+_UNIT_ERROR_FACTORS = {
     "m": {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9},
     "m²": {"mm²": 1e-6, "µm²": 1e-12},
     "Pa": {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3},
     "": {"%": 1e-2, "x 1e-6": 1e-6},
 }
 """Units in which a value may have been meant, and their factors, the likeliest first."""
-_DEPTHS = ("approach", "print_depth", PERMANENT)
+_DEPTH_QUANTITIES = ("approach", "imprint_depth", PERMANENT_DEFORMATION)
 
 
 class _Limit(NamedTuple):
@@ -63,7 +63,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, most: f
 
     def meant() -> str:
         """Return a hint at the first unit in which the number is possible."""
-        for other, factor in _SLIPS.get(unit, {}).items() if kind != YIELD else ():
+        for other, factor in _UNIT_ERROR_FACTORS.get(unit, {}).items() if kind != YIELD else ():
             value = factor * target
             if (largest is None or value <= largest.value) and not _least(kind, value, simulation):
                 return (
@@ -118,7 +118,7 @@ def _of_strength(kind: str, bodies: Sequence[Body]) -> _Limit | None:
 def _of_grid(kind: str, simulation: Simulation) -> _Limit | None:
     """Return the width of the grid for depths, and the area of a fixed grid for areas."""
     grid = simulation.grid
-    if kind in _DEPTHS:
+    if kind in _DEPTH_QUANTITIES:
         side = max(grid.nx * grid.dx, grid.ny * grid.dy)
         return _Limit(side, "the width of the grid")
     if kind == "contact_area" and not simulation.engine.setup.surfaces.are_known:
@@ -126,13 +126,13 @@ def _of_grid(kind: str, simulation: Simulation) -> _Limit | None:
     return None
 
 
-def _of_hertz(kind: str, simulation: Simulation, expected: Expected) -> _Limit | None:
+def _of_hertz(kind: str, simulation: Simulation, expected: ExpectedContact) -> _Limit | None:
     """Return the bound from the elastic contact at the largest load and from the yield stress."""
     contact, both = expected.contact, (simulation.body1, simulation.body2)
     bodies = [body for body in both if isinstance(body, Material)]
     if len(bodies) < len(both) or any(body.softening for body in bodies):
         return None
-    weakest = min(body.least_yield_stress for body in bodies)
+    weakest = min(body.min_yield_stress for body in bodies)
     crushed = contact.load / weakest  # area at a mean pressure equal to the yield stress
     a, b = expected.semi_axes
     radius = math.sqrt(math.prod(simulation.engine.estimate.radii or (math.inf, math.inf)))
@@ -140,14 +140,15 @@ def _of_hertz(kind: str, simulation: Simulation, expected: Expected) -> _Limit |
     is_stressed = any(body.residual_stress is not None for body in bodies)
     sliding = (1 + friction_law(simulation.friction).ratio(contact.p0)) * contact.p0
     largest = {
-        **dict.fromkeys(_DEPTHS, depth),
+        **dict.fromkeys(_DEPTH_QUANTITIES, depth),
         "contact_area": max(math.pi * a * b, crushed),
         "max_pressure": contact.p0,
         "max_von_mises": math.inf if is_stressed else sliding,
         YIELD: math.inf if is_stressed else sliding / weakest,
     }.get(kind, math.inf)
     return _Limit(
-        _MARGIN * largest, f"{_MARGIN:.0f} times the estimate from Hertz theory and yield stress"
+        _ESTIMATE_MARGIN * largest,
+        f"{_ESTIMATE_MARGIN:.0f} times the estimate from Hertz theory and yield stress",
     )
 
 

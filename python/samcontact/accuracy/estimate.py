@@ -14,28 +14,28 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray
 
-RATIO = 2.0**0.5
+REFINEMENT_RATIO = 2.0**0.5
 """Ratio of the cell sizes of successive grids."""
-LEAST_ORDER, MOST_ORDER = 0.9, 4.0
-"""Range of accepted observed orders; extrapolation uses at most `USED_ORDER`."""
-USED_ORDER = 2.0
-SAFE = 1.5
+MIN_ORDER, MAX_ORDER = 0.9, 4.0
+"""Range of accepted observed orders; extrapolation uses at most `ASSUMED_ORDER`."""
+ASSUMED_ORDER = 2.0
+SAFETY_FACTOR = 1.5
 """Error relative to the difference of neighbouring grids: a term of order 1.5 leaves 1.47 times the
 last difference, a term of order 2 leaves once the last difference."""
-LEAST = 0.002
+MIN_RELATIVE_ERROR = 0.002
 """Minimum relative error of the coarsest grid, decreasing with order 2: differences may vanish."""
-CLEAN = 0.5
+MIN_EXTRAPOLATION_ERROR = 0.5
 """Minimum error of an extrapolated value, relative to the change by extrapolation."""
-MIXED = 0.03
+MIN_CORRECTION_CHANGE = 0.03
 """Minimum relative change, on a finer grid, of a correction found on a coarse grid."""
-PER_GRID = 3.0
+CORRECTION_CHANGE_PER_GRID = 3.0
 """Relative change of such a correction, divided by the relative difference between the grids."""
 
-REGULAR = 1.4, 3.0
+FIRST_ORDER_RATIOS = 1.4, 3.0
 """Range of the ratio of corrections for n and 2 n increments that counts as first order. Outside
 this range, the excess over twice the latter may differ on a finer grid."""
 
-MIXED_AREA = 0.3
+MIN_AREA_CORRECTION_CHANGE = 0.3
 """Minimum change of the correction of the contact area, relative to the correction of the maximum
 pressure: on a coarse grid the area changes by whole cells, or not at all."""
 
@@ -50,7 +50,7 @@ class Estimate(NamedTuple):
 
 
 def of_grids(series: ArrayLike) -> Estimate:
-    """Estimate the limit over grids whose cell sizes decrease by `RATIO`.
+    """Estimate the limit over grids whose cell sizes decrease by `REFINEMENT_RATIO`.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def of_grids(series: ArrayLike) -> Estimate:
     Estimate
         Extrapolated values, if three differences have one sign, decrease, and twice show an order
         within limits. Otherwise values of the finest grid, whose error is the maximum of the last
-        three differences, each scaled to the finest grid with order 2, and at least `LEAST`.
+        three differences, each scaled to the finest grid with order 2, and at least `MIN_RELATIVE_ERROR`.
     """
     f = np.asarray(series, dtype=np.float64)
     if len(f) == 1:
@@ -70,19 +70,21 @@ def of_grids(series: ArrayLike) -> Estimate:
         return Estimate(f[0], unknown, np.zeros(f[0].shape, dtype=bool))
     steps = np.diff(f, axis=0)
     last = steps[-1]
-    scaled = [np.abs(step) * RATIO ** (-2 * age) for age, step in enumerate(steps[::-1][:3])]
-    least = LEAST * RATIO ** (-2 * (len(f) - 1)) * np.abs(f[-1])
+    scaled = [
+        np.abs(step) * REFINEMENT_RATIO ** (-2 * age) for age, step in enumerate(steps[::-1][:3])
+    ]
+    least = MIN_RELATIVE_ERROR * REFINEMENT_RATIO ** (-2 * (len(f) - 1)) * np.abs(f[-1])
     widest = np.max(scaled, axis=0)  # zero for prescribed quantities
-    careful = np.where(widest > 0, np.maximum(SAFE * widest, least), 0.0)
+    careful = np.where(widest > 0, np.maximum(SAFETY_FACTOR * widest, least), 0.0)
     if len(f) < 4:
         return Estimate(f[-1], careful, np.zeros(last.shape, dtype=bool))
     with np.errstate(divide="ignore", invalid="ignore"):
-        orders = [np.log(steps[i - 1] / steps[i]) / np.log(RATIO) for i in (-1, -2)]
-        clean = np.all([(order >= LEAST_ORDER) & (order <= MOST_ORDER) for order in orders], axis=0)
-        order = np.where(clean, np.clip(orders[0], LEAST_ORDER, USED_ORDER), USED_ORDER)
-    beyond = last / (RATIO**order - 1.0)
-    before = f[-2] + steps[-2] / (RATIO**order - 1.0)
-    errors = np.maximum(np.abs(f[-1] + beyond - before), CLEAN * np.abs(beyond))
+        orders = [np.log(steps[i - 1] / steps[i]) / np.log(REFINEMENT_RATIO) for i in (-1, -2)]
+        clean = np.all([(order >= MIN_ORDER) & (order <= MAX_ORDER) for order in orders], axis=0)
+        order = np.where(clean, np.clip(orders[0], MIN_ORDER, ASSUMED_ORDER), ASSUMED_ORDER)
+    beyond = last / (REFINEMENT_RATIO**order - 1.0)
+    before = f[-2] + steps[-2] / (REFINEMENT_RATIO**order - 1.0)
+    errors = np.maximum(np.abs(f[-1] + beyond - before), MIN_EXTRAPOLATION_ERROR * np.abs(beyond))
     return Estimate(np.where(clean, f[-1] + beyond, f[-1]), np.where(clean, errors, careful), clean)
 
 
@@ -119,7 +121,7 @@ def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
     """
     size = np.abs(finest)
     change = np.divide(np.abs(finest - coarse), size, out=np.zeros_like(size), where=size > 0)
-    return np.maximum(PER_GRID * change, MIXED)
+    return np.maximum(CORRECTION_CHANGE_PER_GRID * change, MIN_CORRECTION_CHANGE)
 
 
 def irregular(more: FloatArray, twice: FloatArray) -> FloatArray:
@@ -133,14 +135,14 @@ def irregular(more: FloatArray, twice: FloatArray) -> FloatArray:
     Returns
     -------
     ndarray
-        Zero where the ratio of the corrections is `REGULAR`.
+        Zero where the ratio of the corrections is `FIRST_ORDER_RATIOS`.
     """
-    low, high = REGULAR
+    low, high = FIRST_ORDER_RATIOS
     inside = (more * twice > 0) & (abs(more) >= low * abs(twice)) & (abs(more) <= high * abs(twice))
     return np.where(inside, 0.0, np.abs(more - 2.0 * twice))
 
 
-def joined(found: Estimate, parts: Sequence[int]) -> Estimate:
+def combined(found: Estimate, parts: Sequence[int]) -> Estimate:
     """Return the maximum of several values, with the error that follows from their errors.
 
     Parameters

@@ -11,53 +11,53 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from .._util.checks import FloatArray, require_list, step_list
-from .._util.display import Rows, Shown, percent, quantity, rows_of
+from .._util.display import HtmlTable, Rows, percent, quantity, rows_of
 from .._util.errors import ResolutionWarning
 from .._util.quantities import described
 from .._util.short_text import in_short
 from ..diagnostics import sharp_edges
-from ..diagnostics.resolution import ROUND_SPOT, area_uncertainty
-from ..scene.friction import friction_law
+from ..diagnostics.resolution import ROUND_SPOT_AREA_ERROR, area_uncertainty
+from ..problem.friction import friction_law
 from ..simulation import coarsening, error_controlled_quantities, increment_errors
 from ..simulation.increment_errors import IncrementErrors
 from ..simulation.repeated import coarsened
 from ..simulation.restoring import repeat_with
 from ..simulation.run import run_into
-from ..simulation.steps import STEP
+from ..simulation.steps import STEP_ARGUMENTS
 from ..solutions.contact_area import area_doubt
 from ..solutions.peak import peak
-from ..solutions.state import in_one_window
-from ..solutions.tangential_quantities import ROUNDING, along_surface, not_rounding
+from ..solutions.state import on_common_grid
+from ..solutions.tangential_quantities import ROUNDING_ERROR, along_surface, not_rounding
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..cases import Case
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
 
 __all__ = ["GridErrors", "estimate_errors"]
 
-LARGEST_ERROR = 0.2
+MAX_RELATIVE_ERROR = 0.2
 """Relative error above which the check of a report fails."""
-LARGEST_SHARE = 0.25
+MAX_SLOPE_FRACTION = 0.25
 """Limit of the fraction of the mean-square slope in the last octave of a grid: above it, most of
 the slope may be at shorter wavelengths."""
 _KINDS = (
     ("approach", "max_pressure", "max_von_mises"),
-    ("max_equivalent_plastic_strain", "max_residual_von_mises", "print_depth"),
+    ("max_equivalent_plastic_strain", "max_residual_von_mises", "imprint_depth"),
 )
-_LEAST = 0.2
+_MIN_ERROR_OF_KIND = 0.2
 """Minimum error of a quantity, relative to the largest relative difference of its kind: two grids
 may agree by chance."""
-_OF_AREA = 0.7
+_AREA_ERROR_FACTOR = 0.7
 """Bound of the relative error of the area of round spots, over (cells per radius)^-1.5. It applies
 to wavy surfaces; the error for balls is half of it."""
 
 
 @dataclass(frozen=True, eq=False)
-class GridErrors(Shown):
+class GridErrors(HtmlTable):
     """Quantities of a run with their estimated errors.
 
     Attributes
@@ -175,14 +175,14 @@ def estimate_errors(
         run, path = run.build()
         states = []
         run_into(states, run.engine, run.monitor, run.step, list(path), False, None)
-        states = in_one_window(states)
+        states = on_common_grid(states)
     if not isinstance(run, Simulation):
         raise TypeError(
             f"run must be a samcontact.Simulation, or a Case of one contact, got {in_short(run)}"
         )
     if path is None or states is None:
         raise ValueError("path and states are required with a simulation")
-    path = step_list("path", path, STEP)
+    path = step_list("path", path, STEP_ARGUMENTS)
     require_list("states", states, State)
     if len(path) != len(states):
         raise ValueError(
@@ -218,7 +218,9 @@ def estimated(
     values = {name: np.full(shape, np.nan) for name in names}
     errors = {name: np.full(shape, np.nan) for name in names}
     for at, state in enumerate(states):
-        known = [n for n in names if at in marks or n in error_controlled_quantities.OF_CONTACT]
+        known = [
+            n for n in names if at in marks or n in error_controlled_quantities.CONTACT_QUANTITIES
+        ]
         fine = error_controlled_quantities.values(state, known)
         sharp = sharp_edges.edge_of_state(state) is not None
         coarse_values = error_controlled_quantities.values(found[which[at]], known)
@@ -271,12 +273,12 @@ def _differences(
             for name, value in fine.items()
             if value != 0 and name not in endless and name.partition("_body")[0] in kind
         }
-        least = _LEAST * max(relative.values(), default=0.0)
+        least = _MIN_ERROR_OF_KIND * max(relative.values(), default=0.0)
         for name in relative:
             found[name] = max(found[name], least * abs(fine[name]))
     if fine["contact_area"] > 0:
         share = area_uncertainty(state.repulsion, state.grid.periodic)
-        of_area = _OF_AREA * (2 * share / ROUND_SPOT) ** 1.5
+        of_area = _AREA_ERROR_FACTOR * (2 * share / ROUND_SPOT_AREA_ERROR) ** 1.5
         of_area += area_doubt(state.repulsion, state.grid.periodic)
         cells = np.count_nonzero(state.in_contact)
         if 0 < (open_ := state.pressure.size - cells) < cells and state.grid.periodic == "xy":
@@ -299,8 +301,11 @@ def _of_slip(
     for name in [*not_rounding(mine, *map(np.array, sizes)), "friction_work"]:
         value = mine[name]
         error = np.abs(value - other[name])
-        if error.max() > ROUNDING * np.abs(value).max():
-            found[name] = value, np.maximum(error, _LEAST * np.maximum.accumulate(error))
+        if error.max() > ROUNDING_ERROR * np.abs(value).max():
+            found[name] = (
+                value,
+                np.maximum(error, _MIN_ERROR_OF_KIND * np.maximum.accumulate(error)),
+            )
     return found
 
 
@@ -308,7 +313,7 @@ def said_of_increments(attributes: Mapping[Any, Any]) -> str:
     """Return the change of whole fields by more increments, as text; "" if it is unknown."""
     start = "increment_error_"
     shares = {str(n).removeprefix(start): s for n, s in attributes.items() if start in str(n)}
-    return f"{increment_errors.said(shares)} of its maximum" if shares else ""
+    return f"{increment_errors.error_summary(shares)} of its maximum" if shares else ""
 
 
 def said_of_slope(share: float) -> str:
@@ -317,7 +322,7 @@ def said_of_slope(share: float) -> str:
         return ""
     beyond = (
         "most of the slope may be unresolved, and pressures and strains depend on the cell size"
-        if share > LARGEST_SHARE
+        if share > MAX_SLOPE_FRACTION
         else "little slope is unresolved if the spectrum continues in this way"
     )
     return (
@@ -326,7 +331,7 @@ def said_of_slope(share: float) -> str:
     )
 
 
-ENDLESS = "does not converge"
+NO_LIMIT = "does not converge"
 """Text for the infinite error at a sharp edge."""
 
 
@@ -347,14 +352,14 @@ class ErrorRow(NamedTuple):
     @property
     def percent(self) -> str:
         """Relative error [%] as text; a note if the quantity does not converge."""
-        return f"{100 * self.relative:.2g}" if np.isfinite(self.relative) else ENDLESS
+        return f"{100 * self.relative:.2g}" if np.isfinite(self.relative) else NO_LIMIT
 
     @property
     def with_error(self) -> str:
         """Value with its error as text."""
         if np.isfinite(self.relative):
             return f"{self.shown} ± {self.percent} %"
-        return f"{self.shown}, {ENDLESS}"
+        return f"{self.shown}, {NO_LIMIT}"
 
 
 def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:

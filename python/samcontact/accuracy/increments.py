@@ -10,11 +10,11 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from .estimate import by_grid, irregular, of_doublings
-from .scene import Run
+from .refinable_case import GridRun
 
-Runs = Mapping[tuple[int, int], Run]
+Runs = Mapping[tuple[int, int], GridRun]
 """Runs by grid and increments."""
-COARSEST = 1
+TRIAL_LEVEL = 1
 """Grid on which all numbers of increments are solved."""
 
 
@@ -39,16 +39,16 @@ class Correction(NamedTuple):
     """Part of the correction that is not of first order."""
 
 
-def tried(runs: Runs) -> list[Run]:
+def trial_runs(runs: Runs) -> list[GridRun]:
     """Return the runs on the coarsest grid, by increasing number of increments."""
-    found = [run for (grid, _), run in runs.items() if grid == COARSEST]
+    found = [run for (grid, _), run in runs.items() if grid == TRIAL_LEVEL]
     return sorted(found, key=lambda run: run.increments)
 
 
 def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
     """Return the correction of values of the finest grid for the used number of increments."""
     made = []
-    for run in tried(runs)[:-1]:
+    for run in trial_runs(runs)[:-1]:
         n = run.increments
         made.append(Doubling(n, max(g for g, m in runs if m == 2 * n and (g, n) in runs)))
     steps = np.array([runs[g, 2 * n].values - runs[g, n].values for n, g in made])

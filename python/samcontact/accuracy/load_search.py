@@ -16,9 +16,9 @@ import numpy as np
 
 from .._core import ConvergenceError
 from .._util.checks import FloatArray, boolean, number, positive
-from .._util.display import Rows, Shown, percent, quantity
+from .._util.display import HtmlTable, Rows, percent, quantity
 from .._util.lazy_scipy import scipy
-from .._util.progress import tell
+from .._util.progress import report_progress
 from .._util.short_text import in_short
 from ..bodies.material import Material
 from ..restart.identity import identity
@@ -28,14 +28,14 @@ from ..simulation.repeated import coarsened
 from .attainable_values import require_attainable
 from .grid_errors import estimated
 from .load_search_cases import (
-    PERMANENT,
+    PERMANENT_DEFORMATION,
     YIELD,
     Built,
-    Scaled,
+    ScaledCase,
     elastic,
-    is_graded,
+    has_depth_profile,
     label_and_unit,
-    of_case,
+    max_load,
     require_known,
     resolved,
     used_strength,
@@ -48,13 +48,16 @@ if TYPE_CHECKING:
 
 __all__ = ["FoundLoad", "find_load"]
 
-_MOST, _LEAST = 100.0, 1e-9  # limits, relative to the largest load of a case and the initial load
-_COARSE = 1e-2  # relative tolerance of the load on the coarse grid
-_TRIES = 12  # maximum number of solutions on the fine grid
+_MAX_FACTOR, _MIN_FACTOR = (
+    100.0,
+    1e-9,
+)  # limits, relative to the largest load of a case and the initial load
+_RTOL = 1e-2  # relative tolerance of the load on the coarse grid
+_MAX_FINE_SOLVES = 12  # maximum number of solutions on the fine grid
 
 
 @dataclass(frozen=True, eq=False)
-class FoundLoad(Shown):
+class FoundLoad(HtmlTable):
     """Load found, and value of the quantity at this load.
 
     Attributes
@@ -89,7 +92,7 @@ class FoundLoad(Shown):
         return f"FoundLoad({self.quantity!r}, load={self.load!r}, load_error={self.load_error:.2g})"
 
 
-class Search:
+class LoadSearch:
     """Load search, which solves each load at most once per grid.
 
     start, most: initial and maximum load [N]; tolerance: relative tolerance on the quantity.
@@ -150,7 +153,7 @@ class Search:
     def _missing(self, name: str, where: str, load: float, make: Callable[[], Built]) -> float:
         if name not in self.solves.given:
             states = self._solve(name, make())
-            marks = {len(states) - 1} if self.name == PERMANENT else _marks(states)
+            marks = {len(states) - 1} if self.name == PERMANENT_DEFORMATION else _marks(states)
             reached = max(self._reached(states[at]) for at in marks)
             self.solves.add(name, {"reached": reached})
             self.solves.forget_increments([name])
@@ -158,7 +161,7 @@ class Search:
         if name not in self._told:
             self._told.add(name)
             text = f"{where} grid, load {quantity(load, 'N', 6)}: {self._shown(reached)}"
-            tell(text, shown=self.progress)
+            report_progress(text, shown=self.progress)
         self.largest = max(self.largest, (reached, load))
         return float(reached / self.target - 1.0)
 
@@ -171,7 +174,7 @@ class Search:
         if self.name == YIELD:
             return max(used_strength(state, n, body) for n, body in self.yielding.items())
         values = [error_controlled_quantities.value(state, name) for name in self.parts]
-        return sum(values) if self.name == PERMANENT else max(values)
+        return sum(values) if self.name == PERMANENT_DEFORMATION else max(values)
 
     @property
     def yielding(self) -> dict[int, Material]:
@@ -182,17 +185,17 @@ class Search:
     @property
     def parts(self) -> list[str]:
         """Names in results files of the quantities whose maximum or sum is evaluated."""
-        if self.name == PERMANENT:
+        if self.name == PERMANENT_DEFORMATION:
             bodies = enumerate(self.bodies, 1)
-            return [f"print_depth_body{n}" for n, body in bodies if body.is_plastic]
+            return [f"imprint_depth_body{n}" for n, body in bodies if body.is_plastic]
         if self.name != YIELD:
             return self.name.split(",")
         return [f"max_von_mises_body{n}" for n in self.yielding]
 
     @property
-    def is_graded(self) -> bool:
+    def has_depth_profile(self) -> bool:
         """Whether first yield is sought in a body with a depth profile of yield or stress."""
-        return self.name == YIELD and any(map(is_graded, self.yielding.values()))
+        return self.name == YIELD and any(map(has_depth_profile, self.yielding.values()))
 
     def refuse(self, why: object) -> ValueError:
         reached, load = self.largest
@@ -224,7 +227,7 @@ def find_load(
         Case, file, or dictionary with the layout of a file, whose forces are all multiplied by one
         factor; or a function of the maximum load [N] that returns simulation and path.
     quantity : str
-        Quantity with an error in results files, e.g. "max_pressure" or "print_depth_body2"; without
+        Quantity with an error in results files, e.g. "max_pressure" or "imprint_depth_body2"; without
         a body, the larger value of both. It is the larger of its values at maximum load and at the
         end of the path. Special names: "permanent_deformation", the sum of the residual imprint
         depths of both bodies at the end of the path; "yield", the maximum ratio of von Mises stress
@@ -270,7 +273,7 @@ def searched(
     tolerance: float,
     largest_load: float | None,
     progress: bool,
-) -> Search:
+) -> LoadSearch:
     """Check the arguments of `find_load` and prepare the search."""
     boolean("progress", progress)
     require_known(quantity)
@@ -286,10 +289,10 @@ def searched(
         from ..cases.given import case_of_contact
 
         known = case_of_contact("case", case)
-        start = of_case(known)
-        build = Scaled(known, start)
-    most = _MOST * start if largest_load is None else positive("largest_load", largest_load)
-    return Search(quantity, target, build, min(start, most), most, relative, progress)
+        start = max_load(known)
+        build = ScaledCase(known, start)
+    most = _MAX_FACTOR * start if largest_load is None else positive("largest_load", largest_load)
+    return LoadSearch(quantity, target, build, min(start, most), most, relative, progress)
 
 
 def _made(build: Callable[[float], Built], load: float) -> Built:
@@ -315,7 +318,7 @@ def _name(load: float) -> str:
     return f"grid_{load!r}"
 
 
-def _enclosed(search: Search, start: float, most: float) -> float:
+def _enclosed(search: LoadSearch, start: float, most: float) -> float:
     """Return the approximate load, from the coarse grid if the grid can be coarsened."""
     try:
         coarsening.coarser_grid(search.build(start)[0].grid)
@@ -333,7 +336,7 @@ def _enclosed(search: Search, start: float, most: float) -> float:
             return None
 
     low, value = start, tried(start)
-    while (value is None or value > 0) and low > _LEAST * start:
+    while (value is None or value > 0) and low > _MIN_FACTOR * start:
         most, low = (low, 0.5 * low) if value is None else (most, 0.5 * low)
         value = tried(low)
     if value is None or value > 0:
@@ -342,19 +345,19 @@ def _enclosed(search: Search, start: float, most: float) -> float:
     while value is None or value < 0:
         low, most = (high, most) if value is not None else (low, 0.5 * (low + high))
         high = min(2.0 * low, most)
-        if high < (1 + _COARSE) * low:
+        if high < (1 + _RTOL) * low:
             raise search.refuse(why[0])
         value = tried(high)
-    found: float = scipy.optimize.brentq(missing, low, high, xtol=_COARSE * low, rtol=_COARSE)
+    found: float = scipy.optimize.brentq(missing, low, high, xtol=_RTOL * low, rtol=_RTOL)
     return found
 
 
-def _refined(search: Search, near: float, tolerance: float) -> FoundLoad:
+def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
     """Refine the load by secants on the fine grid, with bisection as safeguard."""
     low, high = 0.0, math.inf
     points: list[tuple[float, float]] = []
     load = near
-    for _ in range(_TRIES):
+    for _ in range(_MAX_FINE_SOLVES):
         missing = search.on_grid(load)
         points.append((load, missing))
         low, high = (load, high) if missing < 0 else (low, load)
@@ -364,7 +367,9 @@ def _refined(search: Search, near: float, tolerance: float) -> FoundLoad:
         load += min(max(step if step else tolerance * load, -0.5 * load), load)
         if not low < load < high:
             load = 0.5 * (low + high)
-    raise search.refuse(f"did not converge to tolerance {tolerance!r} in {_TRIES} solutions")
+    raise search.refuse(
+        f"did not converge to tolerance {tolerance!r} in {_MAX_FINE_SOLVES} solutions"
+    )
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:
@@ -375,12 +380,12 @@ def _slope(points: Sequence[tuple[float, float]]) -> float:
     return slope if slope > 0 else 1.0 / load
 
 
-def _outcome(search: Search, load: float, missing: float, slope: float) -> FoundLoad:
+def _outcome(search: LoadSearch, load: float, missing: float, slope: float) -> FoundLoad:
     (simulation, path), states = search.run(load)
     try:
         beside = estimated(simulation, path, states, partial(search.solves.run, f"errors_{load!r}"))
         errors = [_relative(beside.values[n], beside.errors[n]) for n in search.parts]
-        if search.is_graded:  # kinks of the profile are resolved to one layer
+        if search.has_depth_profile:  # kinks of the profile are resolved to one layer
             errors.append(abs(search.on_coarse(load) - missing))
         error = max(errors)
     except (ValueError, ConvergenceError, MemoryError):  # no estimate

@@ -14,7 +14,7 @@ from .._util.tensors import von_mises
 from ..bodies.layered import Layered
 from ..bodies.material import Material
 from ..simulation import error_controlled_quantities
-from ..simulation.repeated import remade
+from ..simulation.repeated import rebuilt
 
 if TYPE_CHECKING:
     from ..cases import Case
@@ -22,13 +22,13 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 YIELD = "yield"
-PERMANENT = "permanent_deformation"
+PERMANENT_DEFORMATION = "permanent_deformation"
 
 Built = tuple["Simulation", Sequence[Mapping[str, Any]]]
 
 
 @dataclass(frozen=True)
-class Scaled:
+class ScaledCase:
     """Case with scaled loads."""
 
     case: Case
@@ -40,7 +40,7 @@ class Scaled:
         return self.case.model_copy(update={"path": path}).build()
 
 
-def of_case(case: Case) -> float:
+def max_load(case: Case) -> float:
     if case.wear is not None:
         raise ValueError("wear: load search supports a single contact only: remove [wear]")
     loads = [segment.load for segment in case.path]
@@ -52,9 +52,12 @@ def of_case(case: Case) -> float:
 
 def require_known(name: object) -> None:
     """Raise ValueError for an unknown quantity, with the most similar name."""
-    kinds = [*error_controlled_quantities.OF_CONTACT[1:], *error_controlled_quantities.OF_BODY]
-    known = [*kinds, PERMANENT, YIELD]
-    of_body = error_controlled_quantities.OF_BODY
+    kinds = [
+        *error_controlled_quantities.CONTACT_QUANTITIES[1:],
+        *error_controlled_quantities.BODY_QUANTITIES,
+    ]
+    known = [*kinds, PERMANENT_DEFORMATION, YIELD]
+    of_body = error_controlled_quantities.BODY_QUANTITIES
     if name in known or name in [f"{kind}_body{n}" for kind in of_body for n in (1, 2)]:
         return
     word = name.lower() if isinstance(name, str) else ""
@@ -81,7 +84,7 @@ def resolved(name: str, simulation: Simulation) -> str:
         if not simulation.grid.has_volume:
             raise ValueError('quantity = "yield" requires a grid with dz')
         return name
-    if name == PERMANENT:
+    if name == PERMANENT_DEFORMATION:
         if not any(body.is_plastic for body in bodies):
             raise ValueError(f'quantity = "{name}" requires an elastic-plastic body')
         if not simulation.grid.has_volume:
@@ -102,7 +105,7 @@ def label_and_unit(name: str) -> tuple[str, str]:
     """Return label and unit of a quantity by its resolved name."""
     if name == YIELD:
         return "von Mises stress / yield stress", ""
-    if name == PERMANENT:
+    if name == PERMANENT_DEFORMATION:
         return "permanent deformation, both bodies", "m"
     known, body = described(name.partition(",")[0])
     body = None if "," in name else body
@@ -120,10 +123,10 @@ def elastic(simulation: Simulation) -> Simulation:
             made = made if body.thermal is None else made.with_thermal(*body.thermal)
             start = body.residual_stress
             bodies[name] = made if start is None else made.with_residual_stress(*start)
-    return remade(simulation, **bodies)
+    return rebuilt(simulation, **bodies)
 
 
-def is_graded(body: Material) -> bool:
+def has_depth_profile(body: Material) -> bool:
     """Whether yield stress or initial stress of a body varies with depth."""
     return body.yield_profile is not None or body.residual_stress is not None
 
@@ -134,7 +137,7 @@ def used_strength(state: State, n: int, body: Material) -> float:
     Raises ValueError if the maximum may be below the deepest layer of the state.
     """
     least = float(body.yield_stress(0.0))
-    if not is_graded(body):
+    if not has_depth_profile(body):
         return error_controlled_quantities.value(state, f"max_von_mises_body{n}") / least
     used = von_mises(state.stress(n)) / (least * body.yield_factor(state.depths))
     over_depth = used.max(axis=(0, 1))

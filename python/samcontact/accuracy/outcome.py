@@ -9,20 +9,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._util.checks import FloatArray
-from .._util.display import Rows, Shown, counts, percent, quantity
+from .._util.display import HtmlTable, Rows, counts, percent, quantity
 from .._util.quantities import described
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..cases import Case
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
 
 
 @dataclass(frozen=True, eq=False)
-class Accurate(Shown):
+class AccuracyResult(HtmlTable):
     """Values with errors, and the simulation of the finest grid.
 
     For each quantity, by its name in results files, ``values[name]`` is the maximum of the run and
@@ -110,7 +110,7 @@ class Accurate(Shown):
 
     def __repr__(self) -> str:
         worst = max(self.relative_errors.values(), default=0.0)
-        return f"Accurate({len(self.values)} quantities, maximum relative error {worst:.2g})"
+        return f"AccuracyResult({len(self.values)} quantities, maximum relative error {worst:.2g})"
 
 
 def largest(series: FloatArray, errors: FloatArray) -> tuple[FloatArray, FloatArray]:

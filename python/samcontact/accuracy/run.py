@@ -12,42 +12,42 @@ import numpy as np
 from .._util.checks import FloatArray
 from .._util.display import counts, percent
 from .._util.errors import AccuracyWarning, SingularPressureWarning
-from .._util.progress import tell
+from .._util.progress import report_progress
 from ..diagnostics.sharp_edges import is_singular
-from .estimate import MIXED_AREA, RATIO, Estimate, joined, of_grids
-from .increments import COARSEST, Correction, correction, tried
-from .outcome import Accurate, largest
-from .scene import Refinable, Run, Solved, marks_of
+from .estimate import MIN_AREA_CORRECTION_CHANGE, REFINEMENT_RATIO, Estimate, combined, of_grids
+from .increments import TRIAL_LEVEL, Correction, correction, trial_runs
+from .outcome import AccuracyResult, largest
+from .refinable_case import GridRun, GridSolution, RefinableCase, marks_of
 from .solves import Solves
 
 _logger = logging.getLogger("samcontact")
 
-FEWEST_GRIDS = 3
-FEWEST, MOST = 2, 512
+MIN_GRIDS = 3
+MIN_INCREMENTS, MAX_INCREMENTS = 2, 512
 """Range of the number of increments per segment."""
-OF_INCREMENTS = ("max_pressure", "contact_area")
+INCREMENT_QUANTITIES = ("max_pressure", "contact_area")
 """Quantities that are always evaluated: the error of the area due to increments is estimated from
 the change of the pressure."""
-PART_OF_TIME = 0.3
+INCREMENT_TIME_SHARE = 0.3
 """Fraction of the allowed time for choosing the increments."""
-UNEVEN = 0.25
+MAX_IRREGULAR_SHARE = 0.25
 """Limit of the part of the correction that is not of first order, relative to the accuracy."""
-DEPENDS = 0.5
+MAX_CORRECTION_CHANGE = 0.5
 """Possible change of the correction on a finer grid, relative to the accuracy, above which the
 correction is determined on a finer grid."""
-PART_OF_NEXT = 0.5
+NEXT_GRID_TIME_SHARE = 0.5
 """Limit of the time for this, relative to the time of the next grid."""
-RAW = 10.0
+MAX_CORRECTED_ERROR = 10.0
 """Error of the increments used, relative to the accuracy, up to which it is corrected."""
-MOST_GRIDS = 24
+MAX_GRIDS = 24
 
 
-class Search:
+class AccuracySearch:
     """Runs of a case on several grids, each at most once, and their joint estimate."""
 
     def __init__(
         self,
-        scene: Refinable,
+        scene: RefinableCase,
         asked: dict[str, float],
         memory: float,
         limit: float,
@@ -59,12 +59,12 @@ class Search:
         self.wanted = np.array(list(asked.values()))
         self.progress = progress
         self.solves = Solves(scene.who)
-        self.runs: dict[tuple[int, int], Run] = {}
-        self.grids: list[Run] = []
-        self.used = FEWEST if scene.has_history else 1
+        self.runs: dict[tuple[int, int], GridRun] = {}
+        self.grids: list[GridRun] = []
+        self.used = MIN_INCREMENTS if scene.has_history else 1
         self.needs = ""
 
-    def run(self, level: int, increments: int) -> Run:
+    def run(self, level: int, increments: int) -> GridRun:
         key = level, increments
         if key not in self.runs:
             made = self.scene.run(level, increments, self.solves, progress=self.progress)
@@ -73,10 +73,10 @@ class Search:
             each = f", {increments} increments per segment" if self.scene.has_history else ""
             told = f"grid {level + 1}: {counts(*made.cells)} cells{each}, {made.seconds:.2g} s"
             _logger.info("%s", told)
-            tell(told, shown=self.progress)
+            report_progress(told, shown=self.progress)
         return self.runs[key]
 
-    def _forget(self, but: list[Run]) -> None:
+    def _forget(self, but: list[GridRun]) -> None:
         """Release states that are not of the finest grid."""
         for run in self.runs.values():
             if run not in but:
@@ -88,7 +88,7 @@ class Search:
     def seconds(self) -> float:
         return sum(run.seconds for run in self.runs.values())
 
-    def search(self) -> Accurate:
+    def search(self) -> AccuracyResult:
         first = self.run(0, self.used)
         self.scene.settle(first)
         self._leave_out_singular(first)
@@ -98,13 +98,13 @@ class Search:
         while True:
             if not np.isfinite(self.wanted).any():  # no quantity converges
                 break
-            enough = len(grids) >= FEWEST_GRIDS
+            enough = len(grids) >= MIN_GRIDS
             found = self._estimate(grids)
             worst = float(np.max(self._relative(found) / self.wanted))
-            tell(self._still_to_do(found), shown=self.progress and enough)
+            report_progress(self._errors_above_target(found), shown=self.progress and enough)
             if enough and worst <= 1.0:
                 break
-            if enough and self._increments_told(grids):
+            if enough and self._is_increment_error_known(grids):
                 continue
             if not self._affordable(grids, worst):
                 break
@@ -114,7 +114,7 @@ class Search:
         _warn_of(outcome, self._finest(self.grids[-1]))
         return outcome
 
-    def _leave_out_singular(self, run: Run) -> None:
+    def _leave_out_singular(self, run: GridRun) -> None:
         """Exclude quantities that do not converge with finer grids."""
         told = () if run.solved is None else run.solved.told
         if any(issubclass(warning.category, SingularPressureWarning) for warning in told):
@@ -124,11 +124,11 @@ class Search:
                 names = ", ".join(name for name in self.asked if is_singular(name))
                 self.needs = f"{names} do not converge at a sharp edge on any grid"
 
-    def best(self) -> Accurate | None:
+    def best(self) -> AccuracyResult | None:
         """Return the outcome of the grids so far; None with too few grids for an error."""
-        return self._outcome(self.grids) if len(self.grids) >= FEWEST_GRIDS else None
+        return self._outcome(self.grids) if len(self.grids) >= MIN_GRIDS else None
 
-    def _still_to_do(self, found: Estimate) -> str:
+    def _errors_above_target(self, found: Estimate) -> str:
         """Return the errors above the prescribed accuracy, as text."""
         relative = dict(zip(self.asked, self._relative(found), strict=True))
         above = [f"{n} {percent(e)}" for n, e in relative.items() if e > self.asked[n]]
@@ -137,9 +137,9 @@ class Search:
     def _judge_increments(self) -> None:
         """Solve with more and more increments on a coarse grid, and choose the increments."""
         while True:
-            series = tried(self.runs)
+            series = trial_runs(self.runs)
             if len(series) >= 3:
-                more = correction(self.runs, FEWEST, series[0].values)
+                more = correction(self.runs, MIN_INCREMENTS, series[0].values)
                 limit = self._join(series[0].values + more.values, more.errors)
                 if np.all(self._relative(limit) <= 0.25 * self.wanted):
                     break
@@ -151,30 +151,31 @@ class Search:
             left = correction(self.runs, self.used, run.values).irregular
             uneven = self._join(run.values, left)
             if np.all(
-                (self._relative(limit._replace(errors=off)) <= RAW * self.wanted)
-                & (self._relative(uneven) <= UNEVEN * self.wanted)
+                (self._relative(limit._replace(errors=off)) <= MAX_CORRECTED_ERROR * self.wanted)
+                & (self._relative(uneven) <= MAX_IRREGULAR_SHARE * self.wanted)
             ):
                 break
 
     def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
         """Return the estimate of the quantities from their parts."""
-        return joined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
+        return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
-        series = tried(self.runs)
-        count = 2 * series[-1].increments if series else FEWEST
+        series = trial_runs(self.runs)
+        count = 2 * series[-1].increments if series else MIN_INCREMENTS
         costs = self.seconds + 2 * series[-1].seconds if len(series) >= 3 else 0.0
-        if count > MOST or costs > PART_OF_TIME * self.limit:
+        if count > MAX_INCREMENTS or costs > INCREMENT_TIME_SHARE * self.limit:
             return False
-        self.run(COARSEST, count)
+        self.run(TRIAL_LEVEL, count)
         return True
 
-    def _on_finer_grid(self, grids: list[Run], found: Correction) -> bool:
+    def _on_finer_grid(self, grids: list[GridRun], found: Correction) -> bool:
         """Double the increments on a finer grid, for the correction with the largest effect."""
-        spoiled = [self._spoiled(grids, errors) for errors in found.by_grid]
+        spoiled = [self._error_ratio(grids, errors) for errors in found.by_grid]
         count, before = found.doublings[int(np.argmax(spoiled))]
         allowed = min(
-            PART_OF_NEXT * self._growth(grids) * grids[-1].seconds, self.limit - self.seconds
+            NEXT_GRID_TIME_SHARE * self._growth(grids) * grids[-1].seconds,
+            self.limit - self.seconds,
         )
         for level in range(len(grids) - 1, before, -1):
             missing = [n for n in (count, 2 * count) if (level, n) not in self.runs]
@@ -184,23 +185,23 @@ class Search:
                 return True
         return False
 
-    def _estimate(self, grids: list[Run]) -> Estimate:
+    def _estimate(self, grids: list[GridRun]) -> Estimate:
         """Return the estimate for grids and increments together, shape (marks, names)."""
         found = of_grids([run.values for run in grids])
         if self.scene.has_history:
             more = correction(self.runs, self.used, grids[-1].values)
-            errors = found.errors + more.errors + self._mixed(found.values, more)
+            errors = found.errors + more.errors + self._with_cross_error(found.values, more)
             found = Estimate(found.values + more.values, errors, found.extrapolated)
-        return joined(found, self.parts)
+        return combined(found, self.parts)
 
-    def _mixed(self, values: FloatArray, more: Correction) -> FloatArray:
+    def _with_cross_error(self, values: FloatArray, more: Correction) -> FloatArray:
         """Return the possible change, on a finer grid, of corrections found on a coarse grid."""
         mixed: FloatArray = sum(more.by_grid) + more.irregular
         before = self.scene.names.index
         area, pressure = (sum(self.parts[: before(n)]) for n in ("contact_area", "max_pressure"))
         p = values[:, pressure]
         share = np.divide(np.abs(more.values[:, pressure]), p, out=np.zeros_like(p), where=p > 0)
-        mixed[:, area] += MIXED_AREA * share * values[:, area]
+        mixed[:, area] += MIN_AREA_CORRECTION_CHANGE * share * values[:, area]
         return mixed
 
     def _relative(self, found: Estimate) -> FloatArray:
@@ -209,58 +210,60 @@ class Search:
         share = np.divide(found.errors, scale, out=np.zeros_like(found.errors), where=scale > 0)
         return np.asarray(np.max(share, axis=0)[self.chosen])
 
-    def _spoiled(self, grids: list[Run], errors: FloatArray) -> float:
+    def _error_ratio(self, grids: list[GridRun], errors: FloatArray) -> float:
         """Return the maximum ratio of some errors alone to the prescribed accuracy."""
         return float(np.max(self._relative(self._join(grids[-1].values, errors)) / self.wanted))
 
-    def _increments_told(self, grids: list[Run]) -> bool:
+    def _is_increment_error_known(self, grids: list[GridRun]) -> bool:
         """Solve with more increments, or on a finer grid, if their errors alone are too large."""
         if not self.scene.has_history:
             return False
         found = correction(self.runs, self.used, grids[-1].values)
-        if self._spoiled(grids, found.errors) > 0.5 and self._more_increments():
+        if self._error_ratio(grids, found.errors) > 0.5 and self._more_increments():
             return True
-        depends = self._spoiled(grids, np.sum(found.by_grid, axis=0)) > DEPENDS
+        depends = self._error_ratio(grids, np.sum(found.by_grid, axis=0)) > MAX_CORRECTION_CHANGE
         return depends and self._on_finer_grid(grids, found)
 
-    def _growth(self, grids: list[Run]) -> float:
+    def _growth(self, grids: list[GridRun]) -> float:
         """Return the growth factor of the time per grid."""
         known = len(grids) > 2
-        growth = grids[-1].seconds / max(grids[-2].seconds, 1e-3) if known else 2.5 * RATIO
+        growth = (
+            grids[-1].seconds / max(grids[-2].seconds, 1e-3) if known else 2.5 * REFINEMENT_RATIO
+        )
         return min(max(growth, 2.0), 8.0)
 
-    def _affordable(self, grids: list[Run], worst: float) -> bool:
+    def _affordable(self, grids: list[GridRun], worst: float) -> bool:
         """Whether memory and time suffice for the next grid; otherwise set `needs`.
 
         worst: maximum error relative to the accuracy, which about halves with each grid.
         """
         last = grids[-1]
-        growth, size = self._growth(grids), last.memory * RATIO**3
+        growth, size = self._growth(grids), last.memory * REFINEMENT_RATIO**3
         seconds = last.seconds * growth
         # an error estimate requires a minimum number of grids
-        spent = self.seconds + seconds if len(grids) >= FEWEST_GRIDS else 0.0
-        if len(grids) < MOST_GRIDS and size <= self.memory and spent <= self.limit:
+        spent = self.seconds + seconds if len(grids) >= MIN_GRIDS else 0.0
+        if len(grids) < MAX_GRIDS and size <= self.memory and spent <= self.limit:
             return True
-        more = max(1, math.ceil(math.log2(worst))) if math.isfinite(worst) else FEWEST_GRIDS
+        more = max(1, math.ceil(math.log2(worst))) if math.isfinite(worst) else MIN_GRIDS
         seconds = self.seconds + sum(last.seconds * growth**n for n in range(1, more + 1))
         self.needs = (
-            f"{more} finer grids would require about {last.memory * RATIO ** (3 * more) / 1e9:.2g}"
+            f"{more} finer grids would require about {last.memory * REFINEMENT_RATIO ** (3 * more) / 1e9:.2g}"
             f" GB and {seconds:.2g} s in total"
         )
         return False
 
-    def _finest(self, last: Run) -> Solved:
+    def _finest(self, last: GridRun) -> GridSolution:
         if last.solved is None:  # values were read from a checkpoint
             last.solved = self.scene.solve(last.level, last.increments, self.solves)
         return last.solved
 
-    def _outcome(self, grids: list[Run]) -> Accurate:
+    def _outcome(self, grids: list[GridRun]) -> AccuracyResult:
         found, names, last = self._estimate(grids), self.scene.names, self._finest(grids[-1])
         kept = [names.index(name) for name in self.asked]
         endless = [i for i, most in zip(kept, self.wanted, strict=True) if np.isinf(most)]
         found.errors[:, endless] = np.inf
         values, errors = largest(found.values, found.errors)
-        return Accurate(
+        return AccuracyResult(
             values={names[i]: float(values[i]) for i in kept},
             errors={names[i]: float(errors[i]) for i in kept},
             accuracy=self.asked,
@@ -276,7 +279,7 @@ class Search:
         )
 
 
-def _warn_of(outcome: Accurate, last: Solved) -> None:
+def _warn_of(outcome: AccuracyResult, last: GridSolution) -> None:
     """Repeat the warnings of the last grid, and warn if the accuracy is not reached."""
     for warning in last.told:
         warnings.warn(warning.message, stacklevel=4)

@@ -20,7 +20,7 @@ from ..restart.lock import locked
 from ..restart.tree import Tree
 from ..simulation.journal import Journal, describe
 from ..simulation.run import run_into
-from ..solutions.state import in_one_window
+from ..solutions.state import on_common_grid
 
 if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
@@ -89,7 +89,7 @@ class Solves:
         folder = None if self._folder is None else self._folder / name
         engine, monitor, step = simulation.engine, simulation.monitor, simulation.step
         run_into(solve.states, engine, monitor, step, path, progress, folder, leave=False)
-        return in_one_window(solve.states)
+        return on_common_grid(solve.states)
 
     def add(self, name: str, given: Tree) -> None:
         """Store the results of a solution: numbers, texts and arrays."""

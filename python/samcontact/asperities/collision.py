@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass
 
 from .._util.checks import finite, integer, positive
-from ..scene.grid import Grid
+from ..problem.grid import Grid
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Collision:
         return 2.0 * math.asin(math.sqrt(0.5 * self.interference / (self.R1 + self.R2)))
 
     @property
-    def half_way(self) -> float:
+    def half_distance(self) -> float:
         """Horizontal distance of the centres at first contact [m]."""
         return self.offset(self.half_angle)
 
@@ -92,7 +92,7 @@ class Collision:
         dy: float = 1.0,
         dz: float = 1.0,
     ) -> Grid:
-        """Grid for `tug` with cells that fit its increments.
+        """Grid for `collide` with cells that fit its increments.
 
         Parameters
         ----------

@@ -15,21 +15,21 @@ from ..diagnostics import resolution
 from ..simulation.journal import Journal
 from ..simulation.simulation import Simulation
 from .collision import Collision
-from .series import Row
+from .series import IncrementRow
 
 if TYPE_CHECKING:
     from ..bodies.material import Material
 
-_ROUNDING = 1e-9
+_ROUNDING_ERROR = 1e-9
 """Relative value below which a step or an approach is rounding."""
 
 
 def whole_steps(ways: float) -> int:
     """Number of whole steps that cover a distance in steps; independent of units."""
-    return math.ceil(ways * (1.0 - _ROUNDING))
+    return math.ceil(ways * (1.0 - _ROUNDING_ERROR))
 
 
-class Passes:
+class CollisionPasses:
     """Bodies, their positions, and the energy spent so far."""
 
     def __init__(
@@ -46,7 +46,7 @@ class Passes:
         self.position = 0  # in steps from the aligned position
         self.plastic_work = 0.0
 
-    def one_pass(self, direction: int) -> Iterator[Row]:
+    def one_pass(self, direction: int) -> Iterator[IncrementRow]:
         """Solve one pass, from before first contact until the spheres have finally separated."""
         outside = self._outside()
         self._move(-direction * outside, unloaded=True)
@@ -89,7 +89,7 @@ class Passes:
     def _approach(self) -> float:
         """Approach at the current position; 0 if contact is within rounding."""
         approach = self.collision.approach(self.position * self.step)
-        return 0.0 if abs(approach) < _ROUNDING * self.collision.interference else approach
+        return 0.0 if abs(approach) < _ROUNDING_ERROR * self.collision.interference else approach
 
     @property
     def _inelastic(self) -> list[int]:
@@ -114,7 +114,7 @@ class Passes:
             tracks = (s.track(body, margin=0) for s in (self.state, before))
             self.plastic_work += energy.plastic_work(material, *tracks)
 
-    def _row(self) -> Row:
+    def _row(self) -> IncrementRow:
         state, collision = self.state, self.collision
         layers = [math.nan, math.nan]
         for body in self._inelastic:
@@ -123,7 +123,7 @@ class Passes:
         angle = self.position * self.step
         tangential = self._tangential(collision.separation(angle))
         sine, cosine = math.sin(angle), math.cos(angle)
-        return Row(
+        return IncrementRow(
             offset=collision.offset(angle),
             angle=angle,
             approach=self._approach(),
@@ -138,8 +138,8 @@ class Passes:
                 state.max_equivalent_plastic_strain(1),
                 state.max_equivalent_plastic_strain(2),
             ),
-            contact_cells=resolution.cells_across(state.repulsion),
-            plastic_layers=(layers[0], layers[1]),
+            cells_across_contact=resolution.cells_across(state.repulsion),
+            layers_across_plastic_zone=(layers[0], layers[1]),
         )
 
     def _tangential(self, separation: float) -> tuple[float, float]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._util.checks import FloatArray
-from .._util.quantities import TUGGING
+from .._util.quantities import ASPERITIES
 from .._util.version import version
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 BY_INCREMENT = (
     "offset", "angle", "approach", "normal_force", "force_x", "force_y", "force_z", "load_ratio",
     "work", "plastic_work", "max_pressure", "contact_area", "max_equivalent_plastic_strain",
-    "contact_cells", "plastic_layers",
+    "cells_across_contact", "layers_across_plastic_zone",
 )  # fmt: skip
 BY_PASS = (
     "net_energy", "dissipation", "residual_energy", "energy_imbalance", "residual_displacement",
@@ -30,7 +30,7 @@ BY_PASS = (
 
 
 @dataclass
-class Row:
+class IncrementRow:
     """Results of one increment; the last three values belong to the pass and are in its last row.
 
     They are NaN in an incomplete pass.
@@ -47,14 +47,14 @@ class Row:
     max_pressure: float
     contact_area: float
     max_equivalent_plastic_strain: tuple[float, float]
-    contact_cells: float
-    plastic_layers: tuple[float, float]
+    cells_across_contact: float
+    layers_across_plastic_zone: tuple[float, float]
     work: float = 0.0
     residual_energy: float = math.nan
     residual_displacement: tuple[float, float] = (math.nan, math.nan)
 
 
-def _table(passes: Sequence[Sequence[Row]], name: str) -> FloatArray:
+def _table(passes: Sequence[Sequence[IncrementRow]], name: str) -> FloatArray:
     """Values by pass and increment (and body); NaN after the end of a shorter pass."""
     values = [np.array([getattr(row, name) for row in rows]) for rows in passes]
     longest = max(len(column) for column in values)
@@ -64,7 +64,7 @@ def _table(passes: Sequence[Sequence[Row]], name: str) -> FloatArray:
     return table
 
 
-def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Dataset:
+def to_dataset(collision: Collision, passes: Sequence[Sequence[IncrementRow]]) -> xr.Dataset:
     """Convert all results of the passes to a labelled dataset with units."""
     import xarray as xr
 
@@ -89,7 +89,7 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Data
 
     names = (*BY_INCREMENT, *BY_PASS)
     return xr.Dataset(
-        {name: TUGGING[name].variable(dims(name), data[name]) for name in names},
+        {name: ASPERITIES[name].variable(dims(name), data[name]) for name in names},
         coords={"pass": np.arange(1, len(passes) + 1), "body": [1, 2]},
         attrs={
             "title": "asperity collision of two spheres",
@@ -102,7 +102,7 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[Row]]) -> xr.Data
 def cells_under_load(series: xr.Dataset) -> xr.DataArray:
     """Cells across the contact of each pass at maximum load; NaN without contact."""
     where = series["normal_force"].fillna(0.0).argmax("increment")
-    cells: xr.DataArray = series["contact_cells"].isel(increment=where)
+    cells: xr.DataArray = series["cells_across_contact"].isel(increment=where)
     return cells
 
 
@@ -113,7 +113,7 @@ def of_passes(series: xr.Dataset) -> xr.Dataset:
         min_force_x=series["force_x"].min("increment"),
         max_force_z=series["force_z"].max("increment"),
         max_pressure=series["max_pressure"].max("increment"),
-        contact_cells=cells_under_load(series),
-        plastic_layers=series["plastic_layers"].max("increment"),
+        cells_across_contact=cells_under_load(series),
+        layers_across_plastic_zone=series["layers_across_plastic_zone"].max("increment"),
     )
     return passes

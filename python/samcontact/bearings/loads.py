@@ -10,10 +10,10 @@ from .._util.checks import finite, integer, non_negative, positive
 from .._util.lazy_scipy import scipy
 from .races import angle_of
 
-POINT = 1.5  # n of load ~ approach^n in point contacts
+POINT_CONTACT_EXPONENT = 1.5  # n of load ~ approach^n in point contacts
 
 
-def sjovall(epsilon: float, exponent: float = POINT) -> tuple[float, float]:
+def sjovall(epsilon: float, exponent: float = POINT_CONTACT_EXPONENT) -> tuple[float, float]:
     """Sjövall's integrals of the load distribution.
 
     With Q(psi)/Q_max = (1 - (1 - cos psi)/(2 epsilon))^n where positive, the means over the
@@ -83,7 +83,7 @@ def ball_load(
     contact_angle: float = 0.0,
     *,
     epsilon: float = 0.5,
-    exponent: float = POINT,
+    exponent: float = POINT_CONTACT_EXPONENT,
 ) -> float:
     """Load of the most heavily loaded rolling element, F_r/(Z cos(alpha) J_r(epsilon)).
 
@@ -164,7 +164,7 @@ def load_zone(
     balls: int,
     contact_angle: float,
     *,
-    exponent: float = POINT,
+    exponent: float = POINT_CONTACT_EXPONENT,
 ) -> LoadZone:
     """Loads in an angular-contact row under combined radial and axial load.
 

@@ -12,9 +12,9 @@ from .._util.short_text import in_short
 from .loads import stribeck_load
 from .races import RaceContact
 
-STEEL = 2.07e11 / (1.0 - 0.3**2) / 2.0
+STEEL_CONTACT_MODULUS = 2.07e11 / (1.0 - 0.3**2) / 2.0
 """Contact modulus in the factors of ISO 76 [Pa]: both bodies with 207 GPa and 0.3."""
-PALMGREN = 1.3e-19
+PALMGREN_FACTOR = 1.3e-19
 """Palmgren's factor, 1.3e-7 with mm and N, in [m^4/N^2]."""
 
 
@@ -26,7 +26,7 @@ def static_load_rating(
     pressure: float = 4.2e9,
     length: float | None = None,
     rows: int = 1,
-    E_star: float = STEEL,
+    E_star: float = STEEL_CONTACT_MODULUS,
 ) -> float:
     """Basic static radial load rating according to ISO 76.
 
@@ -125,4 +125,4 @@ def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -
     """
     require_type("race", race, RaceContact)
     Q, D = non_negative("load", load), positive("ball_diameter", ball_diameter)
-    return PALMGREN * Q**2 / (D * race.Rx * race.Ry)
+    return PALMGREN_FACTOR * Q**2 / (D * race.Rx * race.Ry)

@@ -20,30 +20,30 @@ if TYPE_CHECKING:
 Profile = tuple[tuple[float, ...], ...]
 """Depths, and one or more values at each depth."""
 
-PARTS: Mapping[str, Sequence[str]] = {
+PROFILE_ARGUMENTS: Mapping[str, Sequence[str]] = {
     "yield_profile": ("z", "factor"),
     "residual_stress": ("z", "sxx", "syy", "sxy"),
 }
 """Profiles of a material, and the contents of each."""
 
-MOST = 4096
+MAX_PROFILE_POINTS = 4096
 """Maximum number of depths in a profile, limited by attributes of HDF5 files."""
 
 
 def profile(kind: str, given: Any) -> Profile:
     """Convert a profile to equally many depths and values; the core checks their ranges."""
-    holds = f"{kind} must contain {', '.join(PARTS[kind])}, a list of numbers each"
+    holds = f"{kind} must contain {', '.join(PROFILE_ARGUMENTS[kind])}, a list of numbers each"
     if not isinstance(given, (list, tuple)):
         raise TypeError(f"{holds}, got {in_short(given)}")
     parts = tuple(given)
-    if len(parts) != len(PARTS[kind]):
+    if len(parts) != len(PROFILE_ARGUMENTS[kind]):
         raise ValueError(f"{holds}, got {len(parts)} of them")
-    names = [f"{name} of {kind}" for name in PARTS[kind]]
+    names = [f"{name} of {kind}" for name in PROFILE_ARGUMENTS[kind]]
     values = [real_array(name, part) for name, part in zip(names, parts, strict=True)]
     for name, part in zip(names, values, strict=True):
-        if part.ndim != 1 or not 1 <= part.size <= MOST:
+        if part.ndim != 1 or not 1 <= part.size <= MAX_PROFILE_POINTS:
             raise ValueError(
-                f"{name} must be a list of 1 to {MOST} numbers, got shape {part.shape}"
+                f"{name} must be a list of 1 to {MAX_PROFILE_POINTS} numbers, got shape {part.shape}"
             )
         if part.shape != values[0].shape:
             raise ValueError(f"{name} must have {values[0].size} values like z, got {part.size}")
@@ -52,7 +52,7 @@ def profile(kind: str, given: Any) -> Profile:
     return tuple(tuple((part + 0.0).tolist()) for part in values)
 
 
-class Graded:
+class HasDepthProfiles:
     """Depth-dependent part of a material."""
 
     yield_profile: Profile | None
@@ -154,7 +154,7 @@ class Graded:
         return float(cast("Any", self).yield_stress(0.0)) * factor
 
     @cached_property
-    def least_yield_stress(self) -> float:
+    def min_yield_stress(self) -> float:
         """Minimum initial yield stress over depth [Pa]; infinite for a body that cannot yield."""
         initial = float(cast("Any", self).yield_stress(0.0))
         return initial if self.yield_profile is None else initial * min(self.yield_profile[1])

@@ -52,15 +52,17 @@ def constant_of(told: _core.LawParameter) -> Constant:
     return Constant(told.unit, **low, le=high, many=told.many, infinite=told.infinite is not None)
 
 
-_E = {"E": Constant("Pa", gt=0.0), "nu": Constant(ge=0.0, lt=0.5)}
-_TOLD = {
-    law.name: Law(law.says, _E | {p.name: constant_of(p) for p in law.parameters}, law.yields)
+_ELASTIC_CONSTANTS = {"E": Constant("Pa", gt=0.0), "nu": Constant(ge=0.0, lt=0.5)}
+_CORE_LAWS = {
+    law.name: Law(
+        law.says, _ELASTIC_CONSTANTS | {p.name: constant_of(p) for p in law.parameters}, law.yields
+    )
     for law in _core.hardening_laws()
 }
 LAWS: Mapping[str, Law] = {
-    "elastic": _TOLD["elastic"],
+    "elastic": _CORE_LAWS["elastic"],
     "rigid": Law("Body that does not deform.", {}),
-    **_TOLD,
+    **_CORE_LAWS,
 }
 
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from .. import _core
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, finite, positive, real_array, require_type
-from .._util.display import Rows, Shown, quantity
+from .._util.display import HtmlTable, Rows, quantity
 from .._util.frozen import FrozenDict
 from .._util.short_text import in_short
 from .depth_profiles import checked_depths
@@ -42,7 +42,7 @@ def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
 
 
 @dataclass(frozen=True, repr=False, init=False)
-class Layered(Shown):
+class Layered(HtmlTable):
     """Layers perfectly bonded to a substrate: a coated body, used like a `Material`.
 
     Parameters
@@ -114,9 +114,9 @@ class Layered(Shown):
         )
 
     @property
-    def least_yield_stress(self) -> float:
+    def min_yield_stress(self) -> float:
         """Minimum initial yield stress of all materials [Pa]; infinite if none can yield."""
-        return min(material.least_yield_stress for material in materials_of(self))
+        return min(material.min_yield_stress for material in materials_of(self))
 
     @property
     def interfaces(self) -> FloatArray:

@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike
 
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, number, real_array
-from .._util.display import Rows, Shown
+from .._util.display import HtmlTable, Rows
 from .._util.short_text import in_short
-from .depth_profiles import PARTS, Graded, Profile, profile
+from .depth_profiles import PROFILE_ARGUMENTS, HasDepthProfiles, Profile, profile
 from .display import material_rows
 from .hardening_laws import checked_constants, core_material
 
@@ -33,7 +33,7 @@ def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
 
 
 @dataclass(frozen=True, repr=False)
-class Material(Graded, Shown):
+class Material(HasDepthProfiles, HtmlTable):
     """Material of a body. Create it with a class method such as `Material.swift`.
 
     Attributes
@@ -69,7 +69,7 @@ class Material(Graded, Shown):
         if self.thermal is not None:
             names = ("conductivity", "expansion", "diffusivity")
             object.__setattr__(self, "thermal", _numbers("thermal", names, self.thermal))
-        for name in PARTS:
+        for name in PROFILE_ARGUMENTS:
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, profile(name, getattr(self, name)))
         if self.softening is not None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Case files: TOML descriptions of simulations, validated field by field."""
 
+from .asperities import AsperityCase
 from .base import CaseError
 from .case import Case, load_case, parse_case
-from .tugging import TuggingCase
 
-__all__ = ["Case", "CaseError", "TuggingCase", "load_case", "parse_case"]
+__all__ = ["AsperityCase", "Case", "CaseError", "load_case", "parse_case"]

@@ -12,12 +12,12 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel, Discriminator, Tag
 from pydantic.fields import FieldInfo
 
-from .._util.checks import MOST_COUNT
+from .._util.checks import MAX_COUNT
 
 # Units as written for readers, by their spelling in the annotations.
-_WRITTEN = {"m**2/s": "m²/s", "W/(m*K)": "W/(m K)", "N*m": "N m"}
-_LIMITS = ("gt", "ge", "lt", "le", "min_length", "max_length", "allow_inf_nan")
-_SIMPLE = {bool: "true or false", str: "text"}
+_UNIT_SPELLINGS = {"m**2/s": "m²/s", "W/(m*K)": "W/(m K)", "N*m": "N m"}
+_CONSTRAINTS = ("gt", "ge", "lt", "le", "min_length", "max_length", "allow_inf_nan")
+_TYPE_NAMES = {bool: "true or false", str: "text"}
 
 
 def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any]]:
@@ -49,7 +49,7 @@ def unit_of(annotation: Any, metadata: Any = ()) -> str:
         convert = getattr(part, "func", None)
         if isinstance(convert, partial) and "unit" in convert.keywords:
             unit: str = convert.keywords["unit"]
-            return _WRITTEN.get(unit, unit)
+            return _UNIT_SPELLINGS.get(unit, unit)
         if found := unit_of(part):
             return found
     return ""
@@ -99,7 +99,7 @@ def described(annotation: Any, metadata: Sequence[Any] = ()) -> str:
         name: getattr(mark, name)
         for mark in marks
         if not isinstance(mark, (FieldInfo, partial))
-        for name in _LIMITS
+        for name in _CONSTRAINTS
         if getattr(mark, name, None) is not None
     }
     several = members(kind)
@@ -114,8 +114,8 @@ def described(annotation: Any, metadata: Sequence[Any] = ()) -> str:
     elif get_origin(kind) is Literal:
         text = " or ".join(f'"{w}"' if isinstance(w, str) else str(w) for w in get_args(kind))
         text = text if len(get_args(kind)) < 2 else f"one of {text.replace(' or ', ', ')}"
-    elif kind in _SIMPLE:
-        text = _SIMPLE[kind] + (" (not empty)" if limits.get("min_length") else "")
+    elif kind in _TYPE_NAMES:
+        text = _TYPE_NAMES[kind] + (" (not empty)" if limits.get("min_length") else "")
     else:
         text = _number(kind, limits)
     return f"{text} [{unit}]" if unit and f"[{unit}]" not in text else text
@@ -143,7 +143,7 @@ def _number(kind: Any, limits: dict[str, Any]) -> str:
     )
     if kind is float and limits.get("allow_inf_nan") is False and high is None:
         name = f"finite {name}"
-    if kind is int and high == MOST_COUNT:
+    if kind is int and high == MAX_COUNT:
         high = None  # a technical limit, above any available memory
     if low is not None and high is not None:
         if kind is int:

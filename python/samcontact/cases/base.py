@@ -20,12 +20,12 @@ from pydantic import (
 )
 
 from .. import measured
-from .._util.checks import MOST_COUNT, MOST_NUMBER, FloatArray
+from .._util.checks import MAX_COUNT, MAX_NUMBER, FloatArray
 from .._util.short_text import escaped, in_short
 from ..measured.files import has_columns
 from ..measured.plain import is_plain, plain_heights
 from ..measured.plausible import warn_of_size
-from ..scene.grid import Grid
+from ..problem.grid import Grid
 from ..units import from_text
 from .errors import explained
 
@@ -58,7 +58,7 @@ NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Length = Annotated[Positive, in_unit("m")]
 Position = Annotated[Finite, in_unit("m")]
-Count = Annotated[int, Field(ge=1, le=MOST_COUNT)]
+Count = Annotated[int, Field(ge=1, le=MAX_COUNT)]
 BodyNumber = Annotated[int, Field(ge=1, le=2)]  # Literal[1, 2] would accept true as 1
 Pair = Annotated[list[Finite], Field(min_length=2, max_length=2)]
 HeatFactor = Annotated[
@@ -94,8 +94,8 @@ class Section(BaseModel):
     def _within_range(cls, value: Any) -> Any:
         """Refuse numbers whose products could exceed the range of floating-point numbers."""
         for number in value if isinstance(value, list) else [value]:
-            if isinstance(number, float) and MOST_NUMBER < abs(number) < math.inf:
-                raise ValueError(f"magnitude must be <= {MOST_NUMBER:g}, got {number!r}")
+            if isinstance(number, float) and MAX_NUMBER < abs(number) < math.inf:
+                raise ValueError(f"magnitude must be <= {MAX_NUMBER:g}, got {number!r}")
         return value
 
 

@@ -83,7 +83,7 @@ class InitialStress(Section):
     sxy: Stresses | None = None
 
 
-_BESIDE = ("kinematic", "thermal", "softening", "yield_profile", "residual_stress")
+_BODY_TABLES = ("kinematic", "thermal", "softening", "yield_profile", "residual_stress")
 
 
 class _Solid(Section):
@@ -98,7 +98,7 @@ class _Solid(Section):
         from ..softening import JohnsonCook
 
         parameters = self.model_dump(exclude={"layers", "thickness"})
-        extra = {name: parameters.pop(name, None) for name in _BESIDE}
+        extra = {name: parameters.pop(name, None) for name in _BODY_TABLES}
         material: Material = getattr(Material, parameters.pop("law"))(**parameters)
         if extra["kinematic"] is not None:
             material = material.with_kinematic_hardening(**extra["kinematic"])

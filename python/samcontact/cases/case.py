@@ -18,8 +18,9 @@ from .._util import memory
 from .._util.checks import file_path
 from .._util.short_text import in_short
 from ..bodies.layered import softest
-from ..scene.friction import FrictionLaw
-from ..scene.heating import COLD, heating
+from ..problem.friction import FrictionLaw
+from ..problem.heating import NO_HEAT, heating
+from .asperities import AsperityCase
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
 from .cross_checks import require_all_used
@@ -36,8 +37,7 @@ from .sections import (
     settings_of,
 )
 from .shakedown import ShakedownSection
-from .slipping import Reached, require_held
-from .tugging import TuggingCase
+from .slipping import EndState, require_held
 from .wear import WearSection
 
 if sys.version_info >= (3, 11):
@@ -46,11 +46,11 @@ else:
     import tomli as tomllib
 
 if TYPE_CHECKING:
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
     from ..simulation.simulation import Simulation
 
 
-MOST_CHARACTERS = 100_000_000
+MAX_CHARACTERS = 100_000_000
 """Of a case file."""
 
 
@@ -140,7 +140,7 @@ class Case(CaseFile):
     def steps_of_segments(self) -> list[paths.Path]:
         """Return the steps of each segment of the path, as keyword dictionaries."""
         steps: list[paths.Path] = []
-        reached = Reached()
+        reached = EndState()
         for index, segment in enumerate(self.path):
             try:
                 made, reached = segment.steps(reached)
@@ -172,7 +172,7 @@ class Case(CaseFile):
 
     def _check_motion(self, steps: paths.Path) -> None:
         """Check that loaded bodies move in the directions of friction and of heat."""
-        heat = COLD if self.heat is None else self.heat.build()
+        heat = NO_HEAT if self.heat is None else self.heat.build()
         friction = self.friction
         attracts = contact_law_of(self.contact).attracts  # adhesion adds to the friction limit
         for step in steps:
@@ -237,7 +237,7 @@ class Case(CaseFile):
         CaseError
             A section has no valid object, e.g. a surface file of the wrong shape.
         """
-        from ..scene.moving_topography import relief_rows
+        from ..problem.moving_topography import relief_rows
         from ..simulation.simulation import Simulation
 
         section = "grid"
@@ -246,7 +246,7 @@ class Case(CaseFile):
                 raise ValueError("missing section: specify [grid], or use samcontact.to_accuracy")
             grid = self.grid.build()
             # before the surface is created, which already needs part of the memory
-            needed = memory.surface(grid, memory.CONTACT + memory.SIMULATION)
+            needed = memory.surface(grid, memory.CONTACT_BYTES + memory.SIMULATION_BYTES)
             memory.require_for_grid("a simulation", grid, needed)
             section = "body1"
             body1 = self.body1.build()
@@ -271,7 +271,7 @@ class Case(CaseFile):
         return simulation, self.steps()
 
 
-def load_case(path: str | Path) -> Case | TuggingCase:
+def load_case(path: str | Path) -> Case | AsperityCase:
     """Read and validate a case file.
 
     Parameters
@@ -281,8 +281,8 @@ def load_case(path: str | Path) -> Case | TuggingCase:
 
     Returns
     -------
-    Case or TuggingCase
-        A `TuggingCase` if the file has a section [tugging].
+    Case or AsperityCase
+        A `AsperityCase` if the file has a section [asperities].
 
     Raises
     ------
@@ -306,13 +306,13 @@ def load_case(path: str | Path) -> Case | TuggingCase:
 
 def _text_of(source: Path) -> str:
     with source.open(encoding="utf-8") as file:
-        text = file.read(MOST_CHARACTERS + 1)  # devices may be endless
-    if len(text) > MOST_CHARACTERS:
-        raise ValueError(f"more than {MOST_CHARACTERS} characters: check that it is a case file")
+        text = file.read(MAX_CHARACTERS + 1)  # devices may be endless
+    if len(text) > MAX_CHARACTERS:
+        raise ValueError(f"more than {MAX_CHARACTERS} characters: check that it is a case file")
     return text
 
 
-def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCase:
+def parse_case(text: str, source: str | Path = "case.toml") -> Case | AsperityCase:
     """Validate the text of a case file, e.g. the text stored with results.
 
     Parameters
@@ -324,8 +324,8 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCas
 
     Returns
     -------
-    Case or TuggingCase
-        A `TuggingCase` if the text has a section [tugging].
+    Case or AsperityCase
+        A `AsperityCase` if the text has a section [asperities].
 
     Raises
     ------
@@ -346,9 +346,9 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | TuggingCas
     return case.written_in(source, text)
 
 
-def validated(content: Mapping[str, Any], source: Path) -> Case | TuggingCase:
+def validated(content: Mapping[str, Any], source: Path) -> Case | AsperityCase:
     """Validate the fields of a case file; raises CaseError for invalid fields."""
-    kind = TuggingCase if "tugging" in content else Case
+    kind = AsperityCase if "asperities" in content else Case
     try:
         return kind.model_validate(content)
     except CaseError as error:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from ..scene.heating import COLD
+from ..problem.heating import NO_HEAT
 from .base import changed
 from .sections import contact_law_of
 
@@ -58,10 +58,10 @@ def _require_cycle(case: Any) -> None:
             f"fatigue.yield_stress is required: fatemi_socie divides by the yield stress, and "
             f"body{case.output.body} is elastic"
         )
-    if case.fatigue.passing is None and len(case.steps()) < 2:
+    if case.fatigue.steady_axis is None and len(case.steps()) < 2:
         raise ValueError(
             "fatigue requires a path of at least 2 increments, which form one cycle: add "
-            'increments, or set fatigue.passing = "x" for material that passes through a steady '
+            'increments, or set fatigue.steady_axis = "x" for material that passes through a steady '
             "contact"
         )
 
@@ -112,7 +112,7 @@ def _require_law_of_contact(case: Any) -> None:
     if law.attracts:
         if case.wear is not None:
             raise ValueError(f"contact.contact_law must be hard with [wear], got {law!r}")
-        law.require_possible(COLD if case.heat is None else case.heat.build(), {})
+        law.require_possible(NO_HEAT if case.heat is None else case.heat.build(), {})
         if case.moves:
             raise ValueError(
                 f"path: moving bodies cannot be combined with contact.contact_law = {law!r}"

@@ -14,13 +14,13 @@ from pydantic import BaseModel, ValidationError
 from .._util.short_text import in_short
 from .allowed import described, discriminated, is_model, members, models_in, opened, tags, unit_of
 
-MOST_LINES = 20
+MAX_LINES = 20
 """Maximum number of errors reported for one case."""
 _NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
 _NAME = re.compile(r"[\w-]{1,60}")
 
 # Fields by other words for them, in lower case without separators.
-_WORDS = {
+_ERROR_TEXTS = {
     "radius": ("R", "Rx", "R1"),
     "radiusx": ("Rx",),
     "radiusy": ("Ry",),
@@ -62,8 +62,8 @@ _WORDS = {
 def explained(root: type[BaseModel], error: ValidationError, content: Any) -> list[str]:
     """Return the distinct errors of a case, as "field: must be ALLOWED, got VALUE"."""
     lines = dict.fromkeys(_explain(root, item, content) for item in error.errors())
-    if len(lines) > MOST_LINES:
-        return [*list(lines)[:MOST_LINES], f"and {len(lines) - MOST_LINES} more errors"]
+    if len(lines) > MAX_LINES:
+        return [*list(lines)[:MAX_LINES], f"and {len(lines) - MAX_LINES} more errors"]
     return list(lines)
 
 
@@ -137,7 +137,7 @@ def nearest(name: str, fields: Sequence[str]) -> str | None:
     """Return the field that was probably meant: a synonym, or a similar spelling."""
     lower = {field.lower(): field for field in reversed(fields)}
     word = re.sub(r"[^a-z]", "", name.lower())
-    for meant in _WORDS.get(word, ()):
+    for meant in _ERROR_TEXTS.get(word, ()):
         if meant in fields:
             return meant
     found = difflib.get_close_matches(name.lower(), lower, 1, cutoff=0.5)
@@ -162,7 +162,7 @@ def _dotted(names: Sequence[str | int]) -> str:
     return text
 
 
-class _Place(NamedTuple):
+class _FieldLocation(NamedTuple):
     """Location of an error: the fields allowed there, its name, and the type of its value."""
 
     fields: list[str]
@@ -171,12 +171,12 @@ class _Place(NamedTuple):
     marks: Sequence[Any]
 
 
-def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _Place:
+def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _FieldLocation:
     """Follow the location of an error, which contains tags of unions, into the models.
 
     A value of several possible types has one error for each type: these end at the field.
     """
-    place = _Place([], [], root, ())
+    place = _FieldLocation([], [], root, ())
     for element in loc:
         kind, marks = opened(place.annotation, place.marks)
         several = members(kind)
@@ -186,9 +186,9 @@ def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _Place:
         elif is_model(kind):
             names, fields = [*place.names, element], kind.model_fields
             if element not in fields:
-                return _Place(list(fields), names, None, ())
+                return _FieldLocation(list(fields), names, None, ())
             marks = [*fields[element].metadata, fields[element]]
-            place = _Place(list(fields), names, fields[element].annotation, marks)
+            place = _FieldLocation(list(fields), names, fields[element].annotation, marks)
         elif get_origin(kind) in (list, dict) and isinstance(element, (int, str)):
             inherited = [mark for mark in marks if unit_of(None, [mark])]
             names = [*place.names, element]

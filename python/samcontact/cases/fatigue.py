@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from ..fatigue import Cycle, FatigueField, cycle, passing
+from ..fatigue import Cycle, FatigueField, cycle, steady_cycle
 from ..fatigue import criteria as _criteria
 from ..solutions.state import State
 from .base import Finite, Positive, Section, in_unit
@@ -35,7 +35,7 @@ class FatigueSection(Section):
     findley: Slope | None = None
     fatemi_socie: Slope | None = None
     orthogonal_shear: Literal["x", "y"] | None = None
-    passing: Literal["x", "y"] | None = None
+    steady_axis: Literal["x", "y"] | None = None
     yield_stress: Stress | None = None
     limit: LimitSection = LimitSection()
 
@@ -63,10 +63,10 @@ class FatigueSection(Section):
         With `passing`, the cycle is that of material passing through the most loaded increment.
         """
         seen: Cycle
-        if self.passing is None:
+        if self.steady_axis is None:
             seen = cycle(states, body)
         else:
-            seen = passing(max(states, key=lambda state: state.load), body, self.passing)
+            seen = steady_cycle(max(states, key=lambda state: state.load), body, self.steady_axis)
         return [self._field(name, seen) for name in self.criteria]
 
     def _field(self, name: str, seen: Cycle) -> FatigueField:

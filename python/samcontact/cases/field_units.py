@@ -10,11 +10,11 @@ from pydantic import BaseModel
 
 from ..bodies.hardening_laws import LAWS
 from .allowed import models_in, unit_of
+from .asperities import AsperityCase
 from .case import Case
-from .tugging import TuggingCase
 
 # Units of parameters of laws that are not conversion units: microstrain is a plain number.
-_OF_LAWS = {name: one.unit for law in LAWS.values() for name, one in law.constants.items()}
+_LAW_UNITS = {name: one.unit for law in LAWS.values() for name, one in law.constants.items()}
 
 
 def all_models(*roots: type[BaseModel]) -> list[type[BaseModel]]:
@@ -35,14 +35,14 @@ def _units(section: str) -> dict[str, str]:
     """Return units by field within a top-level section."""
     roots = [
         model
-        for kind in (Case, TuggingCase)
+        for kind in (Case, AsperityCase)
         if section in kind.model_fields
         for model in models_in(kind.model_fields[section].annotation)
     ]
     units: dict[str, str] = {}
     for model in all_models(*roots):
         for name, field in model.model_fields.items():
-            units[name] = _OF_LAWS.get(name) or unit_of(field.annotation, field.metadata)
+            units[name] = _LAW_UNITS.get(name) or unit_of(field.annotation, field.metadata)
     return units
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Discriminator, Tag, create_model, model_validator
 
-from ..scene.friction import LAWS, FrictionLaw, law_of
+from ..problem.friction import LAWS, FrictionLaw, law_of
 from .base import NonNegative, Section
 from .bodies import field_of
 

@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 
 from .. import dents, paths
 from ..paths.ramps import fractions
-from ..scene.moving_topography import Relief
+from ..problem.moving_topography import Relief
 from .base import (
     BodyNumber,
     Count,
@@ -28,10 +28,10 @@ from .base import (
     in_unit,
 )
 from .sections import SelfAffineRoughness
-from .slipping import ALONG, Along, Force, Fretting, Reached
+from .slipping import TANGENTIAL_FIELDS, EndState, Force, Fretting, TangentialSection
 
 if TYPE_CHECKING:
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
 
 
 class _Passes(Section):
@@ -76,7 +76,7 @@ class Sliding(_Passes):
     slider: BodyNumber = 1
 
 
-class Segment(Along):
+class Segment(TangentialSection):
     """[[path]]: ramp of load or approach from the previous value, or passes at constant value."""
 
     load: Annotated[Finite, in_unit("N")] | None = None
@@ -117,7 +117,7 @@ class Segment(Along):
         if self.spacing == "linear" and changed(self, ["exponent"]):
             raise ValueError('exponent requires spacing = "power"')
         if kinds:
-            others = {"start", "spacing", "exponent", "advance", *ALONG}
+            others = {"start", "spacing", "exponent", "advance", *TANGENTIAL_FIELDS}
             others.add("duration" if self.fret is None else "heat_factor")
             given = sorted(changed(self, others))
             if given:
@@ -158,7 +158,7 @@ class Segment(Along):
             | {n: part.scaled(factor) for n in ("roll", "fret") if (part := getattr(self, n))}
         )
 
-    def steps(self, reached: Reached) -> tuple[paths.Path, Reached]:
+    def steps(self, reached: EndState) -> tuple[paths.Path, EndState]:
         """Return the steps from the end of the previous segment, and the end of this one.
 
         Raises ValueError if the segment is inconsistent with the end of the previous segment.
@@ -180,7 +180,7 @@ class Segment(Along):
             options = {"increments": self.increments, "heat_factor": self.heat_factor}
             options |= self.passes.model_dump() | {name: target}
             make: Any = paths.rolling if self.roll is not None else paths.sliding
-            return make(**options), Reached("load")
+            return make(**options), EndState("load")
         start = self.start
         if start is None:
             if reached[0] not in ("", name):
@@ -206,7 +206,7 @@ class Segment(Along):
         else:
             steps = paths.ramp(start=start, spacing=self.spacing, exponent=self.exponent, **common)
         parts = fractions(self.increments, self.spacing, self.exponent)
-        ends = Reached(name, target, reached.forces)
+        ends = EndState(name, target, reached.forces)
         return steps, self.add_along(steps, parts.tolist(), ends)
 
 

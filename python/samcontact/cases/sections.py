@@ -14,10 +14,17 @@ from pydantic import Field, create_model, model_validator
 from .. import surfaces
 from .._util.checks import FloatArray
 from ..heat import Heat
-from ..scene.contact_law import LAWS, ContactLaw, HardContact, law_of
-from ..scene.friction import FrictionLaw, friction_law
-from ..scene.settings import Allowed, Counted, Friction, LawOfContact, Settings, Words
-from ..scene.settings import allowed as allowed_of
+from ..problem.contact_law import LAWS, ContactLaw, HardContact, law_of
+from ..problem.friction import FrictionLaw, friction_law
+from ..problem.settings import (
+    Allowed,
+    ChoiceSetting,
+    ContactLawSetting,
+    CountSetting,
+    FrictionSetting,
+    Settings,
+)
+from ..problem.settings import allowed as allowed_of
 from .base import (
     BodyNumber,
     Count,
@@ -37,7 +44,7 @@ from .base import (
 from .friction import FrictionField, friction_of
 
 if TYPE_CHECKING:
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
     from .friction import FrictionSection
 
 
@@ -65,7 +72,7 @@ class GridSection(Section):
         return self
 
     def build(self) -> Grid:
-        from ..scene.grid import Grid
+        from ..problem.grid import Grid
 
         return Grid(**self.model_dump())
 
@@ -232,13 +239,13 @@ def _contact_law_field() -> Any:
 
 def _annotation(allowed: Allowed) -> Any:
     """Return the annotation of the case-file field for a setting."""
-    if isinstance(allowed, LawOfContact):
+    if isinstance(allowed, ContactLawSetting):
         return _contact_law_field()
-    if isinstance(allowed, Friction):
+    if isinstance(allowed, FrictionSetting):
         return FrictionField
-    if isinstance(allowed, Words):
+    if isinstance(allowed, ChoiceSetting):
         return Literal[allowed.allowed]
-    if isinstance(allowed, Counted):
+    if isinstance(allowed, CountSetting):
         return Count
     limits = Field(gt=allowed.gt, ge=allowed.ge, lt=allowed.lt, le=allowed.le)
     return Annotated[(Finite, limits, in_unit(allowed.unit)) if allowed.unit else (Finite, limits)]
@@ -256,7 +263,7 @@ def settings_section(name: str, module: str, without: tuple[str, ...] = (), **de
         if setting in without:
             continue
         default = defaults.get(setting, getattr(Settings, setting))
-        if isinstance(allowed, LawOfContact):
+        if isinstance(allowed, ContactLawSetting):
             default = None  # hard contact
         annotation = _annotation(allowed)
         found[setting] = (annotation | None if default is None else annotation, default)

@@ -10,17 +10,17 @@ from typing import Annotated, Any, NamedTuple
 from pydantic import model_validator
 
 from .. import paths
-from ..scene.friction import FrictionLaw
+from ..problem.friction import FrictionLaw
 from .base import Count, Finite, Position, Section, in_unit
 
 _MOTIONS = ("shift_x", "shift_y", "twist")
 _FORCES = ("tangential_load_x", "tangential_load_y", "torque")
-ALONG = (*_MOTIONS, *_FORCES)
+TANGENTIAL_FIELDS = (*_MOTIONS, *_FORCES)
 
 Force = Annotated[Finite, in_unit("N")]
 
 
-class Reached(NamedTuple):
+class EndState(NamedTuple):
     """End of a path segment: load or approach with its value, and tangential forces and torque.
 
     A force that follows from a motion is None, because it is unknown before the solution.
@@ -31,7 +31,7 @@ class Reached(NamedTuple):
     forces: tuple[float | None, ...] = (0.0, 0.0, 0.0)
 
 
-class Along(Section):
+class TangentialSection(Section):
     """Tangential motion of body 1 relative to body 2 in a segment, or forces on body 2 at its end.
 
     The motion is that of the segment; the forces are those at its end.
@@ -45,7 +45,7 @@ class Along(Section):
     torque: Annotated[Finite, in_unit("N*m")] | None = None
 
     @model_validator(mode="after")
-    def _motion_or_force(self) -> Along:
+    def _motion_or_force(self) -> TangentialSection:
         for motion, force in zip(_MOTIONS, _FORCES, strict=True):
             if getattr(self, motion) is not None and getattr(self, force) is not None:
                 raise ValueError(
@@ -56,9 +56,11 @@ class Along(Section):
     @property
     def along(self) -> list[str]:
         """Names of the prescribed tangential motions and forces."""
-        return [name for name in ALONG if getattr(self, name) is not None]
+        return [name for name in TANGENTIAL_FIELDS if getattr(self, name) is not None]
 
-    def add_along(self, steps: paths.Path, fractions: Sequence[float], reached: Reached) -> Reached:
+    def add_along(
+        self, steps: paths.Path, fractions: Sequence[float], reached: EndState
+    ) -> EndState:
         """Add tangential motions and forces to the steps, and return the end of the segment.
 
         `fractions` are the fractions of the segment at which the steps end. `reached` has the load
@@ -141,7 +143,7 @@ class Fretting(Section):
         given = {n: factor * v for n in forces if (v := getattr(self, n)) is not None}
         return self.model_copy(update=given)
 
-    def steps(self, name: str, value: float, increments: int, reached: Reached) -> paths.Path:
+    def steps(self, name: str, value: float, increments: int, reached: EndState) -> paths.Path:
         """Return the steps at a load or an approach that the previous segment must have reached."""
         if reached[:2] != (name, value):
             raise ValueError(
@@ -163,7 +165,7 @@ class Fretting(Section):
         given: dict[str, Any] = {name: value, "increments": increments, "cycles": self.cycles}
         return paths.fretting_loop(**given, force=self.force, shift=self.shift)
 
-    def reached(self, before: Reached) -> Reached:
+    def reached(self, before: EndState) -> EndState:
         ends = (None, None) if self.force is None else self.force
         turned = before.forces[2]
         return before._replace(forces=(*ends, 0.0 if turned == 0.0 else None))

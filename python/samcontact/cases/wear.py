@@ -21,7 +21,7 @@ WearPerPressure = Annotated[
     Positive | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], in_unit("1/Pa")
 ]
 _LAWS = ("threshold", "energy", "archard")
-_OF_STRAIN = ("worn", "smoothing_length", "window", "order", "strain_depth")
+_STRAIN_FIELDS = ("worn", "smoothing_length", "window", "order", "strain_depth")
 
 
 class WearSection(Section):
@@ -52,7 +52,7 @@ class WearSection(Section):
                 f"exactly one of {listed} must be given, got {', '.join(given) or 'none'}"
             )
         of_strain = given == ["threshold"]
-        others = ("repeats",) if of_strain else _OF_STRAIN
+        others = ("repeats",) if of_strain else _STRAIN_FIELDS
         for name in sorted(changed(self, others)):
             laws = "energy and archard" if of_strain else "threshold"
             raise ValueError(f"{name} applies to {laws} only, not to {given[0]}: omit it")

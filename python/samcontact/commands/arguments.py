@@ -33,11 +33,11 @@ class FilePath(click.Path):
         return super().convert(value, param, context)
 
 
-class Bare(float):
+class UnitlessNumber(float):
     """Number without a unit."""
 
 
-class Quantity(Numbers):
+class QuantityArgument(Numbers):
     """Number in the SI unit, or text with a compatible unit."""
 
     name = "quantity"
@@ -49,7 +49,7 @@ class Quantity(Numbers):
         self, value: Any, param: click.Parameter | None, context: click.Context | None
     ) -> float:
         try:
-            return Bare(value)
+            return UnitlessNumber(value)
         except ValueError:
             pass
         try:

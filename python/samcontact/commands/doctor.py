@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import click
 
-from .errors import FAILED, short_errors
+from .errors import EXIT_FAILED, short_errors
 
 
 @click.command()
@@ -23,4 +23,4 @@ def doctor() -> None:
             click.echo(f"{verdict.word:<8}{verdict.name}: {number}")
             failed = failed or not verdict.passed
     if failed:
-        raise SystemExit(FAILED)
+        raise SystemExit(EXIT_FAILED)

@@ -10,12 +10,12 @@ from pathlib import Path
 
 import click
 
-from .._util.memory import BLAS_BUFFER, LIBRARIES, blas_threads, require_address_space
+from .._util.memory import BLAS_BUFFER_BYTES, LIBRARY_BYTES, blas_threads, require_address_space
 from .._util.short_text import escaped
 from .signals import exit_code
 
-BAD_INPUT = 2
-FAILED = 1
+EXIT_BAD_INPUT = 2
+EXIT_FAILED = 1
 
 
 class StoppedEarlyError(Exception):
@@ -34,8 +34,8 @@ def short_errors(*, files: bool = False) -> Iterator[None]:
     """
     try:
         if files:
-            buffers = BLAS_BUFFER * 2 * (blas_threads() - 1)  # of NumPy and of SciPy
-            require_address_space("the command", LIBRARIES + buffers)
+            buffers = BLAS_BUFFER_BYTES * 2 * (blas_threads() - 1)  # of NumPy and of SciPy
+            require_address_space("the command", LIBRARY_BYTES + buffers)
         yield
     except KeyboardInterrupt as stop:
         click.echo("interrupted", err=True)
@@ -47,7 +47,7 @@ def short_errors(*, files: bool = False) -> Iterator[None]:
         click.echo(f"error: {message or f'{type(cause).__name__}: {cause}'}\n{stopped}", err=True)
         if not message:  # an internal error
             raise cause from None
-        raise SystemExit(FAILED) from None
+        raise SystemExit(EXIT_FAILED) from None
     except BrokenPipeError:
         raise
     except Exception as error:
@@ -58,7 +58,7 @@ def short_errors(*, files: bool = False) -> Iterator[None]:
         raise SystemExit(code) from None
 
 
-def tell_partial(
+def write_partial_results(
     write: Callable[[str], object], error: BaseException, what: str, directory: Path
 ) -> str:
     """Write the results obtained before an error, and return a message for the user.
@@ -82,7 +82,7 @@ def tell_partial(
     return told
 
 
-def to_try_on(told: str, directory: Path) -> str:
+def with_resume_hint(told: str, directory: Path) -> str:
     """Return the text with the command that resumes the run."""
     return f"{told}; resume with:\n  samcontact resume {directory}"
 
@@ -92,18 +92,18 @@ def _told(error: Exception) -> tuple[str, int]:
     from .._core import ConvergenceError
 
     if isinstance(error, ConvergenceError):
-        return f"did not converge: {error}", FAILED
+        return f"did not converge: {error}", EXIT_FAILED
     if isinstance(error, ValueError):
-        return str(error), BAD_INPUT
+        return str(error), EXIT_BAD_INPUT
     if isinstance(error, Warning):  # PYTHONWARNINGS=error
-        return f"warning treated as an error (PYTHONWARNINGS): {error}", FAILED
+        return f"warning treated as an error (PYTHONWARNINGS): {error}", EXIT_FAILED
     if _is_short_of_memory(error):
-        return _no_memory(error), FAILED
+        return _no_memory(error), EXIT_FAILED
     if isinstance(error, OSError):
-        return _of_system(error), FAILED
+        return _of_system(error), EXIT_FAILED
     if isinstance(error, ModuleNotFoundError):
-        return str(error), FAILED
-    return "", FAILED
+        return str(error), EXIT_FAILED
+    return "", EXIT_FAILED
 
 
 _REMEDIES = {

@@ -40,9 +40,9 @@ def write_fatigue(
 def _sheet(fields: list[FatigueField], limits: dict[str, float | None], body: int) -> Sheet:
     sheet = Sheet(f"Fatigue of body {body} over {fields[0].moments} instants")
     sheet.add("criterion", [field.name for field in fields])
-    sheet.add("maximum", [_text(field, field.largest) for field in fields])
-    for axis in fields[0].places:
-        sheet.add(f"{axis}\n[µm]", [f"{field.place[axis] * 1e6 + 0.0:.4g}" for field in fields])
+    sheet.add("maximum", [_text(field, field.max_value) for field in fields])
+    for axis in fields[0].coordinates:
+        sheet.add(f"{axis}\n[µm]", [f"{field.position[axis] * 1e6 + 0.0:.4g}" for field in fields])
     bounds = [(field, limits[field.criterion]) for field in fields]
     if any(bound is not None for _, bound in bounds):
         sheet.add("limit", ["-" if b is None else _text(field, b) for field, b in bounds])

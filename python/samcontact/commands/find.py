@@ -10,11 +10,11 @@ import click
 
 from .._util.display import rows_of
 from .._util.short_text import in_short
-from .arguments import FilePath, Quantity
+from .arguments import FilePath, QuantityArgument
 from .errors import short_errors
 
 if TYPE_CHECKING:
-    from ..accuracy.load_search import FoundLoad, Search
+    from ..accuracy.load_search import FoundLoad, LoadSearch
     from ..cases import Case
 
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--largest-load",
-    type=Quantity("N"),
+    type=QuantityArgument("N"),
     help="Upper limit of the load [N]; default: 100 times the load of the case.",
 )
 @click.option("--quiet", is_flag=True, help="Print only the load [N].")
@@ -36,7 +36,7 @@ def find(
     """Find the load at which a quantity reaches a value, or the load at first yield ("yield").
 
     All loads of the case are multiplied by a common factor. Examples of QUANTITY=VALUE:
-    max_equivalent_plastic_strain=0.001, "max_pressure=4 GPa", "print_depth_body2=0.1 um",
+    max_equivalent_plastic_strain=0.001, "max_pressure=4 GPa", "imprint_depth_body2=0.1 um",
     "permanent_deformation=1 um" (sum of the residual imprint depths of both bodies at the end).
     An interrupted search is saved in the results folder of the case; repeat the command to
     continue it.
@@ -63,7 +63,7 @@ def find(
         new_console().print(sheet)
 
 
-def _found(case: Case, search: Search) -> FoundLoad:
+def _found(case: Case, search: LoadSearch) -> FoundLoad:
     """Run the search, continuing an interrupted one; save its progress on interruption."""
     from ..files.atomic import undisturbed
     from ..restart.checkpoint_files import remove_checkpoints
@@ -107,14 +107,16 @@ def _wanted(target: str) -> tuple[str, float]:
 def _value(name: str, text: str) -> float:
     """Return the value in SI units of a number, or of a text with a unit."""
     from .._util.quantities import CONTACT
-    from ..accuracy.load_search_cases import PERMANENT
+    from ..accuracy.load_search_cases import PERMANENT_DEFORMATION
     from ..units import from_text
 
     try:
         return float(text)
     except ValueError:
         kind = name.partition("_body")[0]
-        unit = CONTACT[kind].unit if kind in CONTACT else "m" if kind == PERMANENT else "1"
+        unit = (
+            CONTACT[kind].unit if kind in CONTACT else "m" if kind == PERMANENT_DEFORMATION else "1"
+        )
         try:
             return from_text(text, {"m2": "m**2", "1": ""}.get(unit, unit))
         except ValueError as error:

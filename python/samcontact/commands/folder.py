@@ -17,17 +17,17 @@ if TYPE_CHECKING:
     from ..cases.base import CaseFile
 
 _FIGURES = (
-    "stick_slip", "fretting_loop", "rolling_force", "creep_curve",
+    "partial_slip", "fretting_loop", "rolling_force", "creep_curve",
     "pressure", "pressure_map", "gap_map", "load_approach", "axis_stress", "interface", "sections",
-    "print", "print_map", "residual",
-    "flash_temperature", "temperature", "track_print", "track_sections", "force_x", "force_z",
+    "imprint", "imprint_map", "residual",
+    "flash_temperature", "temperature", "track_imprint", "track_sections", "force_x", "force_z",
     "load_ratio", "wear_rate", "profile_body[12]", "surface_body[12]", "first_cycle_body[12]",
     "last_cycle_body[12]", "fretting", "fatigue_depth", "fatigue_strain", "fatigue_section",
     "shakedown",
 )  # fmt: skip
-_MAIN = re.compile(r"(results|series|wear|fatigue|shakedown)\.nc")
-_OWN = re.compile(
-    rf"{_MAIN.pattern}|(series|wear)\.csv|(report|results)\.html|(rolling|stick_slip)\.gif"
+_RESULT_FILES = re.compile(r"(results|series|wear|fatigue|shakedown)\.nc")
+_OUTPUT_FILES = re.compile(
+    rf"{_RESULT_FILES.pattern}|(series|wear)\.csv|(report|results)\.html|(rolling|partial_slip)\.gif"
     r"|results(_\d{5,})?(_track)?(_surface)?\.vt[ru]|results(_surface)?\.pvd"
     rf"|({'|'.join(_FIGURES)})\.(png|pdf|svg)"
 )
@@ -36,7 +36,7 @@ _OWN = re.compile(
 
 def is_own(file: Path) -> bool:
     """Whether the file has a name that a run, its report or its export uses."""
-    return _OWN.fullmatch(file.name) is not None
+    return _OUTPUT_FILES.fullmatch(file.name) is not None
 
 
 def written_names(case: CaseFile, main: str, figures: bool, animate: bool) -> re.Pattern[str]:
@@ -49,7 +49,7 @@ def written_names(case: CaseFile, main: str, figures: bool, animate: bool) -> re
     if figures and case.output.figures:
         names.append(f"{'|'.join(_FIGURES)})\\.({case.output.format}|png)")
     if animate:
-        names.append(r"rolling|stick_slip)\.gif")
+        names.append(r"rolling|partial_slip)\.gif")
     return re.compile("|".join(f"({name}" for name in names))
 
 
@@ -62,5 +62,5 @@ def publish(dataset: xr.Dataset, file: Path) -> Path:
     """
     with undisturbed(), recording(file.parent) as record:
         results.save(dataset, file)
-        record.clear(file, marked=_MAIN)
+        record.clear(file, marked=_RESULT_FILES)
     return file

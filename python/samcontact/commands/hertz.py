@@ -12,15 +12,21 @@ from .. import hertz as _hertz
 from .._util.check import Check
 from .._util.checks import exactly_one, poisson_ratio, positive
 from .._util.tensors import von_mises
-from ..diagnostics.expected_contact import Expected
-from ..diagnostics.plausibility import LARGEST_PART, Contact, Doubt, part_of_radius, warn_of
-from .arguments import Bare, Quantity
+from ..diagnostics.expected_contact import ExpectedContact
+from ..diagnostics.plausibility import (
+    MAX_HALF_WIDTH_RATIO,
+    ExpectedExtent,
+    PlausibilityCheck,
+    part_of_radius,
+    warn_if_implausible,
+)
+from .arguments import QuantityArgument, UnitlessNumber
 from .errors import short_errors
 
-LENGTH, STRESS = Quantity("m"), Quantity("Pa")
+LENGTH, STRESS = QuantityArgument("m"), QuantityArgument("Pa")
 HertzContact = _hertz.PointContact | _hertz.EllipticContact | _hertz.LineContact
 Rows = list[tuple[str, float]]
-_USUAL = {
+_PLAUSIBLE_LIMITS = {
     "R": (False, 1.0, "m", "7.5 mm"),
     "Ry": (False, 1.0, "m", "7.5 mm"),
     "E_star": (True, 1e6, "Pa", "115 GPa"),
@@ -40,10 +46,12 @@ _USUAL = {
     "--Ry", "radius_y", type=LENGTH, help="Second equivalent radius [m], for an elliptic contact."
 )
 @click.option("--E-star", "modulus", type=STRESS, required=True, help="Contact modulus [Pa].")
-@click.option("--load", type=Quantity("N"), help="Normal load [N].")
+@click.option("--load", type=QuantityArgument("N"), help="Normal load [N].")
 @click.option("--length", type=LENGTH, help="Length of a line contact [m].")
 @click.option(
-    "--load-per-length", type=Quantity("N/m"), help="Load per length of a line contact [N/m]."
+    "--load-per-length",
+    type=QuantityArgument("N/m"),
+    help="Load per length of a line contact [N/m].",
 )
 @click.option("--approach", type=LENGTH, help="Rigid-body approach [m].")
 @click.option("--p0", type=STRESS, help="Maximum pressure [Pa].")
@@ -99,18 +107,20 @@ def hertz(
 def _warn_of_slips(contact: HertzContact, given: dict[str, float | None]) -> None:
     """Warn about unusual numbers without a unit, and about an implausible contact."""
     for name, value in given.items():
-        at_least, limit, unit, example = _USUAL[name]
-        if isinstance(value, Bare):
+        at_least, limit, unit, example = _PLAUSIBLE_LIMITS[name]
+        if isinstance(value, UnitlessNumber):
             option = "--" + name.replace("_", "-")
             verdict = Check(option, value, limit, at_least, unit)
             remedy = f'Numbers without a unit are in {unit}; or write {option} "{example}"'
-            warn_of(Doubt(verdict, lambda remedy=remedy: remedy), stacklevel=2)  # type: ignore[misc]
+            warn_if_implausible(
+                PlausibilityCheck(verdict, lambda remedy=remedy: remedy), stacklevel=2
+            )  # type: ignore[misc]
     if isinstance(contact, _hertz.LineContact):
-        verdict = Check("half-width over the radius", contact.b / contact.R, LARGEST_PART)
-        doubt = Doubt(verdict, lambda: "The bodies are modelled as half-spaces")
+        verdict = Check("half-width over the radius", contact.b / contact.R, MAX_HALF_WIDTH_RATIO)
+        doubt = PlausibilityCheck(verdict, lambda: "The bodies are modelled as half-spaces")
     else:
-        doubt = part_of_radius(Contact(Expected(contact), (0.0, 0.0)))
-    warn_of(doubt, stacklevel=2)
+        doubt = part_of_radius(ExpectedExtent(ExpectedContact(contact), (0.0, 0.0)))
+    warn_if_implausible(doubt, stacklevel=2)
 
 
 def _loading(contact: _hertz.PointContact | _hertz.EllipticContact) -> Rows:

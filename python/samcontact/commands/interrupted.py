@@ -12,19 +12,19 @@ from typing import TYPE_CHECKING, NamedTuple
 import click
 
 from ..files.atomic import replacing, undisturbed
-from ..files.ownership import Record, recording
-from ..restart.checkpoint_files import CASE, CASE_MARK, foreign, remove_checkpoints
+from ..files.ownership import OwnershipRecord, recording
+from ..restart.checkpoint_files import CASE_FILE, CASE_MARK, foreign, remove_checkpoints
 from ..restart.file import ForeignCheckpointError
 from ..restart.lock import locked
 
 if TYPE_CHECKING:
     from ..cases.base import CaseFile
 
-FOLDER = "checkpoints"
-OLD = "checkpoints.old"
-DONE = ".checkpoints.done"
+CHECKPOINT_FOLDER = "checkpoints"
+FOREIGN_FOLDER = "checkpoints.old"
+FINISHED_MARK = ".checkpoints.done"
 REMEDY = "use another --output"
-MANY = 20
+MAX_INTERRUPT_DELAY = 20
 """Number of increments above which writing checkpoints is announced: Ctrl-C has no effect then."""
 
 
@@ -41,7 +41,7 @@ class Checkpoints:
         from ..sweeps.worker import case_key
 
         self.directory, self.case = directory, case
-        self.folder = directory / FOLDER
+        self.folder = directory / CHECKPOINT_FOLDER
         self.key = case_key(case, {})
 
     def claim(self, resume: bool) -> bool:
@@ -49,15 +49,15 @@ class Checkpoints:
 
         With `resume` nothing is moved: whether the checkpoints fit is checked when they are read.
         """
-        remove_checkpoints(self.directory / DONE)
+        remove_checkpoints(self.directory / FINISHED_MARK)
         if not self.folder.exists() or resume:
             return resume
-        if _read(self.folder / CASE).key == self.key:
+        if _read(self.folder / CASE_FILE).key == self.key:
             told = f"continuing from the checkpoints of an interrupted run: {self.folder}"
         else:
-            remove_checkpoints(self.directory / OLD)
-            self.folder.rename(self.directory / OLD)
-            told = f"checkpoints of a different run were moved to {self.directory / OLD}"
+            remove_checkpoints(self.directory / FOREIGN_FOLDER)
+            self.folder.rename(self.directory / FOREIGN_FOLDER)
+            told = f"checkpoints of a different run were moved to {self.directory / FOREIGN_FOLDER}"
         click.echo(told, err=True)
         return self.folder.exists()
 
@@ -68,7 +68,7 @@ class Checkpoints:
         return self.folder
 
     def _write(self, text: str) -> None:
-        with replacing(self.folder / CASE) as part:
+        with replacing(self.folder / CASE_FILE) as part:
             part.write_text(text, encoding="utf-8")
 
     @contextmanager
@@ -78,7 +78,7 @@ class Checkpoints:
         The folder belongs to this case from here on, unless its checkpoints prove to be those of
         another run.
         """
-        before = _text(self.folder / CASE)
+        before = _text(self.folder / CASE_FILE)
         folder = self.remember()
         try:
             yield folder
@@ -87,14 +87,14 @@ class Checkpoints:
                 remove_checkpoints(folder)
             elif isinstance(error, ForeignCheckpointError):  # still of the earlier run
                 if before is None:
-                    (folder / CASE).unlink(missing_ok=True)
+                    (folder / CASE_FILE).unlink(missing_ok=True)
                 else:
                     self._write(before)
             raise
 
     def keep(self, write: Callable[[Path], None], increments: int) -> None:
         """Write the increments of a run without a journal, if there is enough disk space."""
-        if increments > MANY:
+        if increments > MAX_INTERRUPT_DELAY:
             click.echo(f"writing checkpoints of {increments} increments", err=True)
         try:
             with undisturbed():
@@ -105,10 +105,10 @@ class Checkpoints:
     def forget(self) -> None:
         """Remove the checkpoints after the results were written, without interruption."""
         with undisturbed(), suppress(OSError):
-            for name in (FOLDER, OLD):
+            for name in (CHECKPOINT_FOLDER, FOREIGN_FOLDER):
                 if (self.directory / name).exists():
-                    (self.directory / name).rename(self.directory / DONE)
-                    remove_checkpoints(self.directory / DONE)
+                    (self.directory / name).rename(self.directory / FINISHED_MARK)
+                    remove_checkpoints(self.directory / FINISHED_MARK)
 
 
 @contextmanager
@@ -130,7 +130,7 @@ def checkpoints_of(
         Files that this package did not write have names that the run needs.
     """
     with locked(directory, REMEDY), recording(directory) as record:
-        for name in (FOLDER, OLD, DONE):
+        for name in (CHECKPOINT_FOLDER, FOREIGN_FOLDER, FINISHED_MARK):
             if (found := foreign(directory / name)) is not None:
                 raise ValueError(
                     f"{found} was not written by samcontact, which stores checkpoints of a run in "
@@ -144,7 +144,7 @@ def checkpoints_of(
         checkpoints.forget()
 
 
-def _require_own(file: Path, record: Record, case: CaseFile) -> None:
+def _require_own(file: Path, record: OwnershipRecord, case: CaseFile) -> None:
     if file.exists() and case.source.exists() and file.samefile(case.source):
         raise ValueError(
             f"the case file {case.source} has the name of a file that the run may write: rename "
@@ -155,7 +155,7 @@ def _require_own(file: Path, record: Record, case: CaseFile) -> None:
 
 def is_interrupted(directory: Path) -> bool:
     """Whether the folder has the file that `interrupted_case` reads."""
-    return (directory / FOLDER / CASE).is_file()
+    return (directory / CHECKPOINT_FOLDER / CASE_FILE).is_file()
 
 
 def interrupted_case(directory: Path) -> Path:
@@ -165,7 +165,7 @@ def interrupted_case(directory: Path) -> Path:
     """
     from ..cases import load_case
 
-    mark = directory / FOLDER / CASE
+    mark = directory / CHECKPOINT_FOLDER / CASE_FILE
     if not is_interrupted(directory):
         raise ValueError(f"no interrupted run found in {directory} (missing {mark})")
     _, name, text = _read(mark)
@@ -182,7 +182,7 @@ def interrupted_case(directory: Path) -> Path:
     return file
 
 
-class _Kept(NamedTuple):
+class _CheckpointMark(NamedTuple):
     """Content of the file that identifies the run of the checkpoints."""
 
     key: str
@@ -190,12 +190,12 @@ class _Kept(NamedTuple):
     text: str
 
 
-def _read(mark: Path) -> _Kept:
+def _read(mark: Path) -> _CheckpointMark:
     first, _, rest = (_text(mark) or "").partition("\n")
     if not first.startswith(CASE_MARK):
-        return _Kept("", "", "")
+        return _CheckpointMark("", "", "")
     source, _, text = rest.partition("\n")
-    return _Kept(first.removeprefix(CASE_MARK), source, text)
+    return _CheckpointMark(first.removeprefix(CASE_MARK), source, text)
 
 
 def _text(file: Path) -> str | None:

@@ -30,7 +30,7 @@ def _print_version(context: click.Context, _: click.Parameter, value: bool) -> N
     context.exit()
 
 
-class _Guarded(click.Group):
+class _GuardedGroup(click.Group):
     """Command group that also guards output before a command runs: help, version, usage errors."""
 
     def main(self, *args: Any, **settings: Any) -> Any:
@@ -41,7 +41,7 @@ class _Guarded(click.Group):
             return super().main(*args, **settings)
 
 
-@click.group(cls=_Guarded, context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=_GuardedGroup, context_settings={"help_option_names": ["-h", "--help"]})
 @click.option(
     "--version",
     is_flag=True,

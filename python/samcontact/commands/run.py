@@ -15,7 +15,7 @@ from .signals import exit_code
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from ..cases import Case, TuggingCase
+    from ..cases import AsperityCase, Case
 
 
 @click.command()
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 @click.option(
     "--animate",
     is_flag=True,
-    help="Also write rolling.gif for a path that moves the bodies, and stick_slip.gif with Coulomb "
+    help="Also write rolling.gif for a path that moves the bodies, and partial_slip.gif with Coulomb "
     "friction.",
 )
 @click.option(
@@ -60,7 +60,7 @@ def run(
 
 
 def _solve(
-    case: Case | TuggingCase,
+    case: Case | AsperityCase,
     directory: Path,
     console: Console,
     *,
@@ -69,17 +69,17 @@ def _solve(
     resume: bool,
 ) -> list[Path]:
     """Solve a contact, an asperity collision or wear cycles, and return the files written."""
-    from ..cases import TuggingCase
+    from ..cases import AsperityCase
 
     if animate and getattr(case, "accuracy", None) is not None:
         raise ValueError("--animate cannot be combined with accuracy")
-    section = "tugging" if isinstance(case, TuggingCase) else "wear" if case.wear else None
+    section = "asperities" if isinstance(case, AsperityCase) else "wear" if case.wear else None
     if animate and section is not None:
         raise ValueError(f"--animate cannot be combined with [{section}]")
-    if isinstance(case, TuggingCase):
-        from .solve_study import solve_tugging
+    if isinstance(case, AsperityCase):
+        from .solve_study import solve_asperities
 
-        return solve_tugging(case, directory, console, figures=figures, resume=resume)
+        return solve_asperities(case, directory, console, figures=figures, resume=resume)
     if case.wear is not None:
         from .solve_study import solve_wear
 

@@ -20,19 +20,19 @@ from .. import hertz, surfaces
 from .._util.check import Check
 from .._util.version import version
 from ..bodies.material import Material
-from ..scene.grid import Grid
+from ..problem.grid import Grid
 from ..simulation.simulation import Simulation
 
 __all__ = ["installation", "self_check"]
 
-REQUIRED = (
+REQUIRED_PACKAGES = (
     "numpy", "scipy", "matplotlib", "pydantic", "xarray", "h5netcdf", "h5py", "jinja2", "pandas",
     "click", "rich", "tqdm",
 )  # fmt: skip
 # library: (extra that installs it, purpose)
-OPTIONAL = {"vtk": ("vtk", "export for ParaView")}
+OPTIONAL_PACKAGES = {"vtk": ("vtk", "export for ParaView")}
 # Instruction sets that define the x86-64 levels for which the core has compiled loops.
-LEVELS = {
+SIMD_LEVELS = {
     "x86-64-v4 (AVX-512)": {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"},
     "x86-64-v3 (AVX2)": {"avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe"},
 }
@@ -57,7 +57,10 @@ def installation() -> list[tuple[str, str]]:
         ("FFTW", f"{_fftw(library)}, plans by estimate"),
         ("SIMD", _simd()),
         ("threads", _threads(library)),
-        *((name, _version(name) or "missing: pip install samcontact") for name in REQUIRED),
+        *(
+            (name, _version(name) or "missing: pip install samcontact")
+            for name in REQUIRED_PACKAGES
+        ),
         *_optional(),
     ]
 
@@ -98,7 +101,7 @@ def _simd() -> str:
     flags = set(line.group(1).split())
     needed: set[str] = set()
     best = "x86-64 (SSE2)"
-    for level, own in reversed(LEVELS.items()):
+    for level, own in reversed(SIMD_LEVELS.items()):
         needed |= own
         if needed <= flags:
             best = level
@@ -123,7 +126,7 @@ def _version(name: str) -> str | None:
 
 
 def _optional() -> Iterator[tuple[str, str]]:
-    for name, (extra, purpose) in OPTIONAL.items():
+    for name, (extra, purpose) in OPTIONAL_PACKAGES.items():
         missing = f"absent ({purpose}): pip install samcontact[{extra}]"
         yield name, _version(name) or missing
 
@@ -175,8 +178,8 @@ def _plastic() -> Iterator[Check]:
     tol = simulation.tol
     strain = state.max_equivalent_plastic_strain(body=2)
     yield Check("elastic-plastic: maximum plastic strain", strain, 1e-5, at_least=True)
-    yield Check("elastic-plastic: plastic-strain residual", state.plastic_residual, tol)
-    yield Check("elastic-plastic: violation of the yield condition", state.yield_excess, tol)
+    yield Check("elastic-plastic: plastic-strain residual", state.plastic_strain_residual, tol)
+    yield Check("elastic-plastic: violation of the yield condition", state.yield_violation, tol)
     total = float(state.pressure.sum()) * simulation.grid.cell_area
     yield Check("elastic-plastic: load balance", abs(total / 600.0 - 1.0), tol)
 

@@ -61,7 +61,7 @@ def _dataset(found: ShakedownResult, title: str) -> xr.Dataset:
         {
             "title": title,
             "samcontact_version": version,
-            "verdict": found.verdict,
+            "response": found.response,
             "rate": found.rate,
             "yield_strain": found.yield_strain,
             "solved": found.solved,

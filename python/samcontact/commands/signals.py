@@ -10,15 +10,15 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from ..files.atomic import ENDING
+from ..files.atomic import TERMINATION_SIGNALS
 
-INTERRUPTED = 130
-_ONE_WISH = 1.0
+EXIT_INTERRUPTED = 130
+_REPEAT_INTERVAL = 1.0
 """Interval [s] within which repeated signals count as one, as `timeout` signals a process and its
 group."""
 
 
-class Stopped(KeyboardInterrupt):
+class StopRequested(KeyboardInterrupt):
     """Interruption by Ctrl-C or by another terminating signal."""
 
     def __init__(self, number: int) -> None:
@@ -28,24 +28,24 @@ class Stopped(KeyboardInterrupt):
 
 def exit_code(stop: BaseException) -> int:
     """Return the exit code of an interrupted command, by the convention of shells."""
-    return getattr(stop, "exit_code", INTERRUPTED)
+    return getattr(stop, "exit_code", EXIT_INTERRUPTED)
 
 
 @contextmanager
 def stoppable() -> Iterator[None]:
-    """Raise `Stopped` on a terminating signal; ignored signals stay ignored (nohup)."""
+    """Raise `StopRequested` on a terminating signal; ignored signals stay ignored (nohup)."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    last = -_ONE_WISH
+    last = -_REPEAT_INTERVAL
 
     def stop(number: int, _: Any) -> None:
         nonlocal last
         before, last = last, time.monotonic()
-        if last - before >= _ONE_WISH:
-            raise Stopped(number)
+        if last - before >= _REPEAT_INTERVAL:
+            raise StopRequested(number)
 
-    old = {number: signal.getsignal(number) for number in ENDING}
+    old = {number: signal.getsignal(number) for number in TERMINATION_SIGNALS}
     taken = [number for number, handler in old.items() if handler not in (None, signal.SIG_IGN)]
     for number in taken:
         signal.signal(number, stop)

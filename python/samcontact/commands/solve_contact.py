@@ -14,7 +14,7 @@ import numpy as np
 from rich.console import Console
 
 from .. import hertz, results
-from ..accuracy import Accurate
+from ..accuracy import AccuracyResult
 from ..accuracy.asked import searched
 from ..accuracy.grid_errors import (
     GridErrors,
@@ -26,13 +26,13 @@ from ..accuracy.grid_errors import (
 from ..results.against_hertz import hertz_rows
 from ..results.dataset import completeness
 from ..results.slipping import moved_along, without_rounding
-from ..simulation.increment_errors import warn_of
+from ..simulation.increment_errors import check_errors
 from ..simulation.journal import Journal, describe
 from ..simulation.restoring import repeat_with
 from ..simulation.run import run_into
 from ..solutions.peak import peak_of_dataset
-from ..solutions.state import in_one_window
-from .errors import StoppedEarlyError, tell_partial, to_try_on
+from ..solutions.state import on_common_grid
+from .errors import StoppedEarlyError, with_resume_hint, write_partial_results
 from .fatigue import write_fatigue
 from .folder import publish, written_names
 from .interrupted import Checkpoints, checkpoints_of
@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
 
-MOST_FRAMES = 120  # maximum number of frames of an animation
+MAX_FRAMES = 120  # maximum number of frames of an animation
 
 
 def solve_contact(
@@ -84,10 +84,10 @@ def solve_contact(
                     if not states:
                         raise
                     error = stop
-            run = _Run(case, checkpoints, console, simulation, in_one_window(states))
+            run = _ContactRun(case, checkpoints, console, simulation, on_common_grid(states))
             if error is not None:
                 told = run.partial(error, f"{len(states)} of {len(path)} increments", figures)
-                raise StoppedEarlyError(to_try_on(told, directory)) from error
+                raise StoppedEarlyError(with_resume_hint(told, directory)) from error
             return run.write(figures=figures, animate=animate)
         except BaseException:
             if states and not journal:
@@ -109,7 +109,7 @@ def solve_to_accuracy(
         console.print(case.title, style="bold", markup=False, highlight=False)
         try:
             error: BaseException | None = None
-            found: Accurate | None = None
+            found: AccuracyResult | None = None
             with (
                 checkpoints.used() if journal else nullcontext() as kept,
                 search.solves.kept_in(kept),
@@ -120,12 +120,14 @@ def solve_to_accuracy(
                     error, found = stop, search.best()
                     if found is None:
                         raise
-            run = _Run(found.case, checkpoints, console, found.simulation, found.states, found)
+            run = _ContactRun(
+                found.case, checkpoints, console, found.simulation, found.states, found
+            )
             if error is None:
                 return run.write(figures=figures)
             told = run.partial(error, f"values of {len(search.grids)} grids", figures)
             if isinstance(error, Exception):
-                raise StoppedEarlyError(to_try_on(told, directory)) from error
+                raise StoppedEarlyError(with_resume_hint(told, directory)) from error
             click.echo(told, err=True)
             raise error
         except BaseException:
@@ -135,7 +137,7 @@ def solve_to_accuracy(
 
 
 @dataclass
-class _Run:
+class _ContactRun:
     """Simulation after all increments of a case, or after some of them."""
 
     case: Case
@@ -143,7 +145,7 @@ class _Run:
     console: Console
     simulation: Simulation
     states: list[State]
-    accurate: Accurate | None = None
+    accurate: AccuracyResult | None = None
 
     @property
     def directory(self) -> Path:
@@ -180,9 +182,9 @@ class _Run:
             shown = case.output.figures and figures
             written += write_fatigue(case, states, self.directory, console, figures=shown)
         if case.output.figures and figures:
-            from ..plotting import column, summary_figures
+            from ..plotting import journal_column, summary_figures
 
-            with column(case.output.column):
+            with journal_column(case.output.column):
                 written += summary_figures(
                     self._shown(dataset),
                     self.directory,
@@ -196,14 +198,14 @@ class _Run:
         return written + (self._animations() if animate else [])
 
     def _animations(self) -> list[Path]:
-        from ..plotting import rolling_animation, save_animation, stick_slip_animation
+        from ..plotting import partial_slip_animation, rolling_animation, save_animation
 
-        shown = self.states[:: math.ceil(len(self.states) / MOST_FRAMES)]
+        shown = self.states[:: math.ceil(len(self.states) / MAX_FRAMES)]
         made = {}
         if self.case.moves and self.case.has_volume:
             made["rolling"] = rolling_animation(shown, body=self.case.output.body)
         if self.case.sticks and any(state.in_contact.any() for state in shown):
-            made["stick_slip"] = stick_slip_animation(shown)
+            made["partial_slip"] = partial_slip_animation(shown)
         return [save_animation(one, self.directory / f"{name}.gif") for name, one in made.items()]
 
     def _errors(self) -> GridErrors | None:
@@ -211,7 +213,7 @@ class _Run:
         if not self.case.estimate_error:
             run = self.simulation
             repeat = repeat_with(type(run))
-            warn_of(run.engine, run.monitor, self.states, 1, repeat, stacklevel=3)
+            check_errors(run.engine, run.monitor, self.states, 1, repeat, stacklevel=3)
             return None
         try:
             with self.console.status("repeating the run on a coarsened grid"):
@@ -226,14 +228,14 @@ class _Run:
         from ..plotting.summary import increments_shown
 
         shown = increments_shown(dataset, self.case.output.body)
-        there = dataset.get("volume_increment", ())
+        there = dataset.get("output_increment", ())
         if not self.simulation.grid.has_volume or shown <= set(np.asarray(there).tolist()):
             return dataset
         return results.to_dataset(self.simulation, self.states, self.case, volume=sorted(shown))
 
     def partial(self, error: BaseException, what: str, figures: bool) -> str:
         """Write the results obtained before an error, and return a message for the user."""
-        return tell_partial(
+        return write_partial_results(
             lambda reason: self.write(figures=figures, stopped_by=reason),
             error,
             what,
@@ -244,7 +246,7 @@ class _Run:
 def _summary(dataset: xr.Dataset, body: int) -> Sheet:
     """Return the table of all increments, in readable units."""
     along = moved_along(dataset)
-    names = (*CONTACT_COLUMNS, "print_depth", "travel", *along, "iterations")
+    names = (*CONTACT_COLUMNS, "imprint_depth", "travel", *along, "iterations")
     shown = of_contact(dataset, names, body)
     columns = [
         (quantity, without_rounding(dataset[name].values) if name in along

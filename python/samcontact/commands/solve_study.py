@@ -14,14 +14,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from rich.console import Console
 
-from .._util.quantities import TUGGING, WEAR
+from .._util.quantities import ASPERITIES, WEAR
 from ..asperities.series import of_passes
 from ..files.atomic import replacing
-from ..plotting import tugging, wear
-from ..plotting.parts import column
+from ..plotting import asperities, wear
+from ..plotting.parts import journal_column
 from ..plotting.parts import save as save_figure
 from ..results.dataset import completeness
-from .errors import StoppedEarlyError, tell_partial, to_try_on
+from .errors import StoppedEarlyError, with_resume_hint, write_partial_results
 from .folder import publish, written_names
 from .interrupted import checkpoints_of
 from .tables import Sheet, values_sheet
@@ -30,21 +30,21 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-    from ..asperities import Tugging
+    from ..asperities import CollisionResult
     from ..cases import Case
-    from ..cases.tugging import TuggingCase
+    from ..cases.asperities import AsperityCase
     from ..wear import FrettingResult, WearResult
 
-_OF_PASSES = (
+_PASS_COLUMNS = (
     "max_force_x", "min_force_x", "max_force_z", "net_energy", "dissipation", "residual_energy",
 )  # fmt: skip
-_OF_CYCLES = (
+_CYCLE_COLUMNS = (
     "volume", "depth", "max_pressure", "max_von_mises", "max_equivalent_plastic_strain",
-    "slip_path", "sticking_area",
+    "slip_distance", "stick_area",
 )  # fmt: skip
 
 
-class _Kind(NamedTuple):
+class _StudyKind(NamedTuple):
     """Functions that differ between asperity collision and wear."""
 
     file: str
@@ -59,23 +59,23 @@ class _Kind(NamedTuple):
     draw: Callable[[Any, xr.Dataset], dict[str, Figure]]
 
 
-def solve_tugging(
-    case: TuggingCase, directory: Path, console: Console, *, figures: bool, resume: bool
+def solve_asperities(
+    case: AsperityCase, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
     """Write series.nc, series.csv and figures of the first pass, and return the files."""
 
-    def amount(result: Tugging) -> str:
+    def amount(result: CollisionResult) -> str:
         passes = result.series.sizes["pass"]
-        return f"{passes} of {case.tugging.passes} passes (the last incomplete)"
+        return f"{passes} of {case.asperities.passes} passes (the last incomplete)"
 
-    kind = _Kind(
+    kind = _StudyKind(
         "series",
         lambda folder: case.solve(progress=not console.quiet, checkpoint=folder),
         lambda result: result.series,
         amount,
         _passes_sheet,
         _increments,
-        _draw_tugging,
+        _draw_asperities,
     )
     return _solve(case, kind, directory, console, figures=figures, resume=resume)
 
@@ -88,7 +88,7 @@ def solve_wear(
     settings = case.wear
     assert settings is not None
 
-    kind = _Kind(
+    kind = _StudyKind(
         "wear",
         lambda folder: settings.solve(simulation, cycle, folder / "cycle.h5", not console.quiet),
         lambda result: result.to_dataset(),
@@ -101,8 +101,8 @@ def solve_wear(
 
 
 def _solve(
-    case: Case | TuggingCase,
-    kind: _Kind,
+    case: Case | AsperityCase,
+    kind: _StudyKind,
     directory: Path,
     console: Console,
     *,
@@ -120,7 +120,7 @@ def _solve(
         with replacing(written[-1]) as part:
             kind.rows(dataset).to_csv(part)
         if case.output.figures and figures:
-            with column(case.output.column):
+            with journal_column(case.output.column):
                 for name, figure in kind.draw(result, dataset).items():
                     written.append(save_figure(figure, directory / f"{name}.{case.output.format}"))
         return written
@@ -137,8 +137,8 @@ def _solve(
             if done is None:
                 raise
             what = kind.amount(done)
-            told = tell_partial(lambda reason: write(done, reason), error, what, directory)
-            raise StoppedEarlyError(to_try_on(told, directory)) from error
+            told = write_partial_results(lambda reason: write(done, reason), error, what, directory)
+            raise StoppedEarlyError(with_resume_hint(told, directory)) from error
         return write(result)
 
 
@@ -150,18 +150,18 @@ def _increments(series: xr.Dataset) -> pd.DataFrame:
 
 def _passes_sheet(series: xr.Dataset) -> Sheet:
     passes = of_passes(series)
-    columns = [(TUGGING[name], passes[name].values, None) for name in _OF_PASSES]
+    columns = [(ASPERITIES[name], passes[name].values, None) for name in _PASS_COLUMNS]
     name = "residual_displacement"
-    prints = [(TUGGING[name], passes[name].sel(body=b).values, b) for b in (1, 2)]
+    prints = [(ASPERITIES[name], passes[name].sel(body=b).values, b) for b in (1, 2)]
     return values_sheet("Passes", passes["pass"].values, [*columns, *prints])
 
 
-def _draw_tugging(_: Tugging, series: xr.Dataset) -> dict[str, Figure]:
+def _draw_asperities(_: CollisionResult, series: xr.Dataset) -> dict[str, Figure]:
     """Draw the forces and their ratio in the first pass."""
     return {
-        "force_x": _figure(tugging.force([series], component="x")),
-        "force_z": _figure(tugging.force([series], component="z")),
-        "load_ratio": _figure(tugging.load_ratio([series])),
+        "force_x": _figure(asperities.force([series], component="x")),
+        "force_z": _figure(asperities.force([series], component="z")),
+        "load_ratio": _figure(asperities.load_ratio([series])),
     }
 
 
@@ -172,7 +172,7 @@ def _cycles(dataset: xr.Dataset) -> pd.DataFrame:
 def _cycles_sheet(dataset: xr.Dataset) -> Sheet:
     """Return the table of cycles: maximum over the worn bodies, or the sum of their volumes."""
     columns = []
-    for name in (name for name in _OF_CYCLES if name in dataset):
+    for name in (name for name in _CYCLE_COLUMNS if name in dataset):
         values = dataset[name]
         if "body" in values.dims:
             values = values.sum("body") if name == "volume" else values.max("body")
@@ -185,11 +185,11 @@ def _draw_wear(result: WearResult | FrettingResult, dataset: xr.Dataset) -> dict
     for body in result.worn:
         figures[f"profile_body{body}"] = _figure(wear.worn_profile(dataset, body=body))
         figures[f"surface_body{body}"] = _figure(wear.surface_map(dataset, body=body))
-    for name in ("first", "last") if "slip_path" not in dataset else ():
+    for name in ("first", "last") if "slip_distance" not in dataset else ():
         for body in result.worn:
             panels = wear.cycle_panels(getattr(result, name), body=body)
             figures[f"{name}_cycle_body{body}"] = panels
-    if "slip_path" in dataset:
+    if "slip_distance" in dataset:
         figures["fretting"] = wear.fretting_panels(result.first, result.last)
     figures["wear_rate"] = _figure(wear.wear_rate(dataset))
     return figures

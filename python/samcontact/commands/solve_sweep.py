@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from .._util.quantities import TUGGING
+from .._util.quantities import ASPERITIES
 from ..cases import load_case
-from ..cases.tugging import TuggingCase
+from ..cases.asperities import AsperityCase
 from ..solutions.peak import peak_of_dataset
 from ..sweeps import SweepInterrupted, sweep
-from .errors import FAILED
+from .errors import EXIT_FAILED
 from .signals import exit_code
 from .tables import CONTACT_COLUMNS, Sheet, new_console, numbers, of_contact
 
@@ -33,9 +33,9 @@ if TYPE_CHECKING:
 
     from ..cases import Case
 
-MOST_ERRORS = 10  # maximum number of printed errors
-_TUGGING = {
-    name: TUGGING[row]
+MAX_PRINTED_ERRORS = 10  # maximum number of printed errors
+_ASPERITY_COLUMNS = {
+    name: ASPERITIES[row]
     for name, row in (
         ("force_x", "max_force_x"),
         ("force_z", "max_force_z"),
@@ -76,7 +76,7 @@ def run_sweep(
     for word in ("failed", "cancelled"):
         if count := int(np.count_nonzero(status == word)):
             click.echo(f"{count} of {status.size} cases {word}", err=True)
-            code = code or FAILED
+            code = code or EXIT_FAILED
     for text in _errors(dataset):
         click.echo(f"  {text}", err=True)
     click.echo(str(folder / "sweep.nc"))
@@ -134,12 +134,14 @@ def _value(word: str) -> Any:
 def _errors(dataset: xr.Dataset) -> list[str]:
     """Return the distinct errors; sweep.nc contains the error of each case."""
     texts = [text for text in dict.fromkeys(dataset["error"].values.flat) if text]
-    if len(texts) > MOST_ERRORS:
-        texts[MOST_ERRORS:] = [f"and {len(texts) - MOST_ERRORS} more, see error in sweep.nc"]
+    if len(texts) > MAX_PRINTED_ERRORS:
+        texts[MAX_PRINTED_ERRORS:] = [
+            f"and {len(texts) - MAX_PRINTED_ERRORS} more, see error in sweep.nc"
+        ]
     return texts
 
 
-def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | TuggingCase) -> Sheet:
+def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | AsperityCase) -> Sheet:
     """Return one row for each case, with values at maximum von Mises stress.
 
     For asperity collisions the row has the maxima.
@@ -147,13 +149,15 @@ def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | TuggingCase) 
     status = dataset["status"]
     places = [dict(zip(status.dims, place, strict=True)) for place in np.ndindex(*status.shape)]
     cases = [dataset.isel(place) for place in places]
-    is_collision = isinstance(case, TuggingCase)
+    is_collision = isinstance(case, AsperityCase)
     sheet = Sheet("Maxima" if is_collision else "At maximum von Mises stress")
     sheet.add("case", [str(number) for number in range(1, len(cases) + 1)])
     for name in names:
         sheet.add(name.replace(".", ".\n"), [str(one[name].item()) for one in cases])
-    if isinstance(case, TuggingCase):
-        columns = {name: quantity for name, quantity in _TUGGING.items() if name in dataset}
+    if isinstance(case, AsperityCase):
+        columns = {
+            name: quantity for name, quantity in _ASPERITY_COLUMNS.items() if name in dataset
+        }
     else:
         columns = of_contact(dataset, CONTACT_COLUMNS, case.output.body)
     for name, quantity in columns.items():
@@ -163,10 +167,10 @@ def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | TuggingCase) 
     return sheet
 
 
-def _shown(one: xr.Dataset, name: str, case: Case | TuggingCase) -> float:
+def _shown(one: xr.Dataset, name: str, case: Case | AsperityCase) -> float:
     values = one[name].values
     if np.all(np.isnan(values)):
         return math.nan
-    if isinstance(case, TuggingCase):
+    if isinstance(case, AsperityCase):
         return float(np.nanmax(values))
     return float(values[peak_of_dataset(one)])

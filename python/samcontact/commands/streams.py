@@ -15,7 +15,7 @@ from typing import Any
 
 import click
 
-_NEAREST = {"µ": "u", "μ": "u", "≤": "<=", "≥": ">=", "×": "x", "·": ".", "°": "deg", "–": "-",
+_ASCII_SUBSTITUTES = {"µ": "u", "μ": "u", "≤": "<=", "≥": ">=", "×": "x", "·": ".", "°": "deg", "–": "-",
             "—": "-", "…": "..."}  # fmt: skip
 
 
@@ -25,14 +25,14 @@ def _nearest(error: UnicodeError) -> tuple[str, int]:
     shown = []
     for character in error.object[error.start : error.end]:
         plain = unicodedata.normalize("NFKD", character).encode("ascii", "ignore").decode()
-        shown.append(_NEAREST.get(character) or plain or "?")
+        shown.append(_ASCII_SUBSTITUTES.get(character) or plain or "?")
     return "".join(shown), error.end
 
 
 codecs.register_error("samcontact.nearest", _nearest)
 
 
-class _Guarded:
+class _GuardedStream:
     """Text stream that drops output it cannot write instead of failing."""
 
     def __init__(self, stream: Any) -> None:
@@ -82,7 +82,7 @@ def guarded_output() -> Iterator[None]:
     streams, form = (sys.stdout, sys.stderr), warnings.formatwarning
     with open(os.devnull, "w", encoding="utf-8") as nowhere:
         # closed streams are None
-        guards = [_Guarded(nowhere if stream is None else stream) for stream in streams]
+        guards = [_GuardedStream(nowhere if stream is None else stream) for stream in streams]
         sys.stdout, sys.stderr = guards
         warnings.formatwarning = lambda message, *_, **__: f"warning: {message}\n"
         try:

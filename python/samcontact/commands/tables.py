@@ -19,18 +19,18 @@ from .._util.quantities import CONTACT, Quantity
 if TYPE_CHECKING:
     import xarray as xr
 
-UNLIMITED = 10_000
+UNLIMITED_WIDTH = 10_000
 """Width for output to a file or a pipe, in characters."""
-NARROWEST = 40
+MIN_WIDTH = 40
 """Minimum width of a table, in characters; a narrower terminal wraps the lines itself."""
-_LONGEST_WORD = 24  # a double with all its digits; longer words are folded
-_FRAME = 3  # width of a cell's frame: a line, and a space on either side
+_MAX_WORD_WIDTH = 24  # a double with all its digits; longer words are folded
+_FRAME_WIDTH = 3  # width of a cell's frame: a line, and a space on either side
 
 
 def new_console(quiet: bool = False) -> Console:
     """Return the console of the commands: as wide as the terminal, or unlimited without one."""
     console = Console(quiet=quiet)
-    console.width = max(console.width, NARROWEST) if console.is_terminal else UNLIMITED
+    console.width = max(console.width, MIN_WIDTH) if console.is_terminal else UNLIMITED_WIDTH
     return console
 
 
@@ -80,7 +80,7 @@ class Sheet:
 
     def _parts(self, available: int) -> list[list[int]]:
         """Distribute columns over as few parts as possible, of similar width."""
-        narrow = [_FRAME + _narrowest(*column) for column in self.columns]
+        narrow = [_FRAME_WIDTH + _narrowest(*column) for column in self.columns]
 
         def filled(limit: int) -> list[list[int]]:
             parts: list[list[int]] = [[0]]
@@ -98,7 +98,7 @@ class Sheet:
 
     def _part(self, chosen: list[int], available: int) -> Table:
         widths = {i: _narrowest(*self.columns[i]) for i in chosen}
-        left = available - 1 - sum(_FRAME + width for width in widths.values())
+        left = available - 1 - sum(_FRAME_WIDTH + width for width in widths.values())
         table = Table()
         for i in chosen:
             heading, cells = self.columns[i]
@@ -117,7 +117,7 @@ class Sheet:
 
 def _narrowest(heading: str, cells: Sequence[str]) -> int:
     words = [word for text in (heading, *cells) for word in text.split()]
-    return max((min(len(word), _LONGEST_WORD) for word in words), default=0)
+    return max((min(len(word), _MAX_WORD_WIDTH) for word in words), default=0)
 
 
 def _natural(heading: str, cells: Sequence[str]) -> int:

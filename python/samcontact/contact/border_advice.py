@@ -13,18 +13,20 @@ if TYPE_CHECKING:
     from .._util.checks import FloatArray
     from ..diagnostics.hertz_estimate import ContactSetup
 
-GROWS = "pass gap and reliefs as functions to enlarge the grid automatically"
+ENLARGEMENT_HINT = "pass gap and reliefs as functions to enlarge the grid automatically"
 """Remedy if the grid is not enlarged because the gap or a relief is an array."""
-_TILTED = 0.5  # rise of the mean plane over the other heights, above which tilt is the reason
-_ROUNDING = 1e-12  # rise over the maximum height, up to which it is rounding
-_REPEAT = 'make the surface periodic with Grid(..., periodic="xy")'
+_MIN_TILT_SHARE = (
+    0.5  # rise of the mean plane over the other heights, above which tilt is the reason
+)
+_ROUNDING_ERROR = 1e-12  # rise over the maximum height, up to which it is rounding
+_PERIODIC_HINT = 'make the surface periodic with Grid(..., periodic="xy")'
 _REMEDY = ": enlarge "
-_ASK = ', or set on_border="warn"'
+_WARNING_HINT = ', or set on_border="warn"'
 
 
 def told_of_fixed(error: ValueError, scene: ContactSetup) -> None:
     """Add to a GridTooSmallError the remedies for a gap that is an array."""
-    error.args = (f"{advised(str(error), scene, _ASK)}; {GROWS}",)
+    error.args = (f"{advised(str(error), scene, _WARNING_HINT)}; {ENLARGEMENT_HINT}",)
 
 
 def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
@@ -43,9 +45,9 @@ def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
     if "covers" in before:
         return (
             f"{before}: a surface in contact everywhere reaches the edge of any grid; "
-            f"{_REPEAT}{ask}"
+            f"{_PERIODIC_HINT}{ask}"
         )
-    return f'{text}; remove the shape of a measured surface with detrend="curvature", or {_REPEAT}'
+    return f'{text}; remove the shape of a measured surface with detrend="curvature", or {_PERIODIC_HINT}'
 
 
 def _tilt(gap: FloatArray) -> str:
@@ -60,7 +62,9 @@ def _tilt(gap: FloatArray) -> str:
     rises = [
         abs(float(rise)) if n > 1 else 0.0 for rise, n in zip(found[1:], gap.shape, strict=True)
     ]
-    if max(rises) <= max(_TILTED * others, _ROUNDING * float(np.abs(gap[body]).max())):
+    if max(rises) <= max(
+        _MIN_TILT_SHARE * others, _ROUNDING_ERROR * float(np.abs(gap[body]).max())
+    ):
         return ""
     along = " and ".join(
         f"{quantity(rise, 'm')} along {axis}"

@@ -9,14 +9,17 @@ from contextlib import contextmanager
 
 from .._core import GridTooSmallError
 from ..diagnostics import hertz_estimate
-from ..scene.grid import Grid
+from ..problem.grid import Grid
 
-MOST, LARGE = 64, 1 << 22
+MAX_ENLARGEMENT, MAX_CELLS_UNFITTED = 64, 1 << 22
 """Maximum number of cells as a multiple of the initial grid; number of cells always allowed while
 the grid is smaller than the Hertz estimate."""
-ROOM = 1.25
+HERTZ_MARGIN = 1.25
 """Sides of an enlarged grid over those of the Hertz contact: plastic flow widens the contact."""
-_WIDER, _LEAST = 1.5, 1.25  # growth of a side reached by the contact; minimum growth
+_SIDE_GROWTH, _MIN_SIDE_GROWTH = (
+    1.5,
+    1.25,
+)  # growth of a side reached by the contact; minimum growth
 
 
 def counts_for(
@@ -29,14 +32,14 @@ def counts_for(
     """Cells along x and y of the enlarged grid after an error; ValueError if they are too many."""
     shape, sizes = scene.grid.surface_shape, (scene.grid.dx, scene.grid.dy)
     halves = zip(hertz_estimate.extent(scene, load, approach), sizes, strict=True)
-    needed = [math.ceil(2 * ROOM * half / d) for half, d in halves]
+    needed = [math.ceil(2 * HERTZ_MARGIN * half / d) for half, d in halves]
     fits = all(n >= cells for n, cells in zip(shape, needed, strict=True))
     counts = [
-        even_more(n, max(cells, _WIDER * n if fits and axis in (error.axes or "xy") else n))
+        even_more(n, max(cells, _SIDE_GROWTH * n if fits and axis in (error.axes or "xy") else n))
         for axis, n, cells in zip("xy", shape, needed, strict=True)
     ]
-    most = MOST * first.nx * first.ny
-    most = max(most, MOST * needed[0] * needed[1] if fits else LARGE)
+    most = MAX_ENLARGEMENT * first.nx * first.ny
+    most = max(most, MAX_ENLARGEMENT * needed[0] * needed[1] if fits else MAX_CELLS_UNFITTED)
     if counts[0] * counts[1] > most:
         raise ValueError(f"{counts[0]} x {counts[1]} cells exceed the limit of {most}")
     return counts
@@ -57,4 +60,4 @@ def even_more(n: int, wanted: float) -> int:
     """Increase n, if too small, to at least `wanted`, by an even number and at least a quarter."""
     if wanted <= n:
         return n
-    return n + 2 * math.ceil((max(wanted, _LEAST * n) - n) / 2)
+    return n + 2 * math.ceil((max(wanted, _MIN_SIDE_GROWTH * n) - n) / 2)

@@ -13,10 +13,10 @@ from .._util import memory
 from .._util.checks import FloatArray, choice, finite_array, real_array, require_type
 from ..bodies.layered import Body
 from ..heat import Heat
-from ..scene.cell_fields import depths_of, shear_components
-from ..scene.friction import FrictionLaw
-from ..scene.grid import Grid
-from ..scene.settings import Configured
+from ..problem.cell_fields import depths_of, shear_components
+from ..problem.friction import FrictionLaw
+from ..problem.grid import Grid
+from ..problem.settings import Configured
 from ..solutions.contact_solution import ContactSolution, ShearedSolution
 from ..solutions.stress_at_points import require_closed_forms, stress_at_points
 
@@ -63,7 +63,7 @@ class ContactFields(Configured):
         if material.is_rigid:
             raise ValueError(f"body {body} is rigid and has no stress")
         layers = real_array("z", z).size
-        needed = memory.volume(self.grid, memory.STRESS_OF_TRACTIONS, layers)
+        needed = memory.volume(self.grid, memory.TRACTION_STRESS_BYTES, layers)
         memory.require_for_grid(f"the stress at {layers} depths", self.grid, needed)
         stress: FloatArray = _core.operators.surface_stress(
             self.grid._core,
@@ -109,7 +109,7 @@ class ContactFields(Configured):
         surfaces.
         """
         material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
-        needed = 3 * memory.surface(self.grid, memory.DISPLACEMENT)
+        needed = 3 * memory.surface(self.grid, memory.DISPLACEMENT_BYTES)
         memory.require_for_grid("a displacement", self.grid, needed)
         loads = self._tractions_on(body, pressure, shear)
         along = _core.operators.surface_displacement
@@ -154,7 +154,7 @@ class ContactFields(Configured):
         index = choice("body", body, (1, 2)) - 1
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
         layers = real_array("z", z).size
-        needed = memory.volume(self.grid, memory.TEMPERATURE, layers)
+        needed = memory.volume(self.grid, memory.TEMPERATURE_BYTES, layers)
         memory.require_for_grid(f"the temperature at {layers} depths", self.grid, needed)
         rise: FloatArray = _core.operators.temperature(
             self.grid._core, self._heating[index], depths_of(z).tolist(), p

@@ -18,11 +18,11 @@ from ..bodies.layered import softest
 
 if TYPE_CHECKING:
     from ..bodies.layered import Body
-    from ..scene.friction import FrictionLaw
+    from ..problem.friction import FrictionLaw
     from ..solutions.contact_solution import ContactSolution
     from ..solutions.state import State
 
-SHARE = 1e-3
+MAX_RELATIVE_OVERLAP = 1e-3
 """Overlap regarded as an error, relative to max pressure times contact size over E*."""
 
 
@@ -43,7 +43,7 @@ def require_apart(
     size = math.sqrt(np.count_nonzero(found.in_contact) * found.grid.cell_area)
     scale = float(found.repulsion.max()) * size / hertz.effective_modulus(*map(softest, bodies))
     overlap = -float(found.gap.min())
-    if overlap > max(SHARE, 10 * tol) * scale > 0:
+    if overlap > max(MAX_RELATIVE_OVERLAP, 10 * tol) * scale > 0:
         error = ConvergenceError(
             f"contact did not converge at load {found.load:.6g} N: the bodies overlap by "
             f"{overlap:.3g} m because the shear of friction = {friction!r} moves their surfaces "

@@ -18,18 +18,18 @@ from .._util.errors import GridTooSmallWarning
 from ..bodies.layered import Body, require_bodies
 from ..diagnostics import hertz_estimate, resolution, sharp_edges, yield_check
 from ..heat import Heat
-from ..scene.contact_law import ContactLaw
-from ..scene.domain import Domain, SurfaceGeometry, require_continued
-from ..scene.friction import FrictionLaw
-from ..scene.grid import Grid
-from ..scene.heating import COLD, heating, require_heat_of, require_reference
-from ..scene.settings import ContactSettings, memory_of_contact
+from ..problem.contact_law import ContactLaw
+from ..problem.domain import Domain, SurfaceGeometry, require_consistent_overlap
+from ..problem.friction import FrictionLaw
+from ..problem.grid import Grid
+from ..problem.heating import NO_HEAT, heating, require_heat_of, require_reference
+from ..problem.settings import ContactSettings, memory_of_contact
 from ..solutions.contact_solution import ContactSolution, ShearedSolution, fits
 from .border_advice import advised, told_of_fixed
 from .enlargement import counts_for, told_in
 from .fields import ContactFields
 from .interpenetration import require_apart
-from .tangential_drive import Drive, Pressing, tangential_drive
+from .tangential_drive import Pressing, TangentialDriver, tangential_drive
 
 
 class ContactSolver(ContactFields):
@@ -91,7 +91,7 @@ class ContactSolver(ContactFields):
         settings = ContactSettings(friction, tol, on_border, max_iterations, contact_law)
         self._configure(settings)
         self._law = settings.law
-        self.heat = COLD if heat is None else heat
+        self.heat = NO_HEAT if heat is None else heat
         require_type("heat", self.heat, Heat)
         for name, instead in (("history", "set time, or"), ("partition", "slip takes time:")):
             if (given := getattr(self.heat, name)) is not None:
@@ -164,7 +164,7 @@ class ContactSolver(ContactFields):
             Moment about z on body 2 at the end of the increment [N m]. If neither `twist` nor
             `torque`
                  is given, rotation is prevented.
-        previous : StickSlipSolution or RollingSolution, optional
+        previous : PartialSlipSolution or RollingSolution, optional
             With `Coulomb`: solution of the preceding increment, from which load and shear change
             together. If omitted, the normal load is applied first and the tangential load second.
             To apply both together from zero, pass the solution for load=0.
@@ -181,7 +181,7 @@ class ContactSolver(ContactFields):
         Returns
         -------
         ContactSolution
-            A `StickSlipSolution` with `Coulomb`.
+            A `PartialSlipSolution` with `Coulomb`.
 
         Raises
         ------
@@ -224,7 +224,7 @@ class ContactSolver(ContactFields):
         window: Domain,
         driver: str,
         value: float,
-        drive: Drive,
+        drive: TangentialDriver,
     ) -> tuple[ContactSolution, str]:
         """Return the solution and a message about the edge; drop a start that does not converge."""
         contact = window.initial_gap, driver == "load", value
@@ -236,7 +236,7 @@ class ContactSolver(ContactFields):
             return self._solved(contact, drive, None)
 
     def _solved(
-        self, contact: Pressing, drive: Drive, start: FloatArray | None
+        self, contact: Pressing, drive: TangentialDriver, start: FloatArray | None
     ) -> tuple[ContactSolution, str]:
         settings = self.tol, self.max_iterations, self.on_border == "error"
         if self._law.sticks:
@@ -259,7 +259,7 @@ def solve_driven(  # warnings name the caller's caller
     gap: ArrayLike | Callable[[Grid], ArrayLike],
     load: float | None,
     approach: float | None,
-    drive: Drive,
+    drive: TangentialDriver,
     initial_pressure: ArrayLike | None = None,
 ) -> ContactSolution:
     """Solve the contact for a load or an approach, with a tangential drive."""
@@ -296,7 +296,7 @@ def solve_driven(  # warnings name the caller's caller
                 counts = counts_for(error, asked.grid, scene, load, approach)
                 solver, before = asked._over(counts), window
                 window = surfaces.over(solver.grid)
-                require_continued(window, before)
+                require_consistent_overlap(window, before)
             scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
             start = None
     if complaint:

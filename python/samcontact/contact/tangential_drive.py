@@ -12,14 +12,14 @@ import numpy as np
 from .. import _core
 from .._util.checks import FloatArray, finite, finite_array, in_cells, require_type
 from .._util.short_text import in_short
-from ..scene.contact_law import in_contact
-from ..scene.friction import FrictionLaw
-from ..scene.grid import Grid
+from ..problem.contact_law import in_contact
+from ..problem.friction import FrictionLaw
+from ..problem.grid import Grid
 from ..solutions.contact_solution import (
     Before,
     ContactSolution,
+    PartialSlipSolution,
     ShearedSolution,
-    StickSlipSolution,
     before_on,
 )
 
@@ -32,14 +32,14 @@ Settings = tuple[float, int, bool]
 
 
 @dataclass(frozen=True)
-class GivenAlong:
+class TangentialInput:
     """Prescribed tangential quantities: kind and value for x, y and rotation."""
 
     is_force: tuple[bool, bool, bool]
     values: tuple[float, float, float]
 
     @classmethod
-    def of(cls, motions: Mapping[str, Any], forces: Mapping[str, Any]) -> GivenAlong:
+    def of(cls, motions: Mapping[str, Any], forces: Mapping[str, Any]) -> TangentialInput:
         """Combine named pairs and rotations; a component that is not given is a zero motion."""
         (moved, motion), (turned, turn) = motions.items()
         (pulled, force), (wrung, torque) = forces.items()
@@ -61,7 +61,7 @@ class GivenAlong:
         return cls((x, y, z), (u, v, w))
 
 
-class Drive(Protocol):
+class TangentialDriver(Protocol):
     """Tangential drive of a contact with partial slip."""
 
     @property
@@ -80,10 +80,10 @@ class Drive(Protocol):
 
 
 @dataclass(frozen=True)
-class Tangential:
+class TangentialDrive:
     """Tangential drive of one increment."""
 
-    given: GivenAlong
+    given: TangentialInput
     previous: ShearedSolution | None
     ways: tuple[float, float] = (0.0, 0.0)
     """Travel of both surfaces through the contact [m]."""
@@ -111,7 +111,7 @@ class Tangential:
         contact: Pressing,
         start: FloatArray | None,
         settings: Settings,
-    ) -> tuple[StickSlipSolution, str]:
+    ) -> tuple[PartialSlipSolution, str]:
         """Return the solution with accumulated totals, and a message about the edge of the grid."""
         p, s, g, d = self._before(grid)
         moves = self.way != 0
@@ -132,12 +132,12 @@ class Tangential:
 
     def _total(
         self, grid: Grid, found: dict[str, Any], shift: tuple[float, float], twist: float
-    ) -> tuple[StickSlipSolution, str]:
+    ) -> tuple[PartialSlipSolution, str]:
         complaint = found.pop("border_complaint")
         *force, torque = found.pop("force")
         del found["fallbacks"]
         moved = np.array(shift)
-        if isinstance(self.previous, StickSlipSolution):
+        if isinstance(self.previous, PartialSlipSolution):
             moved += self.previous.shift
             twist += self.previous.twist
             found["friction_work"] += self.previous.friction_work
@@ -147,7 +147,7 @@ class Tangential:
             "shift": moved,
             "twist": twist,
         }
-        return StickSlipSolution(grid=grid, **totals, **found), complaint
+        return PartialSlipSolution(grid=grid, **totals, **found), complaint
 
 
 def carried(field: FloatArray, cells: int) -> FloatArray:
@@ -178,7 +178,7 @@ def given_along(
     twist: float | None,
     torque: float | None,
     **more: Any,
-) -> GivenAlong:
+) -> TangentialInput:
     """Check the prescribed tangential quantities; None, and no further arguments, for full
     sliding."""
     motions, forces = (
@@ -186,14 +186,14 @@ def given_along(
         {"tangential_load": tangential_load, "torque": torque},
     )
     if friction.sticks:
-        return GivenAlong.of(motions, forces)
+        return TangentialInput.of(motions, forces)
     for name, value in (motions | forces | more).items():
         if value is not None:
             raise ValueError(
                 f"{name} is not supported in full sliding (friction given as a number), got "
                 f"{value!r:.80}: use friction=samcontact.Coulomb(mu) in the solver"
             )
-    return GivenAlong((False,) * 3, (0.0,) * 3)
+    return TangentialInput((False,) * 3, (0.0,) * 3)
 
 
 def tangential_drive(
@@ -205,7 +205,7 @@ def tangential_drive(
     previous: ShearedSolution | None,
     advance: Sequence[float],
     grid: Grid,
-) -> Tangential:
+) -> TangentialDrive:
     """Checked tangential drive; None for full sliding."""
     first, second = (float(way) for way in finite_array("advance", advance, (2,)))
     moves = None if first == second == 0 else advance
@@ -213,16 +213,16 @@ def tangential_drive(
         friction, shift, tangential_load, twist, torque, previous=previous, advance=moves
     )
     if not friction.sticks:
-        return Tangential(along, None)
+        return TangentialDrive(along, None)
     if previous is not None and not isinstance(previous, ShearedSolution):
-        require_type("previous", previous, StickSlipSolution)
-    drive = Tangential(along, previous, (first, second))
+        require_type("previous", previous, PartialSlipSolution)
+    drive = TangentialDrive(along, previous, (first, second))
     if (first, second) != (0.0, 0.0):
         _require_rolling(drive, grid)
     return drive
 
 
-def _require_rolling(drive: Tangential, grid: Grid) -> None:
+def _require_rolling(drive: TangentialDrive, grid: Grid) -> None:
     """Raise ValueError unless the contact can roll the given distance."""
     first, second = drive.ways
     cells = in_cells("advance", drive.way, grid.dx)

@@ -12,7 +12,7 @@ import math
 from dataclasses import asdict, dataclass
 
 from .._util.checks import non_negative, poisson_ratio, positive, require_type
-from .._util.display import Shown
+from .._util.display import HtmlTable
 from ..bodies.material import Material
 from ..hertz.axis import line_max_von_mises, point_max_von_mises
 from ..hertz.field import sliding_max_von_mises
@@ -20,10 +20,10 @@ from .first_yield import first_yield
 
 __all__ = [
     "CriticalCylinder",
-    "CriticalLinePlace",
-    "CriticalPlace",
+    "CriticalCylinderOverDepth",
     "CriticalSlidingSphere",
     "CriticalSphere",
+    "CriticalSphereOverDepth",
     "green",
     "green_cylinder",
     "jackson_green",
@@ -37,7 +37,7 @@ __all__ = [
 
 
 @dataclass(frozen=True)
-class CriticalSphere(Shown):
+class CriticalSphere(HtmlTable):
     """Onset of yield in a point contact.
 
     Attributes
@@ -79,7 +79,7 @@ class CriticalSlidingSphere(CriticalSphere):
 
 
 @dataclass(frozen=True)
-class CriticalPlace(CriticalSphere):
+class CriticalSphereOverDepth(CriticalSphere):
     """Onset of yield in a point contact of a body with depth-dependent yield or initial stress.
 
     Attributes
@@ -94,7 +94,7 @@ class CriticalPlace(CriticalSphere):
 
 
 @dataclass(frozen=True)
-class CriticalCylinder(Shown):
+class CriticalCylinder(HtmlTable):
     """Onset of yield in a line contact.
 
     Attributes
@@ -116,7 +116,7 @@ class CriticalCylinder(Shown):
 
 
 @dataclass(frozen=True)
-class CriticalLinePlace(CriticalCylinder):
+class CriticalCylinderOverDepth(CriticalCylinder):
     """Onset of yield in a line contact of a body with depth-dependent yield or initial stress.
 
     Attributes
@@ -245,7 +245,7 @@ def onset_sliding(
 
 def onset_over_depth(
     R: float, E_star: float, body: Material, friction: float = 0.0
-) -> CriticalPlace:
+) -> CriticalSphereOverDepth:
     """Critical values of a sphere on a body with a yield profile or residual stress.
 
     Parameters
@@ -261,7 +261,7 @@ def onset_over_depth(
 
     Returns
     -------
-    CriticalPlace
+    CriticalSphereOverDepth
         Values at the smallest load for which the von Mises stress, including residual stress,
         reaches the local yield stress: anywhere within 1.3 radii of the axis and down to 12 radii,
         from the closed form of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02, to about
@@ -282,7 +282,7 @@ def onset_over_depth(
     p0, place = first_yield(body, math.pi * R / (2.0 * E_star), friction)
     x, y, z = map(float, place)
     sphere = _sphere(R, E_star, p0 / yield_stress, yield_stress)
-    return CriticalPlace(**asdict(sphere), x=x, y=y, z=z)
+    return CriticalSphereOverDepth(**asdict(sphere), x=x, y=y, z=z)
 
 
 def kogut_etsion(
@@ -355,7 +355,7 @@ def onset_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> C
     return _cylinder(R, E_star, 1.0 / line_max_von_mises(nu)[0], yield_stress)
 
 
-def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> CriticalLinePlace:
+def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> CriticalCylinderOverDepth:
     """Critical values of a cylinder on a body with a yield profile or residual stress.
 
     Parameters
@@ -365,7 +365,7 @@ def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> Critic
 
     Returns
     -------
-    CriticalLinePlace
+    CriticalCylinderOverDepth
         Values at the smallest load for which the von Mises stress, including residual stress,
         reaches the local yield stress: within 1.3 half-widths of the centre and down to 12, from
         the closed form of McEwen (Johnson 1985, (4.49)), to about 1e-5. C is relative to the yield
@@ -381,7 +381,7 @@ def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> Critic
     _require_numbers(R, E_star, yield_stress)
     p0, place = first_yield(body, 2.0 * R / E_star, None)
     cylinder = _cylinder(R, E_star, p0 / yield_stress, yield_stress)
-    return CriticalLinePlace(**asdict(cylinder), x=float(place[0]), z=float(place[2]))
+    return CriticalCylinderOverDepth(**asdict(cylinder), x=float(place[0]), z=float(place[2]))
 
 
 def _yield_stress_of(body: Material) -> float:

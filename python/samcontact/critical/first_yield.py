@@ -16,18 +16,18 @@ from ..bodies.material import Material
 from ..hertz.field import field
 from ..hertz.line_field import line_field
 
-_STEP = 1.1
+_PRESSURE_FACTOR = 1.1
 """Factor by which the pressure is increased until the body yields."""
-_WIDEST, _DEEPEST = 1.3, 12.0
+_MAX_RADIUS, _MAX_DEPTH = 1.3, 12.0
 """Limits of the search for yield, in contact radii."""
-_ANGLES = 8
+_NUMBER_OF_ANGLES = 8
 """Number of lines through the axis, if residual stress is not equal in all directions."""
-_MOST_KINKS = 150
-_ZOOMS = 4
+_MAX_KINKS = 150
+_REFINEMENTS = 4
 """Number of local refinements, each by a factor of ten."""
 
 
-class Place(NamedTuple):
+class YieldPosition(NamedTuple):
     """Relative excess of stress over yield stress; its position, r and z in contact radii."""
 
     excess: float
@@ -36,7 +36,7 @@ class Place(NamedTuple):
     z: float
 
 
-Look = Callable[[float], Place]
+Look = Callable[[float], YieldPosition]
 """Function that gives the maximum excess at a maximum pressure [Pa]."""
 
 
@@ -46,11 +46,11 @@ def first_yield(body: Material, spread: float, friction: float | None) -> tuple[
     spread: contact radius over the maximum pressure [m/Pa]; friction: None for a line contact along
     y without sliding, whose half-width is used as the radius.
     """
-    around = _Around(body, spread, friction)
-    low, p0 = 0.0, 1e-3 * body.least_yield_stress
+    around = _GlobalSearch(body, spread, friction)
+    low, p0 = 0.0, 1e-3 * body.min_yield_stress
     highest = 1e2 * float(body.yield_stress(0.0)) * float(body.yield_factor(_kinks(body)).max())
     while around(p0).excess < 0:
-        low, p0 = p0, _STEP * p0
+        low, p0 = p0, _PRESSURE_FACTOR * p0
         if p0 > highest:
             raise ValueError(f"body must yield, but no yield was found up to p0 = {highest:.4g} Pa")
     if low == 0:
@@ -59,9 +59,9 @@ def first_yield(body: Material, spread: float, friction: float | None) -> tuple[
         )
     p0 = _root(around, low, p0)
     place = around(p0)
-    for zoom in range(_ZOOMS):
-        near = _Near(body, spread, friction, place, 0.1**zoom)
-        p0 = _root(near, p0 / _STEP, p0)
+    for zoom in range(_REFINEMENTS):
+        near = _LocalSearch(body, spread, friction, place, 0.1**zoom)
+        p0 = _root(near, p0 / _PRESSURE_FACTOR, p0)
         place = near(p0)
     across = place.r * np.array([math.cos(place.angle), math.sin(place.angle)])
     return p0, spread * p0 * np.array([*across, place.z])
@@ -69,9 +69,9 @@ def first_yield(body: Material, spread: float, friction: float | None) -> tuple[
 
 def _root(look: Look, low: float, high: float) -> float:
     while look(low).excess >= 0:
-        low /= _STEP
+        low /= _PRESSURE_FACTOR
     while look(high).excess < 0:
-        high *= _STEP
+        high *= _PRESSURE_FACTOR
     root = scipy.optimize.brentq(lambda p: look(p).excess, low, high, xtol=1e-12 * high, rtol=1e-12)
     return float(root)
 
@@ -91,7 +91,7 @@ def _is_even(body: Material) -> bool:
 
 def _angles(body: Material, friction: float | None) -> int:
     """Number of lines through the axis on which yield is searched."""
-    return 1 if friction is None or _is_even(body) else _ANGLES
+    return 1 if friction is None or _is_even(body) else _NUMBER_OF_ANGLES
 
 
 def _unit_stress(
@@ -106,7 +106,7 @@ def _unit_stress(
 
 def _largest(
     body: Material, stress: FloatArray, a: float, angle: FloatArray, r: FloatArray, z: FloatArray
-) -> Place:
+) -> YieldPosition:
     """Maximum excess. stress: contact stress [Pa], (6, angles, r, z); r, z in contact radii."""
     sxx, syy, sxy = body.residual_stress_at(a * z)
     total = stress.copy()
@@ -115,27 +115,27 @@ def _largest(
     limit = float(body.yield_stress(0.0)) * body.yield_factor(a * z)
     excess = von_mises(total) / limit - 1.0
     n, i, k = np.unravel_index(int(np.argmax(excess)), excess.shape)
-    return Place(float(excess[n, i, k]), float(r[i]), float(angle[n]), float(z[k]))
+    return YieldPosition(float(excess[n, i, k]), float(r[i]), float(angle[n]), float(z[k]))
 
 
-class _Around:
+class _GlobalSearch:
     """Global search, from the stress at given depths; interpolated between them, at kinks."""
 
     def __init__(self, body: Material, spread: float, friction: float | None) -> None:
         self._body, self._spread = body, spread
-        r = np.asarray(_WIDEST * np.linspace(0.0, 1.0, 27), dtype=np.float64)
+        r = np.asarray(_MAX_RADIUS * np.linspace(0.0, 1.0, 27), dtype=np.float64)
         self._r = r if not friction else np.concatenate([-r[:0:-1], r])
         angles = _angles(body, friction)
         self._angle: FloatArray = np.arange(angles, dtype=np.float64) * (math.pi / angles)
-        near, far = np.linspace(0.0, 2.0, 121), np.geomspace(2.05, _DEEPEST, 50)
+        near, far = np.linspace(0.0, 2.0, 121), np.geomspace(2.05, _MAX_DEPTH, 50)
         self._z: FloatArray = np.asarray(np.concatenate([near, far]), dtype=np.float64)
         self._stress = _unit_stress(body, friction, self._angle, self._r, self._z)
         kinks = _kinks(body)
-        self._kinks: FloatArray = kinks[:: math.ceil(kinks.size / _MOST_KINKS)]
+        self._kinks: FloatArray = kinks[:: math.ceil(kinks.size / _MAX_KINKS)]
 
-    def __call__(self, p0: float) -> Place:
+    def __call__(self, p0: float) -> YieldPosition:
         a = self._spread * p0
-        more = self._kinks[self._kinks < _DEEPEST * a] / a
+        more = self._kinks[self._kinks < _MAX_DEPTH * a] / a
         below = np.clip(np.searchsorted(self._z, more), 1, self._z.size - 1)
         part = (more - self._z[below - 1]) / (self._z[below] - self._z[below - 1])
         between = self._stress[..., below - 1] * (1 - part) + self._stress[..., below] * part
@@ -144,11 +144,16 @@ class _Around:
         return _largest(self._body, stress, a, self._angle, self._r, z)
 
 
-class _Near:
+class _LocalSearch:
     """Local search around a position, over a given size, with all kinks there."""
 
     def __init__(
-        self, body: Material, spread: float, friction: float | None, place: Place, size: float
+        self,
+        body: Material,
+        spread: float,
+        friction: float | None,
+        place: YieldPosition,
+        size: float,
     ) -> None:
         self._body, self._spread, self._friction = body, spread, friction
         ways = np.linspace(-1.0, 1.0, 21)
@@ -160,7 +165,7 @@ class _Near:
         low, high = max(0.0, place.z - reach), place.z + reach
         self._z: FloatArray = np.unique(np.append(np.linspace(low, high, 41), place.z))
 
-    def __call__(self, p0: float) -> Place:
+    def __call__(self, p0: float) -> YieldPosition:
         a, kinks = self._spread * p0, _kinks(self._body)
         inside = kinks[(kinks >= a * self._z[0]) & (kinks <= a * self._z[-1])]
         z = np.unique(np.concatenate([self._z, inside / a]))

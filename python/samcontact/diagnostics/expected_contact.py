@@ -13,12 +13,12 @@ if TYPE_CHECKING:
     pass
 
 
-SOFTEST = 1e4
+MIN_CONTACT_MODULUS = 1e4
 """Contact modulus below which the unit of E is questioned [Pa]: the softest gels have some 1e3."""
 
 
 @dataclass(frozen=True)
-class Expected:
+class ExpectedContact:
     """Elastic Hertz contact of smooth bodies; as text: size, pressure and a probable unit error."""
 
     contact: hertz.PointContact | hertz.EllipticContact
@@ -41,6 +41,6 @@ class Expected:
         if long != short:
             size = f"semi-axes {lengths(long, short)}"
         text = f"Hertz: {size}, p0 = {quantity(self.contact.p0, 'Pa')}"
-        if self.contact.E_star < SOFTEST:
+        if self.contact.E_star < MIN_CONTACT_MODULUS:
             text += f", with E* = {self.contact.E_star:.4g} Pa (E is in pascals: 210 GPa is 210e9)"
         return text

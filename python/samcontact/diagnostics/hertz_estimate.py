@@ -16,24 +16,24 @@ from .._util.display import lengths
 from ..bodies.layered import Layered, materials_of, softest
 from ..solutions.outline import may_have_steps
 from . import plausibility
-from .expected_contact import Expected
+from .expected_contact import ExpectedContact
 
 if TYPE_CHECKING:
     from .._util.checks import FloatArray
     from ..bodies.layered import Body
     from ..bodies.material import Material
     from ..heat import Heat
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
 
-SMOOTH = 0.03
+MAX_PARABOLOID_DEVIATION = 0.03
 """Maximum deviation of a gap from a paraboloid, over its height: (r/R)^2/4 for a sphere."""
-_MARGIN = 1e-6
+_ROUNDING_MARGIN = 1e-6
 """Relative reduction of the range of loads known to pass a check, for rounding."""
-_POINTS = 17  # per side, to which a paraboloid is fitted
-_ASK = ', or set on_border="warn"'
+_FIT_POINTS_PER_SIDE = 17  # per side, to which a paraboloid is fitted
+_WARNING_HINT = ', or set on_border="warn"'
 
 
-FailedChecks = tuple[plausibility.Doubt, ...]
+FailedChecks = tuple[plausibility.PlausibilityCheck, ...]
 
 
 class PlasticBody(NamedTuple):
@@ -65,7 +65,7 @@ class ContactSetup:
         self.relieved = relieved or bool(grid.periodic)
         self._has_reliefs = relieved
         self._lowest = float(gap.min())
-        self._known: dict[tuple[float | None, float | None], Expected | None] = {}
+        self._known: dict[tuple[float | None, float | None], ExpectedContact | None] = {}
         self._of_heat: tuple[Heat, Any] | None = None
 
     def prepare(self, heat: Heat) -> None:
@@ -81,8 +81,8 @@ class ContactSetup:
         return tuple(
             PlasticBody(
                 number,
-                body.least_yield_stress,
-                [(m.E, m.least_yield_stress) for m in materials_of(body) if m.is_plastic],
+                body.min_yield_stress,
+                [(m.E, m.min_yield_stress) for m in materials_of(body) if m.is_plastic],
             )
             for number, body in enumerate(self.bodies, 1)
             if body.is_plastic
@@ -114,7 +114,9 @@ class ContactSetup:
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None
-        rows, columns = (np.linspace(0, n - 1, min(n, _POINTS), dtype=int) for n in shape)
+        rows, columns = (
+            np.linspace(0, n - 1, min(n, _FIT_POINTS_PER_SIDE), dtype=int) for n in shape
+        )
         a, b = np.abs(self.grid.x).max(), np.abs(self.grid.y).max()
         grids = np.meshgrid(self.grid.x[rows] / a, self.grid.y[columns] / b, indexing="ij")
         x, y = (v.ravel() for v in grids)
@@ -127,7 +129,7 @@ class ContactSetup:
         heights = (heights - lowest) / (highest - lowest)
         basis = np.stack([np.ones_like(x), x, y, 0.5 * x * x, x * y, 0.5 * y * y])
         found = np.linalg.solve(basis @ basis.T, basis @ heights)  # well conditioned in x/a, y/b
-        if not np.max(np.abs(found @ basis - heights)) <= SMOOTH:
+        if not np.max(np.abs(found @ basis - heights)) <= MAX_PARABOLOID_DEVIATION:
             return None
         xx, xy, yy = (found[3:] / (a * a, a * b, b * b)).tolist()
         mean, half = 0.5 * (xx + yy), math.hypot(0.5 * (xx - yy), xy)
@@ -148,14 +150,16 @@ class ContactSetup:
         """Whether there is a Hertz contact at any load."""
         return self.radii is not None and not any(isinstance(b, Layered) for b in self.bodies)
 
-    def hertz(self, load: float | None = None, approach: float | None = None) -> Expected | None:
+    def hertz(
+        self, load: float | None = None, approach: float | None = None
+    ) -> ExpectedContact | None:
         """Hertz contact under a load [N] or an approach [m]; None if there is none."""
         drive = load, approach
         if drive not in self._known:
             self._known = {drive: self._hertz(load, approach)}  # requested several times
         return self._known[drive]
 
-    def _hertz(self, load: float | None, approach: float | None) -> Expected | None:
+    def _hertz(self, load: float | None, approach: float | None) -> ExpectedContact | None:
         if approach is not None:
             approach -= self._lowest
         drive = load if approach is None else approach
@@ -164,35 +168,37 @@ class ContactSetup:
         radii, E_star = self.radii, self.E_star
         try:
             if math.isclose(*radii, rel_tol=1e-6):
-                return Expected(hertz.point(radii[0], E_star, load=load, approach=approach))
-            return Expected(hertz.elliptic(*radii, E_star, load=load, approach=approach))
+                return ExpectedContact(hertz.point(radii[0], E_star, load=load, approach=approach))
+            return ExpectedContact(hertz.elliptic(*radii, E_star, load=load, approach=approach))
         except (ValueError, ArithmeticError):  # floating-point overflow
             return None
 
     def doubted(
         self, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
-    ) -> plausibility.Doubt | None:
+    ) -> plausibility.PlausibilityCheck | None:
         """Warn of the first quantity that is probably in a wrong unit, and return its check."""
         before, after, (least, most) = self._checked(heat)
-        of_contact: list[plausibility.Doubt] = []
+        of_contact: list[plausibility.PlausibilityCheck] = []
         if target and self._is_hertzian and not least < self.load_of(**target) < most:
             of_contact = self.failed_checks(heat, **target)
         for doubt in (*before, *of_contact, *after):
-            plausibility.warn_of(doubt, stacklevel=stacklevel + 1)
+            plausibility.warn_if_implausible(doubt, stacklevel=stacklevel + 1)
             return doubt
         return None
 
     def failed_checks(
         self, heat: Heat, load: float | None = None, approach: float | None = None
-    ) -> list[plausibility.Doubt]:
+    ) -> list[plausibility.PlausibilityCheck]:
         """Failed checks of the Hertz contact, if there is one."""
         expected = self.hertz(load, approach)
         if expected is None:
             return []
         driver = "approach" if load is None else "load"
-        contact = plausibility.Contact(expected, _extent_of(expected, self._paraboloid), driver)
-        found = plausibility.doubts_of_contact(contact, self.grid, self.bodies, heat)
-        return [doubt for doubt in found if not doubt.verdict.passed]
+        contact = plausibility.ExpectedExtent(
+            expected, _extent_of(expected, self._paraboloid), driver
+        )
+        found = plausibility.contact_plausibility_checks(contact, self.grid, self.bodies, heat)
+        return [doubt for doubt in found if not doubt.check.passed]
 
     def _checked(self, heat: Heat) -> tuple[FailedChecks, FailedChecks, tuple[float, float]]:
         """Failed checks of bodies and heat; loads between which those of the contact pass."""
@@ -209,10 +215,10 @@ class ContactSetup:
             found = plausibility.passing_loads(self._reference, self.grid, self.bodies, heat)
         except ArithmeticError:  # floating-point overflow
             return math.inf, -math.inf
-        return found[0] * (1 + _MARGIN), found[1] * (1 - _MARGIN)
+        return found[0] * (1 + _ROUNDING_MARGIN), found[1] * (1 - _ROUNDING_MARGIN)
 
     @cached_property
-    def _reference(self) -> plausibility.Contact | None:
+    def _reference(self) -> plausibility.ExpectedExtent | None:
         """Hertz contact across about a quarter of the grid; other loads follow by powers."""
         if not self._is_hertzian or self.radii is None:
             return None
@@ -220,7 +226,7 @@ class ContactSetup:
         expected = self._hertz(None, self._lowest + (side / 8) ** 2 / self.radii[1])
         if expected is None:
             return None
-        return plausibility.Contact(expected, _extent_of(expected, self._paraboloid))
+        return plausibility.ExpectedExtent(expected, _extent_of(expected, self._paraboloid))
 
     @cached_property
     def _stiffness(self) -> float:
@@ -246,7 +252,9 @@ class ContactSetup:
         if self._reference is None:
             return math.nan
         share = max(_shares_of_grid(self._reference.expected, self.grid))
-        return self._reference.expected.contact.load * (1 - _MARGIN) / max(share, 1e-30) ** 3
+        return (
+            self._reference.expected.contact.load * (1 - _ROUNDING_MARGIN) / max(share, 1e-30) ** 3
+        )
 
     def require_room(self, load: float | None = None, approach: float | None = None) -> None:
         """Raise GridTooSmallError if the Hertz contact does not fit on the grid.
@@ -265,7 +273,7 @@ class ContactSetup:
         raise GridTooSmallError(
             f"{where} the contact reaches the edge of the grid ({lengths(*sides)}). "
             f"{expected}: enlarge nx dx and ny dy to at least {lengths(2.5 * long, 2.5 * short)}"
-            f"{_ASK}"
+            f"{_WARNING_HINT}"
         )
 
 
@@ -278,7 +286,7 @@ def extent(
 
 
 def _extent_of(
-    expected: Expected, paraboloid: tuple[float, float, float] | None
+    expected: ExpectedContact, paraboloid: tuple[float, float, float] | None
 ) -> tuple[float, float]:
     """Maximum distance of a contact from its centre along x and y [m]."""
     if paraboloid is None:
@@ -288,7 +296,7 @@ def _extent_of(
     return math.hypot(a * c, b * s), math.hypot(a * s, b * c)
 
 
-def _shares_of_grid(expected: Expected, grid: Grid) -> tuple[float, float]:
+def _shares_of_grid(expected: ExpectedContact, grid: Grid) -> tuple[float, float]:
     """Widths of a contact over sides of the grid, for any orientation of an ellipse."""
     long, short = expected.semi_axes
     sides = grid.nx * grid.dx, grid.ny * grid.dy
@@ -306,7 +314,7 @@ def explain_digits(error: ConvergenceError, gap: FloatArray) -> None:
         )
 
 
-def explain_size(error: GridTooSmallError, expected: Expected | None) -> None:
+def explain_size(error: GridTooSmallError, expected: ExpectedContact | None) -> None:
     """Add the Hertz estimate, if there is one, to a solver error."""
     if expected is not None and str(expected) not in str(error):
         error.args = (f"{error}. {expected}",)

@@ -17,7 +17,7 @@ from . import resolution, sharp_edges
 from .hertz_estimate import ContactSetup
 from .plastic_patterns import warn_of_alternation, warn_of_limit
 
-SMALL_STRAIN = 0.05
+MAX_SMALL_STRAIN = 0.05
 """Small-strain limit: plastic strain above which results are unreliable [-]."""
 
 
@@ -25,22 +25,22 @@ SMALL_STRAIN = 0.05
 class Monitor:
     """Issued warnings of a simulation, and the checks that are on."""
 
-    of_strain: bool = False
-    of_pressure: bool = False
-    of_limit: bool = False
-    of_alternation: bool = False
+    strain_warned: bool = False
+    pressure_warned: bool = False
+    limit_warned: bool = False
+    alternation_warned: bool = False
     checks_increments: bool = True
     """Whether the error due to increments is still estimated."""
     checks_steps: bool = True
     """Whether single steps are checked; a run is checked as a whole."""
-    of_cut: bool = False
-    of_scene: bool = False
-    of_contact: bool = False
-    of_edge: bool = False
+    clipping_warned: bool = False
+    setup_warned: bool = False
+    contact_warned: bool = False
+    edge_warned: bool = False
     largest_load: float = 0.0
 
     @contextmanager
-    def as_a_whole(self) -> Iterator[None]:
+    def deferred_resolution_checks(self) -> Iterator[None]:
         """Context that defers the grid checks of several steps to the end of the run."""
         looks = self.checks_steps, self.checks_increments
         self.checks_steps = self.checks_increments = False
@@ -53,16 +53,18 @@ class Monitor:
         self, scene: ContactSetup, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
     ) -> None:
         """Issue warnings before an increment; they suppress equivalent ones after it."""
-        if self.of_scene or not (doubt := scene.doubted(heat, target, stacklevel=stacklevel + 1)):
+        if self.setup_warned or not (
+            doubt := scene.doubted(heat, target, stacklevel=stacklevel + 1)
+        ):
             return
-        self.of_scene = True
+        self.setup_warned = True
         if doubt.of_contact:
-            self.of_contact = True
+            self.contact_warned = True
             self.checks_steps = False
 
     def warn_of_run(self, states: Sequence[State], scene: ContactSetup, *, stacklevel: int) -> None:
         """Issue warnings about the grid after a run."""
-        if not self.of_contact:
+        if not self.contact_warned:
             resolution.warn_of_run(states, scene, stacklevel=stacklevel + 1)
 
     def warn(
@@ -71,47 +73,49 @@ class Monitor:
         """Issue warnings after an increment; complaints: messages of the core on the grid edge."""
         for complaint in complaints:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
-        if scene.plastic and not self.of_cut and (text := _cut_text(state)):
-            self.of_cut = True
+        if scene.plastic and not self.clipping_warned and (text := _cut_text(state)):
+            self.clipping_warned = True
             warnings.warn(text, GridTooSmallWarning, stacklevel=stacklevel + 1)
         if self.checks_steps and (load := state.load) > self.largest_load:
             self.largest_load = load
             warned = resolution.warn_of_step(state, scene, stacklevel=stacklevel + 1)
             self.checks_steps = not warned
-        if not self.of_pressure:
-            self.of_pressure = resolution.warn_of_strain(state, scene, stacklevel=stacklevel + 1)
-        if not self.of_edge and sharp_edges.may_have_edge(state, scene):
+        if not self.pressure_warned:
+            self.pressure_warned = resolution.warn_of_strain(
+                state, scene, stacklevel=stacklevel + 1
+            )
+        if not self.edge_warned and sharp_edges.may_have_edge(state, scene):
             edge = sharp_edges.edge_of_state(state)
-            self.of_edge = sharp_edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
+            self.edge_warned = sharp_edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
         if scene.plastic:
             self._warn_of_flow(state, scene, stacklevel=stacklevel + 1)
 
     def _warn_of_flow(self, state: State, scene: ContactSetup, *, stacklevel: int) -> None:
         """Issue warnings about plastic flow after an increment."""
-        if not self.of_limit:
-            self.of_limit = warn_of_limit(state, scene, stacklevel=stacklevel + 1)
-        if not self.of_alternation:
-            self.of_alternation = warn_of_alternation(state, stacklevel=stacklevel + 1)
-        if not self.of_strain and (text := _strain_text(state, scene)):
-            self.of_strain = True
+        if not self.limit_warned:
+            self.limit_warned = warn_of_limit(state, scene, stacklevel=stacklevel + 1)
+        if not self.alternation_warned:
+            self.alternation_warned = warn_of_alternation(state, stacklevel=stacklevel + 1)
+        if not self.strain_warned and (text := _strain_text(state, scene)):
+            self.strain_warned = True
             warnings.warn(text, PlasticStrainWarning, stacklevel=stacklevel + 1)
 
 
 def _strain_text(state: State, scene: ContactSetup) -> str:
     """Text of the warning of plastic strain above the small-strain limit; empty below."""
     for body, *_ in scene.plastic:
-        accumulated, magnitude = state.largest_strains[body - 1]
-        if accumulated <= SMALL_STRAIN and magnitude <= SMALL_STRAIN:
+        accumulated, magnitude = state.max_strains[body - 1]
+        if accumulated <= MAX_SMALL_STRAIN and magnitude <= MAX_SMALL_STRAIN:
             continue
         # Reversed flow accumulates without bound while the strain stays small.
         mostly_reversed = magnitude < 0.5 * accumulated
-        limit = f"above the small-strain limit of {SMALL_STRAIN}: results are unreliable"
-        if accumulated > SMALL_STRAIN and not mostly_reversed:
+        limit = f"above the small-strain limit of {MAX_SMALL_STRAIN}: results are unreliable"
+        if accumulated > MAX_SMALL_STRAIN and not mostly_reversed:
             return (
                 f"the accumulated equivalent plastic strain of body {body} is {accumulated:.3g}, "
                 f"{limit} (plastic strain magnitude sqrt(2/3 e:e) at most {magnitude:.3g})"
             )
-        if magnitude > SMALL_STRAIN:  # after reversed flow, or as prescribed
+        if magnitude > MAX_SMALL_STRAIN:  # after reversed flow, or as prescribed
             name = "plastic strain magnitude sqrt(2/3 e:e)"
             return f"the {name} of body {body} is {magnitude:.3g}, {limit}"
     return ""

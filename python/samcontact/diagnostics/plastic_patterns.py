@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     from ..solutions.state import State
     from .hertz_estimate import ContactSetup
 
-LIMIT_PRESSURE = 3.0
+LIMIT_PRESSURE_RATIO = 3.0
 """Mean pressure of a fully plastic contact over the yield stress."""
-_MOST_OVER = 1.05
-_ALTERNATES = 0.15
+_MAX_LIMIT_EXCESS = 1.05
+_MIN_ALTERNATION = 0.15
 """Fraction of the maximum strain: zones of four layers stay below, patterns reach 0.2."""
 
 
@@ -32,7 +32,7 @@ def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool
     yield stresses: 2.97 in a long contact (Prandtl), about 3 in a round one. With too few cells it
     is higher, because plastic flow around the edge is resolved to one cell only.
     """
-    largest, most = state.outline.largest, _MOST_OVER * LIMIT_PRESSURE
+    largest, most = state.outline.largest, _MAX_LIMIT_EXCESS * LIMIT_PRESSURE_RATIO
     if largest <= most * scene.weakest:  # yield stress never falls, mean pressure is below maximum
         return False
     if not state.load > 0 or state.grid.periodic or not math.isfinite(state.approach):
@@ -51,10 +51,10 @@ def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool
     if mean <= most or spots(state.repulsion) > 1:
         return False
     across = cells_across(state.repulsion)
-    over = 100 * (mean / LIMIT_PRESSURE - 1)
+    over = 100 * (mean / LIMIT_PRESSURE_RATIO - 1)
     text = (
         f"mean pressure exceeds the fully plastic limit: it is {mean:.3g} times the yield stress "
-        f"of body {number} at maximum plastic strain (about {LIMIT_PRESSURE:g} expected). With "
+        f"of body {number} at maximum plastic strain (about {LIMIT_PRESSURE_RATIO:g} expected). With "
         f"{across:.0f} cells across the contact, the pressure is about {over:.0f} % too high and "
         "the contact area too small by as much: use smaller cells, or thinner layers (dz)"
     )
@@ -73,7 +73,7 @@ def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
         if state.max_equivalent_plastic_strain(body) == 0:
             continue
         share = alternation(state.plastic_strain(body))
-        if share > _ALTERNATES:
+        if share > _MIN_ALTERNATION:
             text = (
                 f"plastic strain of body {body} alternates between layers by {100 * share:.0f} % "
                 "of its "

@@ -20,59 +20,59 @@ if TYPE_CHECKING:
     from ..bodies.layered import Body
     from ..bodies.material import Material
     from ..heat import Heat
-    from ..scene.grid import Grid
-    from .expected_contact import Expected
+    from ..problem.grid import Grid
+    from .expected_contact import ExpectedContact
 
-LARGEST_PART = 0.55
+MAX_HALF_WIDTH_RATIO = 0.55
 """Maximum half-width of a contact over its radius: there, a sphere is 15 % stiffer than a
 paraboloid."""
-MOST_WINDOWS, FEWEST_CELLS, MOST_LAYERS = 4.0, 2.0, 1e3
+MAX_GRID_WIDTHS, MIN_CELLS_ACROSS, MAX_LAYERS = 4.0, 2.0, 1e3
 """Limits of the Hertz contact: maximum width over a side of the grid, minimum width in cells,
 maximum half-width in layers."""
-SOFTEST_YIELD = 1e-6
+MIN_YIELD_STRAIN = 1e-6
 """Minimum yield stress over E: pure single crystals have 4e-6."""
-STRONGEST_YIELD = 0.2
+MAX_YIELD_STRAIN = 0.2
 """Maximum yield stress over E: no atomic bond is stronger."""
-LARGEST_FACTOR = 20.0
+MAX_YIELD_FACTOR = 20.0
 """Maximum ratio of local to nominal yield stress: case hardening gives 2 to 3."""
-DEEPEST = 0.1
+MAX_PROFILE_DEPTH = 0.1
 """Maximum depth of a case, of residual stress or of a layer [m]: mill rolls are hard to 0.1 m."""
-LEAST_STRESS = 1e-7
+MIN_STRESS_RATIO = 1e-7
 """Minimum residual stress, or backstress modulus, over E: 0.02 MPa in steel."""
-LARGEST_MODULUS = 1e4
+MAX_BACKSTRESS_MODULUS_RATIO = 1e4
 """Maximum backstress modulus over E: that of nearly elastic hardening, E Et/(E - Et), is large."""
-FASTEST = 1e3
+MAX_SPEED = 1e3
 """Maximum speed of a surface through a contact [m/s]: no bearing reaches 300."""
-MOST_WEAR = 1e-9
+MAX_WEAR_COEFFICIENT = 1e-9
 """Maximum wear volume over work, or over load and distance [1/Pa]: rubber on abrasive paper."""
-LEAST_LIMIT = 1e4
+MIN_STRESS_LIMIT = 1e4
 """Minimum fatigue limit or yield stress of a solid [Pa]: gels have some 1e4."""
-CAPACITIES = 1e5, 1e7
+HEAT_CAPACITY_RANGE = 1e5, 1e7
 """Range of volumetric heat capacity of solids [J/(m^3 K)]: 1e6 to 4e6 without pores."""
-LARGEST_EXPANSION = 2e-3
+MAX_EXPANSION = 2e-3
 """Maximum thermal expansion [1/K]: rubber has up to 7e-4."""
-HOTTEST = 3e5
+MAX_TEMPERATURE_RISE = 3e5
 """Maximum temperature rise, melting disregarded [K]."""
-_THERMAL = "W/(m K) for conductivity and m^2/s for diffusivity"
-_ROOM = 6.0  # minimum width of the Hertz contact in cells after a correction
-_STIFFEST = 2e12  # E* of two diamonds is 0.6e12
-_SLIPS = {"m": (1e-3, 1e-6, 1e-9), "N": (1e-3, 1e-6, 1e-9), "Pa": (1e3, 1e6, 1e9)}
+_THERMAL_UNITS = "W/(m K) for conductivity and m^2/s for diffusivity"
+_MIN_CELLS_AFTER_CORRECTION = 6.0  # minimum width of the Hertz contact in cells after a correction
+_MAX_CONTACT_MODULUS = 2e12  # E* of two diamonds is 0.6e12
+_UNIT_ERROR_FACTORS = {"m": (1e-3, 1e-6, 1e-9), "N": (1e-3, 1e-6, 1e-9), "Pa": (1e3, 1e6, 1e9)}
 
 
-class Doubt(NamedTuple):
+class PlausibilityCheck(NamedTuple):
     """Check of a quantity, and the remedy if it is implausible."""
 
-    verdict: Check
+    check: Check
     remedy: Callable[[], str]
     """Function that makes the remedy, called only for a warning."""
     of_contact: bool = False
     """Whether the check is of a contact; checks after the solve then replace it."""
 
 
-class Contact(NamedTuple):
+class ExpectedExtent(NamedTuple):
     """Hertz estimate: contact, and its extent along x and y [m]."""
 
-    expected: Expected
+    expected: ExpectedContact
     extent: tuple[float, float]
     driver: str = "load"
 
@@ -85,47 +85,47 @@ class Contact(NamedTuple):
         return hertz.R, hertz.R
 
 
-def doubts_of(
-    contact: Contact | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
-) -> Iterator[Doubt]:
+def plausibility_checks(
+    contact: ExpectedExtent | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
+) -> Iterator[PlausibilityCheck]:
     """All plausibility checks before a solve; grid: the grid as prescribed."""
     yield from _of_bodies(bodies, heat)
     if contact is not None:
-        yield from doubts_of_contact(contact, grid, bodies, heat)
+        yield from contact_plausibility_checks(contact, grid, bodies, heat)
     yield from _of_strengths(bodies)
 
 
 def failed_of_bodies(
     bodies: tuple[Body, Body], heat: Heat
-) -> tuple[tuple[Doubt, ...], tuple[Doubt, ...]]:
+) -> tuple[tuple[PlausibilityCheck, ...], tuple[PlausibilityCheck, ...]]:
     """Failed checks of bodies and heat: those before and those after the checks of a contact."""
     return tuple(_failed(_of_bodies(bodies, heat))), tuple(_of_strengths(bodies))
 
 
-def _of_bodies(bodies: tuple[Body, Body], heat: Heat) -> Iterator[Doubt]:
+def _of_bodies(bodies: tuple[Body, Body], heat: Heat) -> Iterator[PlausibilityCheck]:
     for number, (whole, body) in enumerate(zip(bodies, map(softest, bodies), strict=True), 1):
         if body.is_plastic:
-            name, ratio = f"yield stress over E of body {number}", body.least_yield_stress / body.E
-            verdict = Check(name, ratio, SOFTEST_YIELD, at_least=True)
-            yield Doubt(verdict, lambda: "Use Pa for both")
+            name, ratio = f"yield stress over E of body {number}", body.min_yield_stress / body.E
+            verdict = Check(name, ratio, MIN_YIELD_STRAIN, at_least=True)
+            yield PlausibilityCheck(verdict, lambda: "Use Pa for both")
         yield from _failed(_of_body(f"body {number}", whole))
     for number, body in _heated(bodies, heat):
         yield from _of_constants(number, body)
         speed = math.hypot(*heat.velocity[number - 1])
-        verdict = Check(f"heat.velocity of body {number}", speed, FASTEST, unit="m/s")
-        yield from _failed([Doubt(verdict, lambda: "Use m/s")])
+        verdict = Check(f"heat.velocity of body {number}", speed, MAX_SPEED, unit="m/s")
+        yield from _failed([PlausibilityCheck(verdict, lambda: "Use m/s")])
 
 
-def _of_strengths(bodies: tuple[Body, Body]) -> Iterator[Doubt]:
+def _of_strengths(bodies: tuple[Body, Body]) -> Iterator[PlausibilityCheck]:
     """Failed checks of bodies that a check of the contact may have explained better."""
     for number, whole in enumerate(bodies, 1):
         plastic = [material for material in materials_of(whole) if material.is_plastic]
         yield from _failed(_of_strength(number, material) for material in plastic)
 
 
-def doubts_of_contact(
-    contact: Contact, grid: Grid, bodies: tuple[Body, Body], heat: Heat
-) -> Iterator[Doubt]:
+def contact_plausibility_checks(
+    contact: ExpectedExtent, grid: Grid, bodies: tuple[Body, Body], heat: Heat
+) -> Iterator[PlausibilityCheck]:
     """Checks of a Hertz contact, and of its temperature rise."""
     yield from _of_contact(contact, grid, (softest(bodies[0]), softest(bodies[1])))
     for number, body in _heated(bodies, heat):
@@ -133,7 +133,7 @@ def doubts_of_contact(
 
 
 def passing_loads(
-    contact: Contact, grid: Grid, bodies: tuple[Body, Body], heat: Heat
+    contact: ExpectedExtent, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> tuple[float, float]:
     """Range of loads [N] for which all checks of a contact pass, estimated from one load.
 
@@ -141,8 +141,8 @@ def passing_loads(
     contacts grow faster, at most with its powers 2/3 and 1/2.
     """
     load = contact.expected.contact.load
-    checks = [doubt.verdict for doubt in doubts_of_contact(contact, grid, bodies, heat)]
-    checks += [doubt.verdict for doubt in _in_layers(contact, grid, map(softest, bodies))]
+    checks = [doubt.check for doubt in contact_plausibility_checks(contact, grid, bodies, heat)]
+    checks += [doubt.check for doubt in _in_layers(contact, grid, map(softest, bodies))]
     least, most = 0.0, math.inf
     for check in checks:
         share = max(check.value, 1e-30 * check.limit) / check.limit
@@ -161,14 +161,14 @@ def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, Material]]
     ]
 
 
-def _failed(doubts: Iterable[Doubt]) -> Iterator[Doubt]:
+def _failed(doubts: Iterable[PlausibilityCheck]) -> Iterator[PlausibilityCheck]:
     """Failed checks; a report does not list the others, which most materials do not have."""
-    return (doubt for doubt in doubts if not doubt.verdict.passed)
+    return (doubt for doubt in doubts if not doubt.check.passed)
 
 
-def warn_of(doubt: Doubt, *, stacklevel: int) -> None:
+def warn_if_implausible(doubt: PlausibilityCheck, *, stacklevel: int) -> None:
     """Warn of an implausible quantity."""
-    verdict = doubt.verdict
+    verdict = doubt.check
     if not verdict.passed:
         told = (
             f"likely unit error: {verdict.name} is {verdict.shown} ({verdict.condition} expected)"
@@ -176,81 +176,87 @@ def warn_of(doubt: Doubt, *, stacklevel: int) -> None:
         warnings.warn(f"{told}. {doubt.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
 
 
-def wear_coefficient(name: str, value: float) -> Doubt:
+def wear_coefficient(name: str, value: float) -> PlausibilityCheck:
     """Check of a wear coefficient: volume over work of friction, or over load and distance."""
-    verdict = Check(name, value, MOST_WEAR, unit="1/Pa")
-    return Doubt(verdict, lambda: "Use 1/Pa, m³ per joule: 1e-6 mm³/(N m) is 1e-15 1/Pa")
+    verdict = Check(name, value, MAX_WEAR_COEFFICIENT, unit="1/Pa")
+    return PlausibilityCheck(
+        verdict, lambda: "Use 1/Pa, m³ per joule: 1e-6 mm³/(N m) is 1e-15 1/Pa"
+    )
 
 
-def strength(name: str, value: float) -> Doubt:
+def strength(name: str, value: float) -> PlausibilityCheck:
     """Check of a fatigue limit, or of a yield stress given separately."""
-    verdict = Check(name, value, LEAST_LIMIT, at_least=True, unit="Pa")
-    return Doubt(verdict, lambda: "Use Pa: 300 MPa is 300e6")
+    verdict = Check(name, value, MIN_STRESS_LIMIT, at_least=True, unit="Pa")
+    return PlausibilityCheck(verdict, lambda: "Use Pa: 300 MPa is 300e6")
 
 
-def _of_body(name: str, body: Body) -> Iterator[Doubt]:
+def _of_body(name: str, body: Body) -> Iterator[PlausibilityCheck]:
     if not isinstance(body, Layered):
         yield from _of_material(name, body)
         return
     for place, (material, thickness) in enumerate(body.layers):
         layer = f"layers[{place}] of {name}"
-        verdict = Check(f"thickness of {layer}", thickness, DEEPEST, unit="m")
-        yield Doubt(verdict, lambda: "Use m")
+        verdict = Check(f"thickness of {layer}", thickness, MAX_PROFILE_DEPTH, unit="m")
+        yield PlausibilityCheck(verdict, lambda: "Use m")
         yield from _of_material(layer, material)
     yield from _of_material(f"the substrate of {name}", body.substrate)
 
 
-def _of_material(name: str, body: Material) -> Iterator[Doubt]:
+def _of_material(name: str, body: Material) -> Iterator[PlausibilityCheck]:
     for modulus, _ in body.kinematic:
         told = f"modulus of kinematic hardening over E of {name}"
-        for limit, least in ((LEAST_STRESS, True), (LARGEST_MODULUS, False)):
+        for limit, least in ((MIN_STRESS_RATIO, True), (MAX_BACKSTRESS_MODULUS_RATIO, False)):
             verdict = Check(told, modulus / body.E, limit, least)
-            yield Doubt(verdict, lambda: "Use Pa for both")
+            yield PlausibilityCheck(verdict, lambda: "Use Pa for both")
     if body.yield_profile is not None:
         most_of_law = max(body.yield_profile[1])
-        verdict = Check(f"maximum yield factor of {name}", most_of_law, LARGEST_FACTOR)
-        yield Doubt(verdict, lambda: "It is the ratio of local hardness to core hardness")
+        verdict = Check(f"maximum yield factor of {name}", most_of_law, MAX_YIELD_FACTOR)
+        yield PlausibilityCheck(
+            verdict, lambda: "It is the ratio of local hardness to core hardness"
+        )
         yield _of_depth(f"depth of the yield profile of {name}", body.yield_profile)
     if body.residual_stress is not None:
         largest = max(abs(v) for values in body.residual_stress[1:] for v in values)
         if largest > 0:
             told = f"maximum residual stress over E of {name}"
-            verdict = Check(told, largest / body.E, LEAST_STRESS, at_least=True)
-            yield Doubt(verdict, lambda: "Use Pa for both: -800 MPa is -800e6")
+            verdict = Check(told, largest / body.E, MIN_STRESS_RATIO, at_least=True)
+            yield PlausibilityCheck(verdict, lambda: "Use Pa for both: -800 MPa is -800e6")
         yield _of_depth(f"depth of the residual stress of {name}", body.residual_stress)
 
 
-def _of_strength(number: int, body: Material) -> Doubt:
+def _of_strength(number: int, body: Material) -> PlausibilityCheck:
     """Check of the maximum yield stress of the hardening law, without profile."""
     given = body.parameters
     of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
     largest = max(*of_law, *given.get("stress", ()))
     name = f"maximum yield stress over E of body {number}"
-    verdict = Check(name, largest / body.E, STRONGEST_YIELD)
-    return Doubt(verdict, lambda: "Use Pa for both: 210 GPa is 210e9")
+    verdict = Check(name, largest / body.E, MAX_YIELD_STRAIN)
+    return PlausibilityCheck(verdict, lambda: "Use Pa for both: 210 GPa is 210e9")
 
 
-def _of_depth(name: str, profile: Profile) -> Doubt:
+def _of_depth(name: str, profile: Profile) -> PlausibilityCheck:
     """Check of the depth below which a profile is constant [m]."""
     z = profile[0]
     deepest = 0.0
     for above, below in pairwise(range(len(z))):
         if any(values[above] != values[below] for values in profile[1:]):
             deepest = z[below]
-    return Doubt(Check(name, deepest, DEEPEST, unit="m"), lambda: "Use m")
+    return PlausibilityCheck(Check(name, deepest, MAX_PROFILE_DEPTH, unit="m"), lambda: "Use m")
 
 
-def _of_constants(number: int, body: Material) -> Iterator[Doubt]:
+def _of_constants(number: int, body: Material) -> Iterator[PlausibilityCheck]:
     conductivity, expansion, diffusivity = body.thermal or (1.0, 0.0, 1.0)
     name = f"volumetric heat capacity (conductivity over diffusivity) of body {number}"
-    for limit, least in zip(CAPACITIES, (True, False), strict=True):
+    for limit, least in zip(HEAT_CAPACITY_RANGE, (True, False), strict=True):
         verdict = Check(name, conductivity / diffusivity, limit, least, "J/(m³ K)")
-        yield Doubt(verdict, lambda: f"Solids have 1e6 to 4e6: use {_THERMAL}")
-    verdict = Check(f"thermal expansion of body {number}", expansion, LARGEST_EXPANSION, unit="1/K")
-    yield Doubt(verdict, lambda: "Steel has 1.2e-5 1/K")
+        yield PlausibilityCheck(verdict, lambda: f"Solids have 1e6 to 4e6: use {_THERMAL_UNITS}")
+    verdict = Check(f"thermal expansion of body {number}", expansion, MAX_EXPANSION, unit="1/K")
+    yield PlausibilityCheck(verdict, lambda: "Steel has 1.2e-5 1/K")
 
 
-def _of_rise(contact: Contact, number: int, factor: float, body: Material, heat: Heat) -> Doubt:
+def _of_rise(
+    contact: ExpectedExtent, number: int, factor: float, body: Material, heat: Heat
+) -> PlausibilityCheck:
     """Check of flux over conductivity, times contact size or diffusion length."""
     conductivity, _, diffusivity = body.thermal or (1.0, 0.0, 1.0)
     size = math.sqrt(math.prod(contact.expected.semi_axes))
@@ -261,24 +267,28 @@ def _of_rise(contact: Contact, number: int, factor: float, body: Material, heat:
         size = min(size, math.sqrt(diffusivity * size / speed))
     rise = factor * contact.expected.contact.p0 * size / conductivity
     name = f"estimated frictional temperature rise of body {number}"
-    verdict = Check(name, rise, HOTTEST, unit="K")
-    return Doubt(verdict, lambda: f"Use m/s for heat.factor, {_THERMAL}")
+    verdict = Check(name, rise, MAX_TEMPERATURE_RISE, unit="K")
+    return PlausibilityCheck(verdict, lambda: f"Use m/s for heat.factor, {_THERMAL_UNITS}")
 
 
-def part_of_radius(contact: Contact, said: Callable[[], str] | None = None) -> Doubt:
+def part_of_radius(
+    contact: ExpectedExtent, said: Callable[[], str] | None = None
+) -> PlausibilityCheck:
     """Check of contact size; said: first sentence of the remedy, default the Hertz estimate."""
     first = said or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
-    verdict = Check("half-width of the Hertz contact over its radius", share, LARGEST_PART)
+    verdict = Check("half-width of the Hertz contact over its radius", share, MAX_HALF_WIDTH_RATIO)
     taken = "The theory assumes half-spaces, and paraboloids for spheres"
-    return Doubt(verdict, lambda: f"{first()}. {taken}", True)
+    return PlausibilityCheck(verdict, lambda: f"{first()}. {taken}", True)
 
 
-def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material]) -> Iterator[Doubt]:
+def _of_contact(
+    contact: ExpectedExtent, grid: Grid, bodies: tuple[Material, Material]
+) -> Iterator[PlausibilityCheck]:
     expected, extent = contact.expected, contact.extent
 
     def said() -> str:
-        return f"{expected}. {likely_slips(contact, grid)}"
+        return f"{expected}. {likely_unit_errors(contact, grid)}"
 
     yield part_of_radius(contact, said)
     windows = max(
@@ -286,33 +296,35 @@ def _of_contact(contact: Contact, grid: Grid, bodies: tuple[Material, Material])
         for e, n, d in zip(extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     )
     name = "width of the Hertz contact over that of the grid"
-    yield Doubt(Check(name, windows, MOST_WINDOWS), said, True)
+    yield PlausibilityCheck(Check(name, windows, MAX_GRID_WIDTHS), said, True)
     wider = max(_flattened(contact, body) for body in bodies)
     cells = wider * min(2 * e / d for e, d in zip(extent, (grid.dx, grid.dy), strict=True))
     name = "width of the Hertz contact in cells"
-    yield Doubt(Check(name, cells, FEWEST_CELLS, at_least=True), said, True)
-    if any(b.is_plastic and expected.contact.p0 > b.least_yield_stress for b in bodies):
+    yield PlausibilityCheck(Check(name, cells, MIN_CELLS_ACROSS, at_least=True), said, True)
+    if any(b.is_plastic and expected.contact.p0 > b.min_yield_stress for b in bodies):
         yield from _in_layers(contact, grid, bodies)
 
 
-def _in_layers(contact: Contact, grid: Grid, bodies: Iterable[Material]) -> Iterator[Doubt]:
+def _in_layers(
+    contact: ExpectedExtent, grid: Grid, bodies: Iterable[Material]
+) -> Iterator[PlausibilityCheck]:
     """Check of the contact size of bodies that may yield, in layers."""
     dz = grid.dz
     if dz is not None:
         wider = max(_flattened(contact, body) for body in bodies)
         name = "half-width of the Hertz contact in layers"
-        verdict = Check(name, wider * contact.expected.semi_axes[1] / dz, MOST_LAYERS)
-        yield Doubt(verdict, lambda: f"Use m: dz = {quantity(dz, 'm')}")
+        verdict = Check(name, wider * contact.expected.semi_axes[1] / dz, MAX_LAYERS)
+        yield PlausibilityCheck(verdict, lambda: f"Use m: dz = {quantity(dz, 'm')}")
 
 
-def _flattened(contact: Contact, body: Material) -> float:
+def _flattened(contact: ExpectedExtent, body: Material) -> float:
     """Width of a contact with a mean pressure of three yield stresses, over its elastic width."""
-    stress = 3.0 * body.least_yield_stress if body.is_plastic else math.inf
+    stress = 3.0 * body.min_yield_stress if body.is_plastic else math.inf
     mean = contact.expected.contact.p0 / 1.5
     return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
 
 
-def likely_slips(contact: Contact, grid: Grid) -> str:
+def likely_unit_errors(contact: ExpectedExtent, grid: Grid) -> str:
     """Describe which quantity in another unit would make a contact fit its grid."""
     hertz, by_approach = contact.expected.contact, contact.driver == "approach"
     # value, unit, and exponents with which contact, radius and cells scale
@@ -325,9 +337,11 @@ def likely_slips(contact: Contact, grid: Grid) -> str:
     }
     fits, unusual = [], []
     for name, (value, unit, *powers) in given.items():
-        for factor in _SLIPS[unit] if any(powers) else ():
+        for factor in _UNIT_ERROR_FACTORS[unit] if any(powers) else ():
             wider, larger, coarser = (factor**power for power in powers)
-            if factor * value < _STIFFEST and _fits(contact, grid, wider, wider / larger, coarser):
+            if factor * value < _MAX_CONTACT_MODULUS and _fits(
+                contact, grid, wider, wider / larger, coarser
+            ):
                 fits.append(f"{name} {quantity(factor * value, unit)}")
                 unusual += fits[-1:] if _is_unusual(name, value) else []
                 break
@@ -342,10 +356,10 @@ def _is_unusual(name: str, value: float) -> bool:
     return value > {"radii of": 1.0, "cells of": 1e-3, "a load of": 1e6}.get(name, math.inf)
 
 
-def _fits(contact: Contact, grid: Grid, wider: float, steeper: float, cells: float) -> bool:
+def _fits(contact: ExpectedExtent, grid: Grid, wider: float, steeper: float, cells: float) -> bool:
     """Whether a contact fits the grid if it is wider, over its radius, or on larger cells."""
     sides = zip(contact.extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     across = [(2 * wider * e / (cells * d), n) for e, n, d in sides]
     part = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
-    inside = all(_ROOM <= share <= MOST_WINDOWS * n for share, n in across)
-    return inside and steeper * part <= LARGEST_PART
+    inside = all(_MIN_CELLS_AFTER_CORRECTION <= share <= MAX_GRID_WIDTHS * n for share, n in across)
+    return inside and steeper * part <= MAX_HALF_WIDTH_RATIO

@@ -15,8 +15,8 @@ from .._util.checks import FloatArray
 from .._util.display import lengths, quantity
 from .._util.errors import ElasticStrainWarning, ResolutionWarning
 from .._util.lazy_scipy import scipy
-from ..scene.contact_law import in_contact
-from ..solutions.contact_area import AREA_OF_A_SIDE
+from ..problem.contact_law import in_contact
+from ..solutions.contact_area import AREA_PER_SIDE
 from ..solutions.outline import Outline, outline_of
 from ..solutions.strained_cells import strained_extent
 
@@ -27,17 +27,17 @@ if TYPE_CHECKING:
     from ..solutions.state import State
     from .hertz_estimate import ContactSetup
 
-FEW = 8
+RECOMMENDED_CELLS = 8
 """Recommended cells across a contact, and layers of a plastic zone; fewer cause a warning."""
-TOO_FEW = 4
+MINIMUM_CELLS = 4
 """Minimum number of cells or layers; below it the check of a report fails."""
-ROUND_SPOT = 16 / math.pi * AREA_OF_A_SIDE
+ROUND_SPOT_AREA_ERROR = 16 / math.pi * AREA_PER_SIDE
 """Area uncertainty of a round spot, times its diameter in cells."""
-UNCERTAIN, TOO_UNCERTAIN = 0.1, 0.2
+AREA_ERROR_WARNING, AREA_ERROR_LIMIT = 0.1, 0.2
 """Area uncertainty of a contact of several spots, for a warning and for a failed check."""
-LARGEST_STRAIN = 0.5
+MAX_ELASTIC_STRAIN = 0.5
 """Maximum pressure over E*: that of a Hertz contact with a/R = 0.8."""
-_CLASSIC_DEPTH = 0.8
+_MAX_STRESS_DEPTH = 0.8
 """Depth of maximum von Mises stress over half-width: 0.48 (point contact) to 0.79 (line)."""
 
 
@@ -47,11 +47,11 @@ def warn_of_strain(
     """Warn of pressures beyond linear elasticity; return whether a warning was issued."""
     largest = solution.outline.largest
     share = largest / scene.E_star
-    if not share > LARGEST_STRAIN:
+    if not share > MAX_ELASTIC_STRAIN:
         return False
     text = (
         f"pressure beyond linear elasticity: its maximum {quantity(largest, 'Pa')} is {share:.3g} "
-        f"of the contact modulus E* (at most {LARGEST_STRAIN} expected), which implies large "
+        f"of the contact modulus E* (at most {MAX_ELASTIC_STRAIN} expected), which implies large "
         "slopes and strains. Use m, N and Pa"
     )
     warnings.warn(text, ElasticStrainWarning, stacklevel=stacklevel + 1)
@@ -146,17 +146,20 @@ def area_uncertainty(pressure: ArrayLike, periodic: str = "") -> float:
 
 
 def _uncertainty(outline: Outline) -> float:
-    return AREA_OF_A_SIDE * outline.sides / outline.cells if outline.cells else math.nan
+    return AREA_PER_SIDE * outline.sides / outline.cells if outline.cells else math.nan
 
 
 def _is_wide(pressure: FloatArray) -> bool:
-    """Whether `FEW` cells in contact along x and y contain the maximum pressure; cheap.
+    """Whether `RECOMMENDED_CELLS` cells in contact along x and y contain the maximum pressure; cheap.
 
     If so, the spot is at least as wide; if not, it may still be.
     """
     i, j = divmod(int(pressure.argmax()), pressure.shape[1])
-    around = (pressure[max(0, i - FEW) : i + FEW, j], pressure[i, max(0, j - FEW) : j + FEW])
-    return all(_longest_run(in_contact(line)) >= FEW for line in around)
+    around = (
+        pressure[max(0, i - RECOMMENDED_CELLS) : i + RECOMMENDED_CELLS, j],
+        pressure[i, max(0, j - RECOMMENDED_CELLS) : j + RECOMMENDED_CELLS],
+    )
+    return all(_longest_run(in_contact(line)) >= RECOMMENDED_CELLS for line in around)
 
 
 def _longest_run(inside: NDArray[np.bool_]) -> int:
@@ -181,35 +184,39 @@ def layers_across(equivalent: ArrayLike) -> float:
     return float(strained[-1] - strained[0] + 1) if strained.size else math.nan
 
 
-def plastic_layers(extent: Sequence[tuple[int, int]]) -> float:
+def layers_across_plastic_zone(extent: Sequence[tuple[int, int]]) -> float:
     """Number of layers of a plastic zone, from its `strained_extent`."""
     return float(extent[2][1] - extent[2][0] + 1) if extent else math.nan
 
 
 def warn_of_contact(
-    solution: ContactSolution | State, scene: ContactSetup, few: int = FEW, *, stacklevel: int
+    solution: ContactSolution | State,
+    scene: ContactSetup,
+    few: int = RECOMMENDED_CELLS,
+    *,
+    stacklevel: int,
 ) -> bool:
     """Warn if fewer than `few` cells span the contact or its spots; return whether it did."""
     pressure, grid = solution.repulsion, scene.grid
     outline = solution.outline
     share = _uncertainty(outline)
-    thin = share > (UNCERTAIN if few >= FEW else TOO_UNCERTAIN)
+    thin = share > (AREA_ERROR_WARNING if few >= RECOMMENDED_CELLS else AREA_ERROR_LIMIT)
     if not thin and 2 * outline.reach >= few:
         return False
     cell = lengths(grid.dx, grid.dy)
     if thin and (count := spots(pressure, grid.periodic)) > 1:
         text = (
             f"area is uncertain by about {100 * share:.0f} %, and so is the mean pressure: {count} "
-            f"spots are {ROUND_SPOT / share:.1f} cells across ({cell}). Use smaller cells; with "
-            f"round spots of 8 cells the uncertainty would be {100 * ROUND_SPOT / FEW:.0f} %"
+            f"spots are {ROUND_SPOT_AREA_ERROR / share:.1f} cells across ({cell}). Use smaller cells; with "
+            f"round spots of 8 cells the uncertainty would be {100 * ROUND_SPOT_AREA_ERROR / RECOMMENDED_CELLS:.0f} %"
         )
     elif not _is_wide(pressure) and (cells := cells_across(pressure, grid.periodic)) < few:
         text = (
-            f"is only {cells:.0f} cells across ({cell}; at least {FEW} recommended). "
+            f"is only {cells:.0f} cells across ({cell}; at least {RECOMMENDED_CELLS} recommended). "
             f"{_remedy(solution, scene)}"
         )
     elif thin:
-        width = 2 * AREA_OF_A_SIDE / share
+        width = 2 * AREA_PER_SIDE / share
         text = (
             f"is a ring or line about {width:.1f} cells wide ({cell}), its area uncertain by about "
             f"{100 * share:.0f} %: use smaller cells"
@@ -225,30 +232,32 @@ def _remedy(solution: ContactSolution | State, scene: ContactSetup) -> str:
     expected = scene.hertz(load=solution.load)
     if expected is None:
         return "Use smaller cells"
-    widest = quantity(2 * expected.semi_axes[1] / FEW, "m")
+    widest = quantity(2 * expected.semi_axes[1] / RECOMMENDED_CELLS, "m")
     return f"{expected}: use cells of at most {widest}"
 
 
-def warn_of_zone(states: Sequence[State], body: int, few: int = FEW, *, stacklevel: int) -> bool:
+def warn_of_zone(
+    states: Sequence[State], body: int, few: int = RECOMMENDED_CELLS, *, stacklevel: int
+) -> bool:
     """Warn if fewer than `few` layers span the plastic zone of a body; return whether it did.
 
     It considers the state with the deepest zone: strain of a moving body leaves the grid.
     """
-    heights = [plastic_layers(strained_extent(state, body)) for state in states]
+    heights = [layers_across_plastic_zone(strained_extent(state, body)) for state in states]
     layers = max((height for height in heights if height > 0), default=math.nan)
     if not layers < few:
         return False
     text = (
         f"under-resolved plastic zone of body {body}: {layers:.0f} layers of "
-        f"{quantity(states[0].grid.dz or 0.0, 'm')} (at least {FEW} recommended), so that plastic "
+        f"{quantity(states[0].grid.dz or 0.0, 'm')} (at least {RECOMMENDED_CELLS} recommended), so that plastic "
         "strain and residual stress depend on the grid. Reduce dz"
     )
     warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
 
 
-def warn_of_unseen(
-    peak: State, last: State, scene: ContactSetup, few: int = TOO_FEW, *, stacklevel: int
+def warn_if_yield_unresolved(
+    peak: State, last: State, scene: ContactSetup, few: int = MINIMUM_CELLS, *, stacklevel: int
 ) -> bool:
     """Warn if layers are too thick to show yield below a contact; return whether it did.
 
@@ -277,7 +286,7 @@ def warn_of_unseen(
     text = (
         f"body {doubtful[0]} appears elastic at load {peak.load:.6g} N because dz = "
         f"{quantity(grid.dz, 'm')} is too coarse to resolve the maximum stress, at 0.5 to "
-        f"{_CLASSIC_DEPTH} of the contact half-width {quantity(half, 'm')}: reduce dz"
+        f"{_MAX_STRESS_DEPTH} of the contact half-width {quantity(half, 'm')}: reduce dz"
     )
     warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
@@ -286,16 +295,16 @@ def warn_of_unseen(
 def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
     """Warn, after any increment, of what later increments cannot correct; return whether it did."""
     if math.isfinite(state.approach):
-        if warn_of_contact(state, scene, TOO_FEW, stacklevel=stacklevel + 1):
+        if warn_of_contact(state, scene, MINIMUM_CELLS, stacklevel=stacklevel + 1):
             return True
-        if warn_of_unseen(state, state, scene, 1, stacklevel=stacklevel + 1):
+        if warn_if_yield_unresolved(state, state, scene, 1, stacklevel=stacklevel + 1):
             return True
     for body, _, yielding in scene.plastic:
-        strain = state.largest_strains[body - 1][0]
+        strain = state.max_strains[body - 1][0]
         beyond = False
         for E, stress in yielding:
             beyond = beyond or strain * E > stress
-        if beyond and warn_of_zone([state], body, TOO_FEW, stacklevel=stacklevel + 1):
+        if beyond and warn_of_zone([state], body, MINIMUM_CELLS, stacklevel=stacklevel + 1):
             return True
     return False
 
@@ -313,7 +322,7 @@ def warn_of_run(states: Sequence[State], scene: ContactSetup, *, stacklevel: int
         if moments and moments[-1].max_equivalent_plastic_strain(body) > 0
     ]
     if peak is not None:
-        warned.append(warn_of_unseen(peak, states[-1], scene, stacklevel=stacklevel + 1))
+        warned.append(warn_if_yield_unresolved(peak, states[-1], scene, stacklevel=stacklevel + 1))
     return any(warned)
 
 
@@ -321,15 +330,23 @@ def warn_of_sweep(dataset: xr.Dataset, *, stacklevel: int) -> None:
     """Warn, in one message, of the cases of a sweep that are under-resolved."""
     found = []
     for name, what in (
-        ("contact_cells", f"fewer than {FEW} cells across the contact"),
-        ("plastic_layers_body1", f"fewer than {FEW} layers across the plastic zone of body 1"),
-        ("plastic_layers_body2", f"fewer than {FEW} layers across the plastic zone of body 2"),
+        ("cells_across_contact", f"fewer than {RECOMMENDED_CELLS} cells across the contact"),
+        (
+            "layers_across_plastic_zone_body1",
+            f"fewer than {RECOMMENDED_CELLS} layers across the plastic zone of body 1",
+        ),
+        (
+            "layers_across_plastic_zone_body2",
+            f"fewer than {RECOMMENDED_CELLS} layers across the plastic zone of body 2",
+        ),
     ):
-        if name in dataset and (count := int((dataset[name].max("increment") < FEW).sum())):
+        if name in dataset and (
+            count := int((dataset[name].max("increment") < RECOMMENDED_CELLS).sum())
+        ):
             found.append(f"{count} with {what}")
     if found:
         text = (
             f"under-resolved cases: of {dataset['status'].size}, {', '.join(found)}; see "
-            "contact_cells and plastic_layers_bodyN"
+            "cells_across_contact and layers_across_plastic_zone_bodyN"
         )
         warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)

@@ -15,7 +15,7 @@ from .._util.display import quantity
 from .._util.errors import SingularPressureWarning
 from .._util.lazy_scipy import scipy
 from ..bodies.layered import Body, softest
-from ..scene.contact_law import in_contact
+from ..problem.contact_law import in_contact
 from ..solutions.outline import (
     _rising,
     around,
@@ -31,14 +31,14 @@ if TYPE_CHECKING:
     from ..solutions.state import State
     from .hertz_estimate import ContactSetup
 
-DEFLECTION = 0.25
+MIN_STEP_RATIO = 0.25
 """Minimum height of a step over p d/E*: elastic deflection between two cells of size d is
 smaller."""
-TOGETHER = 3
+MIN_EDGE_CELLS = 3
 """Minimum number of cells of an edge: single cells of a rough surface are no edge."""
-ROUNDING = 4
+MIN_CELLS_OF_ROUNDING = 4
 """Minimum number of cells in the radius of a rounded edge for a resolved pressure."""
-SINGULAR = (
+SINGULAR_QUANTITIES = (
     "max_pressure", "max_von_mises", "max_equivalent_plastic_strain", "max_residual_von_mises",
 )  # fmt: skip
 """Quantities that are unbounded at a sharp edge, by their names in results files without the body:
@@ -106,14 +106,14 @@ def sharp_edge(
         sides = sides._replace(i=sides.i[rising], j=sides.j[rising])
         steps, height = steps_beside(sides, surface, periodic)
         deflection = p[sides.i, sides.j] * grid_sizes[sides.axis] / E_star
-        high = steps & (height > DEFLECTION * deflection)
+        high = steps & (height > MIN_STEP_RATIO * deflection)
         found[sides.i[high], sides.j[high]] = True
     if not found.any():
         return None
     labels, _ = scipy.ndimage.label(found, structure=np.ones((3, 3)))
     sizes = np.bincount(labels.ravel())
     sizes[0] = 0
-    found &= (sizes >= min(TOGETHER, *inside.shape))[labels]
+    found &= (sizes >= min(MIN_EDGE_CELLS, *inside.shape))[labels]
     if not found.any():
         return None
     i, j = np.unravel_index(int(np.where(found, p, -1.0).argmax()), p.shape)
@@ -155,7 +155,7 @@ def edge_of_state(state: State) -> SharpEdge | None:
 
 def is_singular(name: str) -> bool:
     """Whether a quantity, by its name in results files, is unbounded at a sharp edge."""
-    return name.partition("_body")[0] in SINGULAR
+    return name.partition("_body")[0] in SINGULAR_QUANTITIES
 
 
 def warn_of_edge(
@@ -172,7 +172,7 @@ def warn_of_edge(
         "elastic contact the maximum pressure and the stresses near the edge grow without bound "
         "as the grid is refined. The load, the approach, the pressure a few cells away from the "
         "edge and forces over a fixed length remain meaningful. Round the edge with a radius of "
-        f"at least {ROUNDING} cells, or use a crowned or logarithmic profile"
+        f"at least {MIN_CELLS_OF_ROUNDING} cells, or use a crowned or logarithmic profile"
     )
     warnings.warn(text, SingularPressureWarning, stacklevel=stacklevel + 1)
     return True

@@ -17,7 +17,7 @@ from .._util.tensors import von_mises
 from ..bodies.layered import Body, softest
 from ..hertz.axis import line_axis, point_axis
 from ..hertz.field import sliding_max_von_mises
-from ..scene.friction import FrictionLaw
+from ..problem.friction import FrictionLaw
 from ..solutions.contact_solution import ContactSolution, ShearedSolution
 from .resolution import main_spot
 
@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
 _DEPTHS = np.concatenate(([0.0], np.geomspace(0.02, 10.0, 200)))
 """Depths over the half-width of the contact at which stress is compared with yield stress."""
-_LONG = 4.0
+_MIN_LINE_CONTACT_RATIO = 4.0
 """Length over width of a spot above which its stress is taken as that of a line contact."""
-_MOST_FRICTION = 10.0
+_MAX_FRICTION = 10.0
 
 
 def warn_of_yield(
@@ -48,7 +48,7 @@ def warn_of_yield(
     for number, body in enumerate(bodies, 1):
         # without friction, von Mises stress does not exceed the maximum pressure
         if not body.is_plastic or (1 + 2 * _traction(solution, friction)) * largest <= (
-            body.least_yield_stress
+            body.min_yield_stress
         ):
             continue
         share, stress = _over_yield(solution, body, friction)
@@ -92,7 +92,10 @@ def _over_yield(
     half = 0.5 * min(sides)
     nu = softest(body).nu
     depths = np.zeros(1) if math.isinf(half) else _DEPTHS * half
-    stress = largest * _below(nu, is_line=max(sides) >= _LONG * min(sides))[: depths.size]
+    stress = (
+        largest
+        * _below(nu, is_line=max(sides) >= _MIN_LINE_CONTACT_RATIO * min(sides))[: depths.size]
+    )
     strength = np.asarray(body.yield_stress_at(depths))
     with np.errstate(divide="ignore", invalid="ignore"):
         shares = np.where(strength > 0, stress / strength, 0.0)
@@ -100,7 +103,7 @@ def _over_yield(
     found = float(shares[at]), float(stress[at])
     traction = _traction(solution, friction)
     if traction > 0:
-        ratio, depth = _sliding(nu, round(min(traction, _MOST_FRICTION), 3))
+        ratio, depth = _sliding(nu, round(min(traction, _MAX_FRICTION), 3))
         least = float(body.yield_stress_at(np.array([depth * half]))[0])
         found = max(found, (ratio * largest / least, ratio * largest))
     return found

@@ -3,7 +3,7 @@
 
 Each criterion takes a sequence of states of a simulation (of a rolling pass or a fretting loop), a
 `Cycle`, or a stress array from any source. It returns a `FatigueField`: a value for each cell of
-the body, the maximum and its position. Steady rolling needs one state only: see `passing`.
+the body, the maximum and its position. Steady rolling needs one state only: see `steady_cycle`.
 
 By default the stress is the total stress: due to tractions, heat and plastic strain, and initial
 residual stress. Limits of a material must come from its fatigue tests: see the theory page,
@@ -11,7 +11,7 @@ residual stress. Limits of a material must come from its fatigue tests: see the 
 """
 
 from .criteria import crossland, dang_van, fatemi_socie, findley, orthogonal_shear
-from .cycle import Cycle, cycle, passing
+from .cycle import Cycle, cycle, steady_cycle
 from .field import FatigueField
 
 __all__ = [
@@ -23,5 +23,5 @@ __all__ = [
     "fatemi_socie",
     "findley",
     "orthogonal_shear",
-    "passing",
+    "steady_cycle",
 ]

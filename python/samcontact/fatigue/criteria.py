@@ -15,14 +15,14 @@ from .._util.frozen import FrozenDict, read_only
 from .._util.short_text import in_short
 from ..bodies.layered import Layered
 from ..bodies.material import Material
-from ..diagnostics.plausibility import strength, warn_of
+from ..diagnostics.plausibility import strength, warn_if_implausible
 from ..solutions.state import State
 from .cycle import Cycle, blocks, cycle, has_plastic_strain, plastic_strain_in, stress_in
 from .field import FatigueField
 
 __all__ = ["crossland", "dang_van", "fatemi_socie", "findley", "orthogonal_shear"]
 
-_STEEPEST = 10.0
+_MAX_SLOPE = 10.0
 """Maximum slope: slopes are pure numbers below 1 for metals; a larger value is a stress."""
 
 Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
@@ -36,7 +36,7 @@ def dang_van(
     Parameters
     ----------
     states : Cycle, sequence of State, or array_like of shape (n, 6, ...)
-        See `cycle`; for steady rolling, `passing`.
+        See `cycle`; for steady rolling, `steady_cycle`.
     body : {1, 2}, optional
         Body of the states. Default: 2.
     slope : float
@@ -232,9 +232,9 @@ def _slope(name: str, value: Any) -> float:
     if value is None:
         raise TypeError(f"{name} is required: it is a material property, see the docstring")
     found = non_negative(name, value)
-    if found > _STEEPEST:
+    if found > _MAX_SLOPE:
         raise ValueError(
-            f"{name} must be in [0, {_STEEPEST:g}], got {found!r}: it is the dimensionless weight "
+            f"{name} must be in [0, {_MAX_SLOPE:g}], got {found!r}: it is the dimensionless weight "
             "of a stress; pass a limit in Pa to .margin() of the result"
         )
     return found
@@ -288,7 +288,7 @@ def _over_blocks(
         FrozenDict(parameters),
         read_only(values),
         unit,
-        given.places,
+        given.coordinates,
         given.moments,
         normals,
     )
@@ -304,7 +304,7 @@ def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
     if body is None:
         raise TypeError("material is required with a stress array, to compute strain")
     if isinstance(body, Layered):
-        layer = np.searchsorted(body.interfaces, given.places["z"], side="right")
+        layer = np.searchsorted(body.interfaces, given.coordinates["z"], side="right")
         E, nu = (np.asarray(body.parameters[name])[layer] for name in ("E", "nu"))
     else:
         E, nu = np.array([body.E]), np.array([body.nu])
@@ -314,10 +314,10 @@ def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
 def _yield_stress(given: Cycle, material: Material | None, told: float | None) -> float:
     if told is not None:
         given_stress = positive("yield_stress", told)
-        warn_of(strength("yield_stress", given_stress), stacklevel=4)
+        warn_if_implausible(strength("yield_stress", given_stress), stacklevel=4)
         return given_stress
     body = material if material is not None else given.body
     assert body is not None  # checked by _elasticity
     if not body.is_plastic:
         raise ValueError("yield_stress is required [Pa]: the material of the body has none")
-    return float(body.least_yield_stress)
+    return float(body.min_yield_stress)

@@ -12,25 +12,25 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._util import memory
-from .._util.checks import MOST_STRESS, FloatArray, choice, real_array
-from .._util.display import Rows, Shown, counts, lengths
+from .._util.checks import MAX_STRESS, FloatArray, choice, real_array
+from .._util.display import HtmlTable, Rows, counts, lengths
 from .._util.frozen import FrozenDict, read_only
 from .._util.short_text import in_short
 from ..bodies.layered import Body
-from ..solutions.state import State, in_one_window
-from .paths import GivenPaths, Passing, Paths, StatePaths
+from ..solutions.state import State, on_common_grid
+from .paths import GivenPaths, Paths, StatePaths, SteadyPaths
 
-__all__ = ["Cycle", "cycle", "passing"]
+__all__ = ["Cycle", "cycle", "steady_cycle"]
 
-_PART = 0.4
+_MAX_MEMORY_FRACTION = 0.4
 """Fraction of available memory for the stress of a block of layers at all moments."""
-_COPIES = 2.5
+_COPIES_OF_BLOCK = 2.5
 """Memory factor of such a block, including the stress of a state while it is copied."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Cycle(Shown):
-    """Stress history of the points of a body, created by `cycle` or `passing`, for the criteria.
+class Cycle(HtmlTable):
+    """Stress history of the points of a body, created by `cycle` or `steady_cycle`, for the criteria.
 
     Its stress is computed when a criterion needs it, and cached for the next criterion if it fits
     into memory.
@@ -51,7 +51,7 @@ class Cycle(Shown):
         return self._paths.shape
 
     @property
-    def places(self) -> Mapping[str, NDArray[np.float64]]:
+    def coordinates(self) -> Mapping[str, NDArray[np.float64]]:
         """Coordinates of the points along each axis of a field [m].
 
         Axes "x" (on the body, relative to the initial contact), "y" and "z"; empty for an array.
@@ -68,7 +68,7 @@ class Cycle(Shown):
 
     def _rows(self) -> Rows:
         rows = [("moments", str(self.moments)), ("points", counts(*self.points_shape))]
-        for axis, values in self.places.items():
+        for axis, values in self.coordinates.items():
             rows.append((axis, f"{lengths(values[0])} to {lengths(values[-1])}"))
         return rows
 
@@ -83,9 +83,13 @@ def blocks(of: Cycle, fields: int) -> Iterator[slice]:
     last = of.points_shape[-1]
     one = 48.0 * of.moments * math.prod(of.points_shape[:-1]) * fields
     there = memory.available()
-    fit = last if there is None else int(_PART * there / (_COPIES * one))
+    fit = last if there is None else int(_MAX_MEMORY_FRACTION * there / (_COPIES_OF_BLOCK * one))
     if fit < 1:
-        memory.require("one layer of a cycle", _COPIES * one / _PART, "use fewer moments")
+        memory.require(
+            "one layer of a cycle",
+            _COPIES_OF_BLOCK * one / _MAX_MEMORY_FRACTION,
+            "use fewer moments",
+        )
     size = max(min(fit, last), 1)
     for first in range(0, last, size):
         yield slice(first, min(first + size, last))
@@ -143,7 +147,7 @@ def cycle(
     if isinstance(states, State):
         raise ValueError(
             "states must contain at least 2 states, got one: for steady rolling pass "
-            "samcontact.fatigue.passing(state) to the criterion"
+            "samcontact.fatigue.steady_cycle(state) to the criterion"
         )
     given = list(states) if isinstance(states, Sequence) else []
     if any(isinstance(one, State) for one in given):
@@ -158,7 +162,7 @@ def cycle(
     return Cycle(GivenPaths(stress, strain), None, FrozenDict({}))
 
 
-def passing(
+def steady_cycle(
     state: State | ArrayLike,
     body: int | None = None,
     axis: str = "x",
@@ -201,7 +205,7 @@ def passing(
             raise ValueError(
                 f"state must have at least 2 cells along {axis}, got n{axis} = {cells}"
             )
-        paths = Passing.of(state, which, number, axis not in state.grid.periodic)
+        paths = SteadyPaths.of(state, which, number, axis not in state.grid.periodic)
         across = "yx"[number]
         places = {across: getattr(state.grid, across), "z": state.depths}
         return Cycle(paths, _body_of(state, which), FrozenDict(places))
@@ -230,8 +234,8 @@ def _tensors(name: str, given: Any, shape: str, axis: int) -> FloatArray:
         )
     if not np.isfinite(stress).all():
         raise ValueError(f"{name} must be finite everywhere")
-    if (most := float(np.abs(stress).max())) > MOST_STRESS:
-        raise ValueError(f"{name} must be at most {MOST_STRESS:g} Pa in magnitude, got {most:.6g}")
+    if (most := float(np.abs(stress).max())) > MAX_STRESS:
+        raise ValueError(f"{name} must be at most {MAX_STRESS:g} Pa in magnitude, got {most:.6g}")
     return stress
 
 
@@ -257,14 +261,14 @@ def _of_states(given: list[Any], body: int) -> Cycle:
     if len(given) < 2:
         raise ValueError(
             "states must contain at least 2 states, got one: for steady rolling pass "
-            "samcontact.fatigue.passing(state) to the criterion"
+            "samcontact.fatigue.steady_cycle(state) to the criterion"
         )
     sizes = {(s.grid.dx, s.grid.dy, s.grid.nz, s.grid.dz, s.grid.periodic) for s in given}
     if len(sizes) > 1:
         raise ValueError("states must have equal cells, got different grids")
     if any(_body_of(s, body) != _body_of(given[0], body) for s in given):
         raise ValueError(f"states must have one body {body}, got states of several simulations")
-    states = in_one_window(given)
+    states = on_common_grid(given)
     if len({s.grid.surface_shape for s in states}) > 1:
         raise ValueError("states must have one grid, got states of several simulations")
     grid = states[0].grid

@@ -12,15 +12,15 @@ import numpy as np
 
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, positive
-from .._util.display import Brief, Rows, Shown, quantity
-from ..diagnostics.plausibility import strength, warn_of
+from .._util.display import HtmlTable, Rows, ShortRepr, quantity
+from ..diagnostics.plausibility import strength, warn_if_implausible
 
 if TYPE_CHECKING:
     import xarray as xr
 
 __all__ = ["FatigueField"]
 
-_NAMES = {
+_CRITERION_NAMES = {
     "dang_van": "Dang Van",
     "crossland": "Crossland",
     "findley": "Findley",
@@ -30,7 +30,7 @@ _NAMES = {
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class FatigueField(Brief, Shown):
+class FatigueField(ShortRepr, HtmlTable):
     """Values of a fatigue criterion at all points, from a function of `samcontact.fatigue`.
 
     Attributes
@@ -40,10 +40,10 @@ class FatigueField(Brief, Shown):
     parameters : mapping
         Constants of the criterion, in SI units.
     values : ndarray
-        Value at each point, in the unit `unit`; axes as in `places`.
+        Value at each point, in the unit `unit`; axes as in `coordinates`.
     unit : str
         "Pa", or "-" for a strain.
-    places : mapping
+    coordinates : mapping
         Coordinates along each axis of `values` [m]: "x" (on the body), "y", "z"; empty for a
         stress array.
     moments : int
@@ -56,7 +56,7 @@ class FatigueField(Brief, Shown):
     parameters: Mapping[str, Any]
     values: FloatArray
     unit: str
-    places: Mapping[str, FloatArray]
+    coordinates: Mapping[str, FloatArray]
     moments: int
     normals: FloatArray | None = None
 
@@ -70,14 +70,14 @@ class FatigueField(Brief, Shown):
         return int(self.values.argmax())
 
     @property
-    def largest(self) -> float:
+    def max_value(self) -> float:
         """Maximum value, in the unit `unit`."""
         return float(self.values[self.index])
 
     @property
-    def place(self) -> dict[str, float]:
-        """Coordinates of the maximum [m]; empty without `places`."""
-        named = zip(self.places.items(), self.index, strict=False)
+    def position(self) -> dict[str, float]:
+        """Coordinates of the maximum [m]; empty without `coordinates`."""
+        named = zip(self.coordinates.items(), self.index, strict=False)
         return {axis: float(values[i]) for (axis, values), i in named}
 
     @property
@@ -100,8 +100,8 @@ class FatigueField(Brief, Shown):
         """
         allowed = positive("limit", limit)
         if self.unit == "Pa":
-            warn_of(strength("limit", allowed), stacklevel=3)
-        return allowed / self.largest - 1.0 if self.largest > 0 else math.inf
+            warn_if_implausible(strength("limit", allowed), stacklevel=3)
+        return allowed / self.max_value - 1.0 if self.max_value > 0 else math.inf
 
     def over_depth(self) -> FloatArray:
         """Maximum of each layer, shape (nz,); for an array, along its last axis."""
@@ -115,7 +115,7 @@ class FatigueField(Brief, Shown):
         -------
         xarray.Dataset
             A variable named after `criterion`, with its parameters as attributes and the
-            coordinates of `places`; for critical planes another one, ending in _normal, with the
+            coordinates of `coordinates`; for critical planes another one, ending in _normal, with the
             dimension "axis".
 
         Raises
@@ -125,16 +125,16 @@ class FatigueField(Brief, Shown):
         """
         import xarray as xr  # importing the package should not load it
 
-        if not self.places:
+        if not self.coordinates:
             raise ValueError(
                 "a field from a stress array has no coordinates: label its `values` directly"
             )
         unit = {"-": "1"}.get(self.unit, self.unit)
         told = {"units": unit, "long_name": self.name, "moments": self.moments}
-        axes = tuple(self.places)
+        axes = tuple(self.coordinates)
         data: dict[str, Any] = {self.criterion: (axes, self.values, told | dict(self.parameters))}
         coordinates: dict[str, Any] = {
-            axis: (axis, values, {"units": "m"}) for axis, values in self.places.items()
+            axis: (axis, values, {"units": "m"}) for axis, values in self.coordinates.items()
         }
         if self.normals is not None:
             label = {"long_name": f"{self.name}, normal of the critical plane", "units": "1"}
@@ -145,7 +145,7 @@ class FatigueField(Brief, Shown):
     @property
     def name(self) -> str:
         """Name of the criterion for plots."""
-        return _NAMES[self.criterion]
+        return _CRITERION_NAMES[self.criterion]
 
     def _rows(self) -> Rows:
         unit = "" if self.unit == "-" else self.unit
@@ -153,8 +153,8 @@ class FatigueField(Brief, Shown):
         for name, value in self.parameters.items():
             known = quantity(value, "Pa" if name == "yield_stress" else "")
             rows.append((name, known if isinstance(value, float) else str(value)))
-        rows.append(("maximum", quantity(self.largest, unit)))
-        rows += [(axis, quantity(value, "m")) for axis, value in self.place.items()]
+        rows.append(("maximum", quantity(self.max_value, unit)))
+        rows += [(axis, quantity(value, "m")) for axis, value in self.position.items()]
         if self.normal is not None:
             rows.append(("critical plane normal", ", ".join(f"{part:.3f}" for part in self.normal)))
         return [*rows, ("moments of the cycle", str(self.moments))]

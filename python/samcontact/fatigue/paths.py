@@ -79,7 +79,7 @@ class StatePaths:
             raise ValueError(
                 "states must have cells of the body in common, but the contact travels farther "
                 f"than the length of the grid, {grid.nx * grid.dx:.6g} m: use a longer grid, or "
-                "samcontact.fatigue.passing(state) for steady rolling"
+                "samcontact.fatigue.steady_cycle(state) for steady rolling"
             )
         layers = max(state.layers for state in states)
         return cls(states, body, max(firsts), (rows, grid.ny, layers))
@@ -110,7 +110,7 @@ class StatePaths:
 
 
 @dataclass(frozen=True)
-class Passing:
+class SteadyPaths:
     """Source from one state: material that moves through it along an axis."""
 
     state: State
@@ -120,7 +120,7 @@ class Passing:
     shape: tuple[int, int]
 
     @classmethod
-    def of(cls, state: State, body: int, axis: int, at_rest: bool) -> Passing:
+    def of(cls, state: State, body: int, axis: int, at_rest: bool) -> SteadyPaths:
         return cls(state, body, axis, at_rest, (state.grid.surface_shape[1 - axis], state.layers))
 
     @property

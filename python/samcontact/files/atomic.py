@@ -14,12 +14,12 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO
 
-from .._util.memory import HDF5_FILE, require_address_space
+from .._util.memory import HDF5_FILE_BYTES, require_address_space
 from .._util.short_text import in_short
 from .checksum import seal
 from .ownership import is_regular, record_of, remove_leftovers, require_marked
 
-ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+TERMINATION_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 """Signals of Ctrl-C, of batch systems and shutdown, and of a closed terminal."""
 
 
@@ -112,10 +112,10 @@ def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     package did not write is refused with a ValueError.
     """
     require_marked(_checked(Path(path)))
-    require_address_space(f"writing {os.fspath(path)!r}", HDF5_FILE)
+    require_address_space(f"writing {os.fspath(path)!r}", HDF5_FILE_BYTES)
     with undisturbed(), replacing(path) as part:
         with open(part, "w+b", buffering=0) as opened:
-            file = _Patient(opened)
+            file = _ErrorHoldingFile(opened)
             try:
                 yield file  # type: ignore[misc]
             except Exception:
@@ -126,7 +126,7 @@ def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
         seal(part)
 
 
-class _Patient:
+class _ErrorHoldingFile:
     """File that stores its first write error and ignores later writes.
 
     HDF5 does not survive a full disk: its errors are of many kinds, recur when objects are freed,
@@ -167,7 +167,7 @@ def undisturbed() -> Iterator[None]:
         yield  # signals are handled by the main thread
         return
     waiting: list[int] = []
-    before = {number: signal.getsignal(number) for number in ENDING}
+    before = {number: signal.getsignal(number) for number in TERMINATION_SIGNALS}
     # None: handler not set by Python
     held = [number for number, old in before.items() if old not in (None, signal.SIG_IGN)]
     for number in held:

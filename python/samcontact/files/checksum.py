@@ -12,8 +12,8 @@ import os
 from typing import BinaryIO
 
 _MARK = b"\nsamcontact sha256 "
-_HEX = 64
-SEALED = len(_MARK) + _HEX + 1
+_DIGEST_CHARACTERS = 64
+SEAL_BYTES = len(_MARK) + _DIGEST_CHARACTERS + 1
 """Length of the digest with its mark [bytes]."""
 _BLOCK = 1 << 20
 
@@ -31,10 +31,10 @@ def check_seal(path: str | os.PathLike[str]) -> bool:
     Raises ValueError if its bytes have changed.
     """
     with open(path, "rb") as file:
-        length = max(0, os.fstat(file.fileno()).st_size - SEALED)
+        length = max(0, os.fstat(file.fileno()).st_size - SEAL_BYTES)
         file.seek(length)
-        end = file.read(SEALED)
-        if not end.startswith(_MARK) or len(end) < SEALED:
+        end = file.read(SEAL_BYTES)
+        if not end.startswith(_MARK) or len(end) < SEAL_BYTES:
             if _MARK.strip() in end or any(end.endswith(_MARK[:n]) for n in range(4, len(_MARK))):
                 raise ValueError("the file is truncated, or data was appended")
             return False

@@ -20,17 +20,17 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 
-from .checksum import SEALED
+from .checksum import SEAL_BYTES
 
-RECORD = ".samcontact-files"
+RECORD_FILE = ".samcontact-files"
 _HEAD = "files that samcontact has written here, with their SHA-256\n"
 _MARK = b"samcontact"
-HDF5 = (".h5", ".nc", ".before")
+SEALED_SUFFIXES = (".h5", ".nc", ".before")
 """Suffixes of files with the mark."""
-PART = re.compile(r"\.(.+)\.samcontact-\w{8}\.part(\.\w+)?")
+PARTIAL_FILE_NAME = re.compile(r"\.(.+)\.samcontact-\w{8}\.part(\.\w+)?")
 """Names of files in the course of being written, or left by a killed process."""
 
-_recording: ContextVar[Record | None] = ContextVar("recording", default=None)
+_recording: ContextVar[OwnershipRecord | None] = ContextVar("recording", default=None)
 
 
 def is_regular(file: Path) -> bool:
@@ -49,7 +49,7 @@ def is_marked(file: Path) -> bool:
         size = os.fstat(opened.fileno()).st_size
         if size == 0:
             return True
-        opened.seek(max(0, size - SEALED))
+        opened.seek(max(0, size - SEAL_BYTES))
         if _MARK in opened.read():
             return True
         with mmap.mmap(opened.fileno(), 0, access=mmap.ACCESS_READ) as content:
@@ -70,14 +70,14 @@ def _kind(file: Path) -> str:
     return "was not written by samcontact, or has changed since"
 
 
-class Record:
+class OwnershipRecord:
     """List of the files without a mark in a folder.
 
     A line is added before its file appears, so that no file appears foreign after a kill.
     """
 
     def __init__(self, folder: Path) -> None:
-        self.folder, self.file = folder, folder / RECORD
+        self.folder, self.file = folder, folder / RECORD_FILE
         self._known: set[tuple[str, str]] = set()
         self._begun = False
         if os.path.lexists(self.file):
@@ -96,7 +96,7 @@ class Record:
 
     def owns(self, file: Path) -> bool:
         """Whether a file in the folder was written by this package and has not changed since."""
-        if file.suffix in HDF5:
+        if file.suffix in SEALED_SUFFIXES:
             return is_marked(file)
         named = any(name == file.name for _, name in self._known)
         return named and is_regular(file) and (_digest(file), file.name) in self._known
@@ -111,7 +111,7 @@ class Record:
     def add(self, part: Path, name: str) -> None:
         """Add a complete file to the list before it is renamed to its name."""
         entry = (_digest(part), name)
-        if Path(name).suffix in HDF5 or entry in self._known:
+        if Path(name).suffix in SEALED_SUFFIXES or entry in self._known:
             return
         with self.file.open("a" if self._begun else "w", encoding="utf-8") as listed:
             listed.write(("\n" if self._begun else _HEAD) + json.dumps(entry) + "\n")
@@ -141,12 +141,12 @@ def _digest(file: Path) -> str:
 
 
 @contextmanager
-def recording(folder: Path) -> Iterator[Record]:
+def recording(folder: Path) -> Iterator[OwnershipRecord]:
     """Record the files written to a folder within; foreign files are not replaced."""
     if (record := record_of(folder)) is not None:  # one shared list per folder
         yield record
         return
-    record = Record(folder)
+    record = OwnershipRecord(folder)
     before = _recording.set(record)
     try:
         yield record
@@ -154,7 +154,7 @@ def recording(folder: Path) -> Iterator[Record]:
         _recording.reset(before)
 
 
-def record_of(folder: Path) -> Record | None:
+def record_of(folder: Path) -> OwnershipRecord | None:
     """Return the current record of a folder; None without one."""
     record = _recording.get()
     return record if record is not None and record.folder.resolve() == folder.resolve() else None
@@ -166,7 +166,7 @@ def remove_leftovers(folder: Path, name: str | None = None) -> None:
     A running process holds a lock on the file that it is writing.
     """
     for entry in os.listdir(folder):
-        found = PART.fullmatch(entry) if entry.startswith(".") else None
+        found = PARTIAL_FILE_NAME.fullmatch(entry) if entry.startswith(".") else None
         if found and name in (None, found[1]):
             path = folder / entry
             with contextlib.suppress(OSError), _opened(path) as handle:

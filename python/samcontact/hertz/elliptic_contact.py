@@ -9,14 +9,14 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, exactly_one, poisson_ratio, positive, together
-from .._util.display import Shown
+from .._util.display import HtmlTable
 from .._util.lazy_scipy import scipy
 from .axis import elliptic_axis, elliptic_max_von_mises
 from .points import depth_ratio, require_range, semi_ellipsoid
 
 
 @dataclass(frozen=True)
-class EllipticContact(Shown):
+class EllipticContact(HtmlTable):
     """Hertz contact with an elliptic contact area (Johnson 1985, sections 3.5 and 4.2).
 
     Attributes
@@ -87,7 +87,7 @@ class EllipticContact(Shown):
         return ratio * self.p0, depth * min(self.a_x, self.a_y)
 
 
-_LARGEST_RATIO = 1e100  # of radii; avoids overflow of squares
+_MAX_RADIUS_RATIO = 1e100  # of radii; avoids overflow of squares
 
 
 def _axis_ratio(radius_ratio: float) -> float:
@@ -144,9 +144,9 @@ def elliptic(
     given = exactly_one(load=load, approach=approach, p0=p0)
     long_radius = max(Rx, Ry)
     radius_ratio = long_radius / min(Rx, Ry)
-    if not radius_ratio <= _LARGEST_RATIO:
+    if not radius_ratio <= _MAX_RADIUS_RATIO:
         raise ValueError(
-            f"Rx and Ry must differ by a factor of at most {_LARGEST_RATIO:g}, got {Rx!r} and "
+            f"Rx and Ry must differ by a factor of at most {_MAX_RADIUS_RATIO:g}, got {Rx!r} and "
             f"{Ry!r}: use `line` for a line contact"
         )
     ratio = _axis_ratio(radius_ratio)

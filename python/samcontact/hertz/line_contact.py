@@ -9,14 +9,14 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive, together
-from .._util.display import Shown
+from .._util.display import HtmlTable
 from .axis import line_axis, line_max_von_mises
 from .plane_field import plane_field
 from .points import coordinates, depth_ratio, require_range, semi_ellipsoid
 
 
 @dataclass(frozen=True)
-class LineContact(Shown):
+class LineContact(HtmlTable):
     """Hertz contact of a cylinder (axis y) and a half-space in plane strain (section 4.2(c)).
 
     Attributes

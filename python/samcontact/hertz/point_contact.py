@@ -10,14 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, exactly_one, non_negative, poisson_ratio, positive, together
-from .._util.display import Shown
+from .._util.display import HtmlTable
 from .axis import point_axis, point_max_von_mises
 from .field import field
 from .points import depth_ratio, require_range, semi_ellipsoid
 
 
 @dataclass(frozen=True)
-class PointContact(Shown):
+class PointContact(HtmlTable):
     """Hertz contact of a sphere and a half-space (Johnson 1985, section 4.2).
 
     Attributes

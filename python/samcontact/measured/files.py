@@ -10,12 +10,12 @@ import numpy as np
 
 from .._util.checks import choice, file_path, positive
 from .._util.short_text import in_short
-from .instruments import Given, metres, require_format, with_library
+from .instruments import ReaderArguments, metres, require_format, with_library
 from .plain import Table, columns, grid_of_points, is_array, is_plain, plain_heights, profile, table
 from .plausible import warn_of_size
 from .surface import TRENDS, MeasuredSurface
 
-_FIRST = (None, 0, "Default")  # channel of a file with one map
+_DEFAULT_CHANNELS = (None, 0, "Default")  # channel of a file with one map
 
 
 def read(
@@ -90,7 +90,7 @@ def read(
     if step_y is not None and step_x is None:
         raise ValueError(f"dx is required with dy = {in_short(dy)}, got None")
     steps = None if step_x is None or step_y is None else (step_x, step_y)
-    surface = _read(source, require_format(format), Given(channel, steps, unit))
+    surface = _read(source, require_format(format), ReaderArguments(channel, steps, unit))
     warn_of_size(surface.heights, surface.steps, str(source), stacklevel=2)
     if undefined == "error" and surface.undefined:
         raise ValueError(
@@ -108,7 +108,7 @@ def has_columns(path: Path) -> bool:
     return found is not None and columns(found.values, path) is not None
 
 
-def _read(source: Path, format: str | None, given: Given) -> MeasuredSurface:
+def _read(source: Path, format: str | None, given: ReaderArguments) -> MeasuredSurface:
     found = table(source) if format in (None, "xyz") else None
     if found is not None and (which := columns(found.values, source)) is not None:
         return _of_columns(source, found, which, given)
@@ -122,12 +122,12 @@ def _read(source: Path, format: str | None, given: Given) -> MeasuredSurface:
     return with_library(source, format, given)
 
 
-def _of_rows(source: Path, given: Given) -> MeasuredSurface:
+def _of_rows(source: Path, given: ReaderArguments) -> MeasuredSurface:
     """Read rows of heights."""
     heights = plain_heights(source)
     if given.steps is None:
         raise ValueError(f"dx is required, because {source} does not contain it")
-    if given.channel not in _FIRST:
+    if given.channel not in _DEFAULT_CHANNELS:
         raise ValueError(f"channel must be 0: {source} has one map, got {in_short(given.channel)}")
     kind = "npy" if is_array(source) else source.suffix.lower()[1:]
     attrs = {"source": str(source), "format": kind}
@@ -138,7 +138,7 @@ def _of_rows(source: Path, given: Given) -> MeasuredSurface:
 
 
 def _of_columns(
-    source: Path, found: Table, which: tuple[int, ...], given: Given
+    source: Path, found: Table, which: tuple[int, ...], given: ReaderArguments
 ) -> MeasuredSurface:
     """Read a profile of two columns x and z, or a map of three columns x, y, z."""
     names = ("x", "z") if len(which) == 2 else ("x", "y", "z")
@@ -148,7 +148,7 @@ def _of_columns(
         grid_of_points(found.values, source)
     if given.steps is not None:
         raise ValueError(f"dx must be None: {rows}")
-    if given.channel not in _FIRST:
+    if given.channel not in _DEFAULT_CHANNELS:
         raise ValueError(f"channel must be 0: {source} has one, got {in_short(given.channel)}")
     units = [found.units[column] for column in which]
     if given.unit is None and None in units:

@@ -13,17 +13,17 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from .._util.short_text import in_short
-from .plain import profile, said, written_positions
+from .plain import error_text, profile, written_positions
 from .surface import MeasuredSurface, library
 
-OWN = ("array", "xyz")
+OWN_FORMATS = ("array", "xyz")
 """Formats read without SurfaceTopography; it also supports the second one."""
-_PACKED = {b"\x1f\x8b": "gzip", b"BZh": "bzip2", b"\xfd7zXZ": "xz"}
+_COMPRESSION_MAGIC = {b"\x1f\x8b": "gzip", b"BZh": "bzip2", b"\xfd7zXZ": "xz"}
 _NMS_STEPS = 1376  # where NanoFocus files hold the steps along x and y
 _NMS_FIELDS = 2e-5, 5e-2  # of microscope objectives [m]
 
 
-class Given(NamedTuple):
+class ReaderArguments(NamedTuple):
     """Arguments that supplement the contents of a file."""
 
     channel: int | str | None
@@ -31,7 +31,7 @@ class Given(NamedTuple):
     unit: str | None
 
 
-class _Refused(Exception):
+class _ReaderError(Exception):
     """Reason why a reader cannot use a file."""
 
 
@@ -42,10 +42,10 @@ def require_format(name: str | None) -> str | None:
     if not isinstance(name, str):
         raise TypeError(f'format must be a string, e.g. "sur", got {in_short(name)}')
     wanted = name.lower().lstrip(".")
-    if wanted in OWN:
+    if wanted in OWN_FORMATS:
         return wanted
     io = library("SurfaceTopography.IO")
-    known = sorted({*OWN, *io.lookup_reader_by_format})
+    known = sorted({*OWN_FORMATS, *io.lookup_reader_by_format})
     if wanted in known:
         return wanted
     near = difflib.get_close_matches(wanted, known, 1)
@@ -66,7 +66,7 @@ def metres(unit: str) -> float:
         ) from error
 
 
-def with_library(path: Path, format: str | None, given: Given) -> MeasuredSurface:
+def with_library(path: Path, format: str | None, given: ReaderArguments) -> MeasuredSurface:
     """Surface from the first suitable reader; without one, ValueError with the reasons of the
     readers that recognise the format."""
     io = library("SurfaceTopography.IO")
@@ -75,7 +75,7 @@ def with_library(path: Path, format: str | None, given: Given) -> MeasuredSurfac
         # an open file: given a path, readers that do not recognise the file may leave it open
         with path.open("rb") as file:
             start = file.read(io.MAGIC_BUFFER_SIZE)
-            for mark, name in _PACKED.items():
+            for mark, name in _COMPRESSION_MAGIC.items():
                 if start.startswith(mark):
                     raise ValueError(
                         f"path: {path} must not be compressed with {name}: unpack it first"
@@ -84,16 +84,16 @@ def with_library(path: Path, format: str | None, given: Given) -> MeasuredSurfac
                 file.seek(0)
                 try:
                     return _read(io, path, file, reader.format(), given)
-                except _Refused as refusal:
+                except _ReaderError as refusal:
                     reasons.append((rank, f"{reader.name()} ({reader.format()}): {refusal}"))
     except OSError as error:
-        raise ValueError(f"path: cannot read heights from {path}: {said(error)}") from error
-    told = [text for rank, text in sorted(reasons, key=lambda r: r[0]) if rank < _UNKNOWN]
+        raise ValueError(f"path: cannot read heights from {path}: {error_text(error)}") from error
+    told = [text for rank, text in sorted(reasons, key=lambda r: r[0]) if rank < _UNKNOWN_FORMAT]
     reason = told[0] if told else f"no format supported by SurfaceTopography{_expected(io, path)}"
     raise ValueError(f"path: cannot read heights from {path}: {reason}")
 
 
-_UNKNOWN = 2
+_UNKNOWN_FORMAT = 2
 
 
 def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterator[tuple[Any, int]]:
@@ -110,7 +110,7 @@ def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterat
             continue
         named = ending in reader.file_extensions()
         is_text = reader.mime_types() == ["text/plain"]
-        rank = 0 if match == io.MagicMatch.YES else 1 if named else _UNKNOWN
+        rank = 0 if match == io.MagicMatch.YES else 1 if named else _UNKNOWN_FORMAT
         order = (0 if named else 1) if rank == 0 else 2 if named and not is_text else 3
         found.append((order, number, reader, rank))
     for _, _, reader, rank in sorted(found, key=lambda f: f[:2]):
@@ -124,12 +124,14 @@ def _expected(io: Any, path: Path) -> str:
     return f"; it does not begin like a {names[0]} file" if names else ""
 
 
-def _read(io: Any, path: Path, file: BinaryIO, format: str, given: Given) -> MeasuredSurface:
-    """Surface in an open file; _Refused for the reader's reasons, other errors for arguments."""
+def _read(
+    io: Any, path: Path, file: BinaryIO, format: str, given: ReaderArguments
+) -> MeasuredSurface:
+    """Surface in an open file; _ReaderError for the reader's reasons, other errors for arguments."""
     reader = _tried(io, lambda: io.open_topography(file, format=format))
     with reader:
         if not len(_tried(io, lambda: list(reader.channels))):
-            raise _Refused("the file has no channels")
+            raise _ReaderError("the file has no channels")
         info = _channel(reader, given.channel, path)
         steps, unit = given.steps, given.unit
         # a text whose header has no sizes is a plain array as well
@@ -153,16 +155,16 @@ def _read(io: Any, path: Path, file: BinaryIO, format: str, given: Given) -> Mea
 
 
 def _tried(io: Any, call: Any) -> Any:
-    """Result of a reader; _Refused with its reason for any error: damaged files raise all kinds."""
+    """Result of a reader; _ReaderError with its reason for any error: damaged files raise all kinds."""
     try:
         return call()
-    except (ImportError, _Refused):
+    except (ImportError, _ReaderError):
         raise
     except (io.ReadFileError, io.UnknownFileFormat) as error:
-        raise _Refused(said(error)) from error
+        raise _ReaderError(error_text(error)) from error
     except Exception as error:
-        raise _Refused(
-            f"its reader failed ({type(error).__name__}: {said(error)}): the file is damaged, or "
+        raise _ReaderError(
+            f"its reader failed ({type(error).__name__}: {error_text(error)}): the file is damaged, or "
             "a variant that SurfaceTopography does not support"
         ) from error
 
@@ -177,7 +179,7 @@ def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None)
     if written is not None and len(written) == len(x):
         x = written
     if len(x) < 2 or not ((np.diff(x) > 0).all() or (np.diff(x) < 0).all()):
-        raise _Refused("x of the profile must increase from point to point")
+        raise _ReaderError("x of the profile must increase from point to point")
     heights, step, uneven = profile(x, np.ma.filled(z.astype(float), np.nan))
     return MeasuredSurface(
         heights, step, attrs=attrs | ({"interpolated_from": uneven} if uneven else {})

@@ -19,13 +19,13 @@ from numpy.lib.format import MAGIC_PREFIX
 from .._util.checks import FloatArray
 
 PLAIN_FORMATS = (".npy", ".txt", ".dat", ".asc", ".csv")
-_TABLES = (*PLAIN_FORMATS, ".xyz")
+_TABLE_FORMATS = (*PLAIN_FORMATS, ".xyz")
 # errors of np.load; the last for headers and archives of numpy.save
-_DAMAGED = (
+_READ_ERRORS = (
     OSError, ValueError, EOFError, TypeError, ArithmeticError, MemoryError,
     SyntaxError, TokenError, BadZipFile, KeyError, NotImplementedError,
 )  # fmt: skip
-_FEWEST = 4  # minimum number of rows for columns of positions
+_MIN_POSITION_ROWS = 4  # minimum number of rows for columns of positions
 # a comment that holds no value: those stand after a colon (in Japanese a wide one) or equals sign
 _COMMENT = re.compile("\\s*(#[^:=\N{FULLWIDTH COLON}]*)?")
 _UNITS = {
@@ -43,7 +43,7 @@ class Table(NamedTuple):
     units: tuple[str | None, ...]
 
 
-def said(error: BaseException) -> str:
+def error_text(error: BaseException) -> str:
     """Text of an error on one line, without operating-system error numbers."""
     if isinstance(error, OSError) and error.strerror:
         return error.strerror.lower()
@@ -82,8 +82,8 @@ def plain_heights(path: Path) -> FloatArray:
             heights: Any = _array(path)
         else:
             heights = _rows(_lines(path), path.suffix.lower() == ".csv")
-    except _DAMAGED as error:
-        raise ValueError(f"path: cannot read heights from {path}: {said(error)}") from error
+    except _READ_ERRORS as error:
+        raise ValueError(f"path: cannot read heights from {path}: {error_text(error)}") from error
     numbers = isinstance(heights, np.ndarray) and heights.dtype.kind in "iuf"
     if not numbers or heights.ndim != 2 or heights.size == 0:
         found = f"{heights.dtype} of shape {heights.shape}" if numbers else type(heights).__name__
@@ -95,7 +95,7 @@ def table(path: Path) -> Table | None:
     """Two or three columns that may be positions and heights; None for other files."""
     if is_array(path):
         values, header = plain_heights(path), []
-    elif path.suffix.lower() in _TABLES:
+    elif path.suffix.lower() in _TABLE_FORMATS:
         try:
             lines = _lines(path)
             header = [line for line in _header(lines) if not _COMMENT.fullmatch(line)]
@@ -138,7 +138,7 @@ def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
 
     ValueError if it is neither: x of a profile that reverses, or points without a grid.
     """
-    if len(values) < _FEWEST or not np.isfinite(values[:, :-1]).all():
+    if len(values) < _MIN_POSITION_ROWS or not np.isfinite(values[:, :-1]).all():
         return None
     if values.shape[1] == 3 and not (_counts(values[:, 0]) and _rises(values[:, 1]) == 1.0):
         varies = [axis for axis in (0, 1) if np.ptp(values[:, axis]) > 0]

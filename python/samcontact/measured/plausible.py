@@ -11,9 +11,9 @@ from .._util.checks import FloatArray
 from .._util.display import lengths, quantity
 from .._util.errors import UnitWarning
 
-LONGEST = 1.0
+MAX_LENGTH = 1.0
 """Maximum length of a measured area [m]."""
-STEEPEST = 2.0
+MAX_RMS_SLOPE = 2.0
 """Maximum root-mean-square slope [-]: instruments measure up to some 70 degrees."""
 
 
@@ -32,9 +32,9 @@ def warn_of_size(
     span = float(np.ptp(known)) if known.size else 0.0
     slope = _rms_slope(heights, steps)
     doubts = []
-    if max(sides) > LONGEST:
-        doubts.append(f"its area is longer than {LONGEST:g} m")
-    if slope > STEEPEST:
+    if max(sides) > MAX_LENGTH:
+        doubts.append(f"its area is longer than {MAX_LENGTH:g} m")
+    if slope > MAX_RMS_SLOPE:
         doubts.append(f"its rms slope is {slope:.3g}")
     if span > max(sides):
         doubts.append("its height range exceeds its length")

@@ -11,7 +11,9 @@ import numpy as np
 from .._util.checks import FloatArray, boolean, choice, number
 from .._util.lazy_scipy import scipy
 
-_REACH = 24  # samples over which the effect of the ends of a cubic spline decays to rounding
+_SPLINE_DECAY_SAMPLES = (
+    24  # samples over which the effect of the ends of a cubic spline decays to rounding
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +63,7 @@ def resampled(
         inside.append(
             np.ones(p.size, dtype=bool) if repeats else _inside(p, axis, n * step, edge, sampling)
         )
-        wide = _REACH if repeats else 0
+        wide = _SPLINE_DECAY_SAMPLES if repeats else 0
         heights = np.pad(heights, [(wide, wide) if a == axis else (0, 0) for a in (0, 1)], "wrap")
         at = (np.arange(n + 2 * wide) - 0.5 * (n + 2 * wide - 1)) * step
         within = _parts(p, length, step) if sampling.average else p[:, None]

@@ -17,17 +17,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, finite, positive, real_array
-from .._util.display import Brief
+from .._util.display import ShortRepr
 from .._util.frozen import FrozenDict, read_only
 from .._util.short_text import in_short
-from ..scene.grid import Grid
-from ..scene.moving_topography import Relief, rows_within
+from ..problem.grid import Grid
+from ..problem.moving_topography import Relief, rows_within
 from ..surfaces import SurfaceGrid, require_surface
 from .resampling import Sampling, resampled
 from .trends import detrended_profile, filled_profile
 
 TRENDS = ("center", "height", "slope", "curvature")
-MANY_UNDEFINED = 0.05  # of all points; above, a filled surface is unreliable
+MAX_UNDEFINED_FRACTION = 0.05  # of all points; above, a filled surface is unreliable
 
 
 def library(module: str = "SurfaceTopography") -> Any:
@@ -53,7 +53,7 @@ def undefined_as_nan(heights: ArrayLike) -> FloatArray:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class MeasuredSurface(Brief):
+class MeasuredSurface(ShortRepr):
     """Measured heights on a regular grid of samples.
 
     Parameters
@@ -170,7 +170,7 @@ class MeasuredSurface(Brief):
         count = self.undefined
         if count == 0:
             return self
-        if count > MANY_UNDEFINED * self.heights.size:
+        if count > MAX_UNDEFINED_FRACTION * self.heights.size:
             share = 100.0 * count / self.heights.size
             source = f" of {self.attrs['source']}" if "source" in self.attrs else ""
             warnings.warn(

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .._util.checks import (
-    MOST_STEPS,
+    MAX_INCREMENTS_OF_PATH,
     boolean,
     choice,
     finite,
@@ -23,11 +23,11 @@ from .._util.checks import (
 Steps = list[dict[str, Any]]
 
 # Fraction of a step below which the rest of a distance is rounding, not a further step.
-_ROUNDING = 1e-9
+_ROUNDING_ERROR = 1e-9
 
 
 @dataclass(frozen=True)
-class Creep:
+class CreepageInput:
     """Lateral creepage, spin and longitudinal force of a contact with partial slip."""
 
     lateral: float = 0.0
@@ -47,7 +47,7 @@ class Creep:
 
 
 @dataclass(frozen=True)
-class Passes:
+class RollingPasses:
     """One or more passes over a track; see `paths.rolling` for the arguments.
 
     `shares`: displacement of bodies 1 and 2 towards -x per distance travelled by the contact.
@@ -64,7 +64,7 @@ class Passes:
     back_and_forth: bool
     speed: float | None
     heat_factor: float | Sequence[float] | None
-    creep: Creep
+    creep: CreepageInput
 
     def steps(self) -> Steps:
         lengths = _lengths(self.distance, self.step)
@@ -123,17 +123,17 @@ def _lengths(distance: float, step: float) -> list[float]:
     total, whole = finite("distance", distance), positive("step", step)
     if total == 0.0:
         raise ValueError("distance must not be 0")
-    if whole > abs(total) * (1.0 + _ROUNDING):
+    if whole > abs(total) * (1.0 + _ROUNDING_ERROR):
         raise ValueError(f"step must be <= the distance, {abs(total)!r}, got {whole!r}")
-    if abs(total) > MOST_STEPS * whole:
+    if abs(total) > MAX_INCREMENTS_OF_PATH * whole:
         raise ValueError(
-            f"step must be >= the distance over {MOST_STEPS}, {abs(total) / MOST_STEPS!r}, "
+            f"step must be >= the distance over {MAX_INCREMENTS_OF_PATH}, {abs(total) / MAX_INCREMENTS_OF_PATH!r}, "
             f"got {whole!r}"
         )
-    count = math.floor(abs(total) / whole + _ROUNDING)
+    count = math.floor(abs(total) / whole + _ROUNDING_ERROR)
     rest = abs(total) - count * whole
     lengths = [math.copysign(whole, total)] * count
-    if rest > _ROUNDING * whole:
+    if rest > _ROUNDING_ERROR * whole:
         lengths.append(math.copysign(rest, total))
     return lengths
 
@@ -225,11 +225,11 @@ def rolling(
                 f"slide_to_roll must be 0 with tangential_load_x, got {slide_to_roll!r}: "
                 "the creepage follows from the force"
             )
-    creep = Creep(
+    creep = CreepageInput(
         finite("lateral_creepage", lateral_creepage), finite("spin", spin), tangential_load_x
     )
     name, value = load_or_approach(load, approach)
-    return Passes(
+    return RollingPasses(
         name,
         value,
         distance,
@@ -300,7 +300,7 @@ def sliding(
     """
     shares = (0.0, 1.0) if choice("slider", slider, (1, 2)) == 1 else (1.0, 0.0)
     name, value = load_or_approach(load, approach)
-    return Passes(
+    return RollingPasses(
         name,
         value,
         distance,
@@ -312,5 +312,5 @@ def sliding(
         back_and_forth,
         speed,
         heat_factor,
-        Creep(),
+        CreepageInput(),
     ).steps()

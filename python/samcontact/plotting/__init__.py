@@ -6,40 +6,43 @@ does not change the pyplot state. Lengths are in micrometres, stresses in MPa or
 downward.
 """
 
-from . import tugging, wear
+from . import asperities, wear
 from .animation import rolling_animation, save_animation
 from .contact import (
     axis_profile,
+    imprint_profile,
     load_approach,
     pressure_profile,
-    print_profile,
     temperature_profile,
 )
 from .fatigue import fatigue_depth, fatigue_map, fatigue_section
 from .interface import interface_profile
 from .maps import surface_map, track_map
-from .parts import column
+from .parts import journal_column
 from .section import section
 from .shakedown import shakedown_map, strain_per_cycle
-from .slip_animation import stick_slip_animation
-from .slipping import creep_curve, fretting_loop, rolling_force, shear_profile, stick_slip_map
+from .slip_animation import partial_slip_animation
+from .slipping import creep_curve, fretting_loop, partial_slip_map, rolling_force, shear_profile
 from .summary import summary_figures
-from .track import loaded_section, track_print, track_section
+from .track import loaded_section, track_imprint, track_section
 from .view import save_view, view
 
 __all__ = [
+    "asperities",
     "axis_profile",
-    "column",
     "creep_curve",
     "fatigue_depth",
     "fatigue_map",
     "fatigue_section",
     "fretting_loop",
+    "imprint_profile",
     "interface_profile",
+    "journal_column",
     "load_approach",
     "loaded_section",
+    "partial_slip_animation",
+    "partial_slip_map",
     "pressure_profile",
-    "print_profile",
     "rolling_animation",
     "rolling_force",
     "save_animation",
@@ -47,16 +50,13 @@ __all__ = [
     "section",
     "shakedown_map",
     "shear_profile",
-    "stick_slip_animation",
-    "stick_slip_map",
     "strain_per_cycle",
     "summary_figures",
     "surface_map",
     "temperature_profile",
+    "track_imprint",
     "track_map",
-    "track_print",
     "track_section",
-    "tugging",
     "view",
     "wear",
 ]

@@ -16,7 +16,7 @@ from matplotlib.lines import Line2D
 from .._util.checks import FloatArray, choice, positive
 from .._util.quantities import CONTACT
 from ..files.atomic import replacing
-from ..solutions.state import in_one_window
+from ..solutions.state import on_common_grid
 from .parts import edges, finish, nearest, new_figure, require_volume
 from .track import positions_on_body
 
@@ -63,7 +63,7 @@ def rolling_animation(
     choice("body", body, (1, 2))
     choice("quantity", quantity, _QUANTITIES)
     positive("interval", interval)
-    states = in_one_window(states)
+    states = on_common_grid(states)
     grid = states[0].grid
     require_volume(grid)
     assert grid.dz is not None
@@ -194,7 +194,7 @@ def save_animation(
     Parameters
     ----------
     animation : matplotlib.animation.FuncAnimation
-        Result of `rolling_animation` or `stick_slip_animation`.
+        Result of `rolling_animation` or `partial_slip_animation`.
     path : str or Path
         File name ending in .gif, written by Pillow, or .mp4, which requires the program ffmpeg.
     fps : float, optional

@@ -15,14 +15,22 @@ from .._util.quantities import CONTACT
 from .._util.tensors import von_mises
 from ..bodies.layered import Layered
 from ..hertz import EllipticContact, PointContact
-from .parts import COMPONENTS, INTERFACE, axes_or_new, depths_of, finish, nearest, surface_line
+from .parts import (
+    COMPONENT_INDEX,
+    INTERFACE_STYLE,
+    axes_or_new,
+    depths_of,
+    finish,
+    nearest,
+    surface_line,
+)
 from .shown import require_possible
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..bodies.layered import Body
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
 
 HertzContact = PointContact | EllipticContact
 
@@ -169,7 +177,7 @@ def _between(points: FloatArray) -> FloatArray:
     return np.stack([np.interp(fine, np.arange(count), row) for row in points])
 
 
-def print_profile(
+def imprint_profile(
     field: ArrayLike,
     grid: Grid,
     ax: Axes | None = None,
@@ -289,21 +297,21 @@ def axis_profile(
     """
     depths = depths_of(grid, stress)
     for component in components:
-        choice("components", component, ("von_mises", "hydrostatic", *COMPONENTS))
+        choice("components", component, ("von_mises", "hydrostatic", *COMPONENT_INDEX))
     tensor = finite_array("stress", stress, (6, grid.nx, grid.ny, len(depths)))
     tensor = tensor[:, nearest(grid.x, 0.0), nearest(grid.y, 0.0)]
-    lines = dict(zip(COMPONENTS, tensor, strict=True))
+    lines = dict(zip(COMPONENT_INDEX, tensor, strict=True))
     lines |= {"von_mises": von_mises(tensor), "hydrostatic": tensor[:3].mean(axis=0)}
     between = finite_array("interfaces", interfaces, np.shape(interfaces))
     between = between[between < depths[-1]]
     first = np.searchsorted(depths, between)  # curves are not joined across interfaces
     ax = axes_or_new(ax)
     for name in components:
-        label = rf"$\sigma_{{{name}}}$" if name in COMPONENTS else CONTACT[name].heading
+        label = rf"$\sigma_{{{name}}}$" if name in COMPONENT_INDEX else CONTACT[name].heading
         values = np.insert(lines[name] * CONTACT["stress"].factor, first, np.nan)
         ax.plot(values, np.insert(depths * 1e6, first, between * 1e6), linewidth=1.2, label=label)
     for depth in between:
-        ax.axhline(depth * 1e6, **INTERFACE)
+        ax.axhline(depth * 1e6, **INTERFACE_STYLE)
     if body is not None:
         _add_strength(ax, body, depths)
     ax.set_ylim(float(depths[-1]) * 1e6, 0.0)

@@ -60,14 +60,14 @@ def fatigue_depth(
     factor, unit = _quantity(several[0]).factor, _UNITS[several[0].unit]
     ax = axes_or_new(ax)
     for field in several:
-        depth, values = field.places["z"] * 1e6, field.over_depth() * factor
+        depth, values = field.coordinates["z"] * 1e6, field.over_depth() * factor
         (line,) = ax.plot(values, depth, linewidth=1.4, label=_name(field))
         most = int(values.argmax())
         ax.plot(values[most], depth[most], "o", color=line.get_color(), markersize=4)
     if limit is not None:
         bound = positive("limit", limit) * factor
         ax.axvline(bound, color="0.35", linewidth=1.0, linestyle=(0, (5, 3)), label="limit")
-    ax.set_ylim(float(several[0].places["z"][-1]) * 1e6, 0.0)
+    ax.set_ylim(float(several[0].coordinates["z"][-1]) * 1e6, 0.0)
     if len(several) == 1 and limit is None:
         ax.set_xlabel(f"{_name(several[0])} [{unit}]")
     else:
@@ -109,12 +109,12 @@ def fatigue_section(
     """
     _require_axes(field, "z")
     values, note = field.values, ""
-    across = next(axis for axis in field.places if axis != "z")
-    if "x" in field.places and "y" in field.places:
+    across = next(axis for axis in field.coordinates if axis != "z")
+    if "x" in field.coordinates and "y" in field.coordinates:
         chosen = choice("plane", "y" if plane is None else plane, ("y", "x"))
         across = "x" if chosen == "y" else "y"
-        there = field.places[chosen]
-        at = field.place[chosen] if position is None else finite("position", position)
+        there = field.coordinates[chosen]
+        at = field.position[chosen] if position is None else finite("position", position)
         index = nearest(there, at)
         values = values[:, index] if chosen == "y" else values[index]
         note = f", {place(chosen, float(there[index]))}"
@@ -152,11 +152,11 @@ def fatigue_map(field: FatigueField, ax: Axes | None = None) -> Axes:
 
 
 def _require_axes(field: FatigueField, *axes: str) -> None:
-    missing = [axis for axis in axes if axis not in field.places]
+    missing = [axis for axis in axes if axis not in field.coordinates]
     if missing:
         raise ValueError(
             f"field must have the axes {', '.join(axes)}, got "
-            f"{', '.join(field.places) or 'none: the stress was given as an array'}"
+            f"{', '.join(field.coordinates) or 'none: the stress was given as an array'}"
         )
 
 
@@ -173,7 +173,7 @@ def _coloured(
     field: FatigueField, ax: Axes | None, axes: str, values: FloatArray, note: str
 ) -> Axes:
     """Draw values along two axes, with a cross at the maximum."""
-    sides = [field.places[axis] for axis in axes]
+    sides = [field.coordinates[axis] for axis in axes]
     plane = Plane(*(edges(side, _step(side)) for side in sides))
     ax = show_surface(ax, plane, values, _quantity(field), axes[0], note)
     i, j = np.unravel_index(int(values.argmax()), values.shape)

@@ -14,17 +14,24 @@ from matplotlib.ticker import MaxNLocator
 from .._util.checks import BoolArray, FloatArray, boolean
 from .._util.lazy_scipy import scipy
 from .._util.quantities import Quantity
-from .parts import LYING, axes_or_new, without_seams
+from .parts import MAX_FLAT_MAP_RATIO, axes_or_new, without_seams
 from .ticks import FittedLocator, fit_ticks
 
-_FLAT = 0.45  # depth/width below which the label of the colour bar would exceed the section
-_SHORT = 0.22  # depth/width below which the label of the depth would exceed the section
-_BANDS = 8  # colour bands between contour lines: more cannot be distinguished
-_TRACE = 1e-2  # strain, relative to its maximum, below which no colour is drawn
-_LINE: dict[str, Any] = {"colors": "k", "linewidths": 0.4, "alpha": 0.35}
-EDGE: dict[str, Any] = {"colors": "k", "linewidths": 0.9}
+_FLAT_SECTION_RATIO = (
+    0.45  # depth/width below which the label of the colour bar would exceed the section
+)
+_SHORT_LABEL_RATIO = 0.22  # depth/width below which the label of the depth would exceed the section
+_BANDS_PER_CONTOUR = 8  # colour bands between contour lines: more cannot be distinguished
+_MIN_SHOWN_STRAIN = 1e-2  # strain, relative to its maximum, below which no colour is drawn
+_CONTOUR_STYLE: dict[str, Any] = {"colors": "k", "linewidths": 0.4, "alpha": 0.35}
+EDGE_STYLE: dict[str, Any] = {"colors": "k", "linewidths": 0.9}
 """Style of the line around a contact."""
-_BAR: dict[str, Any] = {"linewidth": 2.5, "solid_capstyle": "butt", "clip_on": False, "zorder": 3}
+_CONTACT_BAR_STYLE: dict[str, Any] = {
+    "linewidth": 2.5,
+    "solid_capstyle": "butt",
+    "clip_on": False,
+    "zorder": 3,
+}
 
 
 class Plane(NamedTuple):
@@ -65,10 +72,10 @@ def show_section(
     along both sides. `cells`: cell by cell.
     """
     ax = axes_or_new(ax)
-    titled = titled or plane.ratio < _FLAT
+    titled = titled or plane.ratio < _FLAT_SECTION_RATIO
     _show(ax, plane, values, quantity, titled=titled, equal=equal, cells=cells)
     ax.set_xlabel(f"{name} [µm]")
-    ax.set_ylabel("z [µm]" if equal and plane.ratio < _SHORT else "depth z [µm]")
+    ax.set_ylabel("z [µm]" if equal and plane.ratio < _SHORT_LABEL_RATIO else "depth z [µm]")
     ax.invert_yaxis()
     return ax
 
@@ -92,7 +99,7 @@ def show_surface(
     ax = axes_or_new(ax)
     if inside is not None and cells:
         values = np.where(inside > 0, values, np.nan)
-    below = plane.ratio < LYING
+    below = plane.ratio < MAX_FLAT_MAP_RATIO
     drawn = _show(ax, plane, values, quantity, note, titled=True, cells=cells, below=below)
     if inside is not None and not cells:
         clip(ax, drawn, plane, inside)
@@ -121,7 +128,7 @@ def clip(ax: Axes, drawn: list[Any], plane: Plane, inside: FloatArray) -> None:
 
 def outline(ax: Axes, plane: Plane, inside: FloatArray, **style: Any) -> None:
     """Draw the zero line of a field."""
-    ax.contour(*plane.smooth(inside), levels=[0.0], **(EDGE | style))
+    ax.contour(*plane.smooth(inside), levels=[0.0], **(EDGE_STYLE | style))
 
 
 def inside_of_contact(contact: FloatArray) -> FloatArray:
@@ -177,7 +184,7 @@ def touching_along(
     """Draw a bar over the contact cells, along the surface of a section or at a given height."""
     for run in scipy.ndimage.find_objects(scipy.ndimage.label(touching)[0]):
         ends = across[[run[0].start, run[0].stop]] * 1e6
-        ax.plot(ends, [height, height], "k-", **_BAR, **options)
+        ax.plot(ends, [height, height], "k-", **_CONTACT_BAR_STYLE, **options)
 
 
 def scale_of(values: FloatArray, quantity: Quantity) -> tuple[Normalize, FloatArray, FloatArray]:
@@ -193,13 +200,13 @@ def scale_of(values: FloatArray, quantity: Quantity) -> tuple[Normalize, FloatAr
     else:
         norm = Normalize(low, high)
     lines = np.asarray(MaxNLocator(8, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
-    band = float(lines[1] - lines[0]) / _BANDS
+    band = float(lines[1] - lines[0]) / _BANDS_PER_CONTOUR
     first, last = np.floor(low / band), np.floor(high / band) + 2
     bands = np.arange(first, last) * band
     if quantity.signed:
         bands = np.arange(first, last + 1) * band - 0.5 * band  # zero is in the middle of one
     elif quantity.kind == "strain" and high > 0:
-        bands[0] = _TRACE * high
+        bands[0] = _MIN_SHOWN_STRAIN * high
     return norm, bands, lines[(lines > low) & (lines < high) & (np.abs(lines) > 1e-3 * band)]
 
 
@@ -238,7 +245,7 @@ def _show(
             field = plane.smooth(shown)
             drawn = [without_seams(ax.contourf(*field, levels=bands, **look))]
             if len(lines):
-                drawn.append(ax.contour(*field, levels=lines, linestyles="solid", **_LINE))
+                drawn.append(ax.contour(*field, levels=lines, linestyles="solid", **_CONTOUR_STYLE))
         beside: dict[str, Any] = {"label": "" if titled else label, "ticks": FittedLocator()}
         ends = max(bands[0], norm.vmin), min(bands[-1], norm.vmax)
         if below:

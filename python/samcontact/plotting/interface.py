@@ -12,11 +12,11 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, finite, finite_array, integer
 from .._util.quantities import CONTACT
+from ..problem.contact_law import in_contact
 from ..results.contact import repulsion_of
-from ..scene.contact_law import in_contact
 from .fields import touching_along
 from .parts import (
-    COMPONENTS,
+    COMPONENT_INDEX,
     axes_or_new,
     edges,
     elsewhere,
@@ -27,15 +27,15 @@ from .parts import (
 )
 
 if TYPE_CHECKING:
-    from ..scene.grid import Grid
-    from .scene import Scene
+    from ..problem.grid import Grid
+    from .contact_results import ContactResults
 
-_MOST_PANELS = 3
-_MARK = "maximum tension"
-_NO_TENSION = 1e-2
+_MAX_PANELS = 3
+_TENSION_LABEL = "maximum tension"
+_MIN_MARKED_TENSION = 1e-2
 """Tension, relative to the maximum stress drawn, below which the maximum is not marked."""
-_SIDES = (("above", "C0", "-"), ("below", "C1", "--"))
-_ABOVE: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "frameon": False}
+_SIDE_STYLES = (("above", "C0", "-"), ("below", "C1", "--"))
+_LEGEND_ABOVE: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "frameon": False}
 
 
 def interface_profile(
@@ -104,7 +104,7 @@ def interface_profile(
         touching_along(ax, edges(s, step), bar, 1.0, transform=ax.get_xaxis_transform())
     where = f"at {depths[number] * 1e6:.4g} µm depth" if depths.size else "at the interface"
     ax.set(xlabel=f"{axis} [µm]", ylabel=f"stress {where} [{CONTACT['stress'].shown}]")
-    ax.legend(ncols=3, **_ABOVE)
+    ax.legend(ncols=3, **_LEGEND_ABOVE)
     return finish(ax)
 
 
@@ -115,35 +115,35 @@ def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
     passing = shown[known].mean(axis=0)
     name = axis * 2
     lines = [
-        (rf"$\sigma_{{{name}}}$ {side}", shown[n, COMPONENTS[name]], colour, style)
-        for n, (side, colour, style) in enumerate(_SIDES)
+        (rf"$\sigma_{{{name}}}$ {side}", shown[n, COMPONENT_INDEX[name]], colour, style)
+        for n, (side, colour, style) in enumerate(_SIDE_STYLES)
         if n in known
     ]
     for name, colour, style in (("zz", "C2", "-"), (f"{axis}z", "C3", "-.")):
-        lines.append((rf"$\sigma_{{{name}}}$", passing[COMPONENTS[name]], colour, style))
+        lines.append((rf"$\sigma_{{{name}}}$", passing[COMPONENT_INDEX[name]], colour, style))
     for label, values, colour, style in lines:
         ax.plot(s * 1e6, values, style, color=colour, linewidth=1.2, label=label)
     normal = np.stack([values for _, values, _, _ in lines[:-1]])
     most = float(normal.max())
     # a unique maximum for mirror-symmetric stresses
     which, at = np.unravel_index(int(np.argmax(normal >= most - 1e-6 * abs(most))), normal.shape)
-    if most > _NO_TENSION * max(np.abs(values).max() for _, values, _, _ in lines):
-        label = f"{_MARK} {most:.4g} {CONTACT['stress'].shown}"
+    if most > _MIN_MARKED_TENSION * max(np.abs(values).max() for _, values, _, _ in lines):
+        label = f"{_TENSION_LABEL} {most:.4g} {CONTACT['stress'].shown}"
         colour = lines[which][2]
         ax.plot(
             s[at] * 1e6, normal[which, at], "o", color=colour, markersize=4, zorder=3, label=label
         )
 
 
-def interface_figure(scene: Scene, number: int) -> Figure:
+def interface_figure(scene: ContactResults, number: int) -> Figure:
     """Draw the interfaces of a body at an increment, or those with the highest tension.
 
     Panels are stacked, along the row of cells in which the in-plane stress varies most.
     """
     stress, grid = scene.field("interface_stress", number), scene.grid
     tension = stress[:, [0, 2]].max(axis=(0, 1, 2, 3))
-    shown = np.sort(np.argsort(-tension, kind="stable")[:_MOST_PANELS])
-    change = np.ptp(stress[:, COMPONENTS["xx"]][..., shown], axis=1).max(axis=(0, 2))
+    shown = np.sort(np.argsort(-tension, kind="stable")[:_MAX_PANELS])
+    change = np.ptp(stress[:, COMPONENT_INDEX["xx"]][..., shown], axis=1).max(axis=(0, 2))
     y = float(grid.y[row_of_interest(change, grid.y)])
     figure = new_figure(5.0, 0.5 + 2.6 * len(shown))
     panels = np.ravel(figure.subplots(len(shown), 1, sharex=True))
@@ -156,8 +156,8 @@ def interface_figure(scene: Scene, number: int) -> Figure:
     for ax in panels[1:]:
         ax.get_legend().remove()
         named = zip(*ax.get_legend_handles_labels(), strict=True)
-        if marks := [line for line, label in named if label.startswith(_MARK)]:
-            ax.legend(handles=marks, **_ABOVE)
+        if marks := [line for line, label in named if label.startswith(_TENSION_LABEL)]:
+            ax.legend(handles=marks, **_LEGEND_ABOVE)
     for ax in panels[:-1]:
         ax.set_xlabel("")
     if where := elsewhere("y", y, grid.dy):

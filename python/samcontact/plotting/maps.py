@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, finite_array, gap_array
 from .._util.quantities import CONTACT, Quantity
+from ..problem.contact_law import in_contact
 from ..results.reading import cell_size
-from ..scene.contact_law import in_contact
 from .fields import Plane, inside_of_contact, name_sides, outline, show_surface
 from .parts import SURFACES, edges
 from .shown import of_either_sign, quantity_of
@@ -20,12 +20,12 @@ from .shown import of_either_sign, quantity_of
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..scene.grid import Grid
-    from .scene import Scene
+    from ..problem.grid import Grid
+    from .contact_results import ContactResults
 
-_BLANK = {"pressure": ", white: no contact", "gap": ", white: contact"}
-_PRINT = SURFACES["print"]
-_CLOSED = 1e-6  # gap, relative to its maximum, below which it counts as closed
+_BLANK_NOTES = {"pressure": ", white: no contact", "gap": ", white: contact"}
+_IMPRINT = SURFACES["imprint"]
+_MIN_OPEN_GAP = 1e-6  # gap, relative to its maximum, below which it counts as closed
 
 
 def surface_map(
@@ -49,7 +49,7 @@ def surface_map(
         Grid of the field.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
-    quantity : {"pressure", "gap", "print", "shear_x", "shear_y", "temperature"}, optional
+    quantity : {"pressure", "gap", "imprint", "shear_x", "shear_y", "temperature"}, optional
         Quantity shown, which determines name, unit and colours. The map is white where the pressure
         or the gap is zero. If omitted, values are shown without conversion, with a diverging colour
         map if both signs occur.
@@ -87,7 +87,7 @@ def surface_map(
     )
 
 
-def peak_map(scene: Scene, name: str, ax: Axes) -> Axes:
+def peak_map(scene: ContactResults, name: str, ax: Axes) -> Axes:
     """Draw `surface_map` of pressure or gap of a run at its peak, also for given tractions."""
     values, repulsion = scene.surface(name, scene.peak), scene.surface("repulsion", scene.peak)
     shown = of_either_sign(name, values, scene.grid)
@@ -111,7 +111,7 @@ def _draw(
     elif name == "pressure":
         pressed = values
     elif name == "gap":  # closed within the tolerance of the contact
-        pressed = (values <= _CLOSED * np.nanmax(values)).astype(np.float64)
+        pressed = (values <= _MIN_OPEN_GAP * np.nanmax(values)).astype(np.float64)
     else:
         pressed = np.zeros_like(values)
     plane = Plane(edges(grid.x, grid.dx), edges(grid.y, grid.dy))
@@ -121,13 +121,13 @@ def _draw(
     edge = inside_of_contact(np.maximum(pressed, 0.0))
     touching = in_contact(pressed)
     ends = bool(np.any(touching) and not np.all(touching))
-    if name in _BLANK and ends and not shown.signed:
-        inside, note = edge if name == "pressure" else -edge, _BLANK[name]
+    if name in _BLANK_NOTES and ends and not shown.signed:
+        inside, note = edge if name == "pressure" else -edge, _BLANK_NOTES[name]
     if np.isnan(values).any():
         note = f"{note} or no body" if note else ", white: no body"
     ax = show_surface(ax, plane, values, shown, across, note, inside=inside, cells=cells)
     if ends and not cells:
-        outline(ax, plane, edge, linestyles="dashed" if name == _PRINT else "solid")
+        outline(ax, plane, edge, linestyles="dashed" if name == _IMPRINT else "solid")
     return name_sides(ax, across)
 
 

@@ -24,38 +24,38 @@ from ..files.atomic import replacing
 from .ticks import FittedLocator, fit_ticks
 
 if TYPE_CHECKING:
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
 
 SECTIONS = (
     "von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises",
     "residual_hydrostatic", "stress", "residual_stress", "plastic_strain", "temperature",
 )  # fmt: skip
 SURFACES = {
-    "pressure": "pressure", "gap": "gap", "print": "residual_displacement", "shear_x": "shear_x",
+    "pressure": "pressure", "gap": "gap", "imprint": "residual_displacement", "shear_x": "shear_x",
     "shear_y": "shear_y", "temperature": "surface_temperature",
 }  # fmt: skip
 """Names of surface fields in figures, and their quantities."""
-INTERFACE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
-LYING = 0.2
+INTERFACE_STYLE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
+MAX_FLAT_MAP_RATIO = 0.2
 """Ratio of height to width below which the colour bar of a map is placed below the map."""
-LONG = 2.5
+MIN_LONG_CONTACT_RATIO = 2.5
 """Ratio of length along y to length along x above which maps are rotated."""
-COMPONENTS = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
+COMPONENT_INDEX = {"xx": 0, "yy": 1, "zz": 2, "yz": 3, "xz": 4, "xy": 5}
 
 
 _COLUMNS = {"single": (88.0, 7.0), "double": (180.0, 8.0)}
 """Width [mm] and font size [pt] of figures for journal columns."""
-_WIDE = 6.5  # width [in] above which a figure takes the double column
-_PAD = 0.08  # margin [in]
-_AS_WIDE = "as wide as a column"
+_MIN_DOUBLE_COLUMN_WIDTH = 6.5  # width [in] above which a figure takes the double column
+_PADDING = 0.08  # margin [in]
+_COLUMN_WIDTH_ID = "as wide as a column"
 _in_column: ContextVar[str] = ContextVar("_in_column", default="screen")
 
 
 @contextmanager
-def column(width: str = "single") -> Iterator[None]:
+def journal_column(width: str = "single") -> Iterator[None]:
     """Create figures with the width and font size of a journal column.
 
-    Create and save figures within it: ``with plotting.column("double"): summary_figures(...)``.
+    Create and save figures within it: ``with plotting.journal_column("double"): summary_figures(...)``.
     Figures with several panels side by side take the double column. Functions that receive an `ax`
     draw into its figure.
 
@@ -85,11 +85,11 @@ def column(width: str = "single") -> Iterator[None]:
 def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
     """Return a figure of this size [in], scaled to the column width within `column`."""
     given = _in_column.get()
-    name = "double" if given == "single" and width > _WIDE else given
+    name = "double" if given == "single" and width > _MIN_DOUBLE_COLUMN_WIDTH else given
     size = _COLUMNS[name][0] / 25.4 if name in _COLUMNS else width
     figure = Figure(figsize=(size, height * size / width), layout="compressed", dpi=200)
     if name in _COLUMNS:
-        figure.set_gid(_AS_WIDE)
+        figure.set_gid(_COLUMN_WIDTH_ID)
     FigureCanvasAgg(figure)
     return figure
 
@@ -98,11 +98,11 @@ def save(figure: Figure | None, path: Path) -> Path:
     """Write a figure without blank margins; the figure of an axes must not be None."""
     assert figure is not None
     with replacing(path) as part:
-        draw(figure, part, format=path.suffix[1:] or "png", **_OPTIONS.get(path.suffix, {}))
+        draw(figure, part, format=path.suffix[1:] or "png", **_SAVE_OPTIONS.get(path.suffix, {}))
     return path
 
 
-_OPTIONS: dict[str, dict[str, Any]] = {
+_SAVE_OPTIONS: dict[str, dict[str, Any]] = {
     ".pdf": {"dpi": 400, "metadata": {"CreationDate": None}},
     ".svg": {"dpi": 400, "metadata": {"Date": None}},
 }
@@ -114,13 +114,13 @@ def draw(figure: Figure, target: Path | BinaryIO, **options: Any) -> None:
     """Write a figure to a file or a buffer, with options of Matplotlib."""
     box: Any = "tight"
     try:
-        if figure.get_gid() == _AS_WIDE:  # full column width, not cropped
+        if figure.get_gid() == _COLUMN_WIDTH_ID:  # full column width, not cropped
             figure.draw_without_rendering()  # computes the layout
             shown = figure.get_tightbbox()
-            ends = (shown.y0 - _PAD, figure.get_figwidth(), shown.y1 + _PAD)
+            ends = (shown.y0 - _PADDING, figure.get_figwidth(), shown.y1 + _PADDING)
             box = Bbox.from_extents(0.0, *ends)
         with matplotlib.rc_context({"pdf.fonttype": 42, "svg.hashsalt": "samcontact"}):
-            figure.savefig(target, bbox_inches=box, pad_inches=_PAD, **options)
+            figure.savefig(target, bbox_inches=box, pad_inches=_PADDING, **options)
     except RuntimeError as error:  # e.g. LaTeX, requested by a matplotlibrc, is missing
         raise OSError(f"cannot draw a figure: {error}") from error
 
@@ -145,7 +145,9 @@ def section_height(width: float, across: float, depth: float) -> float:
 
 def map_height(width: float, across: float, down: float) -> float:
     """Return the height of the figure of a map [in]; flat maps have their colour bar below."""
-    return section_height(width, across, down) + (0.55 if down < LYING * across else 0.0)
+    return section_height(width, across, down) + (
+        0.55 if down < MAX_FLAT_MAP_RATIO * across else 0.0
+    )
 
 
 def axes_or_new(ax: Axes | None) -> Axes:

@@ -10,13 +10,13 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from .._util.checks import choice, finite, finite_array
-from ..scene.contact_law import in_contact
+from ..problem.contact_law import in_contact
 from .fields import Plane, show_section, touching_along
-from .parts import INTERFACE, SECTIONS, depths_of, edges, nearest
+from .parts import INTERFACE_STYLE, SECTIONS, depths_of, edges, nearest
 from .shown import quantity_of
 
 if TYPE_CHECKING:
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
 
 
 def section(
@@ -90,7 +90,7 @@ def section(
     sides = Plane(across, edges(depths, grid.dz))
     ax = show_section(ax, sides, values[row], shown, name, cells=cells)
     for depth in between[between < sides.down[-1]]:
-        ax.axhline(depth * 1e6, **INTERFACE)
+        ax.axhline(depth * 1e6, **INTERFACE_STYLE)
     if touching is not None:
         touching_along(ax, across, in_contact(touching[row]))
     return ax

@@ -19,7 +19,7 @@ from .parts import axes_or_new, finish
 from .ticks import FittedLocator
 
 if TYPE_CHECKING:
-    from ..shakedown import Limit, ShakedownResult
+    from ..shakedown import ShakedownLimit, ShakedownResult
 
 _FRICTION = np.linspace(0.0, 0.6, 31)
 
@@ -50,7 +50,7 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
         The contact is unknown, or Poisson's ratio is outside [0, 0.5].
     """
     nu, ax = poisson_ratio("nu", nu), axes_or_new(ax)
-    curves: list[tuple[str, str, Callable[[float], Limit]]]
+    curves: list[tuple[str, str, Callable[[float], ShakedownLimit]]]
     if choice("contact", contact, ("line", "point")) == "line":
         curves = [
             (
@@ -73,7 +73,7 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
             ("shakedown, perfectly plastic (upper bound)", "tab:red",
              lambda m: shakedown.point(m, nu)),
             ("shakedown, perfectly plastic (lower bound)", "--tab:red",
-             lambda m: shakedown.point_safe(m, nu)),
+             lambda m: shakedown.point_lower_bound(m, nu)),
         ]  # fmt: skip
     for label, colour, function in curves:
         limits = [function(float(mu)) for mu in _FRICTION]
@@ -116,7 +116,7 @@ def strain_per_cycle(
         [cycle.number for cycle in result.cycles],
         [cycle.net / result.yield_strain for cycle in result.cycles],
         [cycle.flow / result.yield_strain for cycle in result.cycles],
-        result.verdict if label is None else label,
+        result.response if label is None else label,
         axes_or_new(ax),
     )
 

@@ -11,16 +11,16 @@ from .._util.checks import FloatArray
 from .._util.quantities import CONTACT, Quantity
 
 if TYPE_CHECKING:
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
 
-_ROUNDING = 1e-6
+_ROUNDING_ERROR = 1e-6
 """Negative values up to this fraction of the maximum, or of the grid size, are rounding errors."""
-_ROUNDING_OF_HEAT = 1e-3
+_HEAT_ROUNDING_ERROR = 1e-3
 """Error of transforms and quadrature in the temperature outside a source, relative."""
-_MOST = {"strain": 1e2, "heat": 1e6}
-_MOST_SIZES = 1e3
+_MAX_VALUES = {"strain": 1e2, "heat": 1e6}
+_MAX_LENGTH_RATIO = 1e3
 """Maximum plausible length, relative to the size of the grid."""
-_UNNAMED = Quantity("", "", "", "value", kind="any")
+_UNNAMED_QUANTITY = Quantity("", "", "", "value", kind="any")
 
 
 def quantity_of(
@@ -37,7 +37,7 @@ def quantity_of(
     occur. Raises ValueError for values that are impossible for the named quantity.
     """
     if name is None:
-        shown = signed(_UNNAMED) if _is_negative(values, 0.0) else _UNNAMED
+        shown = signed(_UNNAMED_QUANTITY) if _is_negative(values, 0.0) else _UNNAMED_QUANTITY
     else:
         shown = CONTACT[name]
         require_possible(argument, values, shown, grid)
@@ -68,9 +68,9 @@ def require_possible(argument: str, values: FloatArray, quantity: Quantity, grid
             f"{argument} must be >= 0 to be shown as {quantity.heading}, got values down to "
             f"{least:.4g}{unit}: {another}"
         )
-    most = _MOST.get(quantity.kind, np.inf)
+    most = _MAX_VALUES.get(quantity.kind, np.inf)
     if quantity.unit == "m":
-        most = _MOST_SIZES * _size(grid)
+        most = _MAX_LENGTH_RATIO * _size(grid)
     if largest > most:
         raise ValueError(
             f"{argument} must be at most {most:.4g}{unit} to be shown as {quantity.heading}, got "
@@ -84,9 +84,11 @@ def _size(grid: Grid) -> float:
 
 def _rounding(values: FloatArray, quantity: Quantity, grid: Grid) -> float:
     size = _size(grid) if quantity.unit == "m" else 0.0
-    share = _ROUNDING_OF_HEAT if quantity.kind == "heat" else _ROUNDING
+    share = _HEAT_ROUNDING_ERROR if quantity.kind == "heat" else _ROUNDING_ERROR
     return share * max(size, float(np.nanmax(np.abs(values))))
 
 
 def _is_negative(values: FloatArray, rounding: float) -> bool:
-    return bool(np.nanmin(values) < -max(rounding, _ROUNDING * float(np.nanmax(np.abs(values)))))
+    return bool(
+        np.nanmin(values) < -max(rounding, _ROUNDING_ERROR * float(np.nanmax(np.abs(values))))
+    )

@@ -13,18 +13,18 @@ from matplotlib.lines import Line2D
 
 from .._util.checks import FloatArray, positive
 from .._util.quantities import CONTACT
-from ..solutions.state import in_one_window
-from .parts import LONG, finish, new_figure
-from .slipping import stick_slip_map
+from ..solutions.state import on_common_grid
+from .parts import MIN_LONG_CONTACT_RATIO, finish, new_figure
+from .slipping import partial_slip_map
 
 if TYPE_CHECKING:
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
     from ..solutions.state import State
 
-_MARGIN = 0.15  # margin around the contact, relative to its size
+_CONTACT_MARGIN = 0.15  # margin around the contact, relative to its size
 
 
-class Course(NamedTuple):
+class ForceHistory(NamedTuple):
     """Motion and force of all increments, in the units of their labels."""
 
     across: FloatArray
@@ -32,7 +32,7 @@ class Course(NamedTuple):
     labels: tuple[str, str]
 
 
-def stick_slip_animation(states: Sequence[State], *, interval: float = 100.0) -> FuncAnimation:
+def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) -> FuncAnimation:
     """Animate stick and slip zones, next to the tangential force versus displacement.
 
     For rolling bodies, the force is shown versus the distance rolled.
@@ -58,10 +58,10 @@ def stick_slip_animation(states: Sequence[State], *, interval: float = 100.0) ->
     if len(states) == 0:
         raise ValueError("states must contain at least one state, got none")
     positive("interval", interval)
-    states = in_one_window(states)
+    states = on_common_grid(states)
     grid, course = states[0].grid, course_of(states)
     limits = _limits(states, grid)
-    lies = bool(np.ptp(limits[1]) > LONG * np.ptp(limits[0]))
+    lies = bool(np.ptp(limits[1]) > MIN_LONG_CONTACT_RATIO * np.ptp(limits[0]))
     across = "y" if lies else "x"
     figure = new_figure(7.0, 4.8) if lies else new_figure(9.0, 4.0)
     left, right = figure.subplots(2, 1) if lies else figure.subplots(1, 2)
@@ -70,7 +70,7 @@ def stick_slip_animation(states: Sequence[State], *, interval: float = 100.0) ->
     def draw(number: int) -> list[Any]:
         state = states[number]
         left.clear()
-        stick_slip_map(state.repulsion, state.slip, grid, left, unit="m", across=across)
+        partial_slip_map(state.repulsion, state.slip, grid, left, unit="m", across=across)
         left.set(xlim=limits[lies], ylim=limits[0][::-1] if lies else limits[1])
         right.set_title(f"load {state.load:.4g} N", fontsize="medium")
         point.set_data([course.across[number]], [course.force[number]])
@@ -84,7 +84,7 @@ def stick_slip_animation(states: Sequence[State], *, interval: float = 100.0) ->
     )
 
 
-def course_of(states: Sequence[State]) -> Course:
+def course_of(states: Sequence[State]) -> ForceHistory:
     """Return force and motion in the direction of the maximum force, or about z without a force."""
     forces = np.array([state.tangential_load for state in states])
     motions = np.array([state.shift for state in states])
@@ -103,7 +103,7 @@ def course_of(states: Sequence[State]) -> Course:
     ways = -np.mean([state.travel for state in states], axis=1)
     if ways.any():
         moved, along, label = ways, CONTACT["travel"], "distance rolled [µm]"
-    return Course(moved * along.factor, pull * up.factor, (label, up.label))
+    return ForceHistory(moved * along.factor, pull * up.factor, (label, up.label))
 
 
 def _limits(states: Sequence[State], grid: Grid) -> list[tuple[float, float]]:
@@ -114,12 +114,12 @@ def _limits(states: Sequence[State], grid: Grid) -> list[tuple[float, float]]:
     found = []
     for centres, cell, axis in ((grid.x, grid.dx, 1), (grid.y, grid.dy, 0)):
         there = np.asarray(centres)[touched.any(axis=axis)]
-        margin = _MARGIN * float(np.ptp(there)) + 2 * cell
+        margin = _CONTACT_MARGIN * float(np.ptp(there)) + 2 * cell
         found.append(((there[0] - margin) * 1e6, (there[-1] + margin) * 1e6))
     return found
 
 
-def _course_panel(ax: Axes, course: Course) -> Line2D:
+def _course_panel(ax: Axes, course: ForceHistory) -> Line2D:
     """Draw the whole curve as a thin line, and the point of the current state."""
     ax.plot(course.across, course.force, "-", linewidth=0.8, color="0.6")
     (point,) = ax.plot([], [], "o", color="C3")

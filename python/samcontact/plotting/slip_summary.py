@@ -9,27 +9,27 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .._util.quantities import CONTACT
+from ..problem.contact_law import in_contact
 from ..results.contact import repulsion_of
 from ..results.slipping import moved_along
-from ..scene.contact_law import in_contact
-from ..solutions.tangential_quantities import ROUNDING
+from ..solutions.tangential_quantities import ROUNDING_ERROR
+from .contact_results import ContactResults
 from .parts import new_figure
-from .scene import Scene
 from .slipping import (
-    DIRECTIONS,
+    FORCE_AND_MOTION,
     creep_curve,
     creepages,
     fretting_loop,
     largest_force,
+    partial_slip_map,
     rolling_force,
-    stick_slip_map,
 )
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
-def slip_figures(scene: Scene) -> dict[str, Figure]:
+def slip_figures(scene: ContactResults) -> dict[str, Figure]:
     """Return the figures of a run with partial slip, by name; none with full sliding."""
     data = scene.dataset
     if "friction_work" not in data or not np.any(
@@ -37,11 +37,11 @@ def slip_figures(scene: Scene) -> dict[str, Figure]:
     ):
         return {}
     across, size = scene.map_look
-    figures = {"stick_slip": new_figure(*size)}
+    figures = {"partial_slip": new_figure(*size)}
     slip = np.stack([data[f"slip_{axis}"].values[chosen(data)] for axis in "xy"])
     repulsion = repulsion_of(data).values[chosen(data)]
     look: Any = {"unit": "m", "across": across}
-    stick_slip_map(repulsion, slip, scene.grid, figures["stick_slip"].subplots(), **look)
+    partial_slip_map(repulsion, slip, scene.grid, figures["partial_slip"].subplots(), **look)
     along = driven(data)
     if along and "travel_body1" in data:
         if along[0] != "z":
@@ -69,14 +69,14 @@ def _of_rolling(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
             largest=largest_force(dataset),
             label="last increment at each creepage",
         )
-        ax.set_ylabel(CONTACT[DIRECTIONS[direction][0]].label)
+        ax.set_ylabel(CONTACT[FORCE_AND_MOTION[direction][0]].label)
     return figures
 
 
 def chosen(dataset: xr.Dataset) -> int:
     """Return the position of the increment whose slip is shown: the last with maximum force."""
     pulls = np.hypot(*(dataset[f"tangential_load_{axis}"].values for axis in "xy"))
-    if not pulls.max() > ROUNDING * float(dataset["load"].max()):
+    if not pulls.max() > ROUNDING_ERROR * float(dataset["load"].max()):
         pulls = np.abs(dataset["torque"].values)
     if not pulls.any():
         pulls = dataset["load"].values
@@ -87,8 +87,10 @@ def driven(dataset: xr.Dataset) -> list[str]:
     """Return the directions with force and motion, the largest force first."""
     moved = moved_along(dataset)
     found = [
-        name for name, (force, motion) in DIRECTIONS.items() if force in moved and motion in moved
+        name
+        for name, (force, motion) in FORCE_AND_MOTION.items()
+        if force in moved and motion in moved
     ]
     plain = [name for name in found if name != "z"]
-    plain.sort(key=lambda name: -float(np.abs(dataset[DIRECTIONS[name][0]]).max()))
+    plain.sort(key=lambda name: -float(np.abs(dataset[FORCE_AND_MOTION[name][0]]).max()))
     return [*plain, *(name for name in found if name == "z")]

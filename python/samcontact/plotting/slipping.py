@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, finite_array, non_negative
 from .._util.quantities import CONTACT
-from ..scene.contact_law import in_contact
-from ..scene.friction import Coulomb, FrictionLaw, friction_law, law_of_attributes
+from ..problem.contact_law import in_contact
+from ..problem.friction import Coulomb, FrictionLaw, friction_law, law_of_attributes
 from .fields import Plane, clip, inside_of_contact, inside_of_slip, name_sides, outline
 from .parts import axes_or_new, edges, finish, prefixed, surface_line
 from .shown import require_possible
@@ -24,18 +24,18 @@ from .shown import require_possible
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
 
-COLOURS = "#9ecae1", "#fdae6b"
+STICK_AND_SLIP_COLOURS = "#9ecae1", "#fdae6b"
 """Colours of stick and slip zones."""
-_ARROWS = 15  # number along the longer side of the contact
-_LONGEST = 0.95  # maximum length of an arrow, relative to the distance between arrows
-_OF_SLIP = {"1": "of the distance rolled", None: ""}
-DIRECTIONS = {"x": ("tangential_load_x", "shift_x"), "y": ("tangential_load_y", "shift_y"),
+_ARROWS_PER_SIDE = 15  # number along the longer side of the contact
+_MAX_ARROW_LENGTH = 0.95  # maximum length of an arrow, relative to the distance between arrows
+_SLIP_UNITS = {"1": "of the distance rolled", None: ""}
+FORCE_AND_MOTION = {"x": ("tangential_load_x", "shift_x"), "y": ("tangential_load_y", "shift_y"),
                "z": ("torque", "twist")}  # fmt: skip
 
 
-def stick_slip_map(
+def partial_slip_map(
     pressure: ArrayLike,
     slip: ArrayLike,
     grid: Grid,
@@ -89,9 +89,9 @@ def stick_slip_map(
         _kinds(ax, np.hypot(*moved), np.maximum(pressed, 0.0), plane)
     largest = _arrows(ax, moved, in_contact(pressed), plane)
     handles = [Patch(color=colour, label=label) for colour, label in zip(
-        COLOURS, ("stick", "slip"), strict=True)]  # fmt: skip
+        STICK_AND_SLIP_COLOURS, ("stick", "slip"), strict=True)]  # fmt: skip
     ax.legend(handles=handles, loc="upper right", fontsize="small", framealpha=0.85, borderpad=0.3)
-    factor, name = prefixed(largest, "m") if unit == "m" else (1.0, _OF_SLIP[unit])
+    factor, name = prefixed(largest, "m") if unit == "m" else (1.0, _SLIP_UNITS[unit])
     title = f"maximum slip {largest * factor:.3g} {name}".rstrip() if largest > 0 else "no slip"
     ax.set_title(title, fontsize="medium")
     ax.set_aspect("equal")
@@ -102,7 +102,7 @@ def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, plane: Plane) -> No
     """Draw stick and slip zones in their colours, and the contact edge."""
     inside, slips = inside_of_contact(pressure), inside_of_slip(slip, in_contact(pressure))
     levels = [slips.min() - 1.0, 0.0, slips.max() + 1.0]
-    parts = ax.contourf(*plane.smooth(slips), levels=levels, colors=COLOURS)
+    parts = ax.contourf(*plane.smooth(slips), levels=levels, colors=STICK_AND_SLIP_COLOURS)
     clip(ax, [parts], plane, inside)
     outline(ax, plane, inside)
 
@@ -116,7 +116,7 @@ def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], plane: P
     cells = np.argwhere(touching)
     size_of_cell = np.array([side[1] - side[0] for side in plane])
     sides = (np.ptp(cells, axis=0) + 1) * size_of_cell
-    apart = max(float(sides.max()) / _ARROWS, *size_of_cell)
+    apart = max(float(sides.max()) / _ARROWS_PER_SIDE, *size_of_cell)
     every = [max(round(apart / d), 1) for d in size_of_cell]
     middle = cells.mean(axis=0).round().astype(int)
     shown = np.zeros(touching.shape, dtype=bool)
@@ -130,7 +130,7 @@ def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], plane: P
         slip[1][shown] / largest,
         angles="xy",
         scale_units="xy",
-        scale=1e-6 / (_LONGEST * apart),
+        scale=1e-6 / (_MAX_ARROW_LENGTH * apart),
         width=0.004,
         color="k",
         pivot="mid",
@@ -226,7 +226,7 @@ def fretting_loop(
     ValueError
         The direction is unknown, or the results are of full sliding.
     """
-    force, motion = DIRECTIONS[choice("direction", direction, tuple(DIRECTIONS))]
+    force, motion = FORCE_AND_MOTION[choice("direction", direction, tuple(FORCE_AND_MOTION))]
     require_slip(dataset)
     ax = axes_or_new(ax)
     way, pull = (np.append(0.0, dataset[n].values) * CONTACT[n].factor for n in (motion, force))
@@ -325,9 +325,11 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
     choice("direction", direction, ("x", "y"))
     if "travel_body1" not in dataset:
         raise ValueError("dataset must be of rolling bodies, but has no travel")
-    force = CONTACT[DIRECTIONS[direction][0]]
+    force = CONTACT[FORCE_AND_MOTION[direction][0]]
     way = -0.5 * sum(dataset[f"travel_body{body}"].values for body in (1, 2))
-    pull = np.where(dataset["load"].values > 0, dataset[DIRECTIONS[direction][0]].values, np.nan)
+    pull = np.where(
+        dataset["load"].values > 0, dataset[FORCE_AND_MOTION[direction][0]].values, np.nan
+    )
     ax = axes_or_new(ax)
     ax.plot(way * 1e6, pull, "o-", markersize=3, linewidth=1.0)
     if (largest := largest_force(dataset)) is not None:
@@ -346,7 +348,7 @@ def require_slip(dataset: xr.Dataset) -> None:
 
 def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArray]:
     """Return slip per distance rolled [-] and force [N] of increments that roll under load."""
-    force, motion = DIRECTIONS[direction]
+    force, motion = FORCE_AND_MOTION[direction]
     ways = [np.diff(dataset[f"travel_body{body}"].values, prepend=0.0) for body in (1, 2)]
     way = -0.5 * (ways[0] + ways[1])
     rolls = (np.abs(way) > 1e-3 * float(dataset.attrs["dx"])) & (dataset["load"].values > 0)

@@ -16,22 +16,22 @@ from .contact import (
     HertzContact,
     axis_profile,
     draw_pressure,
+    imprint_profile,
     load_approach,
-    print_profile,
     temperature_profile,
 )
+from .contact_results import ContactResults
 from .interface import interface_figure
 from .maps import peak_map, surface_map, track_map
 from .parts import add_to_title, elsewhere, map_height, new_figure, save
-from .scene import Scene
 from .section import section
 from .slip_summary import slip_figures
-from .track import print_along, residual_along, track_summary
+from .track import imprint_along, residual_along, track_summary
 
 if TYPE_CHECKING:
     import xarray as xr
 
-_SECTIONS = ("von_mises", "hydrostatic", "equivalent_plastic_strain")
+_SECTION_FIELDS = ("von_mises", "hydrostatic", "equivalent_plastic_strain")
 _WIDTH = 5.0  # width of a figure [in]
 
 
@@ -74,8 +74,8 @@ def summary_figures(
           rolling, rolling_force and, with varying creepage, creep_curve;
         - with heating: flash_temperature and, with layers of the grid, temperature (hottest
           increment);
-        - for an elastic-plastic body: print, print_map and residual (last increment, or the whole
-          track of a moving body) and, for a moving body, track_print and track_sections.
+        - for an elastic-plastic body: print, imprint_map and residual (last increment, or the whole
+          track of a moving body) and, for a moving body, track_imprint and track_sections.
 
     Raises
     ------
@@ -85,7 +85,7 @@ def summary_figures(
     """
     choice("format", format, ("png", "pdf", "svg"))
     body = body_shown(dataset, body)
-    scene = Scene(dataset, body, hertz)
+    scene = ContactResults(dataset, body, hertz)
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
     figures = _of_the_peak(scene)
@@ -99,7 +99,7 @@ def summary_figures(
         if "z" in scene.track.sizes:
             figures |= track_summary(scene.track, travel)
     elif f"residual_displacement_body{body}" in dataset:
-        figures |= _of_the_print(scene)
+        figures |= _imprint_figures(scene)
     with recording(folder) as record:
         files = {folder / f"{name}.{format}": figure for name, figure in figures.items()}
         for file in files:
@@ -109,7 +109,7 @@ def summary_figures(
 
 def increments_shown(dataset: xr.Dataset, body: int) -> set[int]:
     """Return the increments whose volume fields are shown: peak, hottest and last increment."""
-    scene = Scene(dataset, body, None)
+    scene = ContactResults(dataset, body, None)
     shown = {scene.peak, dataset.sizes["increment"] - 1}
     if scene.hottest is not None:
         shown.add(scene.hottest)
@@ -122,11 +122,11 @@ def _panel(width: float = _WIDTH, height: float = 3.6) -> Figure:
     return figure
 
 
-def _moment(scene: Scene, position: int) -> str:
+def _moment(scene: ContactResults, position: int) -> str:
     return f"load {float(scene.dataset['load'].values[position]):.6g} N"
 
 
-def _of_the_peak(scene: Scene) -> dict[str, Figure]:
+def _of_the_peak(scene: ContactResults) -> dict[str, Figure]:
     """Draw pressure, gap and stresses at maximum stress."""
     grid, number = scene.grid, scene.number(scene.peak)
     _, size = scene.map_look
@@ -144,13 +144,15 @@ def _of_the_peak(scene: Scene) -> dict[str, Figure]:
         axis_profile(stress, grid, ax, body=scene.graded, interfaces=scene.interfaces)
     if scene.has("interface_stress", number):
         figures["interface"] = interface_figure(scene, number)
-    if any(scene.has(name, number) for name in _SECTIONS):
+    if any(scene.has(name, number) for name in _SECTION_FIELDS):
         figures["sections"] = _sections(scene, number)
     return figures
 
 
-def _sections(scene: Scene, number: int) -> Figure:
-    fields = {name: scene.field(name, number) for name in _SECTIONS if scene.has(name, number)}
+def _sections(scene: ContactResults, number: int) -> Figure:
+    fields = {
+        name: scene.field(name, number) for name in _SECTION_FIELDS if scene.has(name, number)
+    }
     y = scene.row(next(iter(fields.values())))
     figure = new_figure(_WIDTH, scene.section_height * len(fields))
     panels = np.ravel(figure.subplots(len(fields), 1))
@@ -164,7 +166,7 @@ def _sections(scene: Scene, number: int) -> Figure:
     return figure
 
 
-def _of_the_hottest(scene: Scene) -> dict[str, Figure]:
+def _of_the_hottest(scene: ContactResults) -> dict[str, Figure]:
     """Draw the temperature rise of a heated body."""
     if scene.hottest is None:
         return {}
@@ -180,17 +182,17 @@ def _of_the_hottest(scene: Scene) -> dict[str, Figure]:
     return figures
 
 
-def _of_the_print(scene: Scene) -> dict[str, Figure]:
+def _imprint_figures(scene: ContactResults) -> dict[str, Figure]:
     """Draw residual imprint and residual stress of a stationary contact."""
     grid, depth = scene.grid, scene.surface("residual_displacement", -1)
     across, size = scene.map_look
-    figures = {"print": _panel(), "print_map": _panel(*size)}
+    figures = {"imprint": _panel(), "imprint_map": _panel(*size)}
     y = scene.row(depth)
-    ax = print_profile(depth, grid, figures["print"].axes[0], position=y)
+    ax = imprint_profile(depth, grid, figures["imprint"].axes[0], position=y)
     add_to_title(ax, _moment(scene, -1), elsewhere("y", y, grid.dy))
     pressed = scene.surface("repulsion", scene.peak)
-    below: Any = {"quantity": "print", "contact": pressed, "across": across}
-    surface_map(depth, grid, figures["print_map"].axes[0], **below)
+    below: Any = {"quantity": "imprint", "contact": pressed, "across": across}
+    surface_map(depth, grid, figures["imprint_map"].axes[0], **below)
     if scene.has("residual_stress", number := scene.number(-1)):
         residual = scene.field("residual_von_mises", number)
         y = scene.row(residual)
@@ -211,10 +213,10 @@ def _of_the_print(scene: Scene) -> dict[str, Figure]:
 def _of_the_track(track: xr.Dataset) -> dict[str, Figure]:
     """Draw residual imprint and residual stress of the whole track of a moving contact."""
     grid, length = grid_of(track), float(np.ptp(track["x"].values))
-    figures = {"print": _panel()}
-    print_along(track, figures["print"].axes[0])
-    figures["print_map"] = _panel(_WIDTH, map_height(_WIDTH, length, grid.ny * grid.dy))
-    track_map(track, figures["print_map"].axes[0])
+    figures = {"imprint": _panel()}
+    imprint_along(track, figures["imprint"].axes[0])
+    figures["imprint_map"] = _panel(_WIDTH, map_height(_WIDTH, length, grid.ny * grid.dy))
+    track_map(track, figures["imprint_map"].axes[0])
     if grid.nz == 0:  # only the residual imprint is stored
         return figures
     figures["residual"] = residual_along(track, _WIDTH)

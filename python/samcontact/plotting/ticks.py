@@ -13,8 +13,11 @@ from matplotlib.ticker import AutoLocator, MaxNLocator
 
 from .._util.checks import FloatArray
 
-_DIGIT = 0.64  # width of a digit, relative to the font size
-_APART = 0.8, 1.0  # horizontal and vertical distance between labels, relative to the font size
+_DIGIT_WIDTH = 0.64  # width of a digit, relative to the font size
+_MIN_LABEL_GAPS = (
+    0.8,
+    1.0,
+)  # horizontal and vertical distance between labels, relative to the font size
 
 
 class FittedLocator(MaxNLocator):
@@ -46,8 +49,8 @@ class FittedLocator(MaxNLocator):
         given = axis.get_tick_params().get("labelsize", usual)
         size = FontProperties(size=given).get_size_in_points()
         labels = axis.get_major_formatter().format_ticks(list(ticks))
-        widths = np.array([_DIGIT * len(label) if across else 1.0 for label in labels])
-        needed = 0.5 * (widths[1:] + widths[:-1]) + _APART[0 if across else 1]
+        widths = np.array([_DIGIT_WIDTH * len(label) if across else 1.0 for label in labels])
+        needed = 0.5 * (widths[1:] + widths[:-1]) + _MIN_LABEL_GAPS[0 if across else 1]
         return bool(np.all(np.diff(ticks) / span * length >= needed * size))
 
 

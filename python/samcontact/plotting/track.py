@@ -18,7 +18,7 @@ from .._util.quantities import CONTACT, Quantity
 from ..results.reading import grid_of
 from .fields import Plane, show_section
 from .parts import (
-    COMPONENTS,
+    COMPONENT_INDEX,
     add_to_title,
     axes_or_new,
     depths_of,
@@ -36,11 +36,11 @@ from .parts import (
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
     from ..solutions.state import State
 
-_RESIDUAL = ("residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain")
-_LOADED = ("von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature")
+_RESIDUAL_FIELDS = ("residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain")
+_LOADED_FIELDS = ("von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature")
 
 
 def positions_on_body(state: State, body: int) -> FloatArray:
@@ -49,7 +49,7 @@ def positions_on_body(state: State, body: int) -> FloatArray:
     return np.asarray(np.asarray(state.grid.x) + shift, dtype=np.float64)
 
 
-def track_print(
+def track_imprint(
     track: xr.Dataset,
     ax: Axes | None = None,
     *,
@@ -136,10 +136,10 @@ def track_section(
     ValueError
         The track has no layers, or quantity or plane is unknown.
     """
-    choice("quantity", quantity, (*_RESIDUAL, *COMPONENTS))
+    choice("quantity", quantity, (*_RESIDUAL_FIELDS, *COMPONENT_INDEX))
     grid = grid_of(track)
     require_volume(grid)
-    if quantity in COMPONENTS:
+    if quantity in COMPONENT_INDEX:
         field = track["residual_stress"].sel(component=quantity).values
         shown = _component(quantity, "residual ")
     else:
@@ -183,10 +183,10 @@ def loaded_section(
         The grid has no layers, or body, quantity or plane is unknown.
     """
     choice("body", body, (1, 2))
-    choice("quantity", quantity, (*_LOADED, *COMPONENTS))
+    choice("quantity", quantity, (*_LOADED_FIELDS, *COMPONENT_INDEX))
     require_volume(state.grid)
-    if quantity in COMPONENTS:
-        field = state.stress(body=body)[COMPONENTS[quantity]]
+    if quantity in COMPONENT_INDEX:
+        field = state.stress(body=body)[COMPONENT_INDEX[quantity]]
         shown = _component(quantity)
     else:
         field, shown = getattr(state, quantity)(body=body), CONTACT[quantity]
@@ -222,12 +222,12 @@ def _section(
     return show_section(ax, sides, values, quantity, name, titled=True, cells=cells)
 
 
-def print_along(track: xr.Dataset, ax: Axes) -> Axes:
+def imprint_along(track: xr.Dataset, ax: Axes) -> Axes:
     """Draw the residual imprint along x, through its deepest row of cells."""
     field, x, y = (track[name].values for name in ("residual_displacement", "x", "y"))
     field = np.abs(field)
     row = row_of_interest(field.max(axis=0), y)
-    track_print(track, ax, positions=(float(y[row]),))
+    track_imprint(track, ax, positions=(float(y[row]),))
     left, right = _extent(x, field.max(axis=1))
     ax.set_xlim(left * 1e6, right * 1e6)
     return ax
@@ -281,15 +281,17 @@ def track_summary(track: xr.Dataset, travel: FloatArray) -> dict[str, Figure]:
 
     prints = new_figure(5.0, 6.0)
     along, across = prints.subplots(2, 1)
-    print_along(track, along)
+    imprint_along(track, along)
     rows = {nearest(x, place) for place in (start, 0.5 * (start + end), end, most)}
     shown = [row for row in sorted(rows) if depth[row] > 0.02 * depth.max()]
-    track_print(track, across, axis="y", positions=[float(x[row]) for row in shown or rows])
+    track_imprint(track, across, axis="y", positions=[float(x[row]) for row in shown or rows])
 
     shown_part = _strained_part(track)
     grid, width = grid_of(track), 7.0
     depth_of_grid, inner = grid.nz * (grid.dz or 0.0), 0.78 * width
-    heights = [inner * depth_of_grid / float(np.ptp(shown_part["x"].values))] * len(_RESIDUAL)
+    heights = [inner * depth_of_grid / float(np.ptp(shown_part["x"].values))] * len(
+        _RESIDUAL_FIELDS
+    )
     heights.append(min(inner * depth_of_grid / (grid.ny * grid.dy), 2.6))
     sections = new_figure(width, sum(heights) + 0.75 * len(heights))
     sections.set_layout_engine(
@@ -297,9 +299,9 @@ def track_summary(track: xr.Dataset, travel: FloatArray) -> dict[str, Figure]:
     )  # a compressed layout would make all panels as narrow as the last
     panels = sections.subplots(len(heights), 1, height_ratios=heights)
     y = _row_of_residual(track)
-    for ax, quantity in zip(panels, _RESIDUAL, strict=False):
+    for ax, quantity in zip(panels, _RESIDUAL_FIELDS, strict=False):
         track_section(shown_part, ax, quantity=quantity, position=y)
         add_to_title(ax, elsewhere("y", y, grid.dy))
     track_section(track, panels[-1], plane="x", position=most)
     add_to_title(panels[-1], place("x", most))
-    return {"track_print": prints, "track_sections": sections}
+    return {"track_imprint": prints, "track_sections": sections}

@@ -14,13 +14,13 @@ import numpy as np
 from .._util.checks import FloatArray, choice
 from .._util.quantities import CONTACT
 from ..files.atomic import replacing
+from ..problem.contact_law import in_contact
 from ..results.contact import repulsion_of
 from ..results.reading import body_shown
 from ..results.vtk import stored_number, volume_names
-from ..scene.contact_law import in_contact
+from .contact_results import ContactResults
 from .fields import Plane, inside_of_contact, scale_of
 from .parts import edges
-from .scene import Scene
 
 if TYPE_CHECKING:
     import pyvista
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 _FIELDS = (
     "von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises", "temperature",
 )  # fmt: skip
-_ICONS = "https://kitware.github.io/vtk-js/icon/"
+_ICON_URL = "https://kitware.github.io/vtk-js/icon/"
 """External resources that a page of PyVista would load from a network."""
 
 
@@ -74,7 +74,7 @@ def view(
     choice("quantity", quantity, _FIELDS)
     if not volume_names(dataset, body):
         raise ValueError(f"dataset must have volume fields of body {body}, got none")
-    scene, number = Scene(dataset, body, None), stored_number(dataset, increment, True)
+    scene, number = ContactResults(dataset, body, None), stored_number(dataset, increment, True)
     if not scene.has("stress" if quantity == "residual_von_mises" else quantity, number):
         raise ValueError(
             f"dataset must contain {quantity} of body {body} in all cells at increment {number}"
@@ -85,7 +85,7 @@ def view(
     return plotter
 
 
-def _drawn(pv: Any, scene: Scene, number: int, quantity: str) -> Any:
+def _drawn(pv: Any, scene: ContactResults, number: int, quantity: str) -> Any:
     field, shown = scene.field(quantity, number) * CONTACT[quantity].factor, CONTACT[quantity]
     sign = 1.0 if scene.body == 1 else -1.0
     grid = scene.grid
@@ -128,7 +128,7 @@ def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
     return points.clip_box(quarter, invert=True).extract_surface(algorithm="dataset_surface")
 
 
-def _edge(scene: Scene, repulsion: FloatArray) -> list[FloatArray]:
+def _edge(scene: ContactResults, repulsion: FloatArray) -> list[FloatArray]:
     """Return the lines around the contact on the surface [µm]."""
     import contourpy  # a dependency of Matplotlib
 
@@ -176,7 +176,7 @@ def save_view(plotter: pyvista.Plotter, path: str | Path) -> Path:
         page = plotter.export_html(None)
     assert page is not None
     with replacing(target) as temporary:
-        temporary.write_text(page.getvalue().replace(_ICONS, "data:,"), encoding="utf-8")
+        temporary.write_text(page.getvalue().replace(_ICON_URL, "data:,"), encoding="utf-8")
     return target
 
 

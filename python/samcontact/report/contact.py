@@ -10,18 +10,18 @@ from ..results.reading import body_shown
 from ..solutions.peak import peak_of_dataset
 from . import tables
 from .figures import contact_figures
-from .quality_checks import verdicts
+from .quality_checks import all_checks
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..cases import Case
 
-NEEDED = ("load", "approach", "pressure", "gap", "initial_gap")
+REQUIRED_VARIABLES = ("load", "approach", "pressure", "gap", "initial_gap")
 
 
 def checks(dataset: xr.Dataset) -> list[Check]:
-    return verdicts(dataset, stored_case(dataset))
+    return all_checks(dataset, stored_case(dataset))
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:

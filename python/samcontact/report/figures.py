@@ -16,6 +16,7 @@ from .._util.checks import FloatArray
 from .._util.quantities import CONTACT
 from .._util.tensors import von_mises
 from ..plotting.contact import HertzContact, draw_pressure
+from ..plotting.contact_results import ContactResults
 from ..plotting.interface import interface_figure
 from ..plotting.maps import peak_map
 from ..plotting.parts import (
@@ -28,7 +29,6 @@ from ..plotting.parts import (
     new_figure,
     place,
 )
-from ..plotting.scene import Scene
 from ..results.contact import repulsion_of
 from ..solutions.peak import peak_of_dataset
 from . import slipping
@@ -37,7 +37,12 @@ if TYPE_CHECKING:
     import xarray as xr
 
 DOTS_PER_INCH = 120
-_ABOVE: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "ncols": 3, "frameon": False}
+_LEGEND_ABOVE: Any = {
+    "loc": "lower center",
+    "bbox_to_anchor": (0.5, 1.0),
+    "ncols": 3,
+    "frameon": False,
+}
 """Options of a legend that would otherwise hide points."""
 
 
@@ -53,14 +58,14 @@ def contact_figures(
     dataset: xr.Dataset, body: int, hertz: HertzContact | None
 ) -> list[ReportFigure]:
     """Return all figures of a contact that the stored fields allow."""
-    scene = Scene(dataset, body, hertz)
+    scene = ContactResults(dataset, body, hertz)
     drawn = []
     for part in (_contact, slipping.figures, _volume, _temperature, _remains, _track, _convergence):
         drawn += [embedded(*made) for made in part(scene)]
     return drawn
 
 
-def _moment(scene: Scene, number: int) -> str:
+def _moment(scene: ContactResults, number: int) -> str:
     load = float(scene.dataset["load"].sel(increment=number))
     return f"increment {number}, {load:.6g} N"
 
@@ -76,7 +81,7 @@ def embedded(caption: str, description: str, figure: Figure) -> ReportFigure:
     return ReportFigure(caption, description, f"data:image/png;base64,{text}")
 
 
-def _contact(scene: Scene) -> Iterator[Made]:
+def _contact(scene: ContactResults) -> Iterator[Made]:
     number = scene.number(scene.peak)
     pressure = scene.surface("pressure", scene.peak)
     beside = ", with the Hertz contact as a dashed line" if scene.hertz is not None else ""
@@ -100,11 +105,11 @@ def _contact(scene: Scene) -> Iterator[Made]:
     yield "Load–approach curve", f"Load versus approach of all increments{beside}.", figure
 
 
-def _volume(scene: Scene) -> Iterator[Made]:
+def _volume(scene: ContactResults) -> Iterator[Made]:
     if f"stress_body{scene.body}" not in scene.dataset:
         return
     data = scene.dataset
-    stored = data["volume_increment"].values
+    stored = data["output_increment"].values
     number = int(stored[peak_of_dataset(data.sel(increment=stored))])
     if scene.has("stress", number):
         figure, stress = new_figure(4.6, 4.2), scene.field("stress", number)
@@ -121,7 +126,7 @@ def _volume(scene: Scene) -> Iterator[Made]:
             yield _section(scene, name, number)
 
 
-def _interfaces(scene: Scene, number: int) -> Made:
+def _interfaces(scene: ContactResults, number: int) -> Made:
     stress = scene.field("interface_stress", number)
     shear = float(np.hypot(stress[:, 3], stress[:, 4]).max())
     tension = max(float(stress[:, :2].max()), 0.0), max(float(stress[:, 2].max()), 0.0)
@@ -134,7 +139,7 @@ def _interfaces(scene: Scene, number: int) -> Made:
     return f"Stress at the interfaces, {when}", text, interface_figure(scene, number)
 
 
-def _utilisation(scene: Scene, stress: FloatArray) -> str:
+def _utilisation(scene: ContactResults, stress: FloatArray) -> str:
     """Describe the maximum ratio of von Mises stress to yield stress in a graded body."""
     body, grid = scene.graded, scene.grid
     if body is None or not body.is_plastic:
@@ -146,7 +151,7 @@ def _utilisation(scene: Scene, stress: FloatArray) -> str:
     return f" Maximum von Mises stress / initial yield stress = {ratio.max():.4g}, at {where}."
 
 
-def _section(scene: Scene, quantity: str, number: int) -> Made:
+def _section(scene: ContactResults, quantity: str, number: int) -> Made:
     values, shown = scene.field(quantity, number), CONTACT[quantity]
     figure = new_figure(5.0, scene.section_height)
     y = scene.row(values)
@@ -169,7 +174,7 @@ def _section(scene: Scene, quantity: str, number: int) -> Made:
     return f"{name}, body {scene.body}, {_moment(scene, number)}", text, figure
 
 
-def _temperature(scene: Scene) -> Iterator[Made]:
+def _temperature(scene: ContactResults) -> Iterator[Made]:
     if scene.hottest is None:
         return
     rise, figure = scene.surface("surface_temperature", scene.hottest), new_figure()
@@ -181,7 +186,7 @@ def _temperature(scene: Scene) -> Iterator[Made]:
     yield f"Flash temperature, {when}", text, figure
 
 
-def _remains(scene: Scene) -> Iterator[Made]:
+def _remains(scene: ContactResults) -> Iterator[Made]:
     """Yield residual imprint and residual stress after the last increment, without a track."""
     if scene.track is not None:
         return
@@ -192,7 +197,7 @@ def _remains(scene: Scene) -> Iterator[Made]:
         name = f"residual_displacement_body{body}"
         if name in data:
             values = data[name].values[-1]
-            plotting.print_profile(values, scene.grid, ax, label=f"body {body}")
+            plotting.imprint_profile(values, scene.grid, ax, label=f"body {body}")
             ax.lines[-1].set_linestyle("--" if deepest else "-")  # the imprints may coincide
             deepest.append(f"{values.max() * 1e9:.4g} nm in body {body}")
     if deepest:
@@ -203,7 +208,7 @@ def _remains(scene: Scene) -> Iterator[Made]:
         values = scene.surface("residual_displacement", -1)
         across, size = scene.map_look
         pressed, figure = scene.surface("repulsion", scene.peak), new_figure(*size)
-        seen: Any = {"quantity": "print", "contact": pressed, "across": across}
+        seen: Any = {"quantity": "imprint", "contact": pressed, "across": across}
         plotting.surface_map(values, scene.grid, figure.subplots(), **seen)
         caption = f"Map of the residual imprint, body {scene.body}, {_moment(scene, number)}"
         yield caption, "Map of the residual displacement of the whole surface.", figure
@@ -211,12 +216,12 @@ def _remains(scene: Scene) -> Iterator[Made]:
         yield _section(scene, "residual_von_mises", number)
 
 
-def _track(scene: Scene) -> Iterator[Made]:
+def _track(scene: ContactResults) -> Iterator[Made]:
     if (track := scene.track) is None:
         return
     depth, when = track["residual_displacement"].values, f"body {scene.body}, unloaded"
     figure = new_figure()
-    plotting.track.print_along(track, figure.subplots())
+    plotting.track.imprint_along(track, figure.subplots())
     text = f"Residual displacement along the track, at most {depth.max() * 1e9:.4g} nm."
     yield f"Residual imprint of the track, {when}", text, figure
     length, y = float(np.ptp(track["x"].values)), track["y"].values
@@ -234,13 +239,13 @@ def _track(scene: Scene) -> Iterator[Made]:
     )
 
 
-def _convergence(scene: Scene) -> Iterator[Made]:
+def _convergence(scene: ContactResults) -> Iterator[Made]:
     data = scene.dataset
     number = data["increment"].values
-    figure = new_figure(5.6, 5.2 if "plastic_residual" in data else 2.7)
-    if "plastic_residual" in data:
+    figure = new_figure(5.6, 5.2 if "plastic_strain_residual" in data else 2.7)
+    if "plastic_strain_residual" in data:
         upper, lower = figure.subplots(2, 1, sharex=True)
-        for name in ("plastic_residual", "yield_excess"):
+        for name in ("plastic_strain_residual", "yield_violation"):
             values = data[name].values
             # zero and negative values are not shown on a logarithmic axis
             shown = np.where(values > 0, values, np.nan)
@@ -251,7 +256,7 @@ def _convergence(scene: Scene) -> Iterator[Made]:
             )
         upper.set_yscale("log")
         upper.set_ylabel("relative residual [-]")
-        upper.legend(**_ABOVE)
+        upper.legend(**_LEGEND_ABOVE)
         finish(upper)
     else:
         lower = figure.subplots()
@@ -260,7 +265,7 @@ def _convergence(scene: Scene) -> Iterator[Made]:
         lower.plot(number, data[name].values, marker, markersize=3, label=label)
     lower.set_xlabel("increment")
     lower.set_ylabel("number")
-    lower.legend(**_ABOVE)
+    lower.legend(**_LEGEND_ABOVE)
     finish(counted(lower))
     text = "Residuals, tolerance and iterations of each increment; see the table."
     yield "Convergence", text, figure

@@ -12,14 +12,14 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from .._util.check import Check
 from ..files.atomic import replacing
 from ..results.reading import parts_of_a_run
-from . import contact, tables, tugging, wear
+from . import asperities, contact, tables, wear
 from . import shakedown as shakedown_report
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
-_MANY = {"increment": "increments", "pass": "passes", "cycle": "cycles"}
+_PLURALS = {"increment": "increments", "pass": "passes", "cycle": "cycles"}
 
 
 def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None = None) -> Path:
@@ -33,7 +33,7 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `samcontact.results.to_dataset`, `open_results`, `Tugging.series` or
+        From `samcontact.results.to_dataset`, `open_results`, `CollisionResult.series` or
         `WearResult.to_dataset`.
     path : str or Path
         File to write, customarily ending in .html, in an existing folder. An existing file is
@@ -76,7 +76,7 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
     return target
 
 
-_WORDS = ("stopped_by", "title", "description", "samcontact_version", "created", "case")
+_TEXT_ATTRIBUTES = ("stopped_by", "title", "description", "samcontact_version", "created", "case")
 
 
 def checks(dataset: xr.Dataset) -> list[Check]:
@@ -85,7 +85,7 @@ def checks(dataset: xr.Dataset) -> list[Check]:
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `samcontact.results.to_dataset`, `open_results`, `Tugging.series` or
+        From `samcontact.results.to_dataset`, `open_results`, `CollisionResult.series` or
         `WearResult.to_dataset`.
 
     Returns
@@ -109,8 +109,8 @@ def checks(dataset: xr.Dataset) -> list[Check]:
 def _kind(dataset: xr.Dataset) -> ModuleType:
     """Return the module that creates the parts of the page for this dataset."""
     missing: dict[ModuleType, list[str]] = {
-        kind: [name for name in kind.NEEDED if name not in dataset]
-        for kind in (contact, tugging, wear)
+        kind: [name for name in kind.REQUIRED_VARIABLES if name not in dataset]
+        for kind in (contact, asperities, wear)
     }
     kind, lacking = min(missing.items(), key=lambda item: len(item[1]))
     if lacking:
@@ -123,14 +123,14 @@ def _end(dataset: xr.Dataset) -> list[Check]:
     if dataset.attrs.get("complete", 1):
         return []
     dim = next(dim for dim in ("pass", "cycle", "increment") if dim in dataset.sizes)
-    name = f"{_MANY[dim]}: complete path (1) or part of it (0)"
+    name = f"{_PLURALS[dim]}: complete path (1) or part of it (0)"
     return [Check(name, 0.0, 1.0, at_least=True)]
 
 
 def _content(dataset: xr.Dataset) -> dict[str, Any]:
     """Return all variables of the template."""
     # text attributes may have been changed by other programs
-    words = {name: str(dataset.attrs.get(name, "")) for name in _WORDS}
+    words = {name: str(dataset.attrs.get(name, "")) for name in _TEXT_ATTRIBUTES}
     kind = _kind(dataset)
     return {
         **words,

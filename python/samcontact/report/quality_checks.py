@@ -12,15 +12,15 @@ from numpy.typing import ArrayLike
 
 from .._util.check import Check
 from .._util.checks import FloatArray
-from ..accuracy.grid_errors import LARGEST_ERROR, LARGEST_SHARE, error_rows
-from ..diagnostics.expected_contact import Expected
-from ..diagnostics.monitor import SMALL_STRAIN
-from ..diagnostics.plausibility import Contact, doubts_of
-from ..diagnostics.resolution import FEW, TOO_FEW, TOO_UNCERTAIN
+from ..accuracy.grid_errors import MAX_RELATIVE_ERROR, MAX_SLOPE_FRACTION, error_rows
+from ..diagnostics.expected_contact import ExpectedContact
+from ..diagnostics.monitor import MAX_SMALL_STRAIN
+from ..diagnostics.plausibility import ExpectedExtent, plausibility_checks
+from ..diagnostics.resolution import AREA_ERROR_LIMIT, MINIMUM_CELLS, RECOMMENDED_CELLS
+from ..problem.contact_law import in_contact
+from ..problem.heating import NO_HEAT
 from ..results.contact import repulsion_of
 from ..results.reading import cell_size, grid_of
-from ..scene.contact_law import in_contact
-from ..scene.heating import COLD
 from . import slipping
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 DEFAULT_TOL = 1e-6  # tolerance [-] assumed for files without one
 
 
-def verdicts(dataset: xr.Dataset, case: Case | None) -> list[Check]:
+def all_checks(dataset: xr.Dataset, case: Case | None) -> list[Check]:
     """Check balance, complementarity, yield, edges, resolution, strain and errors, if stored.
 
     Plausibility checks of the input are included, marked `of_input`.
@@ -95,18 +95,21 @@ def _complementarity(dataset: xr.Dataset, tol: float) -> Iterator[Check]:
 
 def _yield_condition(dataset: xr.Dataset, tol: float) -> Iterator[Check]:
     for variable, name in (
-        ("yield_excess", "maximum relative violation of the yield condition"),
-        ("plastic_residual", "relative change of the plastic strain increment at convergence"),
+        ("yield_violation", "maximum relative violation of the yield condition"),
+        (
+            "plastic_strain_residual",
+            "relative change of the plastic strain increment at convergence",
+        ),
     ):
         if variable in dataset:
             yield Check(name, float(dataset[variable].max()), tol)
 
 
 def _borders(dataset: xr.Dataset) -> Iterator[Check]:
-    names = {"contact_margin": "minimum distance between contact and grid edge [cells]"}
+    names = {"contact_edge_distance": "minimum distance between contact and grid edge [cells]"}
     for body in (1, 2):
         text = f"minimum distance between plastic zone and volume edge [cells], body {body}"
-        names[f"plastic_margin_body{body}"] = text
+        names[f"plastic_edge_distance_body{body}"] = text
     for variable, name in names.items():
         if variable not in dataset:
             continue
@@ -117,41 +120,41 @@ def _borders(dataset: xr.Dataset) -> Iterator[Check]:
 
 def _resolution(dataset: xr.Dataset, case: Case | None) -> Iterator[Check]:
     """Check the resolution of the contact at maximum load, and of the plastic zone."""
-    if "contact_cells" in dataset:
-        cells = dataset["contact_cells"].values
+    if "cells_across_contact" in dataset:
+        cells = dataset["cells_across_contact"].values
         peak = int(np.argmax(np.where(np.isnan(cells), -1.0, dataset["load"].values)))
         load = float(dataset["load"].values[peak])
         hertz = case.hertz(load) if case is not None and load > 0 else None
         if np.isfinite(cells[peak]):
-            beside = "" if hertz is None else f" ({Expected(hertz)})"
-            yield contact_cells(float(cells[peak]), beside, FEW)
+            beside = "" if hertz is None else f" ({ExpectedContact(hertz)})"
+            yield cells_across_contact(float(cells[peak]), beside, RECOMMENDED_CELLS)
         uncertain = dataset.get("area_uncertainty")
-        if "sharp_cells" in dataset:
+        if "sharp_edge_cells" in dataset:
             name = "contact cells at sharp edges, where the pressure does not converge"
-            yield Check(name, float(dataset["sharp_cells"].max()), 0.0)
+            yield Check(name, float(dataset["sharp_edge_cells"].max()), 0.0)
         if uncertain is not None and np.isfinite(uncertain[peak]):
             name = "relative uncertainty of the contact area at maximum load"
-            yield Check(name, float(uncertain[peak]), TOO_UNCERTAIN)
+            yield Check(name, float(uncertain[peak]), AREA_ERROR_LIMIT)
     for body in (1, 2):
-        layers = dataset.get(f"plastic_layers_body{body}")
+        layers = dataset.get(f"layers_across_plastic_zone_body{body}")
         if layers is not None:
-            yield from plastic_layers(layers.values, body)
+            yield from layers_across_plastic_zone(layers.values, body)
 
 
 def _plausibility(dataset: xr.Dataset, case: Case) -> Iterator[Check]:
     """Check the plausibility of the input at maximum load."""
     load = float(dataset["load"].max())
     hertz = case.hertz(load) if load > 0 else None
-    expected = None if hertz is None else Expected(hertz)
-    contact = None if expected is None else Contact(expected, expected.along_axes)
-    heat = COLD if case.heat is None else case.heat.build()
+    expected = None if hertz is None else ExpectedContact(hertz)
+    contact = None if expected is None else ExpectedExtent(expected, expected.along_axes)
+    heat = NO_HEAT if case.heat is None else case.heat.build()
     bodies = case.body1.build(), case.body2.build()
     grid = grid_of(dataset) if case.grid is None else case.grid.build()
-    for doubt in doubts_of(contact, grid, bodies, heat):
-        yield replace(doubt.verdict, of_input=True)
+    for doubt in plausibility_checks(contact, grid, bodies, heat):
+        yield replace(doubt.check, of_input=True)
 
 
-def contact_cells(cells: float, beside: str = "", few: int = TOO_FEW) -> Check:
+def cells_across_contact(cells: float, beside: str = "", few: int = MINIMUM_CELLS) -> Check:
     """Return the check whether the grid resolves the contact.
 
     beside: addition to the name, such as the Hertz estimate.
@@ -160,12 +163,12 @@ def contact_cells(cells: float, beside: str = "", few: int = TOO_FEW) -> Check:
     return Check(name, cells, few, at_least=True)
 
 
-def plastic_layers(layers: ArrayLike, body: int) -> Iterator[Check]:
+def layers_across_plastic_zone(layers: ArrayLike, body: int) -> Iterator[Check]:
     """Check whether the layers resolve the plastic zone; no check without plastic strain."""
     highest = np.max(np.nan_to_num(layers))
     if highest > 0:
         name = f"layers across the plastic zone, body {body}"
-        yield Check(name, float(highest), TOO_FEW, at_least=True)
+        yield Check(name, float(highest), MINIMUM_CELLS, at_least=True)
 
 
 def _strains(dataset: xr.Dataset) -> Iterator[Check]:
@@ -173,7 +176,7 @@ def _strains(dataset: xr.Dataset) -> Iterator[Check]:
         variable = f"max_plastic_strain_magnitude_body{body}"
         if variable in dataset:
             name = f"maximum plastic strain magnitude, body {body}"
-            yield Check(name, float(dataset[variable].max()), SMALL_STRAIN)
+            yield Check(name, float(dataset[variable].max()), MAX_SMALL_STRAIN)
 
 
 def _errors(dataset: xr.Dataset) -> Iterator[Check]:
@@ -186,14 +189,14 @@ def _errors(dataset: xr.Dataset) -> Iterator[Check]:
     if estimated:
         worst = max(estimated, key=lambda row: row.relative)
         name = f"maximum estimated relative grid error: {worst.label}"
-        yield Check(name, worst.relative, LARGEST_ERROR)
+        yield Check(name, worst.relative, MAX_RELATIVE_ERROR)
     start = "increment_error_"
     if shares := [share for name, share in dataset.attrs.items() if str(name).startswith(start)]:
         name = "maximum estimated relative error due to increments"
-        yield Check(name, float(max(shares)), LARGEST_ERROR)
+        yield Check(name, float(max(shares)), MAX_RELATIVE_ERROR)
     for row in rows:
         if row.asked is not None:
             yield Check(f"estimated relative error, {row.label}", row.relative, row.asked)
     if "slope_beyond" in dataset.attrs:
         name = "fraction of the mean-square slope at wavelengths below four cells"
-        yield Check(name, float(dataset.attrs["slope_beyond"]), LARGEST_SHARE)
+        yield Check(name, float(dataset.attrs["slope_beyond"]), MAX_SLOPE_FRACTION)

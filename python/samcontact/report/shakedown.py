@@ -13,13 +13,13 @@ from .tables import Table, cell
 if TYPE_CHECKING:
     import xarray as xr
 
-_TOLD = {"flow": "equivalent plastic strain increment", "net": "net plastic strain"}
+_CYCLE_LABELS = {"flow": "equivalent plastic strain increment", "net": "net plastic strain"}
 
 
 def require_cycles(dataset: xr.Dataset) -> None:
     """Raise ValueError unless the dataset is that of repeated cycles."""
     known = {*map(str, dataset.variables), *map(str, dataset.attrs)}
-    needed = (*_TOLD, "cycle", "verdict", "yield_strain")
+    needed = (*_CYCLE_LABELS, "cycle", "response", "yield_strain")
     if lacking := [name for name in needed if name not in known]:
         raise ValueError(
             f"shakedown must be the dataset of a run with [shakedown], but has no "
@@ -30,21 +30,21 @@ def require_cycles(dataset: xr.Dataset) -> None:
 def table(dataset: xr.Dataset) -> Table:
     """Return the strains of each cycle that was solved."""
     numbers = dataset["cycle"].values.tolist()
-    columns = [dataset[name].values for name in _TOLD]
+    columns = [dataset[name].values for name in _CYCLE_LABELS]
     rows = [
         (str(number), [cell(values[index], 1.0) for values in columns])
         for index, number in enumerate(numbers)
     ]
     note = (
-        f"Long-term response to the repeated path: {dataset.attrs['verdict']} after {numbers[-1]} "
+        f"Long-term response to the repeated path: {dataset.attrs['response']} after {numbers[-1]} "
         f"cycles. Maximum plastic strains of each cycle [-]; the yield strain is "
         f"{float(dataset.attrs['yield_strain']):.3g}."
     )
-    return Table(list(_TOLD.values()), rows, "cycle", note)
+    return Table(list(_CYCLE_LABELS.values()), rows, "cycle", note)
 
 
 def figure(dataset: xr.Dataset) -> ReportFigure:
-    drawn, verdict = new_figure(), str(dataset.attrs["verdict"])
+    drawn, verdict = new_figure(), str(dataset.attrs["response"])
     net, flow = (dataset[name].values / dataset.attrs["yield_strain"] for name in ("net", "flow"))
     draw_cycles(dataset["cycle"].values, net, flow, verdict, drawn.subplots())
     text = f"Net plastic strain of each cycle, and its plastic flow as a dashed line: {verdict}."

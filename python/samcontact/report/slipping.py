@@ -13,18 +13,18 @@ from .._util.check import Check
 from .._util.checks import FloatArray
 from ..plotting.slip_summary import chosen, slip_figures
 from ..plotting.slipping import largest_force
+from ..problem.friction import law_of_attributes
 from ..results.contact import repulsion_of
 from ..results.reading import cell_size
 from ..results.slipping import balance_of
-from ..scene.friction import law_of_attributes
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from ..cases import Case
-    from ..plotting.scene import Scene
+    from ..plotting.contact_results import ContactResults
 
-ENERGY = 0.05
+MAX_MISSING_ENERGY = 0.05
 """Limit of the unaccounted work, relative to the work input; it depends on the increments."""
 
 
@@ -50,7 +50,7 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
     yield Check("minimum frictional work in an increment", float(work.min()), 0.0, True, "J")
     if (balance := balance_of(dataset)) is not None:
         name = "energy balance: unaccounted work, relative to the work input"
-        yield Check(name, abs(balance.missing), ENERGY)
+        yield Check(name, abs(balance.missing), MAX_MISSING_ENERGY)
 
 
 def _shear(dataset: xr.Dataset) -> FloatArray:
@@ -72,13 +72,13 @@ def _missed(dataset: xr.Dataset, shear: FloatArray, steps: list[dict[str, Any]])
     return float(max(missed, default=0.0))
 
 
-def figures(scene: Scene) -> Iterator[tuple[str, str, Figure]]:
+def figures(scene: ContactResults) -> Iterator[tuple[str, str, Figure]]:
     """Caption, description and figure."""
     data = scene.dataset
     for name, figure in slip_figures(scene).items():
         title = figure.axes[0].get_title()
-        if name == "stick_slip":
-            number, share = scene.number(chosen(data)), data["sticking_share"].values[chosen(data)]
+        if name == "partial_slip":
+            number, share = scene.number(chosen(data)), data["stick_fraction"].values[chosen(data)]
             text = f"Map of the contact with a stick fraction of {100 * share:.3g} %; {title}."
             yield f"Stick and slip zones, increment {number}", text, figure
         elif name == "fretting_loop":

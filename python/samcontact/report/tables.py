@@ -14,11 +14,11 @@ from .._util.checks import FloatArray
 from .._util.display import counts, lengths, quantity
 from .._util.quantities import CONTACT, Quantity
 from ..accuracy.grid_errors import error_rows, said_of_increments
-from ..bodies.depth_profiles import PARTS
+from ..bodies.depth_profiles import PROFILE_ARGUMENTS
 from ..cases.field_units import field_unit
+from ..problem.friction import law_of_attributes
 from ..results.against_hertz import hertz_rows
 from ..results.slipping import balance_of, moved_along
-from ..scene.friction import law_of_attributes
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -32,12 +32,12 @@ if TYPE_CHECKING:
     from ..plotting.contact import HertzContact
 
 # Units that take a prefix; others are written as they are.
-_PREFIXED = ("m", "Pa", "N", "s", "m/s")
-_MOST_LISTED = 8
+_PREFIXED_UNITS = ("m", "Pa", "N", "s", "m/s")
+_MAX_LISTED_VALUES = 8
 """Maximum length of a list whose values are shown individually."""
 
 
-_ROUNDING = 1e-13  # relative to the maximum of a column
+_ROUNDING_ERROR = 1e-13  # relative to the maximum of a column
 
 
 class Row(NamedTuple):
@@ -104,14 +104,14 @@ def _rows(section: str, fields: dict[str, Any]) -> list[Row]:
 def _value(value: Any, unit: str) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
-    if isinstance(value, list) and len(value) > _MOST_LISTED:
+    if isinstance(value, list) and len(value) > _MAX_LISTED_VALUES:
         first, last = (_value(end, unit) for end in (value[0], value[-1]))
         return f"{len(value)} values, from {first} to {last}"
     if isinstance(value, list):
         return ", ".join(_value(entry, unit) for entry in value)
     if not isinstance(value, (int, float)):
         return str(value)
-    if unit in _PREFIXED:
+    if unit in _PREFIXED_UNITS:
         return quantity(value, unit, digits=6)
     return f"{value:.6g} {unit}".strip()
 
@@ -134,7 +134,7 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
             if str(name).startswith(prefix):
                 field = str(name).removeprefix(prefix)
                 plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
-                for section in ("kinematic", *PARTS):
+                for section in ("kinematic", *PROFILE_ARGUMENTS):
                     field = field.removeprefix(f"{section}_")
                 constant = re.sub(r"^(layer\d+|substrate)_", "", field)
                 unit = field_unit(f"body{body}.{constant}")
@@ -152,12 +152,12 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
 # names without the body
 _SCALARS = (
     "load", "approach", "max_pressure", "contact_area", "max_von_mises",
-    "max_equivalent_plastic_strain", "print_depth", "max_temperature", "travel", "time",
+    "max_equivalent_plastic_strain", "imprint_depth", "max_temperature", "travel", "time",
 )  # fmt: skip
 _CONVERGENCE = (
-    "iterations", "plastic_residual", "yield_excess", "contact_iterations", "substeps",
-    "contact_margin", "contact_cells", "sharp_cells", "area_uncertainty", "plastic_layers",
-    "plastic_margin",
+    "iterations", "plastic_strain_residual", "yield_violation", "contact_iterations", "substeps",
+    "contact_edge_distance", "cells_across_contact", "sharp_edge_cells", "area_uncertainty", "layers_across_plastic_zone",
+    "plastic_edge_distance",
 )  # fmt: skip
 
 
@@ -212,13 +212,13 @@ def _energy_table(balance: EnergyBalance) -> Table:
         "elastic energy of residual stress": balance.residual,
         "frictional work": balance.friction,
         "plastic dissipation": balance.plastic,
-        "unaccounted for": balance.missing * balance.put_in,
+        "unaccounted for": balance.missing * balance.work_input,
     }
-    most = balance.put_in or 1.0
+    most = balance.work_input or 1.0
     rows = [(name, [cell(value, 1.0), _percent(value / most)]) for name, value in parts.items()]
     note = (
         f"Energy budget after the last increment. The work input since the start is "
-        f"{balance.put_in:.6g} J; its difference from the net external work was recovered."
+        f"{balance.work_input:.6g} J; its difference from the net external work was recovered."
     )
     return Table(["value [J]", "fraction of work input [%]"], rows, "energy", note)
 
@@ -277,7 +277,7 @@ def values_table(
         for body, values in _of_bodies(dataset, name):
             shown = quantities[name].fitting(float(values.max()))
             found.append((shown.of(body), values, shown.factor))
-    columns = [(heading, values, factor, _ROUNDING * np.nanmax(np.abs(values), initial=0.0))
+    columns = [(heading, values, factor, _ROUNDING_ERROR * np.nanmax(np.abs(values), initial=0.0))
                for heading, values, factor in found]  # fmt: skip
     rows = [
         (str(number), [cell(values[index], factor, small) for _, values, factor, small in columns])

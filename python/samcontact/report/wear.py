@@ -13,20 +13,20 @@ from .._util.check import Check
 from .._util.quantities import WEAR
 from ..plotting.parts import new_figure
 from .figures import ReportFigure, embedded
-from .quality_checks import contact_cells, plastic_layers
+from .quality_checks import cells_across_contact, layers_across_plastic_zone
 from .tables import maxima_table, values_table
 
 if TYPE_CHECKING:
     import xarray as xr
 
-NEEDED = ("volume", "lost", "depth", "wear_rate")
-VOLUME = 1e-9
+REQUIRED_VARIABLES = ("volume", "lost_volume", "depth", "wear_rate")
+MAX_VOLUME_DIFFERENCE = 1e-9
 """Limit of the relative difference between removed volume and volume below the surface."""
-MOST_PROFILES = 10  # maximum number of profiles in a figure
-_CYCLES = (
+MAX_PROFILES = 10  # maximum number of profiles in a figure
+_CYCLE_VARIABLES = (
     "volume", "depth", "surface_strain", "max_equivalent_plastic_strain", "max_pressure",
-    "max_von_mises", "contact_area", "contact_cells", "plastic_layers", "friction_work",
-    "slip_path", "sticking_area",
+    "max_von_mises", "contact_area", "cells_across_contact", "layers_across_plastic_zone", "friction_work",
+    "slip_distance", "stick_area",
 )  # fmt: skip
 
 
@@ -34,21 +34,23 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     """Return the variables of the template for wear."""
     return {
         "file": "wear.nc",
-        "answers": [("results", "Results", maxima_table(dataset, "cycle", WEAR, _CYCLES))],
-        "values": [("cycles", "Cycles", values_table(dataset, "cycle", WEAR, _CYCLES))],
+        "answers": [("results", "Results", maxima_table(dataset, "cycle", WEAR, _CYCLE_VARIABLES))],
+        "values": [("cycles", "Cycles", values_table(dataset, "cycle", WEAR, _CYCLE_VARIABLES))],
         "figures": list(_figures(dataset)),
     }
 
 
 def checks(dataset: xr.Dataset) -> Iterator[Check]:
     removed = float(dataset["volume"].max())
-    difference = float(np.abs(dataset["volume"] - dataset["lost"]).max())
+    difference = float(np.abs(dataset["volume"] - dataset["lost_volume"]).max())
     name = "volume balance: relative difference between surface and removed volume"
-    yield Check(name, difference / removed if removed > 0 else difference, VOLUME)
+    yield Check(name, difference / removed if removed > 0 else difference, MAX_VOLUME_DIFFERENCE)
     # of the initial surface: a worn surface touches at its edges
-    yield contact_cells(float(dataset["contact_cells"][0]), " of the first cycle")
-    for body in dataset["body"].values.tolist() if "plastic_layers" in dataset else ():
-        yield from plastic_layers(dataset["plastic_layers"].sel(body=body), body)
+    yield cells_across_contact(float(dataset["cells_across_contact"][0]), " of the first cycle")
+    for body in dataset["body"].values.tolist() if "layers_across_plastic_zone" in dataset else ():
+        yield from layers_across_plastic_zone(
+            dataset["layers_across_plastic_zone"].sel(body=body), body
+        )
 
 
 def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
@@ -58,7 +60,7 @@ def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
     count = dataset.sizes["cycle"]
     text = f"Volume worn in each cycle. Wear {stopped} after {count} cycles."
     yield embedded("Worn volume of each cycle", text, figure)
-    step = -(-count // MOST_PROFILES)
+    step = -(-count // MAX_PROFILES)
     shown = sorted({0, *range(count, 0, -step)})
     for body in dataset["body"].values.tolist():
         heights = dataset[f"heights_body{body}"].values

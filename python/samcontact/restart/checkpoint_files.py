@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
-from ..files.ownership import HDF5, PART, is_marked, is_regular
-from .lock import LOCKS
+from ..files.ownership import PARTIAL_FILE_NAME, SEALED_SUFFIXES, is_marked, is_regular
+from .lock import LOCK_FILES
 
-CASE = "case.txt"
+CASE_FILE = "case.txt"
 """Name of the file that identifies the case of the checkpoints."""
 CASE_MARK = "samcontact run "
 """First words of this file."""
@@ -48,9 +48,9 @@ def _files(folder: Path) -> Iterator[Path]:
 def _is_own(file: Path) -> bool:
     if not is_regular(file):
         return False
-    if file.name == CASE:
+    if file.name == CASE_FILE:
         with file.open("rb") as opened:
             return opened.read(len(CASE_MARK)) == CASE_MARK.encode()
-    if file.name in LOCKS or PART.fullmatch(file.name):
+    if file.name in LOCK_FILES or PARTIAL_FILE_NAME.fullmatch(file.name):
         return True
-    return file.suffix in HDF5 and is_marked(file)
+    return file.suffix in SEALED_SUFFIXES and is_marked(file)

@@ -24,16 +24,21 @@ import numpy as np
 
 Text = Callable[[Any], str]
 """Function that returns the canonical text of any value."""
-IDENTITY = "identity"
+IDENTITY_ATTRIBUTE = "identity"
 """Attribute that states the dependencies of an object."""
 
-_COMPILED = (
+_COMPILED_TYPES = (
     BuiltinFunctionType, MethodDescriptorType, MethodWrapperType, WrapperDescriptorType, np.ufunc,
 )  # fmt: skip
-_INSTALLED = {"site-packages", "dist-packages"}
+_PACKAGE_FOLDERS = {"site-packages", "dist-packages"}
 """Folders of packages, whose code is identified by its version; all other code is user code."""
-_NO_STATE = {"__dict__", "__weakref__", "__doc__", "__module__", "__annotations__"}
-_NO_STATE |= {"__firstlineno__", "__static_attributes__", "__annotate_func__", "__annotate__"}
+_STATELESS_SLOTS = {"__dict__", "__weakref__", "__doc__", "__module__", "__annotations__"}
+_STATELESS_SLOTS |= {
+    "__firstlineno__",
+    "__static_attributes__",
+    "__annotate_func__",
+    "__annotate__",
+}
 
 
 class UnidentifiedError(ValueError):
@@ -55,7 +60,7 @@ def text_of_object(value: Any, text: Text) -> str:
     UnidentifiedError
         The object has state that Python cannot read, such as a compiled object.
     """
-    stated = getattr(value, IDENTITY, None)
+    stated = getattr(value, IDENTITY_ATTRIBUTE, None)
     if stated is not None and not callable(stated):
         return f"{type(value).__name__} with identity {text(stated)}"
     if isinstance(value, ModuleType):
@@ -74,7 +79,7 @@ def text_of_object(value: Any, text: Text) -> str:
         return f"{type(value).__name__} {text(value.__func__)}"
     if isinstance(value, property):
         return f"property {text([value.fget, value.fset, value.fdel])}"
-    if isinstance(value, _COMPILED):
+    if isinstance(value, _COMPILED_TYPES):
         return _compiled(value, text)
     return _instance(value, text)
 
@@ -130,7 +135,7 @@ def _names(code: CodeType) -> Iterator[str]:
 
 
 def _class(cls: type, text: Text) -> str:
-    own = {name: part for name, part in vars(cls).items() if name not in _NO_STATE}
+    own = {name: part for name, part in vars(cls).items() if name not in _STATELESS_SLOTS}
     own = {name: part for name, part in own.items() if not _is_slot(part)}
     bases = [base for base in cls.__bases__ if base is not object]
     return f"class {cls.__qualname__} {text([bases, own])}"
@@ -190,7 +195,7 @@ def _library(module: str) -> str | None:
         return f"Python {sys.version_info.major}.{sys.version_info.minor}"
     loaded = sys.modules.get(top)
     file = getattr(loaded, "__file__", None)
-    installed = file and _INSTALLED & set(Path(file).resolve().parts)
+    installed = file and _PACKAGE_FOLDERS & set(Path(file).resolve().parts)
     if top != "samcontact" and not installed:
         return None
     try:

@@ -23,7 +23,7 @@ _FORMAT = "samcontact checkpoint"
 _FORMAT_VERSION = 10
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 
-DAMAGED = (
+READ_ERRORS = (
     OSError, KeyError, ValueError, TypeError, AttributeError, IndexError, OverflowError,
     RuntimeError, MemoryError,
 )  # fmt: skip
@@ -54,7 +54,7 @@ def readable(path: str | os.PathLike[str]) -> Iterator[None]:
         yield
     except CheckpointError:
         raise
-    except DAMAGED as error:
+    except READ_ERRORS as error:
         raise damaged(path, error) from error
 
 
@@ -88,7 +88,7 @@ def read(path: str | os.PathLike[str], kind: str) -> Tree:
             return read_tree(file)
     except CheckpointError:
         raise
-    except DAMAGED as error:
+    except READ_ERRORS as error:
         raise damaged(path, error) from error
 
 

@@ -11,14 +11,14 @@ from typing import Any
 
 import numpy as np
 
-from .dependencies import IDENTITY, UnidentifiedError, text_of_object
+from .dependencies import IDENTITY_ATTRIBUTE, UnidentifiedError, text_of_object
 
 Identity = dict[str, str]
 """Text of each part by name, or its digest if the text is long."""
-_SHORT = 60
-_EXACT = 1 << 53
+_MAX_SHOWN_CHARACTERS = 60
+_MAX_EXACT_INTEGER = 1 << 53
 """Limit above which not all integers are exact in float64."""
-_UNKNOWN = "unidentified: "
+_UNIDENTIFIED_PREFIX = "unidentified: "
 
 
 def identity(**parts: Any) -> Identity:
@@ -33,16 +33,16 @@ def _identified(part: Any) -> str:
     try:
         return _shortened(canonical(part))
     except UnidentifiedError as error:
-        return f"{_UNKNOWN}{error}"
+        return f"{_UNIDENTIFIED_PREFIX}{error}"
 
 
 def require_identified(who: Identity) -> None:
     """Raise UnidentifiedError if the identity of a run cannot be determined."""
     for name, text in who.items():
-        if text.startswith(_UNKNOWN):
+        if text.startswith(_UNIDENTIFIED_PREFIX):
             raise UnidentifiedError(
                 f"{name} has no identity that distinguishes checkpoints of different runs: "
-                f"{text.removeprefix(_UNKNOWN)}. Set its attribute `{IDENTITY}` to everything it "
+                f"{text.removeprefix(_UNIDENTIFIED_PREFIX)}. Set its attribute `{IDENTITY_ATTRIBUTE}` to everything it "
                 "depends on, e.g. law.identity = ('my law', 2e-4), or run without a checkpoint"
             )
 
@@ -69,12 +69,12 @@ def canonical(value: Any) -> str:
     Raises UnidentifiedError for a function or object whose dependencies cannot be determined.
     """
     try:
-        return _Texts().text(value)
+        return _IdentityTexts().text(value)
     except RecursionError:
         raise UnidentifiedError("it is nested too deeply, or without end") from None
 
 
-class _Texts:
+class _IdentityTexts:
     """Texts of nested values, whose objects may refer to themselves."""
 
     def __init__(self) -> None:
@@ -122,7 +122,7 @@ def _plain(value: Any) -> str | None:
     if type(value) in (bool, np.bool_) or value is None:
         return repr(value if value is None else bool(value))
     if type(value) in (int, float) or isinstance(value, (np.integer, np.floating)):
-        if isinstance(value, int) and abs(value) > _EXACT:
+        if isinstance(value, int) and abs(value) > _MAX_EXACT_INTEGER:
             return repr(value)
         return repr(float(value))
     if type(value) in (str, bytes, complex, range, slice, type(...), type(NotImplemented)):
@@ -143,7 +143,7 @@ def _array(value: np.ndarray[Any, Any]) -> str | None:
 
 
 def _shortened(text: str) -> str:
-    return text if len(text) <= _SHORT else f"#{_hash(text.encode())}"
+    return text if len(text) <= _MAX_SHOWN_CHARACTERS else f"#{_hash(text.encode())}"
 
 
 def _hash(content: bytes) -> str:

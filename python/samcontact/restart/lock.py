@@ -13,13 +13,15 @@ from pathlib import Path
 
 from ..files.ownership import is_regular, remove_leftovers
 
-LOCK = ".samcontact.lock"
-LOCKS = (LOCK, ".cycle.h5.lock")
+LOCK_FILE = ".samcontact.lock"
+LOCK_FILES = (LOCK_FILE, ".cycle.h5.lock")
 """Names of locks in folders of checkpoints: of the folder, and of the file of a wear simulation."""
 
 
 @contextmanager
-def locked(directory: Path, remedy: str = "use another folder", name: str = LOCK) -> Iterator[None]:
+def locked(
+    directory: Path, remedy: str = "use another folder", name: str = LOCK_FILE
+) -> Iterator[None]:
     """Create the folder and lock it against other runs; a killed process leaves no lock.
 
     Parameters

@@ -12,7 +12,7 @@ import numpy as np
 from .._util.checks import FloatArray
 
 Tree = dict[str, Any]
-_KINDS = (np.dtype(np.float64), np.dtype(np.int64), np.dtype(np.uint32))
+_ARRAY_TYPES = (np.dtype(np.float64), np.dtype(np.int64), np.dtype(np.uint32))
 """Options of datasets for arrays."""
 
 
@@ -65,7 +65,7 @@ def _plain(name: str, value: Any) -> Any:
 
 
 def _array(name: str, values: h5py.Dataset) -> Any:
-    if values.dtype not in _KINDS:
+    if values.dtype not in _ARRAY_TYPES:
         raise ValueError(f"{name} must be of type float64, got {values.dtype}")
     return np.ascontiguousarray(values[...])
 

@@ -11,7 +11,12 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ..diagnostics import sharp_edges
-from ..diagnostics.resolution import area_uncertainty, cells_across, plastic_layers, spots
+from ..diagnostics.resolution import (
+    area_uncertainty,
+    cells_across,
+    layers_across_plastic_zone,
+    spots,
+)
 from ..solutions.strained_cells import strained_extent
 from .motion import add
 
@@ -40,28 +45,28 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
         )
         for state in states
     ]
-    add(dataset, "contact_margin", "increment", margins)
+    add(dataset, "contact_edge_distance", "increment", margins)
     solved = [np.isfinite(state.approach) for state in states]  # NaN: prescribed tractions
     across = [
         cells_across(state.repulsion, state.grid.periodic) if found else np.nan
         for state, found in zip(states, solved, strict=True)
     ]
-    add(dataset, "contact_cells", "increment", across)
+    add(dataset, "cells_across_contact", "increment", across)
     _add_area_uncertainty(dataset, states, solved)
     sharp = [sharp_edges.edge_of_state(state) for state in states]
     if any(sharp):
         cells = [0 if edge is None else np.count_nonzero(edge.cells) for edge in sharp]
-        add(dataset, "sharp_cells", "increment", cells)
+        add(dataset, "sharp_edge_cells", "increment", cells)
     if not inelastic:
         return
-    for name in ("plastic_residual", "yield_excess"):
+    for name in ("plastic_strain_residual", "yield_violation"):
         add(dataset, name, "increment", [float(getattr(state, name)) for state in states])
     for body in inelastic:
         strains = [float(state.max_plastic_strain_magnitude(body=body)) for state in states]
         add(dataset, "max_plastic_strain_magnitude", "increment", strains, body)
         margins, layers = _plastic_zones(states, body)
-        add(dataset, "plastic_margin", "increment", margins, body)
-        add(dataset, "plastic_layers", "increment", layers, body)
+        add(dataset, "plastic_edge_distance", "increment", margins, body)
+        add(dataset, "layers_across_plastic_zone", "increment", layers, body)
 
 
 def _add_area_uncertainty(
@@ -90,7 +95,7 @@ def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], lis
         shape = (*grid.surface_shape, len(state.depths))
         beside = not (moved or grid.along_x), not grid.along_y
         margins.append(free_cells(extent, shape, *beside))
-        layers.append(plastic_layers(extent))
+        layers.append(layers_across_plastic_zone(extent))
     return margins, layers
 
 

@@ -14,12 +14,12 @@ from .._util.checks import choice, integer
 from .._util.quantities import CONTACT
 from .._util.tensors import COMPONENTS
 from .._util.version import version
-from ..bodies.depth_profiles import PARTS
+from ..bodies.depth_profiles import PROFILE_ARGUMENTS
 from ..bodies.layered import Body, Layered, materials_of, names_of_materials
-from ..scene.friction import attributes_of, friction_law
+from ..problem.friction import attributes_of, friction_law
 from ..solutions.interface_stress import SIDES
 from ..solutions.peak import peak_of_dataset
-from ..solutions.state import in_one_window
+from ..solutions.state import on_common_grid
 from .convergence import add_convergence
 from .motion import add, add_motion
 from .slipping import add_slipping
@@ -27,15 +27,15 @@ from .zones import add_gathered, is_gathered, max_von_mises
 
 if TYPE_CHECKING:
     from ..cases import Case
-    from ..scene.domain import Domain
+    from ..problem.domain import Domain
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
 
 VOLUME_CHOICES = ("none", "last", "peak_and_last", "all")
 
 _SURFACE = ("increment", "x", "y")
-_VOLUME = ("volume_increment", "x", "y", "z")
-_TENSOR = ("volume_increment", "component", "x", "y", "z")
+_VOLUME = ("output_increment", "x", "y", "z")
+_TENSOR = ("output_increment", "component", "x", "y", "z")
 
 
 _SCALARS: dict[str, Callable[[State], float]] = {
@@ -91,11 +91,11 @@ def to_dataset(
     Returns
     -------
     xarray.Dataset
-        Dimensions increment, x, y and, for a grid with layers, volume_increment, z, component. If
+        Dimensions increment, x, y and, for a grid with layers, output_increment, z, component. If
         the plastic strain of a body is in several subdomains, the dimension is cell_body1 or
         cell_body2 instead of x, y, z (see `on_grid`). With partial slip, the dataset has tangential
         forces and motions, slip, sticking cells and the energy balance. For an elastic-plastic body
-        that moved, track_x_body1 or track_x_body2 is the dimension of its whole track at the end.
+        that moved, track_position_body1 or track_position_body2 is the dimension of its whole track at the end.
         Every variable has ``units`` (SI) and ``long_name``.
 
     Raises
@@ -114,7 +114,7 @@ def to_dataset(
     if not listed or getattr(volume, "ndim", 1) != 1:
         choice("volume", volume, VOLUME_CHOICES)
 
-    states = in_one_window(states)
+    states = on_common_grid(states)
     domain = states[0].domain
     dataset = xr.Dataset(coords=_coordinates(domain))
     _add_scalars(dataset, states)
@@ -173,7 +173,7 @@ def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
     for body in _inelastic(simulation):
         prints = np.stack([s.residual_displacement(body=body) for s in states])
         add(dataset, "residual_displacement", _SURFACE, prints, body)
-        add(dataset, "print_depth", "increment", prints.max(axis=(1, 2)), body)
+        add(dataset, "imprint_depth", "increment", prints.max(axis=(1, 2)), body)
 
 
 def _add_temperatures(
@@ -249,8 +249,8 @@ def _add_volume(
     chosen: list[int],
 ) -> None:
     dataset.coords["component"] = ("component", list(COMPONENTS))
-    dataset.coords["volume_increment"] = CONTACT["volume_increment"].variable(
-        "volume_increment", np.array(chosen) + 1
+    dataset.coords["output_increment"] = CONTACT["output_increment"].variable(
+        "output_increment", np.array(chosen) + 1
     )
     stored = [states[i] for i in chosen]
     gathered = [body for body in bodies if is_gathered(stored, body)]
@@ -279,7 +279,7 @@ def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> 
     dim = f"interface_body{body}"
     dataset.coords["side"] = ("side", list(SIDES))
     dataset.coords[dim] = CONTACT["interface"].variable(dim, layered.interfaces, body)
-    dims = ("volume_increment", "side", "component", "x", "y", dim)
+    dims = ("output_increment", "side", "component", "x", "y", dim)
     add(dataset, "interface_stress", dims, fields, body)
 
 
@@ -303,7 +303,7 @@ def _of_body(prefix: str, body: Body) -> dict[str, Any]:
         modulus, recovery = zip(*body.kinematic, strict=True)
         found[f"{prefix}kinematic_modulus"] = list(modulus)
         found[f"{prefix}kinematic_recovery"] = list(recovery)
-    for kind, parts in PARTS.items():
+    for kind, parts in PROFILE_ARGUMENTS.items():
         for part, values in zip(parts, getattr(body, kind) or (), strict=False):
             found[f"{prefix}{kind}_{part}"] = list(values)
     return found

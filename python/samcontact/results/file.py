@@ -16,9 +16,9 @@ import xarray as xr
 from .._util.version import version
 from ..files.atomic import replacing_hdf5
 from ..files.checksum import check_seal
-from ..restart.file import DAMAGED, require_self_contained
+from ..restart.file import READ_ERRORS, require_self_contained
+from .isolated_read import try_to_read
 from .reading import parts_of_a_run
-from .trial import try_to_read
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -104,7 +104,7 @@ def open_results(path: str | Path) -> xr.Dataset:
         dataset = xr.open_dataset(source, engine="h5netcdf")
     except PermissionError:
         raise
-    except (*DAMAGED, xr.SerializationWarning) as error:
+    except (*READ_ERRORS, xr.SerializationWarning) as error:
         # without the advice of h5netcdf, which concerns its own arguments
         told = next(iter(str(error).splitlines()), type(error).__name__).strip()
         raise ValueError(f"path must be a netCDF4 file, got {source}: {told}") from error

@@ -57,7 +57,7 @@ def to_pvd(dataset: xr.Dataset, path: str | Path, body: int | None = None) -> li
 
 def _write_all(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
     numbers = dataset["increment"].values.tolist()
-    volumes = dataset["volume_increment"].values.tolist() if volume_names(dataset, body) else []
+    volumes = dataset["output_increment"].values.tolist() if volume_names(dataset, body) else []
     time = "time" if "time" in dataset else "increment"
     when = dict(zip(numbers, dataset[time].values.tolist(), strict=True))
 

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._util.checks import choice
-from ..bodies.depth_profiles import PARTS
+from ..bodies.depth_profiles import PROFILE_ARGUMENTS
 from ..bodies.hardening_laws import LAWS
 from ..bodies.layered import Body, Layered, names_of_materials
 from ..bodies.material import Material
-from ..scene.grid import Grid
+from ..problem.grid import Grid
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -73,14 +73,16 @@ def graded_of(dataset: xr.Dataset, body: int) -> Body | None:
             _material(dataset, f"{prefix}{name}_") for name in names_of_materials(len(thickness))
         )
         return Layered(tuple(zip(layers, thickness, strict=True)), substrate)
-    if law not in LAWS or not any(f"{prefix}{kind}_z" in dataset.attrs for kind in PARTS):
+    if law not in LAWS or not any(
+        f"{prefix}{kind}_z" in dataset.attrs for kind in PROFILE_ARGUMENTS
+    ):
         return None
     return _material(dataset, prefix)
 
 
 def _material(dataset: xr.Dataset, prefix: str) -> Material:
     law = str(dataset.attrs[f"{prefix}law"])
-    kinds = [kind for kind in PARTS if f"{prefix}{kind}_z" in dataset.attrs]
+    kinds = [kind for kind in PROFILE_ARGUMENTS if f"{prefix}{kind}_z" in dataset.attrs]
 
     def given(name: str, many: bool) -> Any:
         value = np.atleast_1d(
@@ -91,6 +93,6 @@ def _material(dataset: xr.Dataset, prefix: str) -> Material:
     constants = LAWS[law].constants
     parameters = {name: given(name, constant.many) for name, constant in constants.items()}
     profiles: dict[str, Any] = {
-        kind: [given(f"{kind}_{part}", True) for part in PARTS[kind]] for kind in kinds
+        kind: [given(f"{kind}_{part}", True) for part in PROFILE_ARGUMENTS[kind]] for kind in kinds
     }
     return Material(law, parameters, **profiles)

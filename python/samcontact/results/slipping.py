@@ -12,8 +12,13 @@ import xarray as xr
 from .. import energy
 from .._util.checks import FloatArray
 from .._util.quantities import CONTACT
-from ..scene.friction import friction_law
-from ..solutions.tangential_quantities import ALONG, ROUNDING, along_surface, not_rounding
+from ..problem.friction import friction_law
+from ..solutions.tangential_quantities import (
+    ROUNDING_ERROR,
+    TANGENTIAL_QUANTITIES,
+    along_surface,
+    not_rounding,
+)
 from .motion import add
 
 if TYPE_CHECKING:
@@ -21,7 +26,7 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 _BALANCE = {
-    "put_in": "work_put_in", "net": "net_work", "elastic": "elastic_energy",
+    "work_input": "work_input", "net": "net_external_work", "elastic": "elastic_energy",
     "residual": "residual_energy", "plastic": "plastic_work",
 }  # fmt: skip
 _SURFACE = ("increment", "x", "y")
@@ -41,7 +46,7 @@ def add_slipping(
         add(dataset, name, "increment", values)
     for number, direction in enumerate("xy"):
         add(dataset, f"slip_{direction}", _SURFACE, np.stack([s.slip[number] for s in states]))
-    add(dataset, "sticking_share", "increment", [_share(state) for state in states])
+    add(dataset, "stick_fraction", "increment", [_share(state) for state in states])
     add(dataset, "sticking", _SURFACE, np.stack([s.sticking for s in states]).astype(np.int8))
     inelastic = simulation.body1.is_plastic or simulation.body2.is_plastic
     if (volume or not inelastic) and not energy.no_balance(simulation, states):
@@ -55,7 +60,7 @@ def _add_balance(dataset: xr.Dataset, found: energy.EnergyBalance) -> None:
 
 def balance_of(dataset: xr.Dataset) -> energy.EnergyBalance | None:
     """Return the energy balance of results; None if not stored."""
-    if "work_put_in" not in dataset:
+    if "work_input" not in dataset:
         return None
     given = {own: float(dataset[name]) for own, name in _BALANCE.items()}
     return energy.EnergyBalance(**given, friction=float(dataset["friction_work"][-1]))
@@ -70,12 +75,12 @@ def moved_along(dataset: xr.Dataset) -> list[str]:
     """Return the names of the tangential scalars of increments, without rounding errors."""
     if "friction_work" not in dataset:
         return []
-    values = {name: dataset[name].values for name in ALONG}
+    values = {name: dataset[name].values for name in TANGENTIAL_QUANTITIES}
     sizes = (dataset[name].values for name in ("load", "approach", "contact_area"))
-    return [*not_rounding(values, *sizes), "friction_work", "sticking_share"]
+    return [*not_rounding(values, *sizes), "friction_work", "stick_fraction"]
 
 
 def without_rounding(values: FloatArray) -> FloatArray:
     """Return values for tables, with zero for values below the tolerance of the solver."""
-    small = ROUNDING * np.nanmax(np.abs(values), initial=0.0)
+    small = ROUNDING_ERROR * np.nanmax(np.abs(values), initial=0.0)
     return np.where(np.abs(values) < small, 0.0, values)

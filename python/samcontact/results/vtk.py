@@ -22,7 +22,7 @@ from .zones import cells_of
 # Order of the components of symmetric tensors in VTK, which differs from this package.
 VTK_COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 _VOXEL = 11  # number of this cell type in VTK
-_COMMON = (
+_SURFACE_VARIABLES = (
     "pressure", "repulsion", "gap", "shear_x", "shear_y", "slip_x", "slip_y", "sticking",
     "initial_gap",
 )  # fmt: skip
@@ -89,7 +89,7 @@ def _write_all(dataset: xr.Dataset, target: Path, increment: int, body: int) -> 
 
 def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
     """Write the volume fields of an increment, and return the file."""
-    fields = dataset[volume_names(dataset, body)].sel(volume_increment=number)
+    fields = dataset[volume_names(dataset, body)].sel(output_increment=number)
     edges = _volume_edges(dataset, number, body)
     cells = cells_of(next(iter(fields.data_vars.values())), dataset)
     if cells is None:
@@ -138,17 +138,17 @@ def volume_names(dataset: xr.Dataset, body: int) -> list[str]:
     return [
         str(name)
         for name, field in dataset.data_vars.items()
-        if "volume_increment" in field.dims and str(name).endswith(f"_body{body}")
+        if "output_increment" in field.dims and str(name).endswith(f"_body{body}")
     ]
 
 
 def _surface_names(dataset: xr.Dataset, body: int) -> list[str]:
     own = (f"residual_displacement_body{body}", f"surface_temperature_body{body}")
-    return [name for name in (*_COMMON, *own) if name in dataset]
+    return [name for name in (*_SURFACE_VARIABLES, *own) if name in dataset]
 
 
 def stored_number(dataset: xr.Dataset, increment: int, volume: bool) -> int:
-    stored = dataset["volume_increment" if volume else "increment"].values.tolist()
+    stored = dataset["output_increment" if volume else "increment"].values.tolist()
     integer("increment", increment)
     if -len(stored) <= increment < 0:
         return int(stored[increment])

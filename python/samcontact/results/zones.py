@@ -60,7 +60,7 @@ def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> Non
         data = np.full((len(states), *shape), _beside(name))
         for values, (numbers, fields) in zip(data, parts, strict=True):
             values[..., np.searchsorted(cells, numbers)] = fields.pop(name)
-        dims = ("volume_increment", *(["component"] if has_components else []), dim)
+        dims = ("output_increment", *(["component"] if has_components else []), dim)
         add(dataset, name, dims, data, body)
 
 

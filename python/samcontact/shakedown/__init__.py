@@ -2,27 +2,37 @@
 """Shakedown limits and cyclic simulation: does plastic flow cease under repeated loading?
 
 Closed-form limits of the pressure of rolling and sliding contacts: `line`, exact by Melan's
-theorem; `point` and `elliptic`, upper bounds; `point_safe`, lower bound; `line_kinematic` and
+theorem; `point` and `elliptic`, upper bounds; `point_lower_bound`, lower bound; `line_kinematic` and
 `point_kinematic` for linear kinematic hardening. For any cycle of a `Simulation`, `run` repeats it
 until flow has ceased, is closed in each cycle, or continues. See docs/theory/shakedown.md.
 """
 
 from .cycling import run
 from .limits import (
-    Limit,
+    ShakedownLimit,
     elliptic,
     first_yield,
     line,
     line_kinematic,
     point,
     point_kinematic,
-    point_safe,
+    point_lower_bound,
 )
 from .passes import passes
 from .results import Cycle, NotSteadyWarning, ShakedownResult
 
 __all__ = [
-    "Cycle", "Limit", "NotSteadyWarning", "ShakedownResult", "elliptic", "first_yield", "line",
-    "line_kinematic", "passes", "point", "point_kinematic", "point_safe",
+    "Cycle",
+    "NotSteadyWarning",
+    "ShakedownLimit",
+    "ShakedownResult",
+    "elliptic",
+    "first_yield",
+    "line",
+    "line_kinematic",
+    "passes",
+    "point",
+    "point_kinematic",
+    "point_lower_bound",
     "run",
 ]  # fmt: skip

@@ -15,10 +15,10 @@ from .._util.progress import progress_bar
 from ..bodies.layered import materials_of
 from ..simulation.journal import Journal, journal_of
 from ..simulation.simulation import Simulation
-from ..simulation.steps import STEP
+from ..simulation.steps import STEP_ARGUMENTS
 from ..solutions.state import State
-from .jumps import MOST, Changes, Jump, jump, norm
-from .plastic import as_deep, change, tracks
+from .jumps import MAX_JUMP_CYCLES, Changes, Jump, jump, norm
+from .plastic import at_common_depth, change, tracks
 from .results import (
     ELASTIC,
     PLASTIC,
@@ -30,11 +30,11 @@ from .results import (
     ShakedownResult,
 )
 
-_STEADY_FLOW = 0.02
+_MAX_FLOW_CHANGE = 0.02
 """Maximum change of the flow per cycle, relative to that of the preceding cycle."""
-_STEADY_RATE = 0.1
-"""Maximum change of the ratcheting rate over `_WINDOW` cycles, relative."""
-_WINDOW = 20
+_MAX_RATE_CHANGE = 0.1
+"""Maximum change of the ratcheting rate over `_RATE_CYCLES` cycles, relative."""
+_RATE_CYCLES = 20
 
 
 def run(
@@ -101,19 +101,19 @@ def run(
     require_type("simulation", simulation, Simulation)
     boolean("accelerate", accelerate)
     boolean("progress", progress)
-    steps = step_list("cycle", cycle, STEP)
+    steps = step_list("cycle", cycle, STEP_ARGUMENTS)
     count, small = integer("cycles", cycles, 2), number("tol", tol)
     if not 1e-6 <= small <= 0.1:
         raise ValueError(f"tol must be in [1e-6, 0.1], got {tol!r}")
     _require_closed(simulation, steps)
-    repeated = _Repeated(simulation, steps, small, bool(accelerate))
+    repeated = _RepeatedCycles(simulation, steps, small, bool(accelerate))
     what = {"path": steps, "shakedown": {"tol": small, "accelerate": bool(accelerate)}}
     with (
         journal_of(checkpoint, simulation.engine, **what) as journal,
         progress_bar(count, "cycle", shown=progress) as bar,
     ):
         try:
-            while repeated.verdict == UNDECIDED and repeated.solved < count:
+            while repeated.response == UNDECIDED and repeated.solved < count:
                 repeated.next(journal)
                 bar.update()
                 bar.set_postfix(strain_per_cycle=f"{repeated.cycles[-1].net:.3g}")
@@ -123,7 +123,7 @@ def run(
             raise
         finally:
             repeated.take_back()
-    if repeated.verdict == UNDECIDED:
+    if repeated.response == UNDECIDED:
         last = repeated.cycles[-1]
         warnings.warn(
             f"response is not steady after {last.number} cycles: the last adds a plastic strain of "
@@ -153,7 +153,7 @@ def _require_closed(simulation: Simulation, steps: Sequence[Mapping[str, Any]]) 
         )
 
 
-class _Repeated:
+class _RepeatedCycles:
     """Cycles solved so far."""
 
     def __init__(
@@ -163,15 +163,15 @@ class _Repeated:
         bodies = {1: simulation.body1, 2: simulation.body2}
         self.bodies = [number for number, body in bodies.items() if body.is_plastic]
         yields = [m for n in self.bodies for m in materials_of(bodies[n]) if m.is_plastic]
-        self.yield_strain = min(material.least_yield_stress / material.E for material in yields)
+        self.yield_strain = min(material.min_yield_stress / material.E for material in yields)
         self.small = tol * self.yield_strain
         self.cycles: list[Cycle] = []
-        self.verdict = UNDECIDED
+        self.response = UNDECIDED
         self.rejected, self.solved = 0, 0
         self._errors: list[float] = []
         self.state = simulation.state
         self.strain: dict[int, FloatArray] = {}
-        self._most = MOST
+        self._most = MAX_JUMP_CYCLES
         self._number = 0
         self._jump: Jump | None = None
         self._kept: tuple[Jump, Changes] | None = None
@@ -196,8 +196,8 @@ class _Repeated:
             self._changes = []
         flow, net = (max(getattr(c, name) for c in found.values()) for name in ("flow", "net"))
         self.cycles.append(Cycle(self._number, flow, net))
-        self.verdict = self._judged()
-        if self.verdict == UNDECIDED and self.accelerate and len(self._changes) == 3:
+        self.response = self._judged()
+        if self.response == UNDECIDED and self.accelerate and len(self._changes) == 3:
             self._jump = jump(self.simulation, self._changes, self._most)
             if self._jump is not None:
                 self._number += self._jump.cycles
@@ -211,7 +211,7 @@ class _Repeated:
             self.simulation.run(self.steps, progress=False)
             self.simulation.monitor.checks_increments = False  # not for each of many cycles
         else:
-            with self.simulation.monitor.as_a_whole():
+            with self.simulation.monitor.deferred_resolution_checks():
                 for step in self.steps:
                     self.simulation.step(**step)
         self.solved += 1
@@ -226,7 +226,7 @@ class _Repeated:
         if made.confirmed(found):
             self._errors.append(made.error(found))
             self._changes, self._kept = [], (made, found)
-            self._most = min(MOST, 2 * made.cycles)
+            self._most = min(MAX_JUMP_CYCLES, 2 * made.cycles)
             return True
         self.rejected += 1
         self._most, self._changes, self._jump = max(made.cycles // 2, 2), [], made
@@ -248,10 +248,10 @@ class _Repeated:
             return UNDECIDED
         flow = self.cycles[-2].flow
         if last.net <= self.small:
-            steady = abs(last.flow - flow) <= _STEADY_FLOW * last.flow
+            steady = abs(last.flow - flow) <= _MAX_FLOW_CHANGE * last.flow
             return PLASTIC if steady else UNDECIDED
-        earlier = [c.net for c in self.cycles if c.number <= last.number - _WINDOW]
-        steady = bool(earlier) and abs(earlier[-1] - last.net) <= _STEADY_RATE * last.net
+        earlier = [c.net for c in self.cycles if c.number <= last.number - _RATE_CYCLES]
+        steady = bool(earlier) and abs(earlier[-1] - last.net) <= _MAX_RATE_CHANGE * last.net
         settled = len(self._changes) == 3  # the first cycle after a jump corrects the jump
         return RATCHETING if steady and settled and self._alike() else UNDECIDED
 
@@ -260,14 +260,14 @@ class _Repeated:
         older, last = (
             [c.of("plastic_strain") for c in each.values()] for each in self._changes[-2:]
         )
-        pairs = [as_deep(pair) for pair in zip(last, older, strict=True)]
+        pairs = [at_common_depth(pair) for pair in zip(last, older, strict=True)]
         same = all(a.shape == b.shape for a, b in pairs)
-        return same and norm([a - b for a, b in pairs]) <= _STEADY_RATE * norm(last)
+        return same and norm([a - b for a, b in pairs]) <= _MAX_RATE_CHANGE * norm(last)
 
     def result(self) -> ShakedownResult:
         last = self.cycles[-1]
         return ShakedownResult(
-            verdict=self.verdict,
+            response=self.response,
             rate=last.net,
             flow=last.flow,
             cycles=tuple(self.cycles),

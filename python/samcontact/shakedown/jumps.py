@@ -22,16 +22,16 @@ from .._util.cached_property import cached_property
 from .._util.checks import FloatArray
 from ..simulation.simulation import Simulation
 from ..solutions.state import State
-from .plastic import FIELDS, Change, as_deep, largest, product
+from .plastic import FIELDS, PlasticChange, at_common_depth, max_equivalent, product
 
-MOST = 20
+MAX_JUMP_CYCLES = 20
 """Maximum number of cycles in one jump."""
-_STRAY = 0.3
+_MAX_PREDICTION_ERROR = 0.3
 """Maximum error of the sum over a jump and of the next cycle, over the change per cycle."""
-_LEFT = 0.1
+_MIN_REMAINING_FRACTION = 0.1
 """Fraction of decaying changes that is left to solved cycles."""
-_STEEPEST = 0.98
-Changes = Mapping[int, Change]
+_MAX_DECAY_RATIO = 0.98
+Changes = Mapping[int, PlasticChange]
 
 
 def norm(fields: Sequence[FloatArray]) -> float:
@@ -59,7 +59,7 @@ class Trend:
         then, now = self.steps
         size = norm(then) ** 2
         cross = sum(product(a, b) for a, b in zip(then, now, strict=True))
-        return min(max(cross / size, 0.0), _STEEPEST) if size > 0 else 0.0
+        return min(max(cross / size, 0.0), _MAX_DECAY_RATIO) if size > 0 else 0.0
 
     @cached_property
     def unlike(self) -> float:
@@ -89,17 +89,19 @@ class Trend:
         size = norm(self.last)
         if size == 0:
             return 0
-        if self.factor > 0 and norm(self.later(10 * MOST)) < 0.2 * size:  # it decays
-            most = min(most, math.ceil(math.log(_LEFT) / math.log(self.factor)))
+        if self.factor > 0 and norm(self.later(10 * MAX_JUMP_CYCLES)) < 0.2 * size:  # it decays
+            most = min(most, math.ceil(math.log(_MIN_REMAINING_FRACTION) / math.log(self.factor)))
         counts = range(1, most + 1)
         # The misfit may accumulate like the differences, and at least like that of a single cycle.
         missed = [self.unlike * max(self.total(n), n) for n in counts]
-        return sum(miss <= _STRAY * size for miss in missed)
+        return sum(miss <= _MAX_PREDICTION_ERROR * size for miss in missed)
 
 
 def trend(changes: Sequence[Changes], field: str) -> Trend | None:
     """Trend of a field over three successive cycles; None if their cells differ."""
-    of_bodies = [as_deep([each[body].of(field) for each in changes]) for body in changes[-1]]
+    of_bodies = [
+        at_common_depth([each[body].of(field) for each in changes]) for body in changes[-1]
+    ]
     cells = {tuple((c.first, c.of(field).shape[:-1]) for c in each.values()) for each in changes}
     if len(cells) != 1:
         return None
@@ -119,13 +121,15 @@ class Jump:
         """Deviation of a cycle after the jump from its prediction."""
         real = (change.of("plastic_strain") for change in found.values())
         expected = self.trend.later(self.cycles + after)
-        pairs = [as_deep(pair) for pair in zip(real, expected, strict=True)]
+        pairs = [at_common_depth(pair) for pair in zip(real, expected, strict=True)]
         return [a - b for a, b in pairs if a.shape == b.shape]
 
     def confirmed(self, found: Changes) -> bool:
         """Whether the cycle after the jump agrees with the prediction."""
         away = self.away(found)
-        return len(away) == len(found) and norm(away) <= _STRAY * norm(self.trend.last)
+        return len(away) == len(found) and norm(away) <= _MAX_PREDICTION_ERROR * norm(
+            self.trend.last
+        )
 
     def error(self, first: Changes, second: Changes | None = None) -> float:
         """Estimated error of the plastic strain left by the jump [-], from the cycles after it.
@@ -133,8 +137,12 @@ class Jump:
         The first cycle corrects the error of the jump; a deviation of the second has grown
         uniformly over the skipped cycles. Without a second cycle, all of the deviation has.
         """
-        missed = max(map(largest, self.away(first)))
-        grown = missed if second is None else max(map(largest, self.away(second, 2)), default=0.0)
+        missed = max(map(max_equivalent, self.away(first)))
+        grown = (
+            missed
+            if second is None
+            else max(map(max_equivalent, self.away(second, 2)), default=0.0)
+        )
         return missed + 0.5 * self.cycles * grown
 
 
@@ -148,8 +156,8 @@ def jump(simulation: Simulation, changes: Sequence[Changes], most: int) -> Jump 
         fields = {}
         for name, each in added.items():
             assert each is not None  # all have equal cells
-            fields[name] = np.add(*as_deep([now.after[name], each.summed(cycles)[place]]))
-        accumulated = np.maximum(*as_deep([fields[FIELDS[1]], now.after[FIELDS[1]]]))
+            fields[name] = np.add(*at_common_depth([now.after[name], each.summed(cycles)[place]]))
+        accumulated = np.maximum(*at_common_depth([fields[FIELDS[1]], now.after[FIELDS[1]]]))
         back = fields["backstress"] if len(fields["backstress"]) else None
         simulation.set_plastic_strain(
             body, fields["plastic_strain"], accumulated, back, first=now.first

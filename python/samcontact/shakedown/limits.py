@@ -10,14 +10,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._util.checks import FloatArray, choice, non_negative, poisson_ratio, positive
-from .._util.display import Rows, Shown
+from .._util.display import HtmlTable, Rows
 from .._util.lazy_scipy import scipy
 from ..fatigue import crossland
 from ..hertz.field import field
 from ..hertz.plane_field import plane_field
 
 _DEPTHS = np.concatenate([[0.0, 1e-3, 0.01], np.linspace(0.05, 1.2, 24)])
-_ALONG = np.concatenate(
+_PATH_POSITIONS = np.concatenate(
     [
         [-1e4],
         -np.cosh(np.linspace(3.5, 0.0, 100)),
@@ -27,13 +27,13 @@ _ALONG = np.concatenate(
     ]
 )
 """Positions of a material point relative to the contact, over its half-width; denser at edges."""
-_ROUGHEST = 10.0
+_MAX_FRICTION = 10.0
 EXACT, UPPER, LOWER = "exact", "upper", "lower"
 
 
 @dataclass(frozen=True)
-class Limit(Shown):
-    """Limit of the Hertz pressure.
+class ShakedownLimit(HtmlTable):
+    """ShakedownLimit of the Hertz pressure.
 
     Attributes
     ----------
@@ -61,9 +61,9 @@ class Limit(Shown):
 
 def _coefficient(friction: float) -> float:
     value = non_negative("friction", friction)
-    if value > _ROUGHEST:
+    if value > _MAX_FRICTION:
         raise ValueError(
-            f"friction must be a coefficient in [0, {_ROUGHEST:g}], got {friction!r}: do not "
+            f"friction must be a coefficient in [0, {_MAX_FRICTION:g}], got {friction!r}: do not "
             "use percent"
         )
     return value
@@ -96,7 +96,7 @@ def _smallest_ball(deviator: FloatArray) -> float:
     """Radius of the smallest ball that encloses points of `_deviator`."""
     shears = np.zeros((len(deviator), 6, 1))
     shears[:, 3:, 0] = deviator  # the sum of their squares is J2
-    return float(crossland(shears, slope=0.0).largest)
+    return float(crossland(shears, slope=0.0).max_value)
 
 
 def _both_signs(deviator: FloatArray) -> FloatArray:
@@ -122,15 +122,17 @@ def _tresca(deviator: FloatArray) -> float:
 
 
 def _line_path(depth: float, nu: float, friction: float) -> FloatArray:
-    return _deviator(plane_field(_ALONG, np.full_like(_ALONG, depth), nu, friction))
+    return _deviator(
+        plane_field(_PATH_POSITIONS, np.full_like(_PATH_POSITIONS, depth), nu, friction)
+    )
 
 
 def _point_path(depth: float, nu: float, friction: float) -> FloatArray:
-    places = np.zeros_like(_ALONG), np.full_like(_ALONG, depth)
-    return _deviator(field(_ALONG, *places, nu, friction))
+    places = np.zeros_like(_PATH_POSITIONS), np.full_like(_PATH_POSITIONS, depth)
+    return _deviator(field(_PATH_POSITIONS, *places, nu, friction))
 
 
-def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> Limit:
+def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> ShakedownLimit:
     """Elastic shakedown of a line contact on a perfectly plastic body, by Melan's theorem.
 
     A body shakes down if some residual stress keeps the whole passage within the yield surface.
@@ -148,7 +150,7 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> L
 
     Returns
     -------
-    Limit
+    ShakedownLimit
         4.000 without friction, at a depth of half a half-width, where the shear sigma_xz
         alternates. With Tresca's criterion 1/friction at the surface for friction >= 0.367.
 
@@ -169,10 +171,10 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> L
         asked, depth = _worst_depth(
             lambda z: _smallest_ball(_both_signs(_line_path(z, nu, friction)))
         )
-    return Limit(1.0 / asked, depth, EXACT)
+    return ShakedownLimit(1.0 / asked, depth, EXACT)
 
 
-def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
+def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Elastic shakedown of a line contact on a body with linear kinematic hardening.
 
     The backstress is free everywhere: the body shakes down if the path of the stress deviator of
@@ -186,8 +188,8 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
 
     Returns
     -------
-    Limit
-        Limit with von Mises' criterion.
+    ShakedownLimit
+        ShakedownLimit with von Mises' criterion.
 
     Raises
     ------
@@ -200,10 +202,10 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     asked, depth = _worst_depth(lambda z: _smallest_ball(_line_path(z, nu, friction)))
-    return Limit(1.0 / asked, depth, EXACT)
+    return ShakedownLimit(1.0 / asked, depth, EXACT)
 
 
-def point(friction: float = 0.0, nu: float = 0.3) -> Limit:
+def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Upper bound of elastic shakedown of a circular contact on a perfectly plastic body.
 
     Residual stress cannot shrink the path of the deviator of a point, so its smallest enclosing
@@ -217,8 +219,8 @@ def point(friction: float = 0.0, nu: float = 0.3) -> Limit:
 
     Returns
     -------
-    Limit
-        Limit with von Mises' criterion at points in the plane y = 0; 4.675 without friction.
+    ShakedownLimit
+        ShakedownLimit with von Mises' criterion at points in the plane y = 0; 4.675 without friction.
 
     Raises
     ------
@@ -237,10 +239,10 @@ def point(friction: float = 0.0, nu: float = 0.3) -> Limit:
         return _smallest_ball(path if depth > 0.0 else _both_signs(path))
 
     largest, depth = _worst_depth(asked)
-    return Limit(1.0 / largest, depth, UPPER)
+    return ShakedownLimit(1.0 / largest, depth, UPPER)
 
 
-def point_safe(friction: float = 0.0, nu: float = 0.3) -> Limit:
+def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Lower bound of elastic shakedown of a circular contact on a perfectly plastic body.
 
     Residual stress sigma_xx along the rolling direction can have any profile transverse to it: it
@@ -254,8 +256,8 @@ def point_safe(friction: float = 0.0, nu: float = 0.3) -> Limit:
 
     Returns
     -------
-    Limit
-        Limit with von Mises' criterion at points in the plane y = 0, where it is lowest; 3.23
+    ShakedownLimit
+        ShakedownLimit with von Mises' criterion at points in the plane y = 0, where it is lowest; 3.23
         without friction, 3 % below `point` for a coefficient of 0.4.
 
     Raises
@@ -278,10 +280,10 @@ def point_safe(friction: float = 0.0, nu: float = 0.3) -> Limit:
         return float(found.fun)
 
     largest, depth = _worst_depth(asked)
-    return Limit(1.0 / largest, depth, LOWER)
+    return ShakedownLimit(1.0 / largest, depth, LOWER)
 
 
-def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
+def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Elastic shakedown of a circular contact on a body with linear kinematic hardening.
 
     Parameters
@@ -291,7 +293,7 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
 
     Returns
     -------
-    Limit
+    ShakedownLimit
         As `line_kinematic`, at points in the plane y = 0, where it is lowest.
 
     Raises
@@ -301,10 +303,10 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> Limit:
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     asked, depth = _worst_depth(lambda z: _smallest_ball(_point_path(z, nu, friction)))
-    return Limit(1.0 / asked, depth, EXACT)
+    return ShakedownLimit(1.0 / asked, depth, EXACT)
 
 
-def elliptic(k: float, friction: float = 0.0) -> Limit:
+def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
     """Upper bound of elastic shakedown of an elliptic contact, from its maximum orthogonal shear.
 
     The shear sigma_xz alternates between +-tau_0 as the contact passes. Neither residual stress nor
@@ -321,7 +323,7 @@ def elliptic(k: float, friction: float = 0.0) -> Limit:
 
     Returns
     -------
-    Limit
+    ShakedownLimit
         4.675 for a circle (k = 1), 4.000 for a line.
 
     Raises
@@ -345,18 +347,20 @@ def elliptic(k: float, friction: float = 0.0) -> Limit:
     )
     shear = math.sqrt(2.0 * u + 1.0) / (2.0 * (u + 1.0) * (u + 2.0))
     if friction > shear:
-        return Limit(1.0 / friction, 0.0, UPPER)
-    return Limit(1.0 / shear, 1.0 / ((u + 2.0) * math.sqrt(2.0 * u + 1.0)), UPPER)
+        return ShakedownLimit(1.0 / friction, 0.0, UPPER)
+    return ShakedownLimit(1.0 / shear, 1.0 / ((u + 2.0) * math.sqrt(2.0 * u + 1.0)), UPPER)
 
 
-def first_yield(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> Limit:
+def first_yield(
+    friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca"
+) -> ShakedownLimit:
     """First yield of a line contact: the elastic limit, below shakedown.
 
     Parameters and errors as for `line`.
 
     Returns
     -------
-    Limit
+    ShakedownLimit
         From the maximum stress at any point (`hertz.LineContact.stress`).
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
@@ -371,4 +375,4 @@ def first_yield(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca
         return float(np.hypot(radius, across).max())
 
     largest, depth = _worst_depth(asked)
-    return Limit(1.0 / largest, depth, EXACT)
+    return ShakedownLimit(1.0 / largest, depth, EXACT)

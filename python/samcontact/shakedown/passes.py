@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.checks import integer, require_type, tractions
-from ..scene.grid import Grid
+from ..problem.grid import Grid
 
 
 def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, Any]]:

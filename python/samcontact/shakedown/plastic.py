@@ -16,11 +16,11 @@ from ..solutions.state import State
 from ..solutions.track import Track
 
 FIELDS = ("plastic_strain", "equivalent_plastic_strain", "backstress")
-_DOUBLE_SHEAR = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])[:, None, None, None]
+_SHEAR_WEIGHTS = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])[:, None, None, None]
 
 
 @dataclass(frozen=True)
-class Change:
+class PlasticChange:
     """Change of a body in one cycle; the first row of its cells is at row `first` of the grid."""
 
     first: int
@@ -37,22 +37,22 @@ class Change:
 
     @property
     def net(self) -> float:
-        return largest(self.of("plastic_strain"))
+        return max_equivalent(self.of("plastic_strain"))
 
 
-def largest(strain: FloatArray) -> float:
+def max_equivalent(strain: FloatArray) -> float:
     """Maximum of sqrt(2/3 e:e)."""
-    squares: FloatArray = np.sum(_DOUBLE_SHEAR * strain**2, axis=0)
+    squares: FloatArray = np.sum(_SHEAR_WEIGHTS * strain**2, axis=0)
     return math.sqrt(2.0 / 3.0 * float(squares.max()))
 
 
 def product(one: FloatArray, other: FloatArray) -> float:
     """Sum over cells of a product; for tensors, over all nine components."""
-    weights = _DOUBLE_SHEAR if one.ndim > 3 else 1.0
+    weights = _SHEAR_WEIGHTS if one.ndim > 3 else 1.0
     return float(np.sum(weights * one * other))
 
 
-def as_deep(fields: Sequence[FloatArray]) -> list[FloatArray]:
+def at_common_depth(fields: Sequence[FloatArray]) -> list[FloatArray]:
     """Extend fields to an equal number of layers; there is no plastic strain below."""
     deepest = max(field.shape[-1] for field in fields)
     return [
@@ -81,9 +81,9 @@ def tracks(simulation: Simulation, state: State, bodies: Sequence[int]) -> dict[
     return {body: state.track(body, margin=0) for body in bodies}
 
 
-def change(before: Track, after: Track) -> Change:
+def change(before: Track, after: Track) -> PlasticChange:
     """Change of a body between two tracks."""
     pairs = {name: on_common_cells(before, after, name) for name in FIELDS}
     start = min(before.x[0], after.x[0])
     first = after.first - round((after.x[0] - start) / after.grid.dx)
-    return Change(first, *({name: pair[n] for name, pair in pairs.items()} for n in (0, 1)))
+    return PlasticChange(first, *({name: pair[n] for name, pair in pairs.items()} for n in (0, 1)))

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from .._util.checks import FloatArray, choice
-from .._util.display import Brief, Rows, Shown
+from .._util.display import HtmlTable, Rows, ShortRepr
 from ..solutions.state import State
 
 ELASTIC, SHAKEDOWN = "elastic", "elastic shakedown"
@@ -34,12 +34,12 @@ class Cycle:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ShakedownResult(Brief, Shown):
+class ShakedownResult(ShortRepr, HtmlTable):
     """Long-term response to repeated load cycles.
 
     Attributes
     ----------
-    verdict : str
+    response : str
         "elastic": no plastic flow. "elastic shakedown": flow has ceased. "plastic shakedown":
         flow is closed in each cycle. "ratcheting": each cycle adds as much plastic strain as the
         preceding one. "undecided": none of these yet.
@@ -61,7 +61,7 @@ class ShakedownResult(Brief, Shown):
         State at the end of the last cycle.
     """
 
-    verdict: str
+    response: str
     rate: float
     flow: float
     cycles: tuple[Cycle, ...]
@@ -75,7 +75,7 @@ class ShakedownResult(Brief, Shown):
     @property
     def shakes_down(self) -> bool:
         """Whether plastic strain ceases to grow (elastic or plastic shakedown)."""
-        return self.verdict in (ELASTIC, SHAKEDOWN, PLASTIC)
+        return self.response in (ELASTIC, SHAKEDOWN, PLASTIC)
 
     def strain_per_cycle(self, body: int = 2) -> FloatArray:
         """Plastic strain of a body added in the last cycle [-].
@@ -102,7 +102,7 @@ class ShakedownResult(Brief, Shown):
 
     def _rows(self) -> Rows:
         rows = [
-            ("verdict", self.verdict),
+            ("response", self.response),
             ("plastic strain per cycle", f"{self.rate:.3g}"),
             ("plastic flow per cycle", f"{self.flow:.3g}"),
             ("yield strain", f"{self.yield_strain:.3g}"),

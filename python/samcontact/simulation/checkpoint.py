@@ -12,6 +12,11 @@ from .._util.short_text import in_short
 from ..bodies.layered import Body, Layered
 from ..bodies.material import Material
 from ..heat import Heat
+from ..problem import contact_law
+from ..problem.friction import friction_law, law_of
+from ..problem.grid import Grid
+from ..problem.moving_topography import Relief
+from ..problem.settings import Settings
 from ..restart.file import (
     CheckpointError,
     read,
@@ -19,11 +24,6 @@ from ..restart.file import (
     write,
 )
 from ..restart.tree import Tree, array
-from ..scene import contact_law
-from ..scene.friction import friction_law, law_of
-from ..scene.grid import Grid
-from ..scene.moving_topography import Relief
-from ..scene.settings import Settings
 from ..softening import JohnsonCook
 from .snapshot import Snapshot
 

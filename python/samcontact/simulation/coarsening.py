@@ -15,14 +15,14 @@ from .._util.checks import FloatArray, finite_array
 from .._util.lazy_scipy import scipy
 from ..bodies.layered import Layered
 from ..diagnostics.hertz_estimate import ContactSetup
-from ..scene.domain import SurfaceGeometry
-from ..scene.moving_topography import Relief
+from ..problem.domain import SurfaceGeometry
+from ..problem.moving_topography import Relief
 
 if TYPE_CHECKING:
     from ..bodies.layered import Body
-    from ..scene.domain import Domain
-    from ..scene.grid import Grid
-    from ..scene.setup import SimulationSetup
+    from ..problem.domain import Domain
+    from ..problem.grid import Grid
+    from ..problem.setup import SimulationSetup
 
 __all__ = ["coarser", "coarser_grid", "coarser_path", "coarser_strain", "slope_beyond"]
 

@@ -12,19 +12,19 @@ from typing import Any
 from .. import _core
 from .._core import ConvergenceError, GridTooSmallError
 from .._util import memory
-from ..contact.border_advice import GROWS, advised, told_of_fixed
+from ..contact.border_advice import ENLARGEMENT_HINT, advised, told_of_fixed
 from ..contact.enlargement import counts_for, even_more, told_in
 from ..contact.interpenetration import may_overlap, require_apart
 from ..diagnostics.hertz_estimate import ContactSetup, explain_digits, explain_size
 from ..diagnostics.monitor import Monitor
 from ..heat import Heat
+from ..problem.domain import Domain, require_consistent_overlap
+from ..problem.grid import Grid
+from ..problem.heating import core_law, heating
+from ..problem.moving_topography import relief_rows
+from ..problem.settings import memory_of_contact
+from ..problem.setup import SimulationSetup
 from ..restart.file import ForeignCheckpointError
-from ..scene.domain import Domain, require_continued
-from ..scene.grid import Grid
-from ..scene.heating import core_law, heating
-from ..scene.moving_topography import relief_rows
-from ..scene.settings import memory_of_contact
-from ..scene.setup import SimulationSetup
 from ..solutions.state import State
 from .exclusive_access import ExclusiveAccess
 from .history import History
@@ -89,13 +89,17 @@ class Engine:
         setup = self.setup
         scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
         cell = memory_of_contact(setup.friction, setup.bodies, self.heat)
-        cell += memory.STICK_SLIP_SIMULATION if setup.friction.sticks else memory.SIMULATION
-        cell += memory.YIELD_SCAN if scanned else 0.0
+        cell += (
+            memory.PARTIAL_SLIP_SIMULATION_BYTES
+            if setup.friction.sticks
+            else memory.SIMULATION_BYTES
+        )
+        cell += memory.YIELD_SCAN_BYTES if scanned else 0.0
         memory.require_for_grid("a simulation", grid, memory.surface(grid, cell))
         domain = setup.surfaces.over(grid)
         if beside is not None:
             larger, smaller = sorted((domain, beside), key=lambda d: d.cells, reverse=True)
-            require_continued(larger, smaller)
+            require_consistent_overlap(larger, smaller)
         return domain
 
     @property
@@ -201,7 +205,7 @@ class Engine:
         if setup.contact_law.attracts:
             return "the grid cannot be enlarged with a contact law that attracts"
         if not setup.surfaces.are_known:
-            return GROWS
+            return ENLARGEMENT_HINT
         return ""
 
     def _enlarge(
@@ -209,7 +213,7 @@ class Engine:
     ) -> None:
         """Switch to a larger domain; raise the error if there is none."""
         if why := self._stays:
-            if why == GROWS and not callable(self.setup.surfaces.gap):
+            if why == ENLARGEMENT_HINT and not callable(self.setup.surfaces.gap):
                 told_of_fixed(error, self.estimate)
             elif why != "it stays":
                 error.args = (f"{error}; {why}",)
@@ -248,7 +252,7 @@ class Engine:
         if not callable(given["gap"]):
             before = Domain(grid, given["gap"], given.get("relief1"), given.get("relief2"))
             try:
-                require_continued(domain, before)
+                require_consistent_overlap(domain, before)
             except ValueError as error:
                 told = f"the checkpoint was written for different surfaces: {error}"
                 raise ForeignCheckpointError(told) from error

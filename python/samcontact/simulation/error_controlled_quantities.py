@@ -21,15 +21,15 @@ from ..bodies.layered import Body, materials_of
 from ..bodies.material import Material
 
 if TYPE_CHECKING:
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
     from ..solutions.state import State
 
-OF_CONTACT = ("load", "approach", "max_pressure", "contact_area")
-OF_BODY = (
+CONTACT_QUANTITIES = ("load", "approach", "max_pressure", "contact_area")
+BODY_QUANTITIES = (
     "max_von_mises",
     "max_equivalent_plastic_strain",
     "max_residual_von_mises",
-    "print_depth",
+    "imprint_depth",
 )
 """Quantities of a body, followed by `_body1` or `_body2`; all but the first require yielding."""
 _FIELDS = {
@@ -42,12 +42,12 @@ _FIELDS = {
 def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list[str]:
     """Names of all quantities of a case: of each elastic-plastic body, or else of the given one."""
     inelastic = [n for n, material in enumerate(bodies, 1) if material.is_plastic]
-    found = list(OF_CONTACT)
+    found = list(CONTACT_QUANTITIES)
     if not volume:
         return found
     if not inelastic and bodies[body - 1].law != "rigid":
-        return [*found, f"{OF_BODY[0]}_body{body}"]
-    return [*found, *(f"{name}_body{n}" for n in inelastic for name in OF_BODY)]
+        return [*found, f"{BODY_QUANTITIES[0]}_body{body}"]
+    return [*found, *(f"{name}_body{n}" for n in inelastic for name in BODY_QUANTITIES)]
 
 
 def value(state: State, name: str) -> float:
@@ -68,7 +68,7 @@ def parts(state: State, name: str) -> tuple[float, ...]:
     if name == "contact_area":
         return (state.contact_area,)
     kind, body = name[: -len("_body1")], int(name[-1])
-    if kind == "print_depth":
+    if kind == "imprint_depth":
         own = in_own_box(state, "residual_displacement", body)
         return (peak_value(state.residual_displacement(body) if own is None else own),)
     ranges = _ranges(_bodies(state)[body - 1], state.grid)
@@ -97,7 +97,7 @@ def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
     box = core.own_box(index)
     if box is None:
         return None
-    needed = memory.ZONE_FIELD * math.prod(box[2:])
+    needed = memory.ZONE_FIELD_BYTES * math.prod(box[2:])
     memory.require(f"the field {name} in the plastic zone", needed)
     if name == "residual_displacement":
         field: FloatArray = core.residual_displacement_in(index, box, axis_number("z"))

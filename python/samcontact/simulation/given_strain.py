@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from .._util.checks import FloatArray, choice, finite_array, integer, real_array
 from .._util.short_text import in_short
 from ..bodies.layered import backstresses_of
-from ..scene.grid import Grid
+from ..problem.grid import Grid
 
 if TYPE_CHECKING:
     from .engine import Engine

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._util.checks import FloatArray
-from .._util.display import Rows, Shown, percent
+from .._util.display import HtmlTable, Rows, percent
 from .._util.errors import IncrementWarning
 from ..bodies.layered import materials_of
 from ..diagnostics.resolution import cells_across, spots
@@ -24,23 +24,23 @@ from .increment_paths import cleaned, doubled, halved
 if TYPE_CHECKING:
     from ..diagnostics.monitor import Monitor
     from ..heat import Heat
-    from ..scene.grid import Grid
-    from ..scene.setup import SimulationSetup
+    from ..problem.grid import Grid
+    from ..problem.setup import SimulationSetup
     from ..solutions.state import State
     from .engine import Engine
 
 __all__ = ["IncrementErrors", "IncrementWarning", "estimated"]
 
-LARGEST = 0.05
+MAX_ERROR_WITHOUT_WARNING = 0.05
 """Relative error above which a warning is issued."""
-_ENOUGH = {True: 6.0, False: 16.0}
+_MIN_CELLS = {True: 6.0, False: 16.0}
 """Cells across the contact on the coarsest grid used, with and without yielding. Without plastic
 flow, increments affect only few cells, between stick and slip zones."""
-_COARSEST = 3
-_FIRST_ORDER = 2.0, 2.0
+_MIN_INCREMENTS = 3
+_DOUBLING_FACTORS = 2.0, 2.0
 """Error of n increments over the difference of n and 2n, for plastic strain and for other fields;
 exact for first-order convergence."""
-_BETWEEN = 2.0, 1.5
+_HALVING_FACTORS = 2.0, 1.5
 """Error of n increments over the difference of n/2 and n: 1 for order 1, 2.4 for order 1/2, which
 single cells may have; calibrated, see docs/theory/accuracy.md."""
 
@@ -51,7 +51,7 @@ Repeat = Callable[["SimulationSetup", "Grid", "Heat", Sequence[Mapping[str, Any]
 
 
 @dataclass(frozen=True, eq=False)
-class IncrementErrors(Shown):
+class IncrementErrors(HtmlTable):
     """Estimated relative errors of a run due to the size of its increments.
 
     Attributes
@@ -72,12 +72,12 @@ class IncrementErrors(Shown):
     compared: str
 
     @property
-    def largest(self) -> float:
+    def max_error(self) -> float:
         """Maximum error of the fields."""
         return max(self.fields.values(), default=0.0)
 
     def __str__(self) -> str:
-        return f"{said(self.fields)} of its maximum (estimated from {self.compared})"
+        return f"{error_summary(self.fields)} of its maximum (estimated from {self.compared})"
 
     def _rows(self) -> Rows:
         return [(_label(name), f"± {percent(share)}") for name, share in self.fields.items()]
@@ -88,9 +88,9 @@ class IncrementErrors(Shown):
 
 def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
     """Warn of errors above 5 %; return whether a warning was issued."""
-    if errors.largest <= LARGEST:
+    if errors.max_error <= MAX_ERROR_WITHOUT_WARNING:
         return False
-    times = math.ceil(errors.largest / LARGEST)
+    times = math.ceil(errors.max_error / MAX_ERROR_WITHOUT_WARNING)
     text = f"{errors}: use smaller increments, about {times} times as many for 5 %"
     warnings.warn(text, IncrementWarning, stacklevel=stacklevel + 1)
     return True
@@ -107,11 +107,11 @@ def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
             return True
     elif setup.settings.increment_tol is not None:
         return False
-    first, second = last.largest_strains
+    first, second = last.max_strains
     return first[0] > 0 or second[0] > 0
 
 
-def warn_of(
+def check_errors(
     engine: Engine,
     monitor: Monitor,
     states: Sequence[State],
@@ -222,7 +222,9 @@ def _compared(
     joined, ends = halves or doubled(steps, first, start, grid.dx, heat)
     compared = f"{'half' if halves else 'twice'} as many increments"
     # Motions by single cells are merged on larger cells.
-    factors = [f * len(steps) / len(path) for f in (_BETWEEN if halves else _FIRST_ORDER)]
+    factors = [
+        f * len(steps) / len(path) for f in (_HALVING_FACTORS if halves else _DOUBLING_FACTORS)
+    ]
     second = repeat(setup, grid, heat, joined)
     if level > 0:
         compared += f", both on cells {2**level} times as large"
@@ -251,7 +253,7 @@ def _level(states: Sequence[State]) -> int:
     across = cells_across(top.repulsion, periodic)
     if math.isnan(across) or spots(top.repulsion, periodic) > 1:  # a rough surface
         return int(min(top.grid.surface_shape) >= 32)
-    return max(0, min(_COARSEST, int(math.log2(across / _ENOUGH[yields]))))
+    return max(0, min(_MIN_INCREMENTS, int(math.log2(across / _MIN_CELLS[yields]))))
 
 
 Pairs = Sequence[tuple["State", "State"]]
@@ -270,7 +272,7 @@ def _of_fields(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, 
                 (one.equivalent_plastic_strain(number), other.equivalent_plastic_strain(number))
                 for one, other in marks
             ]
-            strains = [m.least_yield_stress / m.E for m in materials_of(body) if m.is_plastic]
+            strains = [m.min_yield_stress / m.E for m in materials_of(body) if m.is_plastic]
             name = f"equivalent_plastic_strain_body{number}"
             found[name] = _difference(both, min(strains, default=0.0))
     return {name: share for name, share in found.items() if math.isfinite(share)}
@@ -315,7 +317,7 @@ def _of_values(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict[str, fl
     return found
 
 
-def said(shares: Mapping[str, float]) -> str:
+def error_summary(shares: Mapping[str, float]) -> str:
     """Describe the errors of fields, the largest first."""
     found = sorted(shares.items(), key=lambda item: -item[1])
     parts = [f"the {_label(name)} by about {percent(share)}" for name, share in found]

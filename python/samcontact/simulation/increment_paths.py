@@ -15,8 +15,8 @@ Ends = list[tuple[int, int]]
 """Numbers of the increments of two paths that end at a common target."""
 _TARGETS = ("load", "approach", "torque")
 _MOTIONS = ("twist", "duration")
-_ALIKE = 3.0
-_FEW = 0.65
+_MAX_SIZE_RATIO = 3.0
+_MAX_REMAINING_FRACTION = 0.65
 """Maximum fraction of increments that may remain after merging."""
 
 
@@ -69,7 +69,7 @@ def halved(
         ends.append((number, len(steps) - 1))
         number += 1
     larger = any(size > sizes[True].get(name, 0.0) for name, size in sizes[False].items())
-    return None if larger or len(steps) > _FEW * len(path) else (steps, ends)
+    return None if larger or len(steps) > _MAX_REMAINING_FRACTION * len(path) else (steps, ends)
 
 
 def _sizes(before: Step, step: Step) -> dict[str, float]:
@@ -151,7 +151,7 @@ def _is_one_way(a: float, b: float | None, c: float | None) -> bool:
     """Whether two changes have one direction and similar lengths."""
     if b is None or c is None:
         return b is None and c is None
-    return a == b == c or (b != a and 1 / _ALIKE <= (c - b) / (b - a) <= _ALIKE)
+    return a == b == c or (b != a and 1 / _MAX_SIZE_RATIO <= (c - b) / (b - a) <= _MAX_SIZE_RATIO)
 
 
 def _joined(step: Step, after: Step) -> dict[str, Any]:

@@ -24,7 +24,7 @@ def _eigenstrain(simulation: Simulation, body: int) -> FloatArray:
     return field
 
 
-def remade(simulation: Simulation, **changes: Any) -> Simulation:
+def rebuilt(simulation: Simulation, **changes: Any) -> Simulation:
     """Return the simulation at its start, with its eigenstrain and some arguments changed."""
     setup = simulation.engine.setup
     arguments = setup.on_grid(simulation.grid, simulation.heat) | changes

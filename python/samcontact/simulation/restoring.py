@@ -16,9 +16,9 @@ from .snapshot import Snapshot
 if TYPE_CHECKING:
     from ..diagnostics.monitor import Monitor
     from ..heat import Heat
-    from ..scene.domain import Domain
-    from ..scene.grid import Grid
-    from ..scene.setup import SimulationSetup
+    from ..problem.domain import Domain
+    from ..problem.grid import Grid
+    from ..problem.setup import SimulationSetup
     from ..solutions.state import State
     from .engine import Engine
     from .increment_errors import Repeat

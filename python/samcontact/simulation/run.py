@@ -28,7 +28,7 @@ def _log(state: State, number: int, count: int) -> None:
     )  # fmt: skip
     _logger.debug(
         "increment %d: %d plastic and %d contact iterations in %d sub-increments, residual %.2g",
-        number, state.iterations, state.contact_iterations, state.substeps, state.plastic_residual,
+        number, state.iterations, state.contact_iterations, state.substeps, state.plastic_strain_residual,
     )  # fmt: skip
 
 
@@ -48,7 +48,7 @@ def run_into(
     if not any(engine.heat.shares) and (load := largest_cold_load(steps)) is not None:
         engine.make_room(load)
     with (
-        monitor.as_a_whole(),
+        monitor.deferred_resolution_checks(),
         journal_of(checkpoint, engine, path=steps) as journal,
         progress_bar(len(steps), "increment", shown=progress, leave=leave) as bar,
     ):

@@ -10,31 +10,31 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, boolean, require_fast, require_type, step_list
-from .._util.display import Shown
+from .._util.display import HtmlTable
 from ..bodies.layered import Body, require_bodies
 from ..diagnostics.monitor import Monitor
 from ..heat import Heat
-from ..scene.cell_layers import require_servable_flow
-from ..scene.contact_law import ContactLaw
-from ..scene.domain import SurfaceGeometry
-from ..scene.friction import FrictionLaw
-from ..scene.grid import Grid
-from ..scene.heating import checked_heat
-from ..scene.moving_topography import Relief
-from ..scene.settings import Configured, Settings
-from ..scene.setup import SimulationSetup
-from ..solutions.state import State, in_one_window
+from ..problem.cell_layers import require_servable_flow
+from ..problem.contact_law import ContactLaw
+from ..problem.domain import SurfaceGeometry
+from ..problem.friction import FrictionLaw
+from ..problem.grid import Grid
+from ..problem.heating import checked_heat
+from ..problem.moving_topography import Relief
+from ..problem.settings import Configured, Settings
+from ..problem.setup import SimulationSetup
+from ..solutions.state import State, on_common_grid
 from .checkpoint import write_checkpoint
 from .display import simulation_rows
 from .engine import Engine
 from .given_strain import Cells, add_eigenstrain, set_plastic_strain
-from .increment_errors import warn_of
+from .increment_errors import check_errors
 from .restoring import loaded, reduced, repeat_with
 from .run import run_into
-from .steps import AT_REST, STEP
+from .steps import AT_REST, STEP_ARGUMENTS
 
 
-class Simulation(Configured, Shown):
+class Simulation(Configured, HtmlTable):
     """Incremental simulation of the elastic-plastic contact of two bodies.
 
     Each increment solves contact and plastic flow together, implicitly: the plastic strain
@@ -257,7 +257,7 @@ class Simulation(Configured, Shown):
         }  # fmt: skip
         state, complaints = self.engine.advance(given, self.monitor)
         self.monitor.warn(state, self.engine.estimate, complaints, stacklevel=2)
-        warn_of(self.engine, self.monitor, [state], 4, repeat_with(type(self)), stacklevel=2)
+        check_errors(self.engine, self.monitor, [state], 4, repeat_with(type(self)), stacklevel=2)
         return state
 
     def run(
@@ -300,10 +300,10 @@ class Simulation(Configured, Shown):
         boolean("progress", progress)
         states: list[State] = []
         try:
-            steps = step_list("path", path, STEP)
+            steps = step_list("path", path, STEP_ARGUMENTS)
             run_into(states, self.engine, self.monitor, self.step, steps, progress, checkpoint)
-            found = in_one_window(states)
-            warn_of(self.engine, self.monitor, found, 2, repeat_with(type(self)), stacklevel=2)
+            found = on_common_grid(states)
+            check_errors(self.engine, self.monitor, found, 2, repeat_with(type(self)), stacklevel=2)
         except BaseException as error:  # Ctrl-C too
             error.states = states  # type: ignore[attr-defined]
             raise

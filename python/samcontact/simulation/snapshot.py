@@ -6,14 +6,14 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
+from ..problem.domain import SurfaceGeometry
+from ..problem.settings import Settings
+from ..problem.setup import SimulationSetup
 from ..restart.tree import Tree
-from ..scene.domain import SurfaceGeometry
-from ..scene.settings import Settings
-from ..scene.setup import SimulationSetup
 
 if TYPE_CHECKING:
     from ..heat import Heat
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
     from ..solutions.state import State
 
 

@@ -20,14 +20,14 @@ from .._util.checks import (
     tractions,
 )
 from .._util.short_text import in_short
-from ..contact.tangential_drive import GivenAlong, given_along
+from ..contact.tangential_drive import TangentialInput, given_along
 from ..heat import Heat
-from ..scene.cell_fields import shear_components
-from ..scene.friction import FrictionLaw
-from ..scene.grid import Grid
-from ..scene.heating import Bodies, heating, require_heat_of, require_reference
+from ..problem.cell_fields import shear_components
+from ..problem.friction import FrictionLaw
+from ..problem.grid import Grid
+from ..problem.heating import Bodies, heating, require_heat_of, require_reference
 
-STEP = (
+STEP_ARGUMENTS = (
     "load", "approach", "pressure", "shear", "advance", "shift", "tangential_load", "twist",
     "torque", "heat_factor", "duration",
 )  # fmt: skip
@@ -44,7 +44,7 @@ class Step:
     heating: list[Any]
     duration: float
     advance: tuple[float, float]
-    tangential: GivenAlong
+    tangential: TangentialInput
     pressure: FloatArray | None = None
     shear_x: FloatArray | None = None
     shear_y: FloatArray | None = None
@@ -63,7 +63,7 @@ class Step:
 
 AT_REST = 0.0, 0.0
 """Default of `advance`."""
-_HELD = GivenAlong((False, False, False), (0.0, 0.0, 0.0))
+_NO_MOTION = TangentialInput((False, False, False), (0.0, 0.0, 0.0))
 
 
 class StepArguments:
@@ -102,7 +102,7 @@ class StepArguments:
         else:
             value = number(kind, load if kind == "load" else approach)
         ways = AT_REST if advance is AT_REST else _ways(grid, advance)
-        tangential = _HELD
+        tangential = _NO_MOTION
         if not (shift is None and tangential_load is None and twist is None and torque is None):
             tangential = given_along(friction, shift, tangential_load, twist, torque)
         if pressure is not None or torque is not None:
@@ -146,7 +146,7 @@ def _ways(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
 
 def _require_possible(
     friction: FrictionLaw,
-    tangential: GivenAlong,
+    tangential: TangentialInput,
     pressure: ArrayLike | None,
     shear: ArrayLike | None,
     torque: float | None,

@@ -9,17 +9,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._util.checks import FloatArray
-from ..scene.contact_law import in_contact
+from ..problem.contact_law import in_contact
 from .outline import Sides, around, sides_of, steps_beside
 
-AREA_OF_A_SIDE = (math.pi - 1 + math.log(2)) / 24
+AREA_PER_SIDE = (math.pi - 1 + math.log(2)) / 24
 """Mean excess of the counted area per side of the outline of a smooth spot [cells]."""
-RESOLVED, UNRESOLVED = 0.08, 0.14
+MAX_LOCATED_CORRECTION, MIN_COUNTED_CORRECTION = 0.08, 0.14
 """Perimeter correction over the counted area (on a periodic grid in nearly full contact, over the
 open area) below which the edge is located from the pressure, and above which it is not. They
 correspond to round spots of 7.5 and 4.3 cells across."""
-_CELLS = range(1, 5)  # from the edge, used to extrapolate the pressure
-_RIM = 4  # cells added around a field
+_EXTRAPOLATION_CELLS = range(1, 5)  # from the edge, used to extrapolate the pressure
+_PADDING_CELLS = 4  # cells added around a field
 
 
 def contact_area(
@@ -73,13 +73,15 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
     outline = list(sides_of(inside, periodic))
     on_cells = [_on_cells(sides, gap, periodic) for sides in outline]
     smooth = [int(np.count_nonzero(~fixed)) for fixed in on_cells]
-    taken_off = AREA_OF_A_SIDE * sum(smooth)
+    taken_off = AREA_PER_SIDE * sum(smooth)
     if taken_off == 0:
         return float(count), 0.0
     by_perimeter = max(count - taken_off, 0.5 * count)
     # in nearly full contact, the open spots must be resolved
     least = min(count, inside.size - count) if set(periodic) == {"x", "y"} else count
-    trust = (UNRESOLVED - taken_off / least) / (UNRESOLVED - RESOLVED)
+    trust = (MIN_COUNTED_CORRECTION - taken_off / least) / (
+        MIN_COUNTED_CORRECTION - MAX_LOCATED_CORRECTION
+    )
     if trust <= 0:
         return by_perimeter, taken_off
     steps = [(sides, fixed) for sides, fixed in zip(outline, on_cells, strict=True) if fixed.any()]
@@ -118,7 +120,7 @@ def _inside_of_zero_line(
         beside = sides.neighbours(field.shape)
         held[beside[0][fixed], beside[1][fixed]] = -field[sides.i[fixed], sides.j[fixed]]
     for axis, name in enumerate("xy"):
-        width = [(_RIM, _RIM) if n == axis else (0, 0) for n in (0, 1)]
+        width = [(_PADDING_CELLS, _PADDING_CELLS) if n == axis else (0, 0) for n in (0, 1)]
         if name in periodic:
             field, held = (np.pad(f, width, mode="wrap") for f in (field, held))
         else:
@@ -127,7 +129,10 @@ def _inside_of_zero_line(
             )
     level = _continued(field)
     level = np.where(np.isnan(held), level, held)
-    rows, columns = (slice(_RIM if name in periodic else _RIM - 1, 1 - _RIM) for name in "xy")
+    rows, columns = (
+        slice(_PADDING_CELLS if name in periodic else _PADDING_CELLS - 1, 1 - _PADDING_CELLS)
+        for name in "xy"
+    )
     return _area_above_zero(level[rows, columns])
 
 
@@ -137,7 +142,9 @@ def _continued(squared: FloatArray) -> FloatArray:
     level = np.where(inside, squared, np.nan)
     total, weights = np.zeros_like(level), np.zeros_like(level)
     for i, j in ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)):
-        first, second, third, fourth = (np.roll(level, (n * i, n * j), (0, 1)) for n in _CELLS)
+        first, second, third, fourth = (
+            np.roll(level, (n * i, n * j), (0, 1)) for n in _EXTRAPOLATION_CELLS
+        )
         continued = 6.0 * second - 8.0 * third + 3.0 * fourth
         # narrow spots: a line; a single cell ends half-way to its neighbours
         line = 2.0 * first - np.where(np.isnan(second), 3.0 * first, second)

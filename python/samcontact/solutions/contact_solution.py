@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray
-from .._util.display import Brief, Rows, Shown, quantity
-from ..scene.contact_law import in_contact
-from ..scene.friction import FrictionLaw
-from ..scene.grid import Grid
+from .._util.display import HtmlTable, Rows, ShortRepr, quantity
+from ..problem.contact_law import in_contact
+from ..problem.friction import FrictionLaw
+from ..problem.grid import Grid
 from .contact_area import contact_area
 from .outline import Outline, outline_of
 
@@ -22,7 +22,7 @@ Before = tuple[FloatArray, FloatArray, FloatArray | None, float]
 
 
 @dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
-class ContactSolution(Brief, Shown):
+class ContactSolution(ShortRepr, HtmlTable):
     """Solution of an elastic contact.
 
     Attributes
@@ -99,7 +99,7 @@ class ContactSolution(Brief, Shown):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ShearedSolution(ContactSolution):
-    """Base class of solutions with Coulomb friction; see `StickSlipSolution`."""
+    """Base class of solutions with Coulomb friction; see `PartialSlipSolution`."""
 
     shear: FloatArray
     slip: FloatArray
@@ -127,7 +127,7 @@ class ShearedSolution(ContactSolution):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class StickSlipSolution(ShearedSolution):
+class PartialSlipSolution(ShearedSolution):
     """Solution of a contact with partial slip under Coulomb friction; also a `ContactSolution`.
 
     Attributes
@@ -195,22 +195,22 @@ class RollingSolution(ShearedSolution):
         Friction law.
     slip : ndarray, shape (2, nx, ny)
         Slip of body 1 relative to body 2 per distance rolled [-]; zero in stick and out of contact.
-    work_per_way : float
+    friction_work_per_distance : float
         Frictional dissipation per distance rolled [J/m].
     shear, sticking, tangential_load, torque
-        As in `StickSlipSolution`; errors and counts as well.
+        As in `PartialSlipSolution`; errors and counts as well.
     """
 
     creepage: FloatArray
     spin: float
     friction: FrictionLaw
-    work_per_way: float
+    friction_work_per_distance: float
 
     def _motion(self) -> Rows:
         return [
             ("creepage", both(self.creepage, "")),
             ("spin", quantity(self.spin, "1/m")),
-            ("friction work per distance", quantity(self.work_per_way, "J/m")),
+            ("friction work per distance", quantity(self.friction_work_per_distance, "J/m")),
         ]
 
 

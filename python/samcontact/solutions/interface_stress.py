@@ -11,10 +11,10 @@ from .. import _core
 from .._util import memory
 from .._util.checks import FloatArray
 from ..bodies.layered import Body, Layered
-from ..scene.grid import Grid
+from ..problem.grid import Grid
 
 SIDES = ("above", "below")
-_TO_FACE = {1: (1.0,), 2: (1.5, -0.5), 3: (11 / 6, -7 / 6, 1 / 3)}
+_FACE_WEIGHTS = {1: (1.0,), 2: (1.5, -0.5), 3: (11 / 6, -7 / 6, 1 / 3)}
 """Weights for the value at the face of the first of n cells, from cell means of a polynomial."""
 
 
@@ -45,7 +45,7 @@ def stress_at_interfaces(
     pressure, shear = tractions
     depths = layered.interfaces
     sides = np.stack([np.nextafter(depths, 0.0), depths])
-    needed = memory.volume(grid, memory.STRESS_OF_TRACTIONS, sides.size)
+    needed = memory.volume(grid, memory.TRACTION_STRESS_BYTES, sides.size)
     memory.require_for_grid("the stress at the interfaces", grid, needed)
     stress = _core.operators.surface_stress(
         grid._core, layered._core.stack, _core.Heating(), sides.ravel().tolist(),
@@ -56,7 +56,7 @@ def stress_at_interfaces(
         found[:, component] += initial[:, None, None, :]
     if of_strain is not None and grid.dz is not None:
         cuts = np.rint(depths / grid.dz).astype(int).tolist()
-        found += _continued(of_strain(cuts[-1] + len(_TO_FACE)), cuts)
+        found += _continued(of_strain(cuts[-1] + len(_FACE_WEIGHTS)), cuts)
     return found
 
 
@@ -71,6 +71,6 @@ def _continued(cells: FloatArray, cuts: Sequence[int]) -> FloatArray:
 
 def _at_face(cells: FloatArray) -> FloatArray:
     """Extrapolate stress in cells of one material to the face of the first cell."""
-    weights = _TO_FACE[min(len(_TO_FACE), cells.shape[-1])]
+    weights = _FACE_WEIGHTS[min(len(_FACE_WEIGHTS), cells.shape[-1])]
     face: FloatArray = cells[..., : len(weights)] @ np.array(weights)
     return face

@@ -11,17 +11,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from .._core import contact_outline
 from .._util.checks import FloatArray
-from ..scene.contact_law import in_contact
+from ..problem.contact_law import in_contact
 
-RISE = 1.05
+MIN_EDGE_PRESSURE_RATIO = 1.05
 """Minimum ratio of the pressure of a cell at a sharp edge to that of its inner neighbour."""
-STEP = 8.0
+MIN_STEP_RATIO = 8.0
 """Minimum ratio of the height of a step to the bends of the gap next to it."""
 
 Ints = NDArray[np.intp]
-_BLOCK = 1 << 18
+_BLOCK_CELLS = 1 << 18
 """Number of cells processed together, which limits the memory."""
-_MARGIN = 5
+_MARGIN_CELLS = 5
 """Margin around a contact within which cells determine whether its edge is sharp."""
 
 
@@ -33,7 +33,7 @@ def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
         if name in periodic or at.size == 0:
             found.append(slice(None))
         else:
-            found.append(slice(max(0, int(at[0]) - _MARGIN), int(at[-1]) + 1 + _MARGIN))
+            found.append(slice(max(0, int(at[0]) - _MARGIN_CELLS), int(at[-1]) + 1 + _MARGIN_CELLS))
     return found[0], found[1]
 
 
@@ -56,7 +56,9 @@ class Outline(NamedTuple):
 def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
     """Outline of the contact for a pressure >= 0 [Pa], shape (nx, ny); periodic: as for Grid."""
     field = np.asarray(pressure, dtype=np.float64)
-    return Outline(*contact_outline(field, "x" in periodic, "y" in periodic, RISE))
+    return Outline(
+        *contact_outline(field, "x" in periodic, "y" in periodic, MIN_EDGE_PRESSURE_RATIO)
+    )
 
 
 class Sides(NamedTuple):
@@ -112,7 +114,7 @@ def steps_beside(
 ) -> tuple[NDArray[np.bool_], FloatArray]:
     """Whether the gap has a step up at each side, and the height of the step [m].
 
-    A step is higher than the slopes on both sides can cause between two cells, and than `STEP`
+    A step is higher than the slopes on both sides can cause between two cells, and than `MIN_STEP_RATIO`
     times the bends of the gap on both sides. If there is no body outside (NaN or infinite), its
     height is infinite.
     """
@@ -122,7 +124,7 @@ def steps_beside(
         into, out = own - inner, next_out - outer
         bends = np.abs(into - (inner - further_in)), np.abs(further_out - next_out - out)
         height = outer - own - 0.5 * (into + out)
-        least = np.maximum(np.abs(out - into), STEP * np.maximum(*bends))
+        least = np.maximum(np.abs(out - into), MIN_STEP_RATIO * np.maximum(*bends))
         # rounding of heights with a large offset
         least = np.maximum(least, 1e-9 * np.abs(own))
         found = np.nan_to_num(height, nan=0.0) > np.nan_to_num(least, nan=0.0, posinf=0.0)
@@ -151,7 +153,7 @@ def may_have_steps(gap: FloatArray, periodic: str) -> bool:
         heights = gap if axis == 0 else gap.T
         if name in periodic:  # the cells around its end, several times of few
             heights = heights.take(range(len(heights) + 5), axis=0, mode="wrap")
-        columns = max(1, _BLOCK // len(heights))
+        columns = max(1, _BLOCK_CELLS // len(heights))
         for first in range(0, heights.shape[1], columns):
             if _bends_suddenly(heights[:, first : first + columns]):
                 return True
@@ -165,11 +167,11 @@ def _bends_suddenly(heights: FloatArray) -> bool:
     before, into, rise, out, after = [rises[n : n + count] for n in range(5)]
     height = np.abs(rise - 0.5 * (into + out))
     bends = np.maximum(np.abs(into - before), np.abs(after - out))
-    return bool((height > np.maximum(np.abs(out - into), STEP * bends)).any())
+    return bool((height > np.maximum(np.abs(out - into), MIN_STEP_RATIO * bends)).any())
 
 
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
-    """Whether the pressure of some cell exceeds both neighbours along an axis by `RISE`.
+    """Whether the pressure of some cell exceeds both neighbours along an axis by `MIN_EDGE_PRESSURE_RATIO`.
 
     This holds at every edge towards which the pressure rises, and nowhere in a smooth contact.
     """
@@ -178,12 +180,12 @@ def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
         if len(p) == 1:
             continue
         neighbours = np.maximum(p[:-2], p[2:])
-        if (in_contact(neighbours) & (p[1:-1] > RISE * neighbours)).any():
+        if (in_contact(neighbours) & (p[1:-1] > MIN_EDGE_PRESSURE_RATIO * neighbours)).any():
             return True
         ends = ((p[0], p[1], p[-1]), (p[-1], p[-2], p[0]))
         for own, inner, around_the_end in ends:
             others = np.maximum(inner, around_the_end) if name in periodic else inner
-            if (in_contact(others) & (own > RISE * others)).any():
+            if (in_contact(others) & (own > MIN_EDGE_PRESSURE_RATIO * others)).any():
                 return True
     return False
 
@@ -192,5 +194,9 @@ def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:
     """Whether the pressure exceeds that further inside, and drops at least as much further out."""
     own, inner = pressure[sides.i, sides.j], pressure[sides.neighbours(pressure.shape, -1)]
     beside = pressure[sides.neighbours(pressure.shape, 1)]
-    found: NDArray[np.bool_] = in_contact(inner) & (own > RISE * inner) & (own > RISE * beside)
+    found: NDArray[np.bool_] = (
+        in_contact(inner)
+        & (own > MIN_EDGE_PRESSURE_RATIO * inner)
+        & (own > MIN_EDGE_PRESSURE_RATIO * beside)
+    )
     return found

@@ -12,9 +12,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-_SAME_STRESS = 1e-3
+_STRESS_TOLERANCE = 1e-3
 """Relative tolerance on stress: flow without hardening keeps it at yield, to the tolerance."""
-_SAME = 1e-9
+_ROUNDING_ERROR = 1e-9
 """Relative tolerance on pressures and loads, for rounding."""
 
 
@@ -32,9 +32,9 @@ def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
     """
     pressures = np.asarray(pressure, dtype=np.float64)
     left = np.isfinite(pressures)
-    values = [(pressures, _SAME), (np.asarray(load, dtype=np.float64), _SAME)]
+    values = [(pressures, _ROUNDING_ERROR), (np.asarray(load, dtype=np.float64), _ROUNDING_ERROR)]
     if stress is not None:
-        values.insert(0, (np.asarray(stress, dtype=np.float64), _SAME_STRESS))
+        values.insert(0, (np.asarray(stress, dtype=np.float64), _STRESS_TOLERANCE))
     for value, same in values:
         if np.any(np.isfinite(value[left])):
             largest = np.nanmax(value[left])

@@ -10,34 +10,34 @@ import numpy as np
 
 from .._util import memory
 from .._util.cached_property import cached_property
-from .._util.checks import MOST_CELLS, FloatArray, axis_number, choice, integer
-from .._util.display import Rows, Shown, quantity
+from .._util.checks import MAX_CELLS_ALONG_AXIS, FloatArray, axis_number, choice, integer
+from .._util.display import HtmlTable, Rows, quantity
 from .._util.field_cache import kept
-from .._util.frozen import Fixed
+from .._util.frozen import FixedAttributes
 from .._util.tensors import von_mises
 from ..heat import Heat
-from ..scene.domain import Domain
-from ..scene.setup import SimulationSetup
+from ..problem.domain import Domain
+from ..problem.setup import SimulationSetup
 from .interface_stress import layered_body, stress_at_interfaces
 from .surface_state import SurfaceState, rows_along_surface
 from .track import Track
 from .zone import Zone, ZoneStress
 
-_VOLUME = (
+_VOLUME_FIELDS = (
     "stress", "residual_stress", "initial_stress", "eigenstress", "eigenstrain", "plastic_strain",
     "equivalent_plastic_strain", "backstress", "temperature",
 )  # fmt: skip
 
 
-def in_one_window(states: Sequence[State]) -> list[State]:
+def on_common_grid(states: Sequence[State]) -> list[State]:
     """Return the states of a simulation on the largest of their grids."""
     if not states:
         return []
     largest = max(states, key=lambda state: state.grid.nx * state.grid.ny)
-    return [s if s.grid == largest.grid else s._seen_over(largest) for s in states]
+    return [s if s.grid == largest.grid else s._padded_to(largest) for s in states]
 
 
-class State(SurfaceState, Fixed, Shown):
+class State(SurfaceState, FixedAttributes, HtmlTable):
     """Fields and scalars at the end of one increment, in SI units.
 
     Volume fields are computed on access. Tensor components are xx, yy, zz, yz, xz, xy in the frame
@@ -91,7 +91,7 @@ class State(SurfaceState, Fixed, Shown):
             return self
         return State(self._core, self.setup, self.domain, self.heat, self.counters, layers)
 
-    def _seen_over(self, window: State) -> State:
+    def _padded_to(self, window: State) -> State:
         """Return this state on the larger grid of another state."""
         core, layers = self._core.widened(window._core), self._given_layers
         return State(core, self.setup, window.domain, self.heat, self.counters, layers)
@@ -147,8 +147,8 @@ class State(SurfaceState, Fixed, Shown):
         """
         choice("body", body, (1, 2))
         cells = self.grid.nx // 4 if margin is None else integer("margin", margin, 0)
-        if cells > MOST_CELLS // 4:
-            raise ValueError(f"margin must be <= {MOST_CELLS // 4} cells, got {cells}")
+        if cells > MAX_CELLS_ALONG_AXIS // 4:
+            raise ValueError(f"margin must be <= {MAX_CELLS_ALONG_AXIS // 4} cells, got {cells}")
         key = body, cells
         if key not in self._tracks:
             self._tracks[key] = Track(self._core, self.grid, body, cells, self.layers)
@@ -192,12 +192,12 @@ class State(SurfaceState, Fixed, Shown):
         return int(self._core.substeps)
 
     @property
-    def plastic_residual(self) -> float:
+    def plastic_strain_residual(self) -> float:
         """Relative change of the plastic strain increment at convergence [-]."""
         return float(self._core.plastic_residual)
 
     @property
-    def yield_excess(self) -> float:
+    def yield_violation(self) -> float:
         """Maximum of (von Mises stress - yield stress)/yield stress at convergence [-]."""
         return float(self._core.yield_excess)
 
@@ -281,7 +281,7 @@ class State(SurfaceState, Fixed, Shown):
         return self._field("backstress", body)
 
     @cached_property
-    def largest_strains(self) -> tuple[tuple[float, float], tuple[float, float]]:
+    def max_strains(self) -> tuple[tuple[float, float], tuple[float, float]]:
         """`max_equivalent_plastic_strain` and `max_plastic_strain_magnitude` of each body [-]."""
         of, core = [], self._core
         for body in (0, 1):
@@ -291,7 +291,7 @@ class State(SurfaceState, Fixed, Shown):
 
     def max_equivalent_plastic_strain(self, body: int = 2) -> float:
         """Maximum accumulated equivalent plastic strain [-]; 0 for a body that cannot yield."""
-        return self.largest_strains[choice("body", body, (1, 2)) - 1][0]
+        return self.max_strains[choice("body", body, (1, 2)) - 1][0]
 
     def max_plastic_strain_magnitude(self, body: int = 2) -> float:
         """Maximum magnitude sqrt(2/3 e:e) of the plastic strain e [-]; not cumulative.
@@ -299,7 +299,7 @@ class State(SurfaceState, Fixed, Shown):
         Reversed flow decreases it, but increases the equivalent plastic strain. Small-strain theory
         limits this magnitude. 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
         """
-        return self.largest_strains[choice("body", body, (1, 2)) - 1][1]
+        return self.max_strains[choice("body", body, (1, 2)) - 1][1]
 
     def has_eigenstrain(self, body: int = 2) -> bool:
         """Whether an eigenstrain has been added to a body."""
@@ -355,10 +355,10 @@ class State(SurfaceState, Fixed, Shown):
         return kept(self, (name, index), compute or (lambda: self._of_core(name, index)))
 
     def _of_core(self, name: str, index: int) -> FloatArray:
-        if name in _VOLUME:
+        if name in _VOLUME_FIELDS:
             strained = self._core.max_plastic_strain_magnitude(index) > 0
             exact = strained and self.setup.settings.residual_stress == "exact"
-            cell = memory.EXACT_RESIDUAL if exact else memory.VOLUME_FIELD
+            cell = memory.EXACT_RESIDUAL_BYTES if exact else memory.VOLUME_FIELD_BYTES
             what = f"the field {name}"
             needed = memory.volume(self.grid, cell, self.layers)
             memory.require_for_grid(what, self.grid, needed)
@@ -388,8 +388,8 @@ class State(SurfaceState, Fixed, Shown):
         return [
             *rows,
             ("plastic iterations", str(self.iterations)),
-            ("plastic residual", quantity(self.plastic_residual)),
-            ("yield excess", quantity(self.yield_excess)),
+            ("plastic residual", quantity(self.plastic_strain_residual)),
+            ("yield excess", quantity(self.yield_violation)),
             ("converged", "yes" if self.converged else "no"),
         ]
 

@@ -12,13 +12,13 @@ from .. import kernels
 from .._util.checks import FloatArray, real_array, together
 from ..bodies.layered import Body
 from ..bodies.material import Material
-from ..scene.grid import Grid
+from ..problem.grid import Grid
 
-_BLOCK = 1 << 18
+_BLOCK_PAIRS = 1 << 18
 """Number of pairs of a point and a cell processed together: 20 MB."""
-_AT_EDGE = 1e-6
+_EDGE_TOLERANCE = 1e-6
 """Distance from the edge of a cell, in cells, below which a point is on the edge."""
-_FARTHEST = 1e75
+_MAX_COORDINATE = 1e75
 """Maximum coordinates [m]: beyond, squares of distances overflow in products."""
 
 IntArray = NDArray[np.intp]
@@ -64,10 +64,10 @@ def _half_cells(grid: Grid, tractions: Tractions, points: FloatArray) -> FloatAr
     cells: list[tuple[IntArray, IntArray]] = []
     for n, (axis, size) in enumerate(((grid.x, grid.dx), (grid.y, grid.dy))):
         edge = (points[n] - axis[0]) / size + 0.5  # in cells from the edge of the grid
-        half[n, np.abs(edge - np.rint(edge)) < _AT_EDGE] = 0.5 * size
+        half[n, np.abs(edge - np.rint(edge)) < _EDGE_TOLERANCE] = 0.5 * size
         behind, ahead = (
             np.clip(np.floor(edge + side), -1, len(axis)).astype(np.intp) + 1
-            for side in (-_AT_EDGE, _AT_EDGE)
+            for side in (-_EDGE_TOLERANCE, _EDGE_TOLERANCE)
         )
         cells.append((behind, ahead))
     loaded = np.zeros((grid.nx + 2, grid.ny + 2), dtype=np.bool_)
@@ -75,7 +75,7 @@ def _half_cells(grid: Grid, tractions: Tractions, points: FloatArray) -> FloatAr
         if traction is not None:
             loaded[1:-1, 1:-1] |= traction != 0
     beside = np.any([loaded[i, j] for i, j in itertools.product(*cells)], axis=0)
-    half[:, ~beside | (points[2] >= _AT_EDGE * min(grid.dx, grid.dy))] = 0.0
+    half[:, ~beside | (points[2] >= _EDGE_TOLERANCE * min(grid.dx, grid.dy))] = 0.0
     return half
 
 
@@ -89,8 +89,8 @@ def _sums(grid: Grid, tractions: Tractions, nu: float, points: FloatArray) -> Fl
 
 def _finite(name: str, values: ArrayLike) -> FloatArray:
     array = real_array(name, values)
-    if not (np.abs(array) <= _FARTHEST).all():
-        raise ValueError(f"{name} must be finite and <= {_FARTHEST:g} everywhere [m]")
+    if not (np.abs(array) <= _MAX_COORDINATE).all():
+        raise ValueError(f"{name} must be finite and <= {_MAX_COORDINATE:g} everywhere [m]")
     return array
 
 
@@ -105,8 +105,8 @@ def _add(
     """Add the stress due to one traction, in blocks of points and cells."""
     i, j = np.nonzero(traction)
     values, halves = traction[i, j], (0.5 * grid.dx, 0.5 * grid.dy)
-    cells = min(len(values), _BLOCK)
-    count = max(1, _BLOCK // cells)
+    cells = min(len(values), _BLOCK_PAIRS)
+    count = max(1, _BLOCK_PAIRS // cells)
     for start in range(0, points.shape[1], count):
         x, y, z = (p[start : start + count, None] for p in points)
         for first in range(0, len(values), cells):

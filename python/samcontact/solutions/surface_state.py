@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, choice
 from .._util.display import Rows, quantity
-from ..scene.contact_law import in_contact
-from ..scene.grid import Grid
-from ..scene.setup import SimulationSetup
+from ..problem.contact_law import in_contact
+from ..problem.grid import Grid
+from ..problem.setup import SimulationSetup
 from .contact_area import contact_area
 from .contact_solution import both
 from .outline import Outline, outline_of

@@ -13,7 +13,7 @@ from .._util.checks import FloatArray
 if TYPE_CHECKING:
     from ..solutions.state import State
 
-ROUNDING = 1e-8
+ROUNDING_ERROR = 1e-8
 """Relative value below which a force or a motion counts as zero."""
 
 
@@ -36,7 +36,14 @@ def along_surface(states: Sequence[State]) -> dict[str, FloatArray]:
     return {name: np.array(values) for name, values in given.items()}
 
 
-ALONG = ("tangential_load_x", "tangential_load_y", "torque", "shift_x", "shift_y", "twist")
+TANGENTIAL_QUANTITIES = (
+    "tangential_load_x",
+    "tangential_load_y",
+    "torque",
+    "shift_x",
+    "shift_y",
+    "twist",
+)
 
 
 def not_rounding(
@@ -48,6 +55,6 @@ def not_rounding(
     scales = (p, p, p * size, d, d, d / size if size > 0 else 0.0)
     return [
         name
-        for name, scale in zip(ALONG, scales, strict=True)
-        if float(np.max(np.abs(values[name]))) > ROUNDING * scale
+        for name, scale in zip(TANGENTIAL_QUANTITIES, scales, strict=True)
+        if float(np.max(np.abs(values[name]))) > ROUNDING_ERROR * scale
     ]

@@ -10,10 +10,10 @@ import numpy as np
 from .._util import memory
 from .._util.checks import FloatArray, axis_number, boolean
 from .._util.field_cache import kept
-from .._util.frozen import Fixed, read_only
+from .._util.frozen import FixedAttributes, read_only
 from .._util.quantities import CONTACT, TRACK
 from .._util.tensors import COMPONENTS, von_mises
-from ..scene.grid import Grid
+from ..problem.grid import Grid
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["Track"]
 
 
-class Track(Fixed):
+class Track(FixedAttributes):
     """Residual fields of one body along its whole track, unloaded, in the frame of the body.
 
     Created by `State.track`. Fields are read-only and cached like those of a state. The origin of x
@@ -161,7 +161,9 @@ class Track(Fixed):
         return kept(self, name, lambda: self._of_core(name))
 
     def _of_core(self, name: str, *axis: int) -> FloatArray:
-        cell = memory.FAST_RESIDUAL if name.startswith("residual") else memory.VOLUME_FIELD
+        cell = (
+            memory.FAST_RESIDUAL_BYTES if name.startswith("residual") else memory.VOLUME_FIELD_BYTES
+        )
         needed = memory.volume(self.grid, cell)
         memory.require_for_grid(f"the field {name} of a track", self.grid, needed)
         method = getattr(self._core, f"{name}_in")

@@ -9,10 +9,10 @@ import numpy as np
 
 from .._util import memory
 from .._util.checks import FloatArray
-from .._util.frozen import Fixed, read_only
+from .._util.frozen import FixedAttributes, read_only
 
 if TYPE_CHECKING:
-    from ..scene.grid import Grid
+    from ..problem.grid import Grid
 
 __all__ = ["Zone"]
 
@@ -32,7 +32,7 @@ class ZoneStress:
 
     def stress(self, zone: int, *, loaded: bool) -> FloatArray:
         if loaded not in self._fields:
-            needed = memory.ZONE_FIELD * self._ends[-1] / 6
+            needed = memory.ZONE_FIELD_BYTES * self._ends[-1] / 6
             memory.require("the stress in all plastic subdomains", needed)
             self._fields[loaded] = read_only(self.core.stress_in_zones(self._body - 1, loaded))
         *_, nx, ny, nz = self.boxes[zone]
@@ -41,7 +41,7 @@ class ZoneStress:
         return field
 
 
-class Zone(Fixed):
+class Zone(FixedAttributes):
     """Plastic subdomain: a box of cells of one body, from the surface down.
 
     Made by `State.zones`. It may extend beyond the cells of the state's volume fields, outside the

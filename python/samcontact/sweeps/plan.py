@@ -22,8 +22,8 @@ from ..cases.base import CaseError, CaseFile
 from ..cases.field_units import field_unit
 
 MODES = ("product", "zip")
-MOST_LINES = 10  # maximum number of lines of an error message
-MOST_CASES = 100_000
+MAX_LINES = 10  # maximum number of lines of an error message
+MAX_CASES = 100_000
 
 _DOTTED = re.compile(r"[A-Za-z_]\w*(\[\d+\])*(\.[A-Za-z_]\w*(\[\d+\])*)*")
 Keys = list[str | int]
@@ -61,10 +61,10 @@ def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str
             f"parameters must have equal numbers of values in mode 'zip', got {listed}"
         )
     wanted = math.prod(counts.values()) if mode == "product" else max(counts.values())
-    if wanted > MOST_CASES:
+    if wanted > MAX_CASES:
         listed = ", ".join(f"{name} {count}" for name, count in counts.items())
         raise ValueError(
-            f"a sweep must have at most {MOST_CASES} cases, got {wanted} (values of {listed} in "
+            f"a sweep must have at most {MAX_CASES} cases, got {wanted} (values of {listed} in "
             f"mode {in_short(mode)}): use fewer values, or mode 'zip' to combine them pairwise"
         )
     combine: Any = itertools.product if mode == "product" else zip
@@ -185,8 +185,8 @@ def _validated(
 
 def _listed(problems: Mapping[str, str]) -> str:
     lines = [f"{line} (sweep: {where})" for line, where in problems.items()]
-    if len(lines) > MOST_LINES:
-        lines[MOST_LINES:] = [f"and {len(lines) - MOST_LINES} more"]
+    if len(lines) > MAX_LINES:
+        lines[MAX_LINES:] = [f"and {len(lines) - MAX_LINES} more"]
     return "\n".join(lines)
 
 

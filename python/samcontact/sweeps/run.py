@@ -60,7 +60,7 @@ def sweep(
 
     Parameters
     ----------
-    case : Case, TuggingCase or path
+    case : Case, AsperityCase or path
         Base case, or case file.
     parameters : mapping of str to sequence
         Values of fields in SI units, by dotted name: "body2.yield_stress", "path[0].load". A whole
@@ -82,7 +82,7 @@ def sweep(
     -------
     xarray.Dataset
         All quantities with one value per increment (as in `results.scalars`; for asperity
-        collisions, as in `asperities.tug`), with NaN beyond the end of shorter paths and for failed
+        collisions, as in `asperities.collide`), with NaN beyond the end of shorter paths and for failed
         cases. Each case has a status, "done" or "failed", and an error text.
 
     Raises
@@ -118,13 +118,13 @@ def sweep(
     interrupted: KeyboardInterrupt | None = None
     folder = None if output is None else file_path("output", output)
     with nullcontext() if folder is None else locked(folder):
-        run = _Run(cases, None if folder is None else Store(folder))
+        run = _SweepRun(cases, None if folder is None else Store(folder))
         with _resolved(executor) as chosen:
             try:
                 run.solve(chosen, progress)
             except KeyboardInterrupt as stop:
                 interrupted = stop
-                if isinstance(chosen, _OwnPool):
+                if isinstance(chosen, _WorkerPool):
                     chosen.terminate()
         dataset = assemble(plan, keys, run.outcomes, base)
         resolution.warn_of_sweep(dataset, stacklevel=2)
@@ -135,7 +135,7 @@ def sweep(
     return dataset
 
 
-class _Run:
+class _SweepRun:
     """Distinct cases of a sweep by key, and the outcomes so far."""
 
     def __init__(self, cases: dict[str, CaseFile], store: Store | None) -> None:
@@ -204,7 +204,7 @@ def _resolved(executor: Any) -> Iterator[Any]:
     if executor is None:
         yield None
     elif isinstance(executor, int):
-        with _one_thread(), _OwnPool(integer("executor", executor, 1)) as pool:
+        with _one_thread(), _WorkerPool(integer("executor", executor, 1)) as pool:
             yield pool
     elif hasattr(executor, "get_executor"):
         # a Dask client; pure=False, so that failed cases are solved again
@@ -218,7 +218,7 @@ def _resolved(executor: Any) -> Iterator[Any]:
         )
 
 
-class _OwnPool(ProcessPoolExecutor):
+class _WorkerPool(ProcessPoolExecutor):
     """Pool of worker processes that end with a sweep.
 
     The processes are spawned: a fork of a process that used OpenMP hangs.

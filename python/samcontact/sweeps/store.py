@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from .._util.quantities import CONTACT, TUGGING, Quantity
+from .._util.quantities import ASPERITIES, CONTACT, Quantity
 from .._util.version import version
 from ..files.ownership import require_marked
-from ..restart.file import DAMAGED, read, require_same, write
+from ..restart.file import READ_ERRORS, read, require_same, write
 
 if TYPE_CHECKING:
     from ..cases.base import CaseFile
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from .worker import Outcome, Variables
 
 CANCELLED = "cancelled"
-_KIND = "case"
-_INNER = ("pass", "increment", "body")  # dimensions of a case, in order
-_COUNTED = {
+_CHECKPOINT_KIND = "case"
+_CASE_DIMENSIONS = ("pass", "increment", "body")  # dimensions of a case, in order
+_COUNT_QUANTITIES = {
     "increment": CONTACT["increment"],
-    "pass": TUGGING["pass"],
+    "pass": ASPERITIES["pass"],
     "body": CONTACT["body"],
     "case": Quantity("1", "case number"),
 }
@@ -62,13 +62,13 @@ class Store:
         """
         require_marked(self.file(key), "move it, or use another output")
         try:
-            tree = read(self.file(key), _KIND)
+            tree = read(self.file(key), _CHECKPOINT_KIND)
             require_same(self.file(key), {"key": key}, tree)
             return {
                 name: (tuple(part["dims"].split()), part["values"], part["attributes"])
                 for name, part in tree["variables"].items()
             }
-        except DAMAGED:
+        except READ_ERRORS:
             return None
 
     def write(self, key: str, variables: Variables) -> None:
@@ -81,7 +81,7 @@ class Store:
             }
             for name, (dims, values, attributes) in variables.items()
         }
-        write(self.file(key), _KIND, {"run": {"key": key}, "variables": parts})
+        write(self.file(key), _CHECKPOINT_KIND, {"run": {"key": key}, "variables": parts})
 
 
 def assemble(
@@ -127,9 +127,10 @@ def _status(outcome: Outcome | None) -> str:
 
 def _coordinates(plan: Plan, inner: Mapping[str, int]) -> dict[str, Any]:
     counted = {dim: size for dim, size in plan.dims.items() if dim == "case"}
-    counted |= {dim: inner[dim] for dim in _INNER if dim in inner}
+    counted |= {dim: inner[dim] for dim in _CASE_DIMENSIONS if dim in inner}
     coordinates: dict[str, Any] = {
-        dim: _COUNTED[dim].variable(dim, np.arange(1, size + 1)) for dim, size in counted.items()
+        dim: _COUNT_QUANTITIES[dim].variable(dim, np.arange(1, size + 1))
+        for dim, size in counted.items()
     }
     return coordinates | plan.coordinates
 

@@ -40,12 +40,12 @@ def solve_case(content: Mapping[str, Any], source: str) -> Outcome:
         "variables", or "error" for a case that cannot be solved. Exceptions are returned as text,
         because not every exception can be passed between processes.
     """
-    from ..cases import Case, TuggingCase
+    from ..cases import AsperityCase, Case
 
     try:
-        kind = TuggingCase if "tugging" in content else Case
+        kind = AsperityCase if "asperities" in content else Case
         case = kind.model_validate(content).written_in(Path(source))
-        if isinstance(case, TuggingCase):
+        if isinstance(case, AsperityCase):
             return {"variables": _plain(case.solve(progress=False).series)}
         return {"variables": _solve(case)}
     except Exception as error:

@@ -11,9 +11,17 @@ from .by_slip import fretting
 from .checks import YIELD_STRAIN
 from .cycles import run
 from .results import Cycle, FrettingCycle, FrettingResult, WearResult
-from .steps import depth, shift, smooth
+from .steps import below_worn_surface, depth, smooth
 
 __all__ = [
-    "YIELD_STRAIN", "Cycle", "FrettingCycle", "FrettingResult", "WearResult", "depth", "fretting",
-    "run", "shift", "smooth",
+    "YIELD_STRAIN",
+    "Cycle",
+    "FrettingCycle",
+    "FrettingResult",
+    "WearResult",
+    "below_worn_surface",
+    "depth",
+    "fretting",
+    "run",
+    "smooth",
 ]  # fmt: skip

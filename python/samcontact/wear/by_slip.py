@@ -16,30 +16,30 @@ from .. import hertz
 from .._util.checks import FloatArray, boolean, integer
 from ..bodies.material import Material
 from ..diagnostics import resolution
-from ..scene.domain import SurfaceGeometry
-from ..scene.friction import FrictionLaw
-from ..scene.grid import Grid
-from ..scene.moving_topography import Relief
+from ..problem.domain import SurfaceGeometry
+from ..problem.friction import FrictionLaw
+from ..problem.grid import Grid
+from ..problem.moving_topography import Relief
 from ..simulation.simulation import Simulation
 from ..solutions.state import State
-from .by_slip_checks import FrettingScene, closing, make_scene
-from .checkpoint import Standing, require_own
+from .by_slip_checks import FrettingSetup, closing, make_setup
+from .checkpoint import WearProgress, require_own
 from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
-_STABLE = 1.0
+_MAX_PRESSURE_CHANGE = 1.0
 """Maximum pressure relieved by the wear of one part, over the pressure, for the shortest wave.
 
 From 2 on, the shortest waves would grow from part to part.
 """
-_MOST_PARTS = 10_000
-_CLOSED = 1e-2
+_MAX_PARTS = 10_000
+_MAX_SHEAR_MISMATCH = 1e-2
 """Maximum change of the shear over one repeat, relative to the maximum of mu p.
 
 Slip directions at the edge of the stick zone continue to rotate slightly over many repeats, with
 no visible effect on the work.
 """
-_MOST_TIMES = 20
+_MAX_REPEATS = 20
 
 
 def fretting(
@@ -105,7 +105,7 @@ def fretting(
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
     require_own(checkpoint)
-    scene = make_scene(
+    scene = make_setup(
         grid,
         (body1, body2),
         SurfaceGeometry(gap, relief1, relief2),
@@ -134,9 +134,9 @@ class _Repeat:
     """Wear depth for a coefficient of 1, over the pressure [m]."""
 
 
-def _gone_through(scene: FrettingScene, heights: Mapping[int, list[FloatArray]]) -> _Repeat:
+def _gone_through(scene: FrettingSetup, heights: Mapping[int, list[FloatArray]]) -> _Repeat:
     """Solve one repeat on the current surfaces, after a lead-in from bodies without history."""
-    relief1, relief2 = reliefs_of(scene, Standing(dict(heights)))
+    relief1, relief2 = reliefs_of(scene, WearProgress(dict(heights)))
     simulation = Simulation(
         scene.grid,
         *scene.bodies,
@@ -160,24 +160,26 @@ def _gone_through(scene: FrettingScene, heights: Mapping[int, list[FloatArray]])
     return _Repeat(states, work, way, work, ratio * way)
 
 
-def _closed(simulation: Simulation, scene: FrettingScene) -> tuple[State, ...]:
+def _closed(simulation: Simulation, scene: FrettingSetup) -> tuple[State, ...]:
     """States of a repeat that ends with the shear with which it began."""
     lead = closing(scene.cycle)
     for step in scene.cycle[:lead]:
         simulation.step(**step)
-    for _ in range(_MOST_TIMES):
+    for _ in range(_MAX_REPEATS):
         start = simulation.state
         states = tuple(simulation.step(**step) for step in scene.cycle[lead:])
         bound = float(scene.friction.bound(max(s.pressure.max() for s in states)))
-        if np.abs(states[-1].shear - start.shear).max() <= _CLOSED * bound:
+        if np.abs(states[-1].shear - start.shear).max() <= _MAX_SHEAR_MISMATCH * bound:
             return states
     raise ValueError(
-        f"cycle must become periodic, but its shear still changes after {_MOST_TIMES} "
+        f"cycle must become periodic, but its shear still changes after {_MAX_REPEATS} "
         "repetitions: use a closed cycle"
     )
 
 
-def _advance(scene: FrettingScene, standing: Standing) -> tuple[tuple[State, ...], Standing]:
+def _advance(
+    scene: FrettingSetup, standing: WearProgress
+) -> tuple[tuple[State, ...], WearProgress]:
     """Advance by one cycle, in as many parts as stability requires."""
     heights = {body: [*before, before[-1]] for body, before in standing.heights.items()}
     left, parts, work, removed = float(scene.repeats), 0, 0.0, np.zeros(scene.grid.surface_shape)
@@ -187,9 +189,9 @@ def _advance(scene: FrettingScene, standing: Standing) -> tuple[tuple[State, ...
     while left > 0:
         now = _gone_through(scene, heights) if parts else first
         most = _most_repeats(scene, now)
-        if left > (_MOST_PARTS - parts) * most:
+        if left > (_MAX_PARTS - parts) * most:
             raise ValueError(
-                f"{scene.law} and repeats must not require more than {_MOST_PARTS} parts of "
+                f"{scene.law} and repeats must not require more than {_MAX_PARTS} parts of "
                 f"{most:.3g} repeats, got {max(scene.coefficients)!r} 1/Pa and {scene.repeats}: "
                 "use fewer repeats, or check the unit of the coefficient"
             )
@@ -202,10 +204,10 @@ def _advance(scene: FrettingScene, standing: Standing) -> tuple[tuple[State, ...
         left, parts = left - count, parts + 1
     volumes = tuple(scene.coefficients[b - 1] * _integral(scene.grid, removed) for b in scene.worn)
     cycle = _record(first, heights, volumes, len(standing.cycles) + 1, parts, work)
-    return first.states, Standing(heights, {}, [*standing.cycles, cycle])
+    return first.states, WearProgress(heights, {}, [*standing.cycles, cycle])
 
 
-def _most_repeats(scene: FrettingScene, now: _Repeat) -> float:
+def _most_repeats(scene: FrettingSetup, now: _Repeat) -> float:
     """Number of repeats after which the surface must be solved again.
 
     Wear of depth c p changes the pressure of a wave with wavenumber k by -c E* k/2, relative to the
@@ -216,7 +218,7 @@ def _most_repeats(scene: FrettingScene, now: _Repeat) -> float:
     shortest = math.pi * math.hypot(*steps)
     stiffness = 0.5 * hertz.effective_modulus(*scene.bodies) * shortest
     change = sum(scene.coefficients) * float(now.per_pressure.max()) * stiffness
-    return _STABLE / change if change > 0 else math.inf
+    return _MAX_PRESSURE_CHANGE / change if change > 0 else math.inf
 
 
 def _record(
@@ -235,13 +237,13 @@ def _record(
         parts=parts,
         friction_work=work,
         volume=volumes,
-        lost=tuple(_integral(grid, loss) for loss in losses),
+        lost_volume=tuple(_integral(grid, loss) for loss in losses),
         depth=tuple(float(loss.max()) for loss in losses),
-        slip_path=float(first.way.max()),
+        slip_distance=float(first.way.max()),
         max_pressure=max(float(state.pressure.max()) for state in first.states),
         contact_area=loaded.contact_area,
-        sticking_area=int(np.count_nonzero(sticking)) * grid.cell_area,
-        contact_cells=resolution.cells_across(loaded.repulsion),
+        stick_area=int(np.count_nonzero(sticking)) * grid.cell_area,
+        cells_across_contact=resolution.cells_across(loaded.repulsion),
     )
 
 

@@ -19,22 +19,22 @@ from .._util.checks import (
 from .._util.short_text import in_short
 from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
-from ..contact.tangential_drive import GivenAlong
-from ..diagnostics.plausibility import warn_of, wear_coefficient
-from ..scene.domain import SurfaceGeometry
-from ..scene.friction import FrictionLaw, sticking_law
-from ..scene.grid import Grid
-from ..scene.moving_topography import Relief
-from .checks import NO_WORN_LAYERS
+from ..contact.tangential_drive import TangentialInput
+from ..diagnostics.plausibility import warn_if_implausible, wear_coefficient
+from ..problem.domain import SurfaceGeometry
+from ..problem.friction import FrictionLaw, sticking_law
+from ..problem.grid import Grid
+from ..problem.moving_topography import Relief
+from .checks import NO_LAYERED_WEAR
 from .results import FrettingCycle
 
-_TAKEN = ("load", "approach", "shift", "tangential_load", "twist", "torque")
-_SAME = 1e-9
+_ALLOWED_ARGUMENTS = ("load", "approach", "shift", "tangential_load", "twist", "torque")
+_ROUNDING_ERROR = 1e-9
 """Relative difference, over the maximum of a cycle, below which drives are equal."""
 
 
 @dataclass(frozen=True)
-class FrettingScene:
+class FrettingSetup:
     """Checked arguments of `samcontact.wear.fretting`, constant over all cycles."""
 
     grid: Grid
@@ -61,7 +61,7 @@ class FrettingScene:
         return 0, self.grid.nx
 
 
-def make_scene(
+def make_setup(
     grid: Grid,
     bodies: tuple[Material, Material],
     given: SurfaceGeometry,
@@ -71,10 +71,10 @@ def make_scene(
     archard: float | Sequence[float] | None,
     repeats: int,
     settings: dict[str, Any],
-) -> FrettingScene:
+) -> FrettingSetup:
     """Check all arguments except those checked by `Simulation`."""
     require_type("grid", grid, Grid)
-    require_homogeneous(NO_WORN_LAYERS, *bodies)
+    require_homogeneous(NO_LAYERED_WEAR, *bodies)
     for n, body in enumerate(bodies, 1):
         if body.is_plastic:
             raise ValueError(
@@ -90,12 +90,12 @@ def make_scene(
     coefficients = of_bodies(law, energy if energy is not None else archard)  # type: ignore[arg-type]
     if not any(coefficients):
         raise ValueError(f"{law} must be > 0 for at least one body, got {coefficients!r}")
-    warn_of(wear_coefficient(law, max(coefficients)), stacklevel=4)
+    warn_if_implausible(wear_coefficient(law, max(coefficients)), stacklevel=4)
     surfaces = given.over(grid)
     finite_array("gap", surfaces.initial_gap)  # finite bodies are not supported
-    path = step_list("cycle", cycle, _TAKEN)
+    path = step_list("cycle", cycle, _ALLOWED_ARGUMENTS)
     closing(path)
-    return FrettingScene(
+    return FrettingSetup(
         grid,
         bodies,
         surfaces.initial_gap,
@@ -118,7 +118,7 @@ def closing(path: list[dict[str, Any]]) -> int:
     most = [max(abs(place[k][1]) for place in places) for k in range(len(places[0]))]
     for n, place in enumerate(places[:-1]):
         if all(
-            kind == last_kind and abs(value - last) <= _SAME * size
+            kind == last_kind and abs(value - last) <= _ROUNDING_ERROR * size
             for (kind, value), (last_kind, last), size in zip(place, places[-1], most, strict=True)
         ):
             return n
@@ -139,7 +139,7 @@ def _places(path: list[dict[str, Any]]) -> list[list[tuple[str, float]]]:
     places, moved = [free], [0.0] * 3
     for step in path:
         name = exactly_one(load=step.get("load"), approach=step.get("approach"))
-        along = GivenAlong.of(
+        along = TangentialInput.of(
             {"shift": step.get("shift"), "twist": step.get("twist")},
             {"tangential_load": step.get("tangential_load"), "torque": step.get("torque")},
         )

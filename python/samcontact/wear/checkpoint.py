@@ -19,20 +19,20 @@ from ..bodies.material import Material
 from ..files.atomic import replacing
 from ..files.checksum import check_seal
 from ..files.ownership import require_marked
-from ..restart.file import DAMAGED, DamagedCheckpointError, damaged, require_same
+from ..problem.grid import Grid
+from ..problem.moving_topography import Relief
+from ..restart.file import READ_ERRORS, DamagedCheckpointError, damaged, require_same
 from ..restart.file import read as read_file
 from ..restart.file import write as write_file
 from ..restart.identity import Identity, identity, require_identified
 from ..restart.lock import locked
 from ..restart.tree import Tree, array
-from ..scene.grid import Grid
-from ..scene.moving_topography import Relief
 from .results import AnyCycle
 
 _KIND = "wear"
 
 
-class Worn(Protocol):
+class WearProblem(Protocol):
     """Checked arguments of a wear computation, constant over all cycles."""
 
     @property
@@ -54,7 +54,7 @@ class Worn(Protocol):
 
 
 @dataclass
-class Strain:
+class BodyStrain:
     """Plastic state of a body; its first row is at row `first` of the grid."""
 
     first: int
@@ -64,16 +64,16 @@ class Strain:
 
 
 @dataclass
-class Standing:
+class WearProgress:
     """Initial state of the next cycle, and the records of the preceding cycles."""
 
     heights: dict[int, list[FloatArray]]
     """Heights of each worn body, at the start and after each cycle."""
-    strains: dict[int, Strain] = field(default_factory=dict)
+    strains: dict[int, BodyStrain] = field(default_factory=dict)
     cycles: list[AnyCycle] = field(default_factory=list)
 
 
-def _identity(scene: Worn) -> Identity:
+def _identity(scene: WearProblem) -> Identity:
     return identity(**vars(scene))
 
 
@@ -95,7 +95,7 @@ def require_own(path: str | os.PathLike[str] | None) -> None:
             require_marked(file)
 
 
-def write(path: str | os.PathLike[str], scene: Worn, standing: Standing) -> None:
+def write(path: str | os.PathLike[str], scene: WearProblem, standing: WearProgress) -> None:
     """Write a checkpoint; the old file is kept on failure, and a copy of it in any case."""
     if _is_whole(path):
         with replacing(_before(path)) as part:
@@ -116,7 +116,7 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
         return False
 
 
-def latest(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
+def latest(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | None:
     """Read a file like `read`; if it is damaged, that of the preceding cycle, with a warning."""
     require_identified(_identity(scene))
     try:
@@ -128,7 +128,7 @@ def latest(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
         return read(_before(path), scene)
 
 
-def read(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
+def read(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | None:
     """Read the state in a file; None without a file.
 
     Raises CheckpointError for a file of other arguments, of another kind, or a damaged one.
@@ -139,13 +139,13 @@ def read(path: str | os.PathLike[str], scene: Worn) -> Standing | None:
     require_same(path, _identity(scene), tree)
     try:
         return _standing(tree, scene)
-    except DAMAGED as error:
+    except READ_ERRORS as error:
         raise damaged(path, error) from error
 
 
-def _standing(tree: Tree, scene: Worn) -> Standing:
+def _standing(tree: Tree, scene: WearProblem) -> WearProgress:
     cycles = _cycles(tree["cycles"], scene)
-    standing = Standing({}, {}, cycles)
+    standing = WearProgress({}, {}, cycles)
     for body in scene.worn:
         _, rows = scene.rows(body)
         shape = (len(cycles) + 1, rows, scene.grid.ny)
@@ -159,11 +159,11 @@ def _standing(tree: Tree, scene: Worn) -> Standing:
             if "backstress" in part:
                 terms = len(scene.bodies[body - 1].kinematic)
                 back = array(part, "backstress", (terms, *strain.shape))
-            standing.strains[body] = Strain(int(part["first"]), strain, equivalent, back)
+            standing.strains[body] = BodyStrain(int(part["first"]), strain, equivalent, back)
     return standing
 
 
-def _cycles(records: Tree, scene: Worn) -> list[AnyCycle]:
+def _cycles(records: Tree, scene: WearProblem) -> list[AnyCycle]:
     count, worn = len(records["number"]), len(scene.worn)
     for item in dataclasses.fields(scene.record):
         per_body = item.name in scene.record.PER_BODY

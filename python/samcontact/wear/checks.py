@@ -25,12 +25,12 @@ from .._util.short_text import in_short
 from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
 from ..contact.solver import ContactSolver
-from ..diagnostics.monitor import SMALL_STRAIN
-from ..scene.contact_law import in_contact
-from ..scene.domain import SurfaceGeometry
-from ..scene.grid import Grid
-from ..scene.moving_topography import Relief, heights_over
-from ..simulation.steps import STEP
+from ..diagnostics.monitor import MAX_SMALL_STRAIN
+from ..problem.contact_law import in_contact
+from ..problem.domain import SurfaceGeometry
+from ..problem.grid import Grid
+from ..problem.moving_topography import Relief, heights_over
+from ..simulation.steps import STEP_ARGUMENTS
 from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, window_and_order
 
@@ -40,15 +40,15 @@ YIELD_STRAIN = 20e-6
 The elastic strain of a hard steel at yield is about 1 %. A threshold of 0.2 % refers to the plastic
 strain alone and is far beyond yield.
 """
-NO_WORN_LAYERS = "layered bodies are not supported, because a worn layer has no uniform thickness"
-_AS_WIDE = math.sqrt(12.0)
+NO_LAYERED_WEAR = "layered bodies are not supported, because a worn layer has no uniform thickness"
+_MOVING_MEAN_WIDTH = math.sqrt(12.0)
 """Width of a moving mean over the standard deviation of a Gaussian of equal spread."""
-_BESIDE = 4
+_MARGIN_ROWS = 4
 """Rows of cells kept outside those in contact, for interpolation between cells."""
 
 
 @dataclass(frozen=True)
-class Scene:
+class WearSetup:
     """Checked arguments of `samcontact.wear.run`, constant over all cycles."""
 
     grid: Grid
@@ -70,13 +70,13 @@ class Scene:
     def rows(self, body: int) -> tuple[int, int]:
         """First and number of the rows of a body that meet the grid during a cycle."""
         cells = travels(self.cycle)[:, body - 1] / self.grid.dx
-        beside = max(self.filter.sides) + _BESIDE
+        beside = max(self.filter.sides) + _MARGIN_ROWS
         first = -int(np.ceil(cells.max())) - beside
         end = self.grid.nx - int(np.floor(cells.min())) + beside
         return first, end - first
 
 
-def make_scene(
+def make_setup(
     grid: Grid,
     bodies: tuple[Material, Material],
     given: SurfaceGeometry,
@@ -87,18 +87,18 @@ def make_scene(
     strain_depth: str,
     friction: float,
     settings: dict[str, Any],
-) -> Scene:
+) -> WearSetup:
     """Check all arguments; the contact is solved once elastically for its size."""
     require_type("grid", grid, Grid)
     if not grid.has_volume:
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
-    require_homogeneous(NO_WORN_LAYERS, *bodies)
+    require_homogeneous(NO_LAYERED_WEAR, *bodies)
     surfaces = given.over(grid)
     finite_array("gap", surfaces.initial_gap)  # finite bodies are not supported
     limit = number("threshold", threshold)
-    if not YIELD_STRAIN < limit < SMALL_STRAIN:
+    if not YIELD_STRAIN < limit < MAX_SMALL_STRAIN:
         raise ValueError(
-            f"threshold must be > {YIELD_STRAIN!r} (yield) and < {SMALL_STRAIN!r} (limit of small "
+            f"threshold must be > {YIELD_STRAIN!r} (yield) and < {MAX_SMALL_STRAIN!r} (limit of small "
             f"strains), got {limit!r}"
         )
     numbers = tuple(worn) if isinstance(worn, (list, tuple)) else ()
@@ -110,9 +110,9 @@ def make_scene(
             raise ValueError(
                 f"worn must name elastic-plastic bodies, got body {index} with law {material.law}"
             )
-    path = step_list("cycle", cycle, STEP)
+    path = step_list("cycle", cycle, STEP_ARGUMENTS)
     _check_cycle(path, grid)
-    scene = Scene(
+    scene = WearSetup(
         grid,
         bodies,
         surfaces.initial_gap,
@@ -180,7 +180,7 @@ def travels(path: list[dict[str, Any]]) -> FloatArray:
     return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
 
 
-def _check_filter(scene: Scene) -> None:
+def _check_filter(scene: WearSetup) -> None:
     """Refuse a filter wider than the contact, which would spread wear beyond it."""
     with warnings.catch_warnings():
         # its pressure is not reached in the cycles, where bodies yield
@@ -195,10 +195,10 @@ def _check_filter(scene: Scene) -> None:
         size = f"the contact ({extent} cells along {name} at maximum load)"
         if isinstance(scene.filter, Gaussian):
             cells = scene.filter.deviation[axis]
-            if cells * _AS_WIDE > max(extent, 1):
+            if cells * _MOVING_MEAN_WIDTH > max(extent, 1):
                 dx = (scene.grid.dx, scene.grid.dy)[axis]
                 raise ValueError(
-                    f"smoothing_length must be <= {max(extent, 1) * dx / _AS_WIDE:.3g} m, so that "
+                    f"smoothing_length must be <= {max(extent, 1) * dx / _MOVING_MEAN_WIDTH:.3g} m, so that "
                     f"wear is not spread beyond {size}, got {cells * dx:.6g}"
                 )
         elif scene.filter.sides[axis] > max(extent, 1):
@@ -207,7 +207,7 @@ def _check_filter(scene: Scene) -> None:
             )
 
 
-def _elastic_pressure(scene: Scene) -> FloatArray:
+def _elastic_pressure(scene: WearSetup) -> FloatArray:
     path, grid = scene.cycle, scene.grid
     given = [step["pressure"] for step in path if step.get("pressure") is not None]
     if given:

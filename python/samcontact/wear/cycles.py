@@ -14,18 +14,18 @@ from numpy.typing import ArrayLike
 from .._util.checks import FloatArray, boolean, integer
 from ..bodies.material import Material
 from ..diagnostics import resolution
-from ..scene.domain import SurfaceGeometry
-from ..scene.grid import Grid
-from ..scene.moving_topography import Relief
+from ..problem.domain import SurfaceGeometry
+from ..problem.grid import Grid
+from ..problem.moving_topography import Relief
 from ..simulation.simulation import Simulation
 from ..solutions.state import State
-from .checkpoint import Standing, Strain, require_own
-from .checks import Scene, make_filter, make_scene
+from .checkpoint import BodyStrain, WearProgress, require_own
+from .checks import WearSetup, make_filter, make_setup
 from .repeating import reliefs_of, repeat
 from .results import Cycle, Moments, WearResult
-from .steps import Window, depth, shift, shift_deviator
+from .steps import Window, below_worn_surface, depth, shift_deviator
 
-SAME_LOAD = 1e-9
+LOAD_TOLERANCE = 1e-9
 """Relative difference below which loads are equal, for rounding."""
 
 
@@ -108,7 +108,7 @@ def run(
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
     require_own(checkpoint)
-    scene = make_scene(
+    scene = make_setup(
         grid,
         (body1, body2),
         SurfaceGeometry(gap, relief1, relief2),
@@ -123,12 +123,12 @@ def run(
     return repeat(WearResult, scene, _advance, count, checkpoint, progress)
 
 
-def _advance(scene: Scene, standing: Standing) -> tuple[Moments, Standing]:
+def _advance(scene: WearSetup, standing: WearProgress) -> tuple[Moments, WearProgress]:
     moments = _solve(scene, standing)
     return moments, _wear(scene, standing, moments)
 
 
-def _solve(scene: Scene, standing: Standing) -> Moments:
+def _solve(scene: WearSetup, standing: WearProgress) -> Moments:
     """Solve one cycle; return the states at its maximum load and at its end.
 
     Of several states at maximum load (as in rolling), that with the maximum pressure is returned.
@@ -154,13 +154,13 @@ def _solve(scene: Scene, standing: Standing) -> Moments:
     peak = state = simulation.step(**scene.cycle[0])
     for step in scene.cycle[1:]:
         state = simulation.step(**step)
-        if state.load >= (1.0 - SAME_LOAD) * peak.load:
-            more = state.load > (1.0 + SAME_LOAD) * peak.load
+        if state.load >= (1.0 - LOAD_TOLERANCE) * peak.load:
+            more = state.load > (1.0 + LOAD_TOLERANCE) * peak.load
             peak = state if more or state.pressure.max() > peak.pressure.max() else peak
     return peak, state
 
 
-def _strain_of(state: State, body: int) -> Strain | None:
+def _strain_of(state: State, body: int) -> BodyStrain | None:
     """Plastic strain of an elastic-plastic body along its whole track; None without any."""
     if state._core.strain_beyond(body - 1) is not None:
         raise ValueError(
@@ -176,7 +176,7 @@ def _strain_of(state: State, body: int) -> Strain | None:
     if not rows.size:
         return None
     part = slice(int(rows[0]), int(rows[-1]) + 1)
-    return Strain(
+    return BodyStrain(
         track.first + part.start,
         strain[:, part],
         equivalent[part],
@@ -184,7 +184,7 @@ def _strain_of(state: State, body: int) -> Strain | None:
     )
 
 
-def _wear(scene: Scene, standing: Standing, moments: Moments) -> Standing:
+def _wear(scene: WearSetup, standing: WearProgress, moments: Moments) -> WearProgress:
     """Remove overstrained material after a cycle, and move up the remaining plastic strain."""
     peak, end = moments
     found = {body: _strain_of(end, body) for body in (1, 2) if scene.bodies[body - 1].is_plastic}
@@ -206,26 +206,26 @@ def _wear(scene: Scene, standing: Standing, moments: Moments) -> Standing:
     record = Cycle(
         number=len(standing.cycles) + 1,
         volume=volumes,
-        lost=losts,
+        lost_volume=losts,
         depth=depths,
         surface_strain=tuple(_largest(b, slice(0, 1)) for b in bodies),
         max_equivalent_plastic_strain=tuple(_largest(b, slice(None)) for b in bodies),
         max_pressure=float(peak.pressure.max()),
         max_von_mises=max(float(peak.von_mises(body=body).max()) for body in scene.worn),
         contact_area=peak.contact_area,
-        contact_cells=resolution.cells_across(peak.repulsion),
-        plastic_layers=tuple(
+        cells_across_contact=resolution.cells_across(peak.repulsion),
+        layers_across_plastic_zone=tuple(
             0.0 if b is None else resolution.layers_across(b.equivalent) for b in bodies
         ),
     )
-    return Standing(heights, strains, [*standing.cycles, record])
+    return WearProgress(heights, strains, [*standing.cycles, record])
 
 
-def _largest(kept: Strain | None, layers: slice) -> float:
+def _largest(kept: BodyStrain | None, layers: slice) -> float:
     return 0.0 if kept is None else float(kept.equivalent[:, :, layers].max())
 
 
-def _worn_depth(scene: Scene, body: int, kept: Strain | None) -> FloatArray:
+def _worn_depth(scene: WearSetup, body: int, kept: BodyStrain | None) -> FloatArray:
     """Wear depth on the rows of `heights` before smoothing [m]."""
     grid = scene.grid
     assert grid.dz is not None
@@ -245,16 +245,16 @@ def _worn_depth(scene: Scene, body: int, kept: Strain | None) -> FloatArray:
     return found
 
 
-def _moved_up(scene: Scene, body: int, kept: Strain, worn: FloatArray) -> Strain:
+def _moved_up(scene: WearSetup, body: int, kept: BodyStrain, worn: FloatArray) -> BodyStrain:
     """Remaining plastic strain, with depths counted from the worn surface."""
     assert scene.grid.dz is not None
     first, _ = scene.rows(body)
     removed = worn[kept.first - first : kept.first - first + len(kept.equivalent)]
     dz = scene.grid.dz
     back = None if kept.backstress is None else shift_deviator(kept.backstress, removed, dz)
-    return Strain(
+    return BodyStrain(
         kept.first,
         shift_deviator(kept.strain, removed, dz),
-        np.maximum(shift(kept.equivalent, removed, dz), 0.0),
+        np.maximum(below_worn_surface(kept.equivalent, removed, dz), 0.0),
         back,
     )

@@ -13,15 +13,15 @@ import numpy as np
 
 from .._util.progress import progress_bar
 from ..diagnostics import hertz_estimate, resolution
-from ..scene.moving_topography import Relief, heights_over
+from ..problem.moving_topography import Relief, heights_over
 from ..solutions.state import State
-from .checkpoint import Standing, Worn, alone, latest, write
-from .results import AnyResult
+from .checkpoint import WearProblem, WearProgress, alone, latest, write
+from .results import BaseWearResult
 
-S = TypeVar("S", bound=Worn)
-R = TypeVar("R", bound=AnyResult)
+S = TypeVar("S", bound=WearProblem)
+R = TypeVar("R", bound=BaseWearResult)
 Moments = tuple[State, ...]
-Advance = Callable[[S, Standing], tuple[Moments, Standing]]
+Advance = Callable[[S, WearProgress], tuple[Moments, WearProgress]]
 """Function that solves one cycle: its states, and the initial state of the next cycle."""
 
 
@@ -48,7 +48,7 @@ def _repeat(
     kind: type[R],
     scene: S,
     advance: Advance[S],
-    standing: Standing,
+    standing: WearProgress,
     count: int,
     checkpoint: str | os.PathLike[str] | None,
     progress: bool,
@@ -79,16 +79,16 @@ def _repeat(
     return _result(kind, scene, advance, standing, stopped, first, last)
 
 
-def _start(scene: Worn) -> Standing:
+def _start(scene: WearProblem) -> WearProgress:
     heights = {}
     for body in scene.worn:
         first, rows = scene.rows(body)
         relief, blank = scene.reliefs[body - 1], np.zeros((rows, scene.grid.ny))
         heights[body] = [blank if relief is None else heights_over(relief, first, rows)]
-    return Standing(heights)
+    return WearProgress(heights)
 
 
-def reliefs_of(scene: Worn, standing: Standing) -> list[Relief | None]:
+def reliefs_of(scene: WearProblem, standing: WearProgress) -> list[Relief | None]:
     """Current surfaces of both bodies."""
     reliefs = list(scene.reliefs)
     for body in scene.worn:
@@ -107,7 +107,7 @@ def _result(
     kind: type[R],
     scene: S,
     advance: Advance[S],
-    standing: Standing,
+    standing: WearProgress,
     stopped: bool,
     first: Moments | None,
     last: Moments,

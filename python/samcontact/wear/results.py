@@ -11,11 +11,11 @@ import numpy as np
 
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, choice, integer
-from .._util.display import Brief
+from .._util.display import ShortRepr
 from .._util.quantities import WEAR
 from .._util.version import version
-from ..scene.grid import Grid
-from ..scene.moving_topography import Relief
+from ..problem.grid import Grid
+from ..problem.moving_topography import Relief
 from ..solutions.state import State
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ class Cycle:
     """Number of the cycle, from 1."""
     volume: tuple[float, ...]
     """Volume of removed material, whose plastic strain exceeded the threshold [m^3]."""
-    lost: tuple[float, ...]
+    lost_volume: tuple[float, ...]
     """Decrease of the volume below the surface [m^3]."""
     depth: tuple[float, ...]
     """Maximum wear depth after smoothing [m]."""
@@ -47,14 +47,14 @@ class Cycle:
     """Maximum von Mises stress in the worn bodies at maximum load [Pa]."""
     contact_area: float
     """Contact area at maximum load [m^2]."""
-    contact_cells: float
+    cells_across_contact: float
     """Cells across the contact at maximum load, see `resolution.cells_across`."""
-    plastic_layers: tuple[float, ...]
+    layers_across_plastic_zone: tuple[float, ...]
     """Layers from top to bottom of the plastic zone, before removal; 0 without plastic zone."""
 
     PER_BODY: ClassVar = (
-        "volume", "lost", "depth", "surface_strain", "max_equivalent_plastic_strain",
-        "plastic_layers",
+        "volume", "lost_volume", "depth", "surface_strain", "max_equivalent_plastic_strain",
+        "layers_across_plastic_zone",
     )  # fmt: skip
 
 
@@ -73,29 +73,29 @@ class FrettingCycle:
     """Frictional work of all its repeats [J]."""
     volume: tuple[float, ...]
     """Volume removed by the wear law [m^3]."""
-    lost: tuple[float, ...]
+    lost_volume: tuple[float, ...]
     """Decrease of the volume below the surface [m^3]."""
     depth: tuple[float, ...]
     """Maximum wear depth [m]."""
-    slip_path: float
+    slip_distance: float
     """Maximum slip distance of a cell in one repeat [m]."""
     max_pressure: float
     """Maximum pressure [Pa]."""
     contact_area: float
     """Contact area at maximum load [m^2]."""
-    sticking_area: float
+    stick_area: float
     """Area in contact that does not slip during a whole repeat [m^2]."""
-    contact_cells: float
+    cells_across_contact: float
     """Cells across the contact at maximum load, see `resolution.cells_across`."""
 
-    PER_BODY: ClassVar = ("volume", "lost", "depth")
+    PER_BODY: ClassVar = ("volume", "lost_volume", "depth")
 
 
 AnyCycle: TypeAlias = Cycle | FrettingCycle
 
 
 @dataclass(eq=False, repr=False)
-class AnyResult(Brief):
+class BaseWearResult(ShortRepr):
     """Results common to both wear laws."""
 
     grid: Grid
@@ -181,7 +181,7 @@ class AnyResult(Brief):
 
 
 @dataclass(eq=False, repr=False)
-class WearResult(AnyResult):
+class WearResult(BaseWearResult):
     """Results of `run`: cycles, worn surfaces, and states of the first and last cycle."""
 
     cycles: list[Cycle]
@@ -190,7 +190,7 @@ class WearResult(AnyResult):
 
 
 @dataclass(eq=False, repr=False)
-class FrettingResult(AnyResult):
+class FrettingResult(BaseWearResult):
     """Results of `fretting`: cycles, worn surfaces, and states of the first and last cycle."""
 
     cycles: list[FrettingCycle]

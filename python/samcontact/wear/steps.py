@@ -18,9 +18,9 @@ Window = int | Sequence[int] | None
 
 _BISECTIONS = 60
 """Number of bisections of one layer, sufficient for rounding."""
-_TAIL = 4.0
+_CUTOFF_DEVIATIONS = 4.0
 """Standard deviations at which a Gaussian is cut off."""
-_DEVIATOR = 1e-9
+_MAX_RELATIVE_TRACE = 1e-9
 """Maximum trace of a deviator, relative to its largest component."""
 
 
@@ -190,19 +190,19 @@ class Gaussian:
     @property
     def sides(self) -> tuple[int, int]:
         """Cells along x and y over which a cell is spread."""
-        x, y = (2 * math.ceil(_TAIL * cells) + 1 for cells in self.deviation)
+        x, y = (2 * math.ceil(_CUTOFF_DEVIATIONS * cells) + 1 for cells in self.deviation)
         return x, y
 
     def __call__(self, depth: FloatArray) -> FloatArray:
         if not depth.any():
             return np.array(depth)
-        options = {"mode": "constant", "truncate": _TAIL}
+        options = {"mode": "constant", "truncate": _CUTOFF_DEVIATIONS}
         return _with_volume_of(
             depth, scipy.ndimage.gaussian_filter(depth, self.deviation, **options)
         )
 
 
-def shift(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
+def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
     """Map a volume field to depths below the worn surface: its values at z_k + depth.
 
     Parameters
@@ -259,10 +259,10 @@ def shift_deviator(tensor: FloatArray, depth: FloatArray, dz: float) -> FloatArr
 
     Columns of deviators remain deviators: their trace is subtracted.
     """
-    moved = shift(tensor, depth, dz)
+    moved = below_worn_surface(tensor, depth, dz)
     trace = np.abs(tensor[..., :3, :, :, :].sum(axis=-4)).max(axis=-1, keepdims=True)
     largest = np.abs(tensor).max(axis=(-4, -1))[..., None]
-    worn = (depth > 0)[:, :, None] & (trace <= _DEVIATOR * largest)
+    worn = (depth > 0)[:, :, None] & (trace <= _MAX_RELATIVE_TRACE * largest)
     normal = moved[..., :3, :, :, :]
     normal -= np.where(worn, normal.sum(axis=-4) / 3, 0.0)[..., None, :, :, :]
     return np.asarray(moved, dtype=np.float64)

@@ -89,13 +89,13 @@ def test_they_go_with_their_state(states):
 def test_the_oldest_go_first(states, monkeypatch):
     first, last = states[0], states[-1]
     size = first.stress(2).nbytes
-    monkeypatch.setattr(field_cache, "MOST", 1.5 * size)
+    monkeypatch.setattr(field_cache, "MAX_BYTES", 1.5 * size)
     stress = last.stress(2)
     assert last.stress(2) is stress
     held = [field for mine in field_cache._fields.values() for field in mine.values()]
     assert any(field is stress for field in held)
-    assert sum(field.nbytes for field in held) <= field_cache.MOST
-    monkeypatch.setattr(field_cache, "MOST", 0.0)
+    assert sum(field.nbytes for field in held) <= field_cache.MAX_BYTES
+    monkeypatch.setattr(field_cache, "MAX_BYTES", 0.0)
     assert first.stress(2) is not first.stress(2)
 
 

@@ -9,7 +9,7 @@ import pytest
 
 import samcontact as sc
 from core_fakes import ELASTIC
-from samcontact._util.progress import LINES, progress_bar
+from samcontact._util.progress import MAX_LINES, progress_bar
 
 
 class Terminal(io.StringIO):
@@ -27,7 +27,7 @@ def test_a_log_gets_a_few_lines(total, initial, monkeypatch):
             bar.update()
             bar.set_postfix(iterations=3)
     lines = log.getvalue().splitlines()
-    assert len(lines) <= min(LINES, total)
+    assert len(lines) <= min(MAX_LINES, total)
     assert "\r" not in log.getvalue()
     if total > initial:
         assert lines[-1] == f"increment {total} of {total}"

@@ -14,7 +14,13 @@ import pytest
 
 import samcontact as sc
 from samcontact import accuracy, results
-from samcontact._util.display import LONGEST, UNITS, html_table, in_short, quantity
+from samcontact._util.display import (
+    MAX_REPR_CHARACTERS,
+    UNIT_OF_FIELD,
+    html_table,
+    in_short,
+    quantity,
+)
 from samcontact.cases import parse_case
 
 E_STAR = 115384615384.6154
@@ -162,13 +168,13 @@ def test_state_that_sticks_and_slips():
     assert rows["twist"] == "100 µrad"
 
 
-def test_stick_slip_solution():
+def test_partial_slip_solution():
     grid = sc.Grid(16, 16, 40e-6, 40e-6)
     solver = sc.ContactSolver(grid, BALL, BALL, sc.Coulomb(0.3))
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
     solution = solver.solve(gap, load=300.0, tangential_load=(45.0, 0.0))
     name, rows = parsed(solution)
-    assert name == "StickSlipSolution"
+    assert name == "PartialSlipSolution"
     assert rows["tangential load"] == "45 N, 0 N"
     assert rows["sticking cells"] == str(solution.sticking.sum())
     assert "friction=Coulomb(coefficient=0.3)" in repr(solver)
@@ -196,7 +202,7 @@ def test_closed_forms(thing):
     for field, text in rows.items():
         number, _, unit = text.partition(" ")
         factors = {"n": 1e-9, "µ": 1e-6, "m": 1e-3, "k": 1e3, "M": 1e6, "G": 1e9}
-        prefix = unit.removesuffix(UNITS[field])
+        prefix = unit.removesuffix(UNIT_OF_FIELD[field])
         value = float(number) * factors[prefix] if prefix else float(number)
         assert value == pytest.approx(getattr(thing, field), rel=6e-4), field
 
@@ -210,7 +216,7 @@ def test_text_stays_as_it_was():
 CASE = """
 title = "{title}"
 description = "{long}"
-{tugging}
+{asperities}
 [body1]
 law = "rigid"
 [body2]
@@ -230,7 +236,7 @@ R = 1.0
 [[path]]
 load = 1.0
 """
-TUGGING = "[tugging]\nR1 = 1.0\nR2 = 1.0\ninterference = 1e-3"
+ASPERITIES = "[asperities]\nR1 = 1.0\nR2 = 1.0\ninterference = 1e-3"
 
 
 def public_objects():
@@ -263,7 +269,7 @@ def public_objects():
     }
     return [
         sc.to_accuracy(balls, 0.5),
-        accuracy.Refinable(sc.to_accuracy(balls, 0.5).case),
+        accuracy.RefinableCase(sc.to_accuracy(balls, 0.5).case),
         sc.Layered([(BALL, 1e-6 / 3)] * 3, BALL),
         grid, steel, relief, heat, simulation, state, state.track(), solver, collision, cycle, load,
         sc.IncrementErrors({"pressure": 0.1}, {}, "half as many"),
@@ -276,18 +282,18 @@ def public_objects():
         sc.rolling.steady(grid, BALL, BALL, gap, load=10.0, friction=sc.Coulomb(0.3)),
         sc.energy.EnergyBalance(1 / 3, 1 / 7, 1 / 9, 1 / 11, 1 / 13, 1 / 17),
         sc.measured.MeasuredSurface(heights, 1e-6, attrs={"source": "s" * 3000}),
-        sc.asperities.Tugging(collision, simulation, series, [state]),
+        sc.asperities.CollisionResult(collision, simulation, series, [state]),
         sc.wear.WearResult(grid, (2,), [cycle] * 50, True, None, relief, worn, {2: 0}, (state,) * 2,
                            None),
         scar, sc.wear.FrettingResult(grid, (2,), [scar] * 50, True, None, relief, worn, {2: 0},
                                      (state,) * 4, None),
-        sc.fatigue.passing(state), sc.fatigue.findley(sc.fatigue.passing(state), k=1 / 3),
+        sc.fatigue.steady_cycle(state), sc.fatigue.findley(sc.fatigue.steady_cycle(state), k=1 / 3),
         sc.shakedown.line(0.3), pass_, sc.shakedown.ShakedownResult(
             "ratcheting", 1e-3 / 3, 1e-3 / 7, (pass_,) * 50, 60, 1e-4 / 3, 1, 1e-3 / 9, state, {}),
         steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
-        parse_case(CASE.format(tugging=CONTACT, **fields)),
-        parse_case(CASE.format(tugging=TUGGING, **fields)),
+        parse_case(CASE.format(asperities=CONTACT, **fields)),
+        parse_case(CASE.format(asperities=ASPERITIES, **fields)),
     ]  # fmt: skip
 
 
@@ -325,7 +331,7 @@ def test_arrays_are_told_by_shape_and_range():
     assert in_short(np.full(2, np.nan)) == "<array 2, 2 NaN>"
     assert in_short(["a" * 200]) == "<list>"
     assert in_short(list(range(1000))) == "<list of 1000>"
-    assert len(in_short("a" * 1000)) < LONGEST
+    assert len(in_short("a" * 1000)) < MAX_REPR_CHARACTERS
     grid = sc.Grid(4, 4, 1e-6, 1e-6)
     assert repr(sc.ContactSolver(grid, sc.Material.rigid(), BALL, tol=1e-6)).endswith(
         "friction=0.0, tol=1e-06, on_border='error', max_iterations=5000, "

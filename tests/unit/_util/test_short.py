@@ -9,7 +9,7 @@ import pytest
 
 from samcontact import Grid, Heat, Material
 from samcontact._util.checks import choice, real_array
-from samcontact._util.short_text import LONGEST, in_short
+from samcontact._util.short_text import MAX_CHARACTERS, in_short
 
 
 class Broken:
@@ -34,7 +34,7 @@ VALUES = [
 @pytest.mark.parametrize("value", VALUES, ids=lambda value: type(value).__name__)
 def test_any_value_is_short(value):
     text = in_short(value)
-    assert 0 < len(text) <= LONGEST
+    assert 0 < len(text) <= MAX_CHARACTERS
     assert text.isprintable()
 
 

@@ -11,8 +11,8 @@ import pytest
 
 import samcontact as sc
 from samcontact import results
-from samcontact.accuracy import Refinable, estimate, increments
-from samcontact.accuracy.scene import Run
+from samcontact.accuracy import RefinableCase, estimate, increments
+from samcontact.accuracy.refinable_case import GridRun
 from samcontact.cases import Case as SectionsOfCase
 from samcontact.cases import CaseError
 from samcontact.simulation import error_controlled_quantities
@@ -116,7 +116,7 @@ def test_steel_that_yields_below_a_coating_is_closer_than_the_stated_error():
 def test_layers_that_flow_end_between_cells_on_all_grids():
     bodies = {"body1": layered(1e-4), "body2": layered(6e-5, 5e-5)}
     case = SectionsOfCase.model_validate({"title": "x", "accuracy": 0.1, **ELASTIC, **bodies})
-    scene = Refinable(case)
+    scene = RefinableCase(case)
     depths = [scene.on(level, 1).grid.dz for level in range(9)]
     for dz in depths:
         cells = np.array([6e-5, 1e-4, 11e-5]) / dz
@@ -137,7 +137,7 @@ def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
         "max_von_mises_body2": 2.3506e9,
         "max_equivalent_plastic_strain_body2": 1.845e-3,
         "max_residual_von_mises_body2": 1.3355e8,
-        "print_depth_body2": 2.999e-7,
+        "imprint_depth_body2": 2.999e-7,
     }
     for name, exact in truth.items():
         assert abs(found.values[name] - exact) <= found.errors[name] <= 0.05 * exact
@@ -146,12 +146,12 @@ def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
     states = simulation.run(path, progress=False)
     for mine, theirs in zip(states, found.states, strict=True):
         assert np.array_equal(mine.pressure, theirs.pressure)
-    depth = error_controlled_quantities.value(states[-1], "print_depth_body2")
-    assert abs(depth / found.values["print_depth_body2"] - 1) < 0.05
+    depth = error_controlled_quantities.value(states[-1], "imprint_depth_body2")
+    assert abs(depth / found.values["imprint_depth_body2"] - 1) < 0.05
     dataset = found.to_dataset()
     end = dataset.isel(increment=-1)
-    assert float(end["print_depth_body2_best"]) == found.series["print_depth_body2"][-1]
-    assert float(end["print_depth_body2_error"]) == found.series_errors["print_depth_body2"][-1]
+    assert float(end["imprint_depth_body2_best"]) == found.series["imprint_depth_body2"][-1]
+    assert float(end["imprint_depth_body2_error"]) == found.series_errors["imprint_depth_body2"][-1]
     assert results.scalars(dataset)["max_residual_von_mises_body2_best"].notnull().sum() == 2
 
 
@@ -169,7 +169,7 @@ def test_a_graded_body_is_that_of_finer_grids():
         "approach": 2.33482e-5,
         "contact_area": 5.513e-7,
         "max_residual_von_mises_body2": 4.786e8,
-        "print_depth_body2": 1.6514e-7,
+        "imprint_depth_body2": 1.6514e-7,
     }
     for name, exact in truth.items():
         assert abs(found.values[name] - exact) <= found.errors[name] <= 0.05 * exact
@@ -181,7 +181,7 @@ def test_a_graded_body_is_that_of_finer_grids():
 def test_only_segments_that_flow_have_many_increments():
     path = [{"approach": 2.5e-5}, {"load": 900.0, "start": 1800.0}, {"load": 0.0}]
     case = SectionsOfCase.model_validate({"title": "x", "accuracy": 0.1, **YIELDING, "path": path})
-    scene = Refinable(case)
+    scene = RefinableCase(case)
     run = scene.run(0, 2)
     scene.settle(run)
     # from 1800 N, which the approach does not reach, it is loaded on
@@ -202,7 +202,7 @@ def test_corrections_are_those_of_the_grid_that_resolves_the_value():
     # in n increments: 0.5 + 1/n on the coarsest grid, which has half of the value; else 1 - 1/n
     def run(grid, n):
         value = 0.5 + 1.0 / n if grid == 1 else 1.0 - 1.0 / n
-        return Run(grid, n, (9, 9), np.array([[value]]), (1.0, 1.0), [], 0.0, 0.0)
+        return GridRun(grid, n, (9, 9), np.array([[value]]), (1.0, 1.0), [], 0.0, 0.0)
 
     runs = {(1, n): run(1, n) for n in (2, 4, 8)} | {(3, 2): run(3, 2)}
     finest = runs[3, 2].values

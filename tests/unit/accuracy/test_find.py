@@ -67,7 +67,7 @@ def test_permanent_deformation_is_of_both_bodies_after_the_load():
         return simulation, sc.paths.load_unload(load=load, increments=4, unload_increments=1)
 
     both = sc.find_load(alike, "permanent_deformation", 0.2e-6, largest_load=1000.0)
-    one = sc.find_load(alike, "print_depth_body1", 0.1e-6, largest_load=1000.0)
+    one = sc.find_load(alike, "imprint_depth_body1", 0.1e-6, largest_load=1000.0)
     assert both.load == pytest.approx(one.load, rel=1e-3)
     prints = [both.states[-1].residual_displacement(body).max() for body in (1, 2)]
     assert sum(prints) == pytest.approx(0.2e-6, rel=5e-3)
@@ -112,7 +112,7 @@ def test_loads_without_a_solution_end_the_search_at_what_has_one():
     [
         ({"quantity": "max_presure", "value": 1e9}, r"got 'max_presure': did you mean max_press"),
         ({"quantity": "x" * 1000, "value": 1e9}, r"one of approach.{9,300}got '.{9,90}$"),
-        ({"quantity": "print_depth_body1", "value": 1e9}, "for these bodies and this grid"),
+        ({"quantity": "imprint_depth_body1", "value": 1e9}, "for these bodies and this grid"),
         ({"quantity": "max_pressure", "value": -1.0}, "value must be"),
         ({"quantity": "approach", "value": 1e-6, "tolerance": 0.5}, "tolerance must be in"),
         ({"quantity": "approach", "value": 1e-6, "largest_load": None}, "largest_load is required"),

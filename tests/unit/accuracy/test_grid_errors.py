@@ -12,7 +12,7 @@ from case_texts import MINIMAL, SWIFT
 from command import fields, invoke
 from samcontact import report, results
 from samcontact.cases import parse_case
-from samcontact.scene.moving_topography import heights_over
+from samcontact.problem.moving_topography import heights_over
 from samcontact.simulation import coarsening
 from samcontact.simulation.repeated import coarsened
 
@@ -112,7 +112,7 @@ def test_a_run_of_a_case_has_errors_and_changes_nothing_else(tmp_path):
     told, on = run(tmp_path, MINIMAL)
     assert "Estimated grid errors" in told
     more = {name for name in on if name.endswith("_error")}
-    assert {"max_pressure_error", "contact_area_error", "print_depth_body2_error"} <= more
+    assert {"max_pressure_error", "contact_area_error", "imprint_depth_body2_error"} <= more
     case = parse_case(MINIMAL)
     simulation, path = case.build()
     plain = results.to_dataset(simulation, simulation.run(path, progress=False), case)
@@ -144,7 +144,7 @@ def test_layers_that_yield_end_between_the_coarser_cells_too(ends, deeper):
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         found = sc.estimate_errors(run, path, run.run(path, progress=False))
-    assert np.isfinite(found.errors["print_depth_body2"]).all()
+    assert np.isfinite(found.errors["imprint_depth_body2"]).all()
     assert any("exclude the effect of dz" in str(w.message) for w in told) == (deeper == 1)
 
 

@@ -12,7 +12,7 @@ import pytest
 import samcontact as sc
 from command import check_failure, fields, invoke
 from samcontact import report
-from samcontact.accuracy import scene
+from samcontact.accuracy import refinable_case
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -101,7 +101,9 @@ def test_an_interrupted_search_goes_on_with_the_same_bits(expected, steps, tmp_p
 
 
 def test_increments_that_are_judged_are_kept(steps, tmp_path, monkeypatch):
-    monkeypatch.setattr(scene, "COARSEST", 2.5)  # on few cells, which is enough to go on from
+    monkeypatch.setattr(
+        refinable_case, "CELLS_OF_FIRST_GRID", 2.5
+    )  # on few cells, which is enough to go on from
     whole = solved(YIELDING)
     total = steps.made
     steps.stop(4 + 4 + 6)  # in the second of the runs on the second grid
@@ -117,7 +119,7 @@ def test_increments_that_are_judged_are_kept(steps, tmp_path, monkeypatch):
 
 def test_a_damaged_file_is_solved_again(expected, tmp_path, steps):
     solved(ELASTIC, checkpoint=tmp_path)
-    file = tmp_path / f"{scene.name_of(0, 1)}.h5"
+    file = tmp_path / f"{refinable_case.name_of(0, 1)}.h5"
     file.write_bytes(file.read_bytes()[:-10])
     steps.stop(0)
     with pytest.warns(UserWarning, match="is damaged: .* solution is repeated"):

@@ -11,8 +11,8 @@ import pytest
 import xarray as xr
 
 import samcontact as sc
-from samcontact.asperities import Collision, tug
-from samcontact.asperities.passes import Passes
+from samcontact.asperities import Collision, collide
+from samcontact.asperities.passes import CollisionPasses
 
 STEEL = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)
 ELASTIC = sc.Material.elastic(200e9, 0.32)
@@ -26,7 +26,7 @@ def collision(relative, R1=1.0, R2=1.0):
 
 def quick(which, body1, body2, increments=16, **arguments):
     grid = which.grid(increments, width=1.5)
-    return tug(which, body1, body2, grid, progress=False, **arguments)
+    return collide(which, body1, body2, grid, progress=False, **arguments)
 
 
 def test_critical_values_of_the_thesis():
@@ -39,7 +39,7 @@ def test_geometry():
     which = Collision(0.7, 1.9, 0.003)
     touching = which.half_angle
     assert math.cos(touching) == pytest.approx(which.height / 2.6, rel=1e-14)
-    assert which.half_way**2 == pytest.approx(2.6**2 - which.height**2, rel=1e-12)
+    assert which.half_distance**2 == pytest.approx(2.6**2 - which.height**2, rel=1e-12)
     assert which.approach(touching) == pytest.approx(0, abs=1e-17)
     assert which.approach(0.0) == 0.003
     for angle in (-0.04, 0.01, 0.06):
@@ -154,7 +154,7 @@ def test_unequal_spheres(body1, body2, R1, R2, increments):
         slope = np.gradient(state.residual_displacement(body), grid.dx, axis=0) if plastic else 0.0
         forces.append(sign * (float((state.pressure * slope).sum()) + moment / R) * grid.cell_area)
     assert forces[0] == pytest.approx(forces[1], abs=0.06 * max(map(abs, forces)))
-    run = Passes(which, result.simulation, step, None, None)
+    run = CollisionPasses(which, result.simulation, step, None, None)
     run.state = state
     lever = (R1 * forces[0] + R2 * forces[1]) / (R1 + R2)
     assert run._tangential(which.separation(0.0))[0] == pytest.approx(lever, rel=0.01)
@@ -189,7 +189,7 @@ def test_rough_elastic_spheres_give_everything_back_on_a_fine_mesh():
         which = collision(3)
         grid = which.grid(increments, width=1.5)
         rough = relief(grid, 0.02 * which.interference * 16 / increments)
-        series = tug(which, ELASTIC, ELASTIC, grid, relief2=rough, progress=False).series
+        series = collide(which, ELASTIC, ELASTIC, grid, relief2=rough, progress=False).series
         start = series.force_y.values[0]
         assert np.abs(start).max() > 1e-6 * CRITICAL.load  # it pushes aside
         net.append(abs(float(series.net_energy[0])))
@@ -202,8 +202,8 @@ def test_rough_spheres_touch_earlier():
     lifted = sc.Relief(
         np.full((4 * grid.nx, grid.ny), 0.3 * which.interference), first=-2 * grid.nx
     )
-    lower = tug(which, ELASTIC, ELASTIC, grid, progress=False).series
-    higher = tug(which, ELASTIC, ELASTIC, grid, relief1=lifted, progress=False).series
+    lower = collide(which, ELASTIC, ELASTIC, grid, progress=False).series
+    higher = collide(which, ELASTIC, ELASTIC, grid, relief1=lifted, progress=False).series
     assert higher.sizes["increment"] > lower.sizes["increment"]
     assert float(higher.normal_force[0, 0]) == 0 == float(higher.normal_force[0, -1])
     assert float(higher.normal_force.max()) > 1.3 * float(lower.normal_force.max())
@@ -213,7 +213,7 @@ SCRIPT = """
 import os, signal, sys
 import samcontact as sc
 from samcontact.simulation import journal
-from samcontact.asperities import Collision, tug
+from samcontact.asperities import Collision, collide
 add = journal.Journal.add
 def counted(self):
     add(self)
@@ -222,21 +222,23 @@ def counted(self):
 journal.Journal.add = counted
 steel = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)
 which = Collision(1.0, 1.0, 8e-4)
-tug(which, steel, steel, which.grid(8, width=1.5), passes=2, checkpoint=sys.argv[2], progress=False)
+collide(which, steel, steel, which.grid(8, width=1.5), passes=2, checkpoint=sys.argv[2], progress=False)
 """
 
 
 def test_killed_and_resumed_bit_for_bit(tmp_path):
     which = Collision(1.0, 1.0, 8e-4)
     grid = which.grid(8, width=1.5)
-    plain = tug(which, STEEL, STEEL, grid, passes=2, progress=False)
+    plain = collide(which, STEEL, STEEL, grid, passes=2, progress=False)
     for count in (7, 16):
         command = [sys.executable, "-c", SCRIPT, str(count), str(tmp_path / "kept")]
         assert subprocess.run(command, check=False).returncode == -9
-    resumed = tug(which, STEEL, STEEL, grid, passes=2, progress=False, checkpoint=tmp_path / "kept")
+    resumed = collide(
+        which, STEEL, STEEL, grid, passes=2, progress=False, checkpoint=tmp_path / "kept"
+    )
     xr.testing.assert_identical(plain.series, resumed.series)
     with pytest.raises(ValueError, match=r"of another run: .*\(passes 3\.0 instead of 2\.0\)"):
-        tug(which, STEEL, STEEL, grid, passes=3, progress=False, checkpoint=tmp_path / "kept")
+        collide(which, STEEL, STEEL, grid, passes=3, progress=False, checkpoint=tmp_path / "kept")
 
 
 def test_the_series_explain_themselves():
@@ -273,13 +275,13 @@ def test_bad_arguments():
     which = collision(3)
     grid = which.grid(8)
     with pytest.raises(ValueError, match=r"not supported in asperity collisions, got 0\.1"):
-        tug(which, STEEL, STEEL, grid, friction=0.1)
+        collide(which, STEEL, STEEL, grid, friction=0.1)
     with pytest.raises(ValueError, match="passes must be an integer >= 1"):
-        tug(which, STEEL, STEEL, grid, passes=0)
+        collide(which, STEEL, STEEL, grid, passes=0)
     with pytest.raises(ValueError, match="dx must be <="):
-        tug(which, STEEL, STEEL, grid, cells_per_increment=4)
+        collide(which, STEEL, STEEL, grid, cells_per_increment=4)
     with pytest.raises(TypeError, match=r"collision must be a samcontact\.Collision"):
-        tug(3.0, STEEL, STEEL, grid)
+        collide(3.0, STEEL, STEEL, grid)
     with pytest.raises(ValueError, match="increments must be an integer >= 4"):
         which.grid(2)
 

@@ -341,7 +341,7 @@ def test_heat(write, tmp_path):
     rise = data["max_temperature_body2"].values
     assert 0 < rise[0] < rise[1] > rise[2] > 0
     np.testing.assert_allclose(data["surface_temperature_body2"].max(["x", "y"]), rise)
-    assert data["temperature_body2"].dims == ("volume_increment", "x", "y", "z")
+    assert data["temperature_body2"].dims == ("output_increment", "x", "y", "z")
     np.testing.assert_array_equal(data["heat_factor"], [[0.0, 0.02], [0.0, 0.02], [0.0, 0.0]])
     assert data.attrs["body2_conductivity"] == 50.2
     assert "JohnsonCook" in data.attrs["body2_softening"]

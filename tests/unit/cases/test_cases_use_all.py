@@ -10,6 +10,7 @@ import pytest
 from pydantic import BaseModel
 
 from case_kinds import (
+    ASPERITIES,
     BASE,
     COATED,
     COLD,
@@ -22,11 +23,10 @@ from case_kinds import (
     ROLL,
     ROUGH,
     SWIFT,
-    TUGGING,
     WEAR,
 )
 from samcontact import wear
-from samcontact.cases import Case, CaseError, TuggingCase, fatigue, shakedown, tugging
+from samcontact.cases import AsperityCase, Case, CaseError, asperities, fatigue, shakedown
 
 # Not of what is computed: title and place of results, and what the command shows of them.
 OF_RESULTS = {"title", "description", "estimate_error", "output"}
@@ -49,7 +49,7 @@ OTHER = {
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
-    "passing": "x",
+    "steady_axis": "x",
     "window": 3, "order": 1, "smoothing_length": 8e-6,
     "time": 1e-3, "reference": 0.5, "history": [1e-6, 1e-3], "speed": 2.0, "heat": HEAT,
     "duration": 1e-4, "back_and_forth": True, "unload_increments": 4, "increment_tol": 1e-2,
@@ -86,19 +86,19 @@ def computed(tmp_path, monkeypatch):
     def record(*arguments, **named):
         seen["arguments"] = told([list(arguments), named])
 
-    for name in ("cycle", "passing"):
+    for name in ("cycle", "steady_axis"):
         monkeypatch.setattr(fatigue, name, lambda states, *given, name=name: (name, *given))
     for name in fatigue.CRITERIA:
         monkeypatch.setattr(fatigue._criteria, name, lambda *seen, **given: repr((seen, given)))
     monkeypatch.setattr(wear, "run", record)
     monkeypatch.setattr(shakedown, "run", lambda *given, **named: named)
     monkeypatch.setattr(wear, "fretting", record)
-    monkeypatch.setattr(tugging, "tug", record)
+    monkeypatch.setattr(asperities, "collide", record)
 
     def compute(content):
-        case = (TuggingCase if "tugging" in content else Case).model_validate(content)
+        case = (AsperityCase if "asperities" in content else Case).model_validate(content)
         case._source = tmp_path / "case.toml"
-        if isinstance(case, TuggingCase):
+        if isinstance(case, AsperityCase):
             case.solve(progress=False)
             return seen["arguments"]
         simulation, path = case.build()
@@ -169,7 +169,7 @@ def test_every_field_is_used_or_refused(computed, kind):
     content = KINDS[kind]
     before = computed(content)
     assert computed(copy.deepcopy(content)) == before
-    model = (TuggingCase if "tugging" in content else Case).model_validate(content)
+    model = (AsperityCase if "asperities" in content else Case).model_validate(content)
     dropped, tried = [], 0
     for place, field, value in leaves(model):
         for other in others(place[-1], field, value):
@@ -192,7 +192,7 @@ def test_every_field_of_every_section_is_tried():
 
     tried, sections = set(), set()
     for content in KINDS.values():
-        model = (TuggingCase if "tugging" in content else Case).model_validate(content)
+        model = (AsperityCase if "asperities" in content else Case).model_validate(content)
         waiting = [model]
         while waiting:
             part = waiting.pop()
@@ -205,12 +205,12 @@ def test_every_field_of_every_section_is_tried():
         }
     bodies = {"RigidBody", "ElasticBody", "PerfectPlasticBody", "LinearHardeningBody"}  # a law each
     bodies |= {"PerfectPlasticLayer", "LinearHardeningLayer"}
-    missing = {model.__name__ for model in all_models(Case, TuggingCase)} - bodies
+    missing = {model.__name__ for model in all_models(Case, AsperityCase)} - bodies
     assert missing - {model.__name__ for model in sections} == set()
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
         "kinematic yield_profile layers surface path body1 body2 contact contact_law "
-        "capped_coulomb heat tugging output fatigue limit shakedown"
+        "capped_coulomb heat asperities output fatigue limit shakedown"
     )
     given = (
         "law kind shape title description estimate_error directory column "
@@ -257,10 +257,12 @@ def test_a_source_that_is_off_may_have_all_of_heat():
     Case.model_validate(BASE | {"heat": HEAT | {"factor": 0.0}, "path": [{"load": 1.0}]})
 
 
-def test_tugging_knows_no_heat():
+def test_asperities_knows_no_heat():
     for name in ("thermal", "softening"):
         body = COLD | {name: SWIFT[name]}
-        with pytest.raises(CaseError, match=rf"body2\.{name} .*\[tugging\] does not support heat"):
-            TuggingCase.model_validate(TUGGING | {"body2": body})
+        with pytest.raises(
+            CaseError, match=rf"body2\.{name} .*\[asperities\] does not support heat"
+        ):
+            AsperityCase.model_validate(ASPERITIES | {"body2": body})
     warm = COLD | {"softening": SWIFT["softening"] | {"ambient": 400.0}}
-    TuggingCase.model_validate(TUGGING | {"body2": warm})
+    AsperityCase.model_validate(ASPERITIES | {"body2": warm})

@@ -11,7 +11,7 @@ from rich.console import Console
 import samcontact as sc
 from case_texts import BODIES, GRID
 from samcontact import paths
-from samcontact.accuracy.scene import require_refinable
+from samcontact.accuracy.refinable_case import require_refinable
 from samcontact.cases import CaseError, load_case, parse_case
 from samcontact.commands.folder import is_own
 from samcontact.commands.solve_contact import solve_contact
@@ -273,12 +273,12 @@ def test_results_tell_forces_motions_and_what_sticks(capsys, tmp_path):
     )
     console = Console(width=200)
     files = solve_contact(read, tmp_path, console, figures=False, animate=True, resume=False)
-    assert [file.name for file in files] == ["results.nc", "stick_slip.gif"]
+    assert [file.name for file in files] == ["results.nc", "partial_slip.gif"]
     assert all(is_own(file) for file in files)
     with open_results(files[0]) as dataset:
-        names = ["tangential_load_x", "shift_x", "friction_work", "sticking_share"]
+        names = ["tangential_load_x", "shift_x", "friction_work", "stick_fraction"]
         assert moved_along(dataset) == names
-        share = dataset["sticking_share"].values
+        share = dataset["stick_fraction"].values
         cells = (dataset["pressure"].values > 0).sum(axis=(1, 2))
         stick = dataset["sticking"].values.sum(axis=(1, 2))
         np.testing.assert_allclose(share[:-1], (stick[:-1] / cells[:-1]))

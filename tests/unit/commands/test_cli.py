@@ -10,7 +10,7 @@ import sys
 import pytest
 
 import samcontact
-from case_texts import MINIMAL, SWIFT, TUGGING
+from case_texts import ASPERITIES, MINIMAL, SWIFT
 from command import check_failure, invoke
 from samcontact import hertz, results
 
@@ -39,8 +39,8 @@ def test_run_writes_results_figures_and_tables(case_file, tmp_path):
         "axis_stress.png",
         "sections.png",
         "load_approach.png",
-        "print.png",
-        "print_map.png",
+        "imprint.png",
+        "imprint_map.png",
         "residual.png",
     ]
     with results.open_results(tmp_path / "out" / "results.nc") as data:
@@ -50,7 +50,7 @@ def test_run_writes_results_figures_and_tables(case_file, tmp_path):
         assert f"{float(data['max_pressure'][1]) * 1e-6:.1f}" in text
 
 
-@pytest.mark.parametrize("text", [MINIMAL, TUGGING], ids=["contact", "tugging"])
+@pytest.mark.parametrize("text", [MINIMAL, ASPERITIES], ids=["contact", "asperities"])
 def test_figures_for_print(text, tmp_path):
     """In the format and width that [output] asks for; a run without leaves none of them behind."""
     file = tmp_path / "scene.toml"

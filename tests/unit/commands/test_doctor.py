@@ -142,7 +142,7 @@ def test_wrong_numbers_fail(monkeypatch):
 
 
 def test_residuals_beyond_the_tolerance_fail(monkeypatch):
-    failed = failing(monkeypatch, "plastic_residual", 1e-3)
+    failed = failing(monkeypatch, "plastic_strain_residual", 1e-3)
     assert failed == {"elastic-plastic: plastic-strain residual"}
 
 

@@ -20,10 +20,10 @@ from command import check_failure, invoke
 from samcontact import plotting, report, results, wear
 from samcontact.commands.folder import publish
 from samcontact.files.atomic import replacing
-from samcontact.files.ownership import RECORD, recording
+from samcontact.files.ownership import RECORD_FILE, recording
 from samcontact.restart.checkpoint_files import remove_checkpoints
-from samcontact.restart.lock import LOCK
-from samcontact.results.trial import try_to_read
+from samcontact.restart.lock import LOCK_FILE
+from samcontact.results.isolated_read import try_to_read
 
 GRID = sc.Grid(8, 8, 1e-5, 1e-5)
 ELASTIC = sc.Material.elastic(210e9, 0.3)
@@ -110,9 +110,9 @@ class TestCommands:
             ("results.nc", Path.mkdir),
             ("results.nc", os.mkfifo),
             ("pressure.png", text),
-            ("stick_slip.png", text),
-            (RECORD, text),
-            (RECORD, os.mkfifo),
+            ("partial_slip.png", text),
+            (RECORD_FILE, text),
+            (RECORD_FILE, os.mkfifo),
         ],
     )
     def test_what_is_in_the_way(self, tmp_path, name, make):
@@ -130,10 +130,10 @@ class TestCommands:
         out, case = tmp_path / "out", tmp_path / "case.toml"
         out.mkdir()
         case.write_text(MINIMAL)
-        make(out / LOCK)
+        make(out / LOCK_FILE)
         before = snapshot(tmp_path)
         outcome = invoke("run", case, "--output", out)
-        check_failure(outcome, 1, str(out / LOCK), "is not a lock of samcontact: move it")
+        check_failure(outcome, 1, str(out / LOCK_FILE), "is not a lock of samcontact: move it")
         assert snapshot(tmp_path) == before
 
     def test_a_case_file_by_the_name_of_a_result(self, tmp_path):
@@ -196,7 +196,7 @@ def test_a_figure_is_listed_before_it_has_its_name(tmp_path, monkeypatch):
     whole = (tmp_path / "whole" / "pressure.png").read_bytes()
     (tmp_path / "killed" / "pressure.png").write_bytes(whole)
     plotting.summary_figures(data, tmp_path / "killed")
-    with (tmp_path / "killed" / RECORD).open("a") as record:  # a disk that was full
+    with (tmp_path / "killed" / RECORD_FILE).open("a") as record:  # a disk that was full
         record.write('["12')
     plotting.summary_figures(data, tmp_path / "killed")
 
@@ -350,7 +350,8 @@ class TestUnsealed:
 
     def test_that_crash(self, edited, monkeypatch):
         monkeypatch.setattr(
-            "samcontact.results.trial._START", "import os; os.kill(os.getpid(), 11)"
+            "samcontact.results.isolated_read._READER_PROGRAM",
+            "import os; os.kill(os.getpid(), 11)",
         )
         with pytest.raises(
             ValueError, match=r"results\.nc: it is damaged: reading terminates with SIGSEGV"

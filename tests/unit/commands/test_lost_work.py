@@ -9,12 +9,12 @@ import pytest
 import xarray as xr
 
 import samcontact as sc
-from case_texts import MINIMAL, SCAR, TUGGING, WEAR
+from case_texts import ASPERITIES, MINIMAL, SCAR, WEAR
 from command import check_failure, fields, invoke, pressed
 from samcontact import plotting, report, results
 from samcontact.commands import interrupted, solve_contact
 from samcontact.restart import checkpoint_files, lock
-from samcontact.restart.lock import LOCK, locked
+from samcontact.restart.lock import LOCK_FILE, locked
 from samcontact.simulation import journal
 
 OPTIONS = ("--no-figures", "--quiet")
@@ -186,7 +186,7 @@ def test_no_room_for_anything(case_file, tmp_path, monkeypatch):
 
 # Case, file of the results, the increment that fails, the first one too many when it goes on.
 STUDIES = {
-    "tugging": (TUGGING.replace("passes = 2", "passes = 1"), "series.nc", 5, 1),
+    "asperities": (ASPERITIES.replace("passes = 2", "passes = 1"), "series.nc", 5, 1),
     "wear": (WEAR.replace("cycles = 1", "cycles = 2"), "wear.nc", 3, 5),
     "wear by slip": (SCAR.replace("20000", "2000"), "wear.nc", 8, 7),
 }
@@ -272,9 +272,9 @@ class TestOneRunAtATime:
             )  # fmt: skip
 
     def test_a_process_that_died_leaves_no_lock(self, tmp_path):
-        (tmp_path / LOCK).write_text("1\n")
+        (tmp_path / LOCK_FILE).write_text("1\n")
         with locked(tmp_path):
-            assert (tmp_path / LOCK).read_text() == f"{os.getpid()}\n"
+            assert (tmp_path / LOCK_FILE).read_text() == f"{os.getpid()}\n"
         assert list(tmp_path.iterdir()) == []
 
     def test_a_lock_that_was_removed_meanwhile_is_none(self, tmp_path, monkeypatch):
@@ -283,7 +283,7 @@ class TestOneRunAtATime:
         def late(handle, operation):
             """The run before ends between opening its file and locking it."""
             if not calls:
-                (tmp_path / LOCK).unlink()
+                (tmp_path / LOCK_FILE).unlink()
             calls.append(handle)
             flock(handle, operation)
 
@@ -308,7 +308,7 @@ def test_a_run_replaces_the_files_of_the_one_before(case_file, tmp_path, monkeyp
     assert invoke("export", tmp_path / "results.nc", "--vtk").exit_code == 0
     before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     assert {"report.html", "results.vtr", "results_surface.vtr", "pressure.png"} <= set(before)
-    mine = ["notes.txt", "my_pressure.png", "wear.csv", "track_print.pdf", "results_00002.vtr"]
+    mine = ["notes.txt", "my_pressure.png", "wear.csv", "track_imprint.pdf", "results_00002.vtr"]
     for name in mine:
         (tmp_path / name).write_text("old")
     with monkeypatch.context() as patch:

@@ -35,13 +35,13 @@ def test_figures_and_animation(case_file, tmp_path, monkeypatch):
         return file.touch() if isinstance(file, Path) else draw(self, file, **options)
 
     monkeypatch.setattr(Figure, "savefig", savefig)
-    monkeypatch.setattr(solve_contact, "MOST_FRAMES", 4)
+    monkeypatch.setattr(solve_contact, "MAX_FRAMES", 4)
     case_file.write_text(MOVING.replace("passes = 2", "passes = 1"))
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--animate")
     assert outcome.exit_code == 0, outcome.output
     files = [line.rsplit("/", 1)[1] for line in outcome.stdout.splitlines() if "/out/" in line]
     assert files[0] == "results.nc"
-    assert files[-4:] == ["residual.png", "track_print.png", "track_sections.png", "rolling.gif"]
+    assert files[-4:] == ["residual.png", "track_imprint.png", "track_sections.png", "rolling.gif"]
     with Image.open(tmp_path / "out" / "rolling.gif") as image:
         assert image.n_frames == 3  # every second of 6 increments
     assert "travel" in outcome.stdout

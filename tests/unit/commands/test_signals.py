@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from case_texts import MINIMAL, TUGGING, WEAR
+from case_texts import ASPERITIES, MINIMAL, WEAR
 from command import invoke
 from samcontact import results
 from samcontact._util.silent_interrupt import is_command
@@ -36,7 +36,7 @@ OPTIONS = ("--no-figures", "--quiet")
 TEXTS = {
     "run": (MINIMAL, signal.SIGHUP),
     "sweep": (MINIMAL, signal.SIGTERM),
-    "tugging": (TUGGING.replace("passes = 2", "passes = 1"), signal.SIGTERM),
+    "asperities": (ASPERITIES.replace("passes = 2", "passes = 1"), signal.SIGTERM),
     "wear": (WEAR.replace("cycles = 1", "cycles = 2"), signal.SIGTERM),
 }
 

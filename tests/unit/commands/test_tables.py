@@ -16,7 +16,7 @@ from rich.console import Console
 from samcontact import hertz
 from samcontact.asperities.series import BY_INCREMENT, BY_PASS
 from samcontact.commands import solve_contact, solve_study, solve_sweep, tables
-from samcontact.commands.tables import NARROWEST, UNLIMITED, Sheet, new_console, numbers
+from samcontact.commands.tables import MIN_WIDTH, UNLIMITED_WIDTH, Sheet, new_console, numbers
 from samcontact.wear import Cycle, FrettingCycle
 
 SIZES = (1e-12, 1e-6, 1.0, 1e6, 1e12)
@@ -39,7 +39,7 @@ def contact(generator, count=7):
     )
 
 
-def tugging(generator, count=4):
+def collision(generator, count=4):
     data = {name: ("pass", values(count, generator)) for name in BY_PASS}
     for name in BY_INCREMENT:
         data[name] = (("pass", "increment"), values(2 * count, generator).reshape(count, 2))
@@ -74,7 +74,7 @@ def all_tables(seed):
     return [
         solve_contact._summary(contact(generator), 2),
         solve_contact._comparison(contact(generator), 3, reference, 2),
-        solve_study._passes_sheet(tugging(generator)),
+        solve_study._passes_sheet(collision(generator)),
         solve_study._cycles_sheet(wear(generator)),
         solve_study._cycles_sheet(wear(generator, record=FrettingCycle)),
         sweep(generator),
@@ -106,7 +106,7 @@ def cells(lines, name):
 def test_every_number_of_every_table_is_whole(seed, width):
     for sheet in all_tables(seed):
         lines = printed(sheet, width)
-        assert max(map(len, lines)) <= (width or UNLIMITED)
+        assert max(map(len, lines)) <= (width or UNLIMITED_WIDTH)
         assert "…" not in "".join(lines)
         for place, name in enumerate(sheet.columns[0][1]):
             whole = [column[place] for _, column in sheet.columns[1:]]
@@ -131,11 +131,11 @@ def test_a_wide_table_goes_on_below():
 
 def test_the_console_takes_the_width_of_a_terminal_only(monkeypatch):
     monkeypatch.setenv("COLUMNS", "66")
-    assert new_console().width == UNLIMITED
+    assert new_console().width == UNLIMITED_WIDTH
     monkeypatch.setenv("FORCE_COLOR", "1")  # rich takes it for a terminal
     assert new_console().width == 66
     monkeypatch.setenv("COLUMNS", "20")
-    assert new_console().width == NARROWEST
+    assert new_console().width == MIN_WIDTH
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from contact_scenes import RIGID, STEEL
+from contact_setups import RIGID, STEEL
 
 import samcontact as sc
 from samcontact import plotting, results, surfaces

@@ -7,7 +7,7 @@ import warnings
 
 import numpy as np
 import pytest
-from contact_scenes import RADIUS, RIGID, STEEL, TOL, assert_complementary, penetration, scene
+from contact_setups import RADIUS, RIGID, STEEL, TOL, assert_complementary, penetration, scene
 
 import samcontact as sc
 from samcontact import hertz, operators, surfaces

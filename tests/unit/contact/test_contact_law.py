@@ -10,7 +10,7 @@ import re
 
 import numpy as np
 import pytest
-from contact_scenes import STEEL, penetration
+from contact_setups import STEEL, penetration
 
 import samcontact as sc
 from samcontact import surfaces

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import scipy.optimize
 import scipy.signal
-from contact_scenes import RADIUS, RIGID, STEEL, TOL, assert_complementary, scene
+from contact_setups import RADIUS, RIGID, STEEL, TOL, assert_complementary, scene
 
 import samcontact as sc
 from samcontact import hertz, surfaces

@@ -176,6 +176,6 @@ def test_fretting_wear_by_work_or_by_pressure():
         )  # fmt: skip
         for worn in found.cycles:
             assert worn.friction_work > 0
-            assert worn.lost == pytest.approx(worn.volume, rel=1e-12)
+            assert worn.lost_volume == pytest.approx(worn.volume, rel=1e-12)
         if law == "energy":
             assert worn.volume[0] == pytest.approx(1e-14 * worn.friction_work)

@@ -11,7 +11,7 @@ import pytest
 
 import samcontact as sc
 from case_texts import MINIMAL
-from checkpoint_scenes import assert_same
+from checkpoint_setups import assert_same
 from command import check_failure, invoke
 from samcontact import results, surfaces
 from samcontact.files.checksum import seal

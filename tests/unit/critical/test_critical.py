@@ -12,11 +12,11 @@ from samcontact import critical, hertz
 from samcontact._util.tensors import von_mises
 
 E_STAR = 111.40819964e9
-TUGGING = {"R": 0.5, "E_star": E_STAR, "nu": 0.32, "yield_stress": 0.9115e9}
+ASPERITIES = {"R": 0.5, "E_star": E_STAR, "nu": 0.32, "yield_stress": 0.9115e9}
 
 
 def test_green_published_values():
-    values = critical.green(**TUGGING)
+    values = critical.green(**ASPERITIES)
     assert values.interference == pytest.approx(2.2143e-4, rel=2e-5)
     assert values.load == pytest.approx(346092.8, rel=1e-6)
     assert values.energy == pytest.approx(30.654, rel=2e-5)
@@ -27,7 +27,7 @@ def test_green_published_values():
     "model", [critical.green, critical.onset, critical.kogut_etsion, critical.jackson_green]
 )
 def test_sphere_is_a_hertz_contact_with_its_energy(model):
-    values = model(**TUGGING)
+    values = model(**ASPERITIES)
     contact = hertz.point(0.5, E_STAR, p0=values.p0)
     assert values.p0 == pytest.approx(values.C * 0.9115e9, rel=1e-14)
     assert values.interference == pytest.approx(contact.approach, rel=1e-13)
@@ -69,8 +69,8 @@ def test_cylinder_is_a_line_contact():
 def test_kogut_etsion_interference():
     K, H = 0.454 + 0.41 * 0.32, 2.8 * 0.9115e9
     expected = (3.141592653589793 * K * H / (2 * E_STAR)) ** 2 * 0.5
-    assert critical.kogut_etsion(**TUGGING).interference == pytest.approx(expected, rel=1e-13)
-    harder = critical.kogut_etsion(**TUGGING, hardness=2 * H)
+    assert critical.kogut_etsion(**ASPERITIES).interference == pytest.approx(expected, rel=1e-13)
+    harder = critical.kogut_etsion(**ASPERITIES, hardness=2 * H)
     assert harder.interference == pytest.approx(4 * expected, rel=1e-13)
 
 
@@ -95,7 +95,7 @@ def test_kogut_etsion_interference():
 )
 def test_bad_input_is_named(model, changed, message):
     with pytest.raises(ValueError, match=message):
-        model(**{**TUGGING, **changed})
+        model(**{**ASPERITIES, **changed})
 
 
 E, NU = 210e9, 0.3

@@ -137,7 +137,7 @@ def test_errors_say_that_the_largest_pressure_does_not_converge():
     dataset = results.to_dataset(run, states)
     found.add_to(dataset)
     checks = {check.name: check for check in report.checks(dataset)}
-    assert dataset["sharp_cells"].values.max() >= 20
+    assert dataset["sharp_edge_cells"].values.max() >= 20
     sharp = "contact cells at sharp edges, where the pressure does not converge"
     assert not checks[sharp].passed
     assert any(
@@ -151,7 +151,7 @@ def test_a_search_for_an_accuracy_ends_where_nothing_converges():
             "Solved", (), {"told": [type("W", (), {"category": sc.SingularPressureWarning})]}
         )
 
-    search = object.__new__(accuracy_run.Search)
+    search = object.__new__(accuracy_run.AccuracySearch)
     search.asked, search.needs = {"max_pressure": 0.01, "approach": 0.01}, ""
     search.wanted = np.array([0.01, 0.01])
     search._leave_out_singular(Told)

@@ -106,10 +106,12 @@ def test_a_dataset_has_the_counts_and_a_report_fails_of_few():
     for cells, passes in ((8, True), (1.4, False)):
         run = scene(cells, layers=1.5 * cells)
         dataset = results.to_dataset(run, run.run([{"load": LOAD}, {"load": 0.0}], progress=False))
-        across, after = dataset["contact_cells"].values
+        across, after = dataset["cells_across_contact"].values
         assert abs(across - 2 * cells) <= 1.5
         assert math.isnan(after)
-        assert float(dataset["plastic_layers_body2"][1]) == pytest.approx(1.5 * cells, rel=0.5)
+        assert float(dataset["layers_across_plastic_zone_body2"][1]) == pytest.approx(
+            1.5 * cells, rel=0.5
+        )
         checks = {check.name: check for check in report.checks(dataset)}
         assert checks["cells across the contact at maximum load"].passed is passes
         assert checks["layers across the plastic zone, body 2"].passed is passes
@@ -128,7 +130,7 @@ def discs(diameter, count=9, shift=0.3):
 def test_the_uncertainty_of_an_area_is_that_of_its_outlines():
     for diameter in (8, 20, 50):
         found = resolution.area_uncertainty(discs(diameter))
-        assert found == pytest.approx(resolution.ROUND_SPOT / diameter, rel=0.05)
+        assert found == pytest.approx(resolution.ROUND_SPOT_AREA_ERROR / diameter, rel=0.05)
         # the border of a grid cuts a spot without a side, unless it goes on behind
         half = discs(diameter, 1, 0.0)[diameter + 4 :]
         assert resolution.area_uncertainty(half) < resolution.area_uncertainty(half, "x")
@@ -158,7 +160,7 @@ def test_rough_contacts_of_small_spots_are_told():
         checks = {check.name: check.passed for check in report.checks(dataset)}
         fine = cells == 64
         assert checks["relative uncertainty of the contact area at maximum load"] is fine
-        assert (share < resolution.UNCERTAIN) is fine
+        assert (share < resolution.AREA_ERROR_WARNING) is fine
         expected = [] if fine else [f"uncertain by about {100 * share:.0f} %.* its 16 spots"]
         assert len(texts) == len(expected)
         assert all(re.search(*pair) for pair in zip(expected, texts, strict=True))

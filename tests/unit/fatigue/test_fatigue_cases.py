@@ -67,7 +67,7 @@ def test_material_that_passes(run):
     outcome, folder = run(PASSING)
     assert outcome.exit_code == 0, outcome.output
     loaded = states_of(PASSING)[1]
-    field = sc.fatigue.fatemi_socie(sc.fatigue.passing(loaded), k=0.5)
+    field = sc.fatigue.fatemi_socie(sc.fatigue.steady_cycle(loaded), k=0.5)
     with xr.open_dataset(folder / "fatigue.nc") as found:
         assert found["fatemi_socie"].dims == ("y", "z")
         np.testing.assert_array_equal(found["fatemi_socie"].values, field.values)

@@ -14,7 +14,7 @@ from samcontact.fatigue import (
     fatemi_socie,
     findley,
     orthogonal_shear,
-    passing,
+    steady_cycle,
 )
 
 STEEL = sc.Material.elastic(210e9, 0.3)
@@ -36,17 +36,17 @@ def test_a_pass_is_what_material_goes_through():
     states = simulation.run(steps, progress=False)  # unloaded at the end, as far from the contact
     seen = cycle(states, 2)
     assert seen.points_shape[0] == 48 - 32
-    steady = passing(states[10], 2)
+    steady = steady_cycle(states[10], 2)
     for criterion in (dang_van, crossland):
         whole = criterion(seen, slope=0.3)
         assert whole.values.shape == (16, 16, 6)
         middle = whole.values[7:9].mean(axis=0)
         line = criterion(steady, slope=0.3)
-        np.testing.assert_allclose(middle, line.values, atol=0.01 * line.largest)
+        np.testing.assert_allclose(middle, line.values, atol=0.01 * line.max_value)
         # cells lie on the body: the contact went over them
-        assert set(whole.place) == {"x", "y", "z"}
-        assert 0.0 < whole.places["x"].mean() < 32 * 20e-6
-        assert abs(whole.place["y"]) < 2 * 20e-6
+        assert set(whole.position) == {"x", "y", "z"}
+        assert 0.0 < whole.coordinates["x"].mean() < 32 * 20e-6
+        assert abs(whole.position["y"]) < 2 * 20e-6
     tau = orthogonal_shear(seen).values[7:9].mean(axis=0)
     np.testing.assert_allclose(tau, orthogonal_shear(steady).values, rtol=0.02, atol=1e6)
 
@@ -59,13 +59,13 @@ def test_rolling_along_y_is_rolling_along_x_turned():
     one, other = (ball_on(grid).step(**BALL) for grid in grids)
     for criterion in (dang_van, crossland):
         along_x, along_y = (
-            criterion(passing(one), slope=0.2),
-            criterion(passing(other, axis="y"), slope=0.2),
+            criterion(steady_cycle(one), slope=0.2),
+            criterion(steady_cycle(other, axis="y"), slope=0.2),
         )
-        assert (set(along_x.places), set(along_y.places)) == ({"y", "z"}, {"x", "z"})
+        assert (set(along_x.coordinates), set(along_y.coordinates)) == ({"y", "z"}, {"x", "z"})
         np.testing.assert_allclose(along_x.values, along_y.values, rtol=1e-8)
-    y = orthogonal_shear(passing(other, axis="y"), axis="y")
-    np.testing.assert_allclose(orthogonal_shear(passing(one)).values, y.values, rtol=1e-8)
+    y = orthogonal_shear(steady_cycle(other, axis="y"), axis="y")
+    np.testing.assert_allclose(orthogonal_shear(steady_cycle(one)).values, y.values, rtol=1e-8)
 
 
 def test_residual_stress_is_in_the_cycle():
@@ -132,8 +132,8 @@ def test_margin_and_place():
     stress[1, 4, 1, 2, 3] = 200e6
     found = dang_van(stress, slope=0.3)
     assert found.index == (1, 2, 3)
-    assert found.place == {}
-    assert found.largest == pytest.approx(100e6)
+    assert found.position == {}
+    assert found.max_value == pytest.approx(100e6)
     assert found.margin(250e6) == pytest.approx(1.5)
     assert found.margin(80e6) == pytest.approx(-0.2)
     np.testing.assert_allclose(found.over_depth(), [0, 0, 0, 100e6, 0])
@@ -143,14 +143,14 @@ def test_margin_and_place():
 
 
 def test_the_dataset_is_labelled():
-    found = findley(passing(ball_on().step(**BALL)), k=0.3)
+    found = findley(steady_cycle(ball_on().step(**BALL)), k=0.3)
     dataset = found.to_dataset()
     assert dict(dataset.sizes) == {"y": 16, "z": 6, "axis": 3}
     assert dataset["findley"].attrs["units"] == "Pa"
     assert dataset["findley"].attrs["k"] == 0.3
-    np.testing.assert_array_equal(dataset["findley_normal"].sel(found.place), found.normal)
-    most = dataset["findley"].sel(found.place)
-    assert float(most) == found.largest
+    np.testing.assert_array_equal(dataset["findley_normal"].sel(found.position), found.normal)
+    most = dataset["findley"].sel(found.position)
+    assert float(most) == found.max_value
 
 
 @pytest.mark.parametrize(
@@ -160,8 +160,8 @@ def test_the_dataset_is_labelled():
         (lambda s: dang_van(s, 2, 300e6), ValueError, "slope .* dimensionless"),
         (lambda s: crossland(s, slope=-0.1), ValueError, "slope"),
         (lambda s: findley(s, 3, 0.3), ValueError, "body must be one of 1, 2"),
-        (lambda s: dang_van(s[0], slope=0.3), ValueError, "passing"),
-        (lambda s: dang_van(s[:1], slope=0.3), ValueError, "passing"),
+        (lambda s: dang_van(s[0], slope=0.3), ValueError, "steady_cycle"),
+        (lambda s: dang_van(s[:1], slope=0.3), ValueError, "steady_cycle"),
         (lambda s: dang_van([s[0], 3.0], slope=0.3), TypeError, "samcontact.State"),
         (lambda s: dang_van([], slope=0.3), ValueError, "states"),
         (lambda s: dang_van(np.zeros((4, 5, 2)), slope=0.3), ValueError, "shape"),
@@ -172,8 +172,8 @@ def test_the_dataset_is_labelled():
         (lambda s: orthogonal_shear(s, axis="z"), ValueError, "axis"),
         (lambda s: fatemi_socie(np.zeros((2, 6, 2)), k=0.3), TypeError, "material is required"),
         (lambda s: fatemi_socie(s, k=0.3), ValueError, "yield_stress is required"),
-        (lambda s: passing(np.zeros((6, 1, 2, 2))), ValueError, "at least 2 cells along x"),
-        (lambda s: passing(np.zeros((6, 4, 4))), ValueError, "shape"),
+        (lambda s: steady_cycle(np.zeros((6, 1, 2, 2))), ValueError, "at least 2 cells along x"),
+        (lambda s: steady_cycle(np.zeros((6, 4, 4))), ValueError, "shape"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_named(call, error, text):

@@ -47,7 +47,7 @@ def test_a_table_says_how_much_values_move_with_the_mesh():
     text = page.table([NEAR, SAID], moved)
     assert "| depth | 100 nm | 104 nm | +4.0 % | coarse | 2.3 % |" in text
     assert "| curves | coincide | to 1 % | agrees | fine |  |" in text
-    assert moves.COARSE in text
+    assert moves.COARSE_MESH_NOTE in text
 
 
 def test_moves_are_those_of_the_page_where_they_were_computed():
@@ -70,8 +70,8 @@ def test_moves_are_those_of_the_page_where_they_were_computed():
     coarse = {"cells": moves.Move(5.0, own=False), "increments": moves.Move(120.0, own=False)}
     assert load.by == coarse | {"layers": moves.Move(3.0, own=True)}
     assert moves.column([load, width]) == {"loadk": "(> 100 %)", "width": "0.1 %"}
-    assert moves.note([load, width]) == moves.BOTH
-    assert moves.note([width]) == moves.OWN
+    assert moves.note([load, width]) == moves.BOTH_MESHES_NOTE
+    assert moves.note([width]) == moves.OWN_MESH_NOTE
 
 
 def test_every_row_of_the_table_is_stated_once():
@@ -157,7 +157,7 @@ def test_the_command_makes_a_part(tmp_path, capsys, monkeypatch):
 
 def test_the_command_lists_parts_and_refuses_others(capsys):
     assert main(["--list"]) == 0
-    assert re.search(r"^tugging +4\.7 to 4\.11$", capsys.readouterr().out, re.MULTILINE)
+    assert re.search(r"^asperities +4\.7 to 4\.11$", capsys.readouterr().out, re.MULTILINE)
     with pytest.raises(SystemExit, match="2"):
         main(["frction"])
     assert "did you mean friction" in capsys.readouterr().err
@@ -171,8 +171,8 @@ def test_the_command_fails_when_a_value_differs(tmp_path, monkeypatch):
         stated=lambda results: [results],
         figures=lambda results: [],
     )
-    monkeypatch.setitem(sys.modules, "gallery.tugging", part)
-    given = ["tugging", "--output", str(tmp_path)]
+    monkeypatch.setitem(sys.modules, "gallery.asperities", part)
+    given = ["asperities", "--output", str(tmp_path)]
     assert [main(given), main([*given, "--quick"])] == [1, 0]
 
 

@@ -7,7 +7,7 @@ import re
 
 import numpy as np
 import pytest
-from heat_scenes import (
+from heat_setups import (
     ALPHA,
     COLD,
     HERTZ,

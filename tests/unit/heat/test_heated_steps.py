@@ -5,7 +5,7 @@ import re
 
 import numpy as np
 import pytest
-from heat_scenes import ALPHA, COLD, KAPPA, LOAD, NU, WARM, E, K, ball, grid_of, solver
+from heat_setups import ALPHA, COLD, KAPPA, LOAD, NU, WARM, E, K, ball, grid_of, solver
 
 import samcontact as sc
 

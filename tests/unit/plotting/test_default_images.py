@@ -19,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from matplotlib.figure import Figure
 from overlapping_texts import overlaps
 
-from case_texts import BODIES, GRID, MOVING, TUGGING, WEAR
+from case_texts import ASPERITIES, BODIES, GRID, MOVING, WEAR
 from samcontact.commands.folder import _FIGURES
 from samcontact.commands.main import main
 
@@ -52,7 +52,7 @@ increments = 1
 duration = 10e-3
 """,
     "rolling": MOVING,
-    "tugging": TUGGING,
+    "asperities": ASPERITIES,
     "wear": WEAR.replace("figures = false", "figures = true"),
     "long": f"""title = "long contact"
 [grid]
@@ -127,8 +127,8 @@ FIRST_IN_OTHERS = {
     "long": ("axis_stress", "load_approach", "pressure", "sections"),
     "fretting": ("gap_map", "pressure", "pressure_map"),
     "fatigue": (
-        "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "print",
-        "print_map", "residual", "sections",
+        "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "imprint",
+        "imprint_map", "residual", "sections",
     ),
 }  # fmt: skip
 """Figures that other cases have stored; once is enough."""

@@ -55,7 +55,7 @@ def test_depth(fields, ax):
 def test_section_goes_through_the_largest(fields, ax, plane, across):
     field = fields[0]
     plotting.fatigue_section(field, ax, plane=plane)
-    expected = field.place[across] * 1e6, field.place["z"] * 1e6
+    expected = field.position[across] * 1e6, field.position["z"] * 1e6
     np.testing.assert_allclose(cross(ax), expected, atol=1e-9)
     assert ax.yaxis_inverted()
     assert ax.get_xlabel().startswith(across)
@@ -70,7 +70,7 @@ def test_section_elsewhere(fields, ax):
 
 
 def test_section_across_the_way_of_material(states, ax):
-    field = sc.fatigue.fatemi_socie(sc.fatigue.passing(states[-1]), k=0.3, yield_stress=1e9)
+    field = sc.fatigue.fatemi_socie(sc.fatigue.steady_cycle(states[-1]), k=0.3, yield_stress=1e9)
     plotting.fatigue_section(field, ax)
     assert ax.get_xlabel() == "y [µm]"
     assert ax.get_title() == "Fatemi-Socie (k = 0.3) [%]"
@@ -82,7 +82,7 @@ def test_section_across_the_way_of_material(states, ax):
 
 def test_map_has_the_largest_of_each_column(fields, ax):
     plotting.fatigue_map(fields[1], ax)
-    place = fields[1].place
+    place = fields[1].position
     np.testing.assert_allclose(cross(ax), (place["x"] * 1e6, place["y"] * 1e6), atol=1e-9)
 
 

@@ -7,7 +7,7 @@ import pytest
 import samcontact as sc
 from samcontact import plotting
 from samcontact.plotting import interface
-from samcontact.plotting.scene import Scene
+from samcontact.plotting.contact_results import ContactResults
 from samcontact.report import figures
 from samcontact.results import to_dataset
 
@@ -91,7 +91,7 @@ def test_of_many_interfaces_those_that_are_pulled_most_are_shown():
     layers = [(NITRIDE, 4e-6), (STEEL, 2e-6), (NITRIDE, 4e-6), (STEEL, 2e-6)]
     body = sc.Layered(layers, STEEL)
     _, dataset = pressed(body)
-    scene = Scene(dataset, 2, None)
+    scene = ContactResults(dataset, 2, None)
     stored = dataset.interface_stress_body2[0]
     pulled = stored.sel(component=["xx", "zz"]).max(("side", "component", "x", "y"))
     three = np.sort(body.interfaces[np.argsort(-pulled.values)[:3]])

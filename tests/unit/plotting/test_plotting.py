@@ -136,11 +136,11 @@ def test_maps_of_the_surface(simulation, known):
     touching = state.pressure > 0
     state.gap = np.where(touching, 1e-15, 1e-6 * (1.0 + grid.x[:, None] + grid.y))
     printed = state.residual_displacement(body=2)
-    fields = {"pressure": state.pressure, "gap": state.gap, "print": printed}
+    fields = {"pressure": state.pressure, "gap": state.gap, "imprint": printed}
     expected = {
         "pressure": np.where(touching, state.pressure * 1e-9, np.nan),
         "gap": np.where(touching, np.nan, state.gap * 1e6),
-        "print": printed * 1e6,
+        "imprint": printed * 1e6,
     }
     for quantity, field in fields.items():
         contact = touching if known else None
@@ -149,7 +149,7 @@ def test_maps_of_the_surface(simulation, known):
         shown = np.ma.filled(mesh.get_array().astype(float), np.nan)
         np.testing.assert_allclose(shown, expected[quantity].T)
     assert ax.get_title() == "residual displacement [µm]"
-    with pytest.raises(ValueError, match="quantity must be one of 'pressure', 'gap', 'print'"):
+    with pytest.raises(ValueError, match="quantity must be one of 'pressure', 'gap', 'imprint'"):
         plotting.surface_map(state.gap, grid, quantity="shear")
 
 
@@ -170,9 +170,9 @@ def test_load_approach(simulation, ax):
 
 def test_print_profile(state, simulation, ax):
     field = state.residual_displacement(body=1)
-    plotting.print_profile(field, simulation.grid, ax, label="body 1")
+    plotting.imprint_profile(field, simulation.grid, ax, label="body 1")
     field = state.residual_displacement(body=2)
-    plotting.print_profile(field, simulation.grid, ax, label="body 2")
+    plotting.imprint_profile(field, simulation.grid, ax, label="body 2")
     drawn = lines(ax)
     np.testing.assert_allclose(drawn["body 1"][:, 1], 0.1 * np.arange(11))
     np.testing.assert_allclose(drawn["body 2"][:, 1], 0.2 * np.arange(11))
@@ -237,7 +237,7 @@ def test_new_axes_are_made_when_none_are_given(state, simulation):
         plotting.pressure_profile(state.pressure, grid),
         plotting.section(state.von_mises(), grid),
         plotting.load_approach(to_dataset(simulation, [state])),
-        plotting.print_profile(state.gap, grid),
+        plotting.imprint_profile(state.gap, grid),
         plotting.axis_profile(state.stress(), grid),
     ):
         assert ax.figure.get_layout_engine() is not None
@@ -248,7 +248,7 @@ def test_bad_input_is_named(state, simulation, ax):
     with pytest.raises(ValueError, match=r"pressure must have shape \(11, 9\), got \(3, 3\)"):
         plotting.pressure_profile(np.zeros((3, 3)), grid, ax)
     with pytest.raises(ValueError, match="axis must be one of 'x', 'y', got 'z'"):
-        plotting.print_profile(state.gap, grid, ax, axis="z")
+        plotting.imprint_profile(state.gap, grid, ax, axis="z")
     with pytest.raises(ValueError, match=r"quantity must be one of 'von_mises', .* got 'heat'"):
         plotting.section(state.von_mises(), grid, ax, quantity="heat")
     with pytest.raises(ValueError, match="grid must have a volume"):
@@ -304,7 +304,7 @@ def test_colours_of_a_print_span_what_there_is():
     grid = make_grid(nx=31, ny=29)
     x, y = grid.x[:, None] * 1e4, grid.y * 1e4
     field = 1e-6 * np.exp(-(x**2 + y**2) / 20) - 3e-8
-    ax = plotting.surface_map(field, grid, new_figure().subplots(), quantity="print")
+    ax = plotting.surface_map(field, grid, new_figure().subplots(), quantity="imprint")
     low, high = ax.figure.axes[1].get_ylim()
     assert -0.1 < low < -0.03
     assert high == pytest.approx(0.97)

@@ -8,9 +8,9 @@ from matplotlib.contour import QuadContourSet
 
 from core_fakes import ELASTIC, FakeState, make_grid, make_simulation
 from samcontact import Grid, Simulation, plotting, surfaces
+from samcontact.plotting.contact_results import ContactResults
 from samcontact.plotting.maps import peak_map
 from samcontact.plotting.parts import new_figure
-from samcontact.plotting.scene import Scene
 from samcontact.results import to_dataset
 
 
@@ -76,11 +76,14 @@ def test_what_a_quantity_cannot_be_is_an_error(state, simulation):
         with pytest.raises(ValueError, match=f"{quantity} must be >= 0 to be shown as .* -5e-07"):
             plotting.surface_map(print_, grid, quantity=quantity)
     with pytest.raises(ValueError, match=r"print must be at most .* m to be shown as residual dis"):
-        plotting.surface_map(state.pressure, grid, quantity="print")
+        plotting.surface_map(state.pressure, grid, quantity="imprint")
     shear = np.zeros((2, grid.nx, grid.ny))
     for draw, message in (
         (lambda: plotting.pressure_profile(print_, grid), "pressure must be >= 0"),
-        (lambda: plotting.print_profile(state.pressure, grid), "residual displacement must be at"),
+        (
+            lambda: plotting.imprint_profile(state.pressure, grid),
+            "residual displacement must be at",
+        ),
         (lambda: plotting.temperature_profile(print_, grid), "rise of temperature must be >= 0"),
         (lambda: plotting.shear_profile(print_, shear, grid, 0.3), "pressure must be >= 0"),
     ):
@@ -102,7 +105,7 @@ def test_given_tractions_that_pull_are_shown(tmp_path):
     simulation = Simulation(grid, ELASTIC, ELASTIC, gap)
     pressure = 1e8 * np.cos(0.3e6 * grid.x[:, None]) * np.ones(grid.ny)
     dataset = to_dataset(simulation, simulation.run([{"pressure": pressure}], progress=False))
-    scene = Scene(dataset, 2, None)
+    scene = ContactResults(dataset, 2, None)
     ax = peak_map(scene, "pressure", new_figure().subplots())
     assert ax.get_title() == "pressure [GPa]"
     assert shows(ax, grid.x, grid.y, pressure * 1e-9)

@@ -13,7 +13,7 @@ import samcontact as sc
 from samcontact import plotting
 from samcontact.plotting.slip_animation import course_of
 from samcontact.plotting.slip_summary import chosen
-from samcontact.plotting.slipping import COLOURS, creepages
+from samcontact.plotting.slipping import STICK_AND_SLIP_COLOURS, creepages
 from samcontact.results import to_dataset
 
 GRID = sc.Grid(21, 19, 40e-6, 44e-6)
@@ -46,7 +46,7 @@ def rolling():
 
 def test_the_map_shows_each_cell_and_the_directions_of_slip(fretting):
     state = fretting[0][8]
-    ax = plotting.stick_slip_map(state.pressure, state.slip, GRID, unit="m")
+    ax = plotting.partial_slip_map(state.pressure, state.slip, GRID, unit="m")
     assert 0 < state.sticking.sum() < np.count_nonzero(state.pressure)
     (arrows,) = (item for item in ax.collections if isinstance(item, Quiver))
     assert 10 < arrows.N < np.count_nonzero(state.pressure)
@@ -61,14 +61,15 @@ def test_the_map_shows_each_cell_and_the_directions_of_slip(fretting):
     kinds = drawn_values(ax, GRID.x, GRID.y)
     np.testing.assert_array_equal(kinds == 0, state.sticking)
     np.testing.assert_array_equal(np.isnan(kinds), state.pressure == 0)
-    assert len(set(COLOURS)) == 2
+    assert len(set(STICK_AND_SLIP_COLOURS)) == 2
 
 
 def test_a_map_that_lies_is_the_same_turned(fretting):
     """By a quarter clockwise, in cells, arrows and labels."""
     state = fretting[0][8]
     stands, lies = (
-        plotting.stick_slip_map(state.pressure, state.slip, GRID, across=across) for across in "xy"
+        plotting.partial_slip_map(state.pressure, state.slip, GRID, across=across)
+        for across in "xy"
     )
     kinds = drawn_values(lies, GRID.y, GRID.x)
     np.testing.assert_array_equal(kinds.T, drawn_values(stands, GRID.x, GRID.y))
@@ -84,7 +85,7 @@ def test_a_map_that_lies_is_the_same_turned(fretting):
 
 def test_a_map_without_slip_says_so(fretting):
     state = fretting[0][0]
-    ax = plotting.stick_slip_map(state.pressure, np.zeros((2, 21, 19)), GRID)
+    ax = plotting.partial_slip_map(state.pressure, np.zeros((2, 21, 19)), GRID)
     assert ax.get_title() == "no slip"
     assert not any(isinstance(item, Quiver) for item in ax.collections)
 
@@ -143,15 +144,15 @@ def test_the_map_is_that_of_the_largest_force(fretting, rolling):
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 def test_runs_write_them(fretting, rolling, tmp_path):
     names = [path.name for path in plotting.summary_figures(fretting[1], tmp_path)]
-    assert names[-2:] == ["stick_slip.png", "fretting_loop.png"]
+    assert names[-2:] == ["partial_slip.png", "fretting_loop.png"]
     names = [path.name for path in plotting.summary_figures(rolling[1], tmp_path)]
-    assert names[-3:] == ["stick_slip.png", "rolling_force.png", "creep_curve.png"]
+    assert names[-3:] == ["partial_slip.png", "rolling_force.png", "creep_curve.png"]
     steady = rolling[1].isel(increment=slice(0, 5))  # of one creepage, which is no curve
     names = [path.name for path in plotting.summary_figures(steady, tmp_path)]
-    assert names[-2:] == ["stick_slip.png", "rolling_force.png"]
+    assert names[-2:] == ["partial_slip.png", "rolling_force.png"]
     _, slides = run([], friction=0.3)
     written = plotting.summary_figures(slides, tmp_path)
-    assert not {"stick_slip.png", "fretting_loop.png"} & {path.name for path in written}
+    assert not {"partial_slip.png", "fretting_loop.png"} & {path.name for path in written}
     with pytest.raises(ValueError, match="dataset must be of a contact with partial slip"):
         plotting.fretting_loop(slides)
     with pytest.raises(ValueError, match="dataset must be of rolling bodies"):
@@ -160,7 +161,7 @@ def test_runs_write_them(fretting, rolling, tmp_path):
 
 def test_an_animation_shows_each_increment(fretting, rolling, tmp_path):
     states, _ = fretting
-    animation = plotting.stick_slip_animation(states[::4])
+    animation = plotting.partial_slip_animation(states[::4])
     left, right = animation._fig.axes[:2]
     animation._fig.canvas.draw()  # which begins with the first frame
     animation._func(2)
@@ -182,13 +183,16 @@ def test_an_animation_shows_each_increment(fretting, rolling, tmp_path):
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda s: plotting.stick_slip_map(s.pressure, s.slip[0], GRID), "slip must have shape"),
-        (lambda s: plotting.stick_slip_map(s.pressure, s.slip, GRID, unit="km"), "unit must be"),
-        (lambda s: plotting.stick_slip_map(s.pressure, s.slip, GRID, across="z"), "across must be"),
+        (lambda s: plotting.partial_slip_map(s.pressure, s.slip[0], GRID), "slip must have shape"),
+        (lambda s: plotting.partial_slip_map(s.pressure, s.slip, GRID, unit="km"), "unit must be"),
+        (
+            lambda s: plotting.partial_slip_map(s.pressure, s.slip, GRID, across="z"),
+            "across must be",
+        ),
         (lambda s: plotting.shear_profile(s.pressure, s.shear, GRID, -1.0), "coefficient must be"),
         (lambda s: plotting.creep_curve([1.0, 2.0], [1.0]), "force must have shape"),
-        (lambda s: plotting.stick_slip_animation([]), "at least one state, got none"),
-        (lambda s: plotting.stick_slip_animation([s], interval=0.0), "interval must be a finite"),
+        (lambda s: plotting.partial_slip_animation([]), "at least one state, got none"),
+        (lambda s: plotting.partial_slip_animation([s], interval=0.0), "interval must be a finite"),
     ],
 )
 def test_bad_input_is_named(fretting, call, message):

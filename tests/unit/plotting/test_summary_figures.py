@@ -62,8 +62,8 @@ def test_what_is_written_can_be_read(cells, tmp_path, drawn):
         "load_approach.png",
         "flash_temperature.png",
         "temperature.png",
-        "print.png",
-        "print_map.png",
+        "imprint.png",
+        "imprint_map.png",
         "residual.png",
     ]
     for path in written:
@@ -104,7 +104,7 @@ def test_of_what_moved_all_of_the_track_is_shown(tmp_path, drawn):
     plotting.summary_figures(to_dataset(simulation, states), tmp_path)
     track = states[-1].track(2)
     depth = track.residual_displacement()
-    ax = drawn["print"].axes[0]
+    ax = drawn["imprint"].axes[0]
     (line,) = ax.get_lines()
     deepest = track.x[int(np.argmax(depth[:, 6]))] * 1e6
     assert line.get_ydata().max() == pytest.approx(depth.max() * 1e6)
@@ -112,8 +112,8 @@ def test_of_what_moved_all_of_the_track_is_shown(tmp_path, drawn):
     assert left < deepest < right
     assert left < 0.0 < 10 * step * 1e6 < right  # all of the way
     factors = {"y": 1e6, "z": 1e-6}
-    for name, shown in (("print_map", depth), ("residual", track.residual_von_mises()[:, 6])):
-        rows = "y" if name == "print_map" else "z"
+    for name, shown in (("imprint_map", depth), ("residual", track.residual_von_mises()[:, 6])):
+        rows = "y" if name == "imprint_map" else "z"
         along = getattr(grid, rows)
         assert shows(drawn[name].axes[0], track.x, along, shown * factors[rows], within=0.1)
     for name, figure in drawn.items():
@@ -127,10 +127,10 @@ def test_the_increments_that_are_shown(tmp_path, undrawn):
     stored = to_dataset(simulation, states)
     shown = summary.increments_shown(stored, 2)
     assert shown == {1, 2, 3}
-    assert stored["volume_increment"].values.tolist() == [1, 3]
+    assert stored["output_increment"].values.tolist() == [1, 3]
     assert "temperature" not in {path.stem for path in plotting.summary_figures(stored, tmp_path)}
     whole = to_dataset(simulation, states, volume=sorted(shown))
-    assert whole["volume_increment"].values.tolist() == [1, 2, 3]
+    assert whole["output_increment"].values.tolist() == [1, 2, 3]
     assert "temperature" in {path.stem for path in plotting.summary_figures(whole, tmp_path)}
 
 
@@ -145,7 +145,7 @@ def test_bad_input_is_named(tmp_path):
         plotting.summary_figures(to_dataset(simulation, states), tmp_path, format="jpg")
     with (
         pytest.raises(ValueError, match="width must be one of 'single', 'double', 'screen'"),
-        plotting.column("wide"),
+        plotting.journal_column("wide"),
     ):
         pass
 
@@ -158,7 +158,7 @@ def test_figures_as_wide_as_a_column(width, mm, tmp_path, drawn):
     simulation.initial_gap = np.zeros((21, 15))
     states = [FakeState(grid, load) for load in (1500.0, 0.0)]
     dataset = to_dataset(simulation, states)
-    with plotting.column(width):
+    with plotting.journal_column(width):
         written = plotting.summary_figures(dataset, tmp_path)
         for path in written:
             figure = drawn[path.stem]
@@ -187,7 +187,7 @@ def test_vectors_are_the_same_again(ending, tmp_path):
         found = path.read_bytes()
         assert found == (tmp_path / "a" / path.name).read_bytes()
         colours = b"/Subtype /Image" if ending == "pdf" else b"<image"
-        fields = ("pressure_map", "gap_map", "sections", "print_map", "residual")
+        fields = ("pressure_map", "gap_map", "sections", "imprint_map", "residual")
         assert (colours in found) == (path.stem in fields), path.name
         if ending == "pdf":
             assert b"/Type0" in found  # TrueType, as journals ask

@@ -74,7 +74,7 @@ def test_a_track_is_the_same_from_itself_and_from_results(states, shown):
 
 
 def test_print_along_the_track(track, shown, ax):
-    assert plotting.track_print(shown, ax, positions=(0.0, 1.9 * STEP)) is ax
+    assert plotting.track_imprint(shown, ax, positions=(0.0, 1.9 * STEP)) is ax
     u = track.residual_displacement() * 1e6
     for line, row, label in zip(ax.get_lines(), (6, 8), ("y = 0 µm", "y = 120 µm"), strict=True):
         np.testing.assert_allclose(line.get_xdata(), track.x * 1e6)
@@ -85,7 +85,7 @@ def test_print_along_the_track(track, shown, ax):
 
 
 def test_print_across_the_track(track, shown, ax):
-    plotting.track_print(shown, ax, axis="y", positions=(0.0, WAY * STEP))
+    plotting.track_imprint(shown, ax, axis="y", positions=(0.0, WAY * STEP))
     u = track.residual_displacement() * 1e6
     rows = [int(np.argmin(np.abs(track.x - x))) for x in (0.0, WAY * STEP)]
     assert rows[1] - rows[0] == WAY
@@ -143,8 +143,8 @@ def test_section_under_load_moves_with_the_contact(states, ax):
 
 def test_summary(states, track, shown):
     figures = track_summary(shown, np.array([state.travel[1] for state in states]))
-    assert list(figures) == ["track_print", "track_sections"]
-    along, across = figures["track_print"].axes
+    assert list(figures) == ["track_imprint", "track_sections"]
+    along, across = figures["track_imprint"].axes
     assert len(along.get_lines()) == 1
     assert (along.get_title(), along.get_legend()) == ("y = 0 µm", None)
     labels = [line.get_label() for line in across.get_lines()]
@@ -170,11 +170,11 @@ def test_summary_runs_where_there_is_something(states, shown):
 
 def test_bad_input_is_named(states, shown, ax):
     with pytest.raises(ValueError, match="axis must be one of 'x', 'y', got 'z'"):
-        plotting.track_print(shown, ax, axis="z")
+        plotting.track_imprint(shown, ax, axis="z")
     with pytest.raises(ValueError, match="positions must hold at least one value"):
-        plotting.track_print(shown, ax, positions=())
+        plotting.track_imprint(shown, ax, positions=())
     with pytest.raises(ValueError, match="positions must be a finite number, got nan"):
-        plotting.track_print(shown, ax, positions=(np.nan,))
+        plotting.track_imprint(shown, ax, positions=(np.nan,))
     with pytest.raises(
         ValueError, match=r"quantity must be one of 'residual_von_mises', .* 'heat'"
     ):

@@ -18,7 +18,7 @@ from samcontact.cases import parse_case
 from samcontact.commands.main import main
 from samcontact.report.tables import parameters
 
-MARGINS = ("contact_margin", "plastic_margin_body2")
+MARGINS = ("contact_edge_distance", "plastic_edge_distance_body2")
 
 
 # with layers that resolve the plastic zone
@@ -111,7 +111,7 @@ def test_increments_equal_the_dataset(page, data):
             "max_equivalent_plastic_strain_body2",
             1e2,
         ),
-        "residual imprint depth (within the grid), body 2 [µm]": ("print_depth_body2", 1e6),
+        "residual imprint depth (within the grid), body 2 [µm]": ("imprint_depth_body2", 1e6),
     }
     assert headings == list(columns)
     assert [row[0] for row in rows] == ["1", "2", "3"]
@@ -125,13 +125,24 @@ def test_increments_equal_the_dataset(page, data):
 def test_convergence_equals_the_dataset(page, data):
     headings, *rows = cells(page, "convergence-table")
     assert headings[1:4] == ["plastic iterations", "plastic-strain residual", "yield violation"]
-    names = ["iterations", "plastic_residual", "yield_excess", "contact_iterations", "substeps"]
+    names = [
+        "iterations",
+        "plastic_strain_residual",
+        "yield_violation",
+        "contact_iterations",
+        "substeps",
+    ]
     behind = exact(page, "convergence-table")
     for index, name in enumerate(names):
         found = np.array([row[index] for row in behind], dtype=float)
         np.testing.assert_array_equal(found, data[name])
     assert rows[-1][6:8] == ["none", "none"]  # unloaded: there is no contact
-    names = ["contact_margin", "contact_cells", "plastic_layers_body2", "plastic_margin_body2"]
+    names = [
+        "contact_edge_distance",
+        "cells_across_contact",
+        "layers_across_plastic_zone_body2",
+        "plastic_edge_distance_body2",
+    ]
     assert [float(value) for value in behind[1][5:]] == [float(data[name][1]) for name in names]
 
 
@@ -250,12 +261,17 @@ SPOILERS = [
     ("minimum contact pressure", "pressure", one_cell(-5.0), -5.0),
     ("minimum gap", "gap", one_cell(-1e-9), None),
     ("complementarity", "pressure", one_cell(1e9), None),
-    ("maximum relative violation", "yield_excess", lambda x: x + 2e-6, None),
-    ("relative change", "plastic_residual", lambda x: x * 0 + 1e-3, 1e-3),
-    ("minimum distance between contact", "contact_margin", lambda x: x * 0, 0.0),
-    ("minimum distance between plastic", "plastic_margin_body2", lambda x: x * 0, 0.0),
-    ("cells across", "contact_cells", lambda x: x * 0 + 3, 3.0),
-    ("layers across the plastic zone", "plastic_layers_body2", lambda x: x * 0 + 3, 3.0),
+    ("maximum relative violation", "yield_violation", lambda x: x + 2e-6, None),
+    ("relative change", "plastic_strain_residual", lambda x: x * 0 + 1e-3, 1e-3),
+    ("minimum distance between contact", "contact_edge_distance", lambda x: x * 0, 0.0),
+    ("minimum distance between plastic", "plastic_edge_distance_body2", lambda x: x * 0, 0.0),
+    ("cells across", "cells_across_contact", lambda x: x * 0 + 3, 3.0),
+    (
+        "layers across the plastic zone",
+        "layers_across_plastic_zone_body2",
+        lambda x: x * 0 + 3,
+        3.0,
+    ),
     (
         "maximum plastic strain magnitude",
         "max_plastic_strain_magnitude_body2",
@@ -276,7 +292,7 @@ def test_every_check_can_fail(data, sound, start, name, change, value):
 
 
 def test_a_failed_check_is_told(data, tmp_path, undrawn):
-    results.save(spoilt(data, "contact_margin", lambda x: x * 0), tmp_path / "bad.nc")
+    results.save(spoilt(data, "contact_edge_distance", lambda x: x * 0), tmp_path / "bad.nc")
     outcome = CliRunner().invoke(main, ["report", str(tmp_path / "bad.nc")])
     assert outcome.exit_code == 0
     assert (

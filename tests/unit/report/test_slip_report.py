@@ -64,11 +64,11 @@ KINEMATIC = sc.Material.perfect_plastic(210e9, 0.3, 1.2e9).with_kinematic_harden
 )
 def test_what_is_missing_of_the_energy_falls_with_the_increments(body2, friction):
     few, many = balances(body2, friction, (2, 6), 60.0)
-    assert abs(many.missing) < 0.5 * abs(few.missing) < 0.01
-    assert many.elastic == pytest.approx(0, abs=1e-9 * many.put_in)  # released
-    assert many.friction > 0.01 * many.put_in
-    assert (many.plastic > 0) == (many.residual > 0) == body2.is_plastic
-    assert 0 < many.net < many.put_in
+    assert abs(many.imbalance) < 0.5 * abs(few.imbalance) < 0.01
+    assert many.elastic_energy == pytest.approx(0, abs=1e-9 * many.work_input)  # released
+    assert many.friction_work > 0.01 * many.work_input
+    assert (many.plastic_work > 0) == (many.residual_energy > 0) == body2.is_plastic
+    assert 0 < many.net_external_work < many.work_input
 
 
 def test_pressing_elastic_balls_has_no_error():
@@ -81,9 +81,9 @@ def test_pressing_elastic_balls_has_no_error():
     states = [simulation.state, *simulation.run([{"load": 300.0}], progress=False)]
     found = energy.balance(simulation, states)
     hertz = sc.hertz.point(7.5e-3, 210e9 / 1.82, load=300.0)
-    assert found.put_in == pytest.approx(0.4 * 300.0 * hertz.approach, rel=2e-3)
-    assert abs(found.missing) < 2e-3
-    assert (found.friction, found.plastic, found.residual) == (0.0, 0.0, 0.0)
+    assert found.work_input == pytest.approx(0.4 * 300.0 * hertz.approach, rel=2e-3)
+    assert abs(found.imbalance) < 2e-3
+    assert (found.friction_work, found.plastic_work, found.residual_energy) == (0.0, 0.0, 0.0)
 
 
 def test_what_was_there_before_the_first_state_is_not_missing():
@@ -100,8 +100,11 @@ def test_what_was_there_before_the_first_state_is_not_missing():
     simulation.run([{"load": 300.0}, pulled], progress=False)
     path = [{"load": 300.0, "tangential_load": (60.0 - 12.0 * n, 0.0)} for n in range(6)]
     found = energy.balance(simulation, simulation.run(path, progress=False))
-    assert abs(found.missing) < 0.002
-    assert min(found.residual, found.friction, found.plastic) > 5e-4 * found.put_in
+    assert abs(found.imbalance) < 0.002
+    assert (
+        min(found.residual_energy, found.friction_work, found.plastic_work)
+        > 5e-4 * found.work_input
+    )
 
 
 def test_balances_that_are_not_known_are_refused():
@@ -118,7 +121,7 @@ def test_balances_that_are_not_known_are_refused():
     states = rolls.run(path, progress=False)
     with pytest.raises(ValueError, match="states must have no travel"):
         energy.balance(rolls, states)
-    assert "work_put_in" not in results.to_dataset(rolls, states)
+    assert "work_input" not in results.to_dataset(rolls, states)
     heated = Mock(
         spec=sc.Simulation,
         friction=sc.Coulomb(0.3),
@@ -168,7 +171,7 @@ def test_the_page_has_stick_and_slip(data, tmp_path):
         "stick fraction [%]",
     ]  # fmt: skip
     last = re.findall(r'<data value="(.*?)">', table)[-4:]
-    names = ("tangential_load_x", "shift_x", "friction_work", "sticking_share")
+    names = ("tangential_load_x", "shift_x", "friction_work", "stick_fraction")
     assert [float(value) for value in last] == [float(data[name][-1]) for name in names]
     parts = text.split('id="energy-table"')[1].split("</table>")[0]
     values = [float(v) for v in re.findall(r'<data value="(.*?)">', parts)[::2]]

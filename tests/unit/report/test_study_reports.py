@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from case_texts import TUGGING, WEAR
+from case_texts import ASPERITIES, WEAR
 from command import invoke
 from samcontact import report, results
-from samcontact.report.tugging import checks
+from samcontact.report.asperities import checks
 
 
 def run_and_report(text, folder):
@@ -24,9 +24,9 @@ def run_and_report(text, folder):
 
 
 @pytest.fixture(scope="module")
-def tugging(tmp_path_factory):
-    text = TUGGING.replace("increments = 8", "increments = 12")
-    return run_and_report(text, tmp_path_factory.mktemp("tugging"))
+def collision(tmp_path_factory):
+    text = ASPERITIES.replace("increments = 8", "increments = 12")
+    return run_and_report(text, tmp_path_factory.mktemp("asperities"))
 
 
 @pytest.fixture(scope="module")
@@ -51,8 +51,8 @@ def captions(text):
     return re.findall(r"<figcaption>(.*?)</figcaption>", text)
 
 
-def test_passes(tugging):
-    folder, _ = tugging
+def test_passes(collision):
+    folder, _ = collision
     text = page(folder)
     with results.open_results(folder / "series.nc") as data:
         for index, row in enumerate(rows(text, "passes-table")):
@@ -62,8 +62,8 @@ def test_passes(tugging):
             expected = [float(one[name]) for name in names]
             force_x, force_z = one["force_x"], one["force_z"]
             expected += [*prints, force_x.max(), force_x.min(), force_z.max()]
-            cells = one["contact_cells"][int(one["normal_force"].argmax("increment"))]
-            layers = float(one["plastic_layers"].sel(body=2).max())
+            cells = one["cells_across_contact"][int(one["normal_force"].argmax("increment"))]
+            layers = float(one["layers_across_plastic_zone"].sel(body=2).max())
             pressure = one["max_pressure"].max()
             np.testing.assert_array_equal(row, [*expected, pressure, cells, layers])
         assert index == 1
@@ -78,9 +78,9 @@ def test_passes(tugging):
     assert "interference</th><td>600 µm</td>" in text
 
 
-def test_too_few_increments_are_told(tugging):
+def test_too_few_increments_are_told(collision):
     """Energy is missed by a tenth and more with 12 increments."""
-    folder, outcome = tugging
+    folder, outcome = collision
     assert "check failed: energy balance: unaccounted energy" in outcome.stderr
     with results.open_results(folder / "series.nc") as data:
         energy, exchanged, release, cells, layers = report.checks(data)
@@ -96,11 +96,13 @@ def test_too_few_increments_are_told(tugging):
     assert not report.checks(held)[2].passed
 
 
-@pytest.mark.parametrize("study", ["tugging", "wear"])
-@pytest.mark.parametrize("name", ["contact_cells", "plastic_layers"])
+@pytest.mark.parametrize("study", ["asperities", "wear"])
+@pytest.mark.parametrize("name", ["cells_across_contact", "layers_across_plastic_zone"])
 def test_cells_and_layers_that_resolve_nothing_are_told(study, name, request):
     folder, _ = request.getfixturevalue(study)
-    with results.open_results(folder / ("series.nc" if study == "tugging" else "wear.nc")) as data:
+    with results.open_results(
+        folder / ("series.nc" if study == "asperities" else "wear.nc")
+    ) as data:
         fine, coarse = (data.load().assign({name: data[name] * 0 + n}) for n in (4, 3))
     failed = [[v.name for v in report.checks(one) if not v.passed] for one in (fine, coarse)]
     (told,) = set(failed[1]) - set(failed[0])
@@ -118,8 +120,11 @@ def test_energy_of_passes_that_take_next_to_none():
             "dissipation": ("pass", [4426.5, 71.2, 3.8]),
             "residual_energy": ("pass", [705.6, 697.1, 696.6]),
             "energy_imbalance": ("pass", [-100.1, -18.8, -15.9]),
-            "contact_cells": (("pass", "increment"), [[12.0, np.nan]] * 3),
-            "plastic_layers": (("pass", "increment", "body"), [[[np.nan, 9.0]] * 2] * 3),
+            "cells_across_contact": (("pass", "increment"), [[12.0, np.nan]] * 3),
+            "layers_across_plastic_zone": (
+                ("pass", "increment", "body"),
+                [[[np.nan, 9.0]] * 2] * 3,
+            ),
         },
         coords={"body": [1, 2]},
     )
@@ -146,13 +151,13 @@ def test_cycles(wear):
     text = page(folder)
     with results.open_results(folder / "wear.nc") as data:
         names = ("volume", "depth", "surface_strain", "max_equivalent_plastic_strain",
-                 "max_pressure", "max_von_mises", "contact_area", "contact_cells",
-                 "plastic_layers")  # fmt: skip
+                 "max_pressure", "max_von_mises", "contact_area", "cells_across_contact",
+                 "layers_across_plastic_zone")  # fmt: skip
         expected = [[float(data[name].values.flat[0]) for name in names]]
         np.testing.assert_array_equal(rows(text, "cycles-table"), expected)
         volume, *_ = report.checks(data)
         assert volume.passed
-        spoilt = data.assign(lost=data["lost"] * 1.01)
+        spoilt = data.assign(lost_volume=data["lost_volume"] * 1.01)
     assert not report.checks(spoilt)[0].passed
     assert captions(text) == [
         "Worn volume of each cycle",
@@ -162,19 +167,19 @@ def test_cycles(wear):
     ]
 
 
-def test_a_series_without_a_case(tugging, tmp_path, undrawn):
-    folder, _ = tugging
+def test_a_series_without_a_case(collision, tmp_path, undrawn):
+    folder, _ = collision
     with results.open_results(folder / "series.nc") as data:
         plain = data.load().drop_attrs().assign_attrs(R1=1.0, R2=2.0, interference=6e-4)
     text = report.write(plain, tmp_path / "report.html").read_text(encoding="utf-8")
     assert '<td>run</td><th scope="row">interference</th><td>0.0006</td>' in text
 
 
-def test_which_file_of_a_folder(tmp_path, tugging, wear, undrawn):
+def test_which_file_of_a_folder(tmp_path, collision, wear, undrawn):
     outcome = invoke("report", tmp_path)
     assert outcome.exit_code == 2
     assert "must hold one of results.nc, series.nc, wear.nc, has none of them" in outcome.stderr
-    for folder, name in ((tugging[0], "series.nc"), (wear[0], "wear.nc")):
+    for folder, name in ((collision[0], "series.nc"), (wear[0], "wear.nc")):
         (tmp_path / name).write_bytes((folder / name).read_bytes())
     outcome = invoke("report", tmp_path)
     assert outcome.exit_code == 2

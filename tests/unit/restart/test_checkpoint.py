@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from checkpoint_scenes import (
+from checkpoint_setups import (
     EXACT,
     GAP,
     GRID,

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from checkpoint_scenes import GAP, GRID, LOAD, MATERIALS, assert_same, halved, simulation
+from checkpoint_setups import GAP, GRID, LOAD, MATERIALS, assert_same, halved, simulation
 
 CASES = Path(__file__).parents[3] / "cases"
 WAYS = {
@@ -63,8 +63,8 @@ def test_states_travel_between_processes_in_a_list():
 
 def test_what_was_warned_of_is_not_warned_of_again():
     sim = simulation()
-    sim.monitor.of_strain = True
-    assert copy.deepcopy(sim).monitor.of_strain
+    sim.monitor.strain_warned = True
+    assert copy.deepcopy(sim).monitor.strain_warned
 
 
 def test_a_law_that_cannot_be_pickled_is_told():

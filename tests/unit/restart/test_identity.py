@@ -62,11 +62,11 @@ def test_what_differs_is_named():
 
 
 def test_in_another_process():
-    code = "import sys; sys.path.insert(0, sys.argv[1]); from checkpoint_scenes import halved"
+    code = "import sys; sys.path.insert(0, sys.argv[1]); from checkpoint_setups import halved"
     code += (
         "; from samcontact.restart.identity import canonical; print(canonical([halved, {'a': 1}]))"
     )
-    from checkpoint_scenes import halved
+    from checkpoint_setups import halved
 
     folder = halved.__code__.co_filename.rpartition("/")[0]
     found = subprocess.run([sys.executable, "-c", code, folder], capture_output=True, check=True)

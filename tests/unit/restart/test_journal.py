@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from checkpoint_scenes import GAP, GRID, LOAD, MATERIALS, assert_same, simulation
+from checkpoint_setups import GAP, GRID, LOAD, MATERIALS, assert_same, simulation
 from samcontact.simulation.journal import Journal, describe
 
 PATH = [{"load": part * LOAD} for part in (0.4, 0.7, 1.0, 0.5)]

@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersCore import vtkCellCenters
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 import samcontact as sc
-from rough_scenes import PERCENT, RIGID, SOFT, STEEL, simulation
+from rough_setups import PERCENT, RIGID, SOFT, STEEL, simulation
 from samcontact import plotting, report, results
 from samcontact.commands.folder import is_own
 
@@ -34,11 +34,11 @@ def solved(tmp_path_factory):
 @pytest.mark.parametrize("body", [1, 2])
 def test_fields_are_those_of_the_states(solved, body):
     states, dataset = solved
-    for number in dataset["volume_increment"].values:
+    for number in dataset["output_increment"].values:
         state = states[number - 1]
         strained = state.equivalent_plastic_strain(body) > 0
         for name in TENSORS + SCALARS:
-            stored = dataset[f"{name}_body{body}"].sel(volume_increment=number)
+            stored = dataset[f"{name}_body{body}"].sel(output_increment=number)
             assert stored.shape[-1] < 0.1 * strained.size
             found = results.on_grid(stored, dataset).values
             expected = getattr(state, name)(body)
@@ -47,7 +47,7 @@ def test_fields_are_those_of_the_states(solved, body):
                 continue
             far = np.abs(found - expected)[..., strained].max()
             assert far < 3e-3 * np.abs(expected).max()
-            if number == dataset["volume_increment"][-1]:
+            if number == dataset["output_increment"][-1]:
                 assert np.isnan(found[..., ~strained]).all()
         largest = float(dataset[f"max_von_mises_body{body}"].sel(increment=number))
         assert largest == pytest.approx(state.von_mises(body).max(), rel=2e-3)
@@ -106,7 +106,7 @@ def test_vtk_files_have_these_cells(solved, body, tmp_path):
 def test_figures_and_a_report_show_the_strain(solved, tmp_path):
     _, dataset = solved
     drawn = {file.stem for file in plotting.summary_figures(dataset, tmp_path)}
-    assert {"sections", "print"} <= drawn
+    assert {"sections", "imprint"} <= drawn
     assert not {"axis_stress", "residual"} & drawn
     assert all(check.passed for check in report.checks(dataset) if "residual" in check.name)
     page = report.write(dataset, tmp_path / "report.html").read_text(encoding="utf-8")

@@ -35,11 +35,14 @@ def test_ways_and_tracks(run, tmp_path):
         np.testing.assert_allclose(data[f"travel_body{body}"], way, atol=1e-17)
     np.testing.assert_array_equal(data["contact_origin"], 0.0)
     assert "offset_body2" not in data
-    assert "track_x_body1" not in data.coords  # elastic
+    assert "track_position_body1" not in data.coords  # elastic
 
     track = states[-1].track(2)
-    np.testing.assert_array_equal(data["track_x_body2"], track.x)
-    tensor, volume = ("component", "track_x_body2", "y", "z"), ("track_x_body2", "y", "z")
+    np.testing.assert_array_equal(data["track_position_body2"], track.x)
+    tensor, volume = (
+        ("component", "track_position_body2", "y", "z"),
+        ("track_position_body2", "y", "z"),
+    )
     for name, dims, field in (
         ("residual_displacement", volume[:2], track.residual_displacement()),
         ("residual_stress", tensor, track.residual_stress()),
@@ -68,7 +71,7 @@ def test_maximum_of_the_strain_is_that_of_the_whole_track(run):
 def test_without_volume_fields_there_is_the_print(run):
     data = results.to_dataset(*run, volume="none")
     tracks = {name for name in data.variables if name.startswith("track")}
-    assert tracks == {"track_x_body2", "track_residual_displacement_body2"}
+    assert tracks == {"track_position_body2", "track_residual_displacement_body2"}
 
 
 def test_bodies_that_do_not_move_have_no_track():

@@ -31,14 +31,14 @@ def test_labels_find_the_right_numbers(simulation, states):
     np.testing.assert_array_equal(data["increment"], [1, 2, 3, 4])
     np.testing.assert_array_equal(data["load"], LOADS)
     np.testing.assert_array_equal(data["pressure"].sel(increment=2), states[1].pressure)
-    np.testing.assert_array_equal(data["volume_increment"], [2, 4])  # peak and last
+    np.testing.assert_array_equal(data["output_increment"], [2, 4])  # peak and last
     tensor = states[1].stress(body=2)
     for index, name in enumerate(("xx", "yy", "zz", "yz", "xz", "xy")):
-        picked = data["stress_body2"].sel(volume_increment=2, component=name)
+        picked = data["stress_body2"].sel(output_increment=2, component=name)
         np.testing.assert_array_equal(picked.transpose("x", "y", "z"), tensor[index])
     value = (
         data["von_mises_body2"]
-        .sel(volume_increment=2)
+        .sel(output_increment=2)
         .sel(
             x=simulation.grid.x[3], y=simulation.grid.y[5], z=simulation.grid.z[1], method="nearest"
         )
@@ -72,7 +72,7 @@ def test_scalars(simulation, states):
 
 def test_every_variable_has_units_and_a_name(simulation, states):
     data = results.to_dataset(simulation, states, volume="all")
-    assert data.sizes["volume_increment"] == 4
+    assert data.sizes["output_increment"] == 4
     for name, variable in data.variables.items():
         if name == "component":
             continue
@@ -113,7 +113,7 @@ def test_attributes(simulation, states):
         output=SimpleNamespace(body=2, volume="last"),
     )
     data = results.to_dataset(simulation, states, case)
-    assert data.sizes["volume_increment"] == 1
+    assert data.sizes["output_increment"] == 1
     assert data.attrs["title"] == "scene"
     assert data.attrs["case"] == "[grid]\nnx = 3\n"
     assert data.attrs["body2_law"] == "swift"
@@ -186,7 +186,7 @@ def test_real_simulation(tmp_path):
         assert table.loc[2, "contact_area"] == 0.0
         assert table.loc[2, "max_equivalent_plastic_strain_body2"] > 0.0
         np.testing.assert_array_equal(
-            data["stress_body2"].sel(volume_increment=1).transpose("component", "x", "y", "z"),
+            data["stress_body2"].sel(output_increment=1).transpose("component", "x", "y", "z"),
             states[0].stress(body=2),
         )
         assert data.attrs["body1_E"] == 210e9
@@ -217,9 +217,9 @@ def test_each_increment_has_its_own_source_of_heat(tmp_path):
 def test_depth_of_the_print(simulation, states):
     data = results.to_dataset(simulation, states)
     expected = [float(state.residual_displacement(2).max()) for state in states]
-    assert data["print_depth_body2"].values.tolist() == expected
+    assert data["imprint_depth_body2"].values.tolist() == expected
     assert expected[-1] > 0
-    assert "print_depth_body2" in results.scalars(data)
+    assert "imprint_depth_body2" in results.scalars(data)
 
 
 def test_a_file_tells_its_conventions_and_history(simulation, states, tmp_path):

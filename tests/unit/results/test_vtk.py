@@ -81,7 +81,7 @@ def test_volume_fields_lie_where_they_belong(tmp_path, body, up):
     )
     for i, j, k in ((0, 0, 0), (3, 5, 1), (10, 8, 3), (7, 2, 2)):
         point = float(data.x[i]), float(data.y[j]), up * float(data.z[k])
-        picked = data.sel(volume_increment=2).isel(x=i, y=j, z=k)
+        picked = data.sel(output_increment=2).isel(x=i, y=j, z=k)
         for name in ("von_mises", "hydrostatic", "equivalent_plastic_strain"):
             assert value(grid, name, *point) == pytest.approx(
                 [float(picked[f"{name}_body{body}"])], rel=1e-14
@@ -215,10 +215,10 @@ def test_the_track_of_a_body_that_moved(tmp_path, nz):
         "out_surface", "out_track_surface"]  # fmt: skip
     assert [file.name for file in written] == [f"{end}.vtr" for end in ends]
     surface = read(written[-1])
-    x = data["track_x_body2"]
+    x = data["track_position_body2"]
     assert len(x) > 15
     assert names(surface) == {"residual_displacement"}
-    place = data.isel(track_x_body2=9, y=5)
+    place = data.isel(track_position_body2=9, y=5)
     at = float(x[9]), float(data.y[5])
     expected = place["track_residual_displacement_body2"]
     assert value(surface, "residual_displacement", *at, 0.0) == pytest.approx(float(expected))

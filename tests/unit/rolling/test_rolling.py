@@ -117,7 +117,7 @@ def test_steady_rolling_is_what_steps_end_in(bodies):
     }
     one = solver.solve(gap, load=LOAD, previous=steady, **step)
     assert np.abs(one.shear - steady.shear).max() < 1e-6 * scale
-    assert one.friction_work == pytest.approx(steady.work_per_way * d, rel=1e-5)
+    assert one.friction_work == pytest.approx(steady.friction_work_per_distance * d, rel=1e-5)
     assert one.shift == pytest.approx([xi * d, eta * d])
     if bodies is STEEL_ON_SOFT:
         return

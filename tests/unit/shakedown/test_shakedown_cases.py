@@ -34,18 +34,18 @@ def test_the_path_is_repeated(run, monkeypatch):
     expected = shakedown.run(simulation, path, cycles=4, tol=0.002, progress=False)
     assert len(expected.cycles) > 1
     with results.open_results(folder / "shakedown.nc") as found:
-        assert found.attrs["verdict"] == expected.verdict
+        assert found.attrs["response"] == expected.response
         np.testing.assert_array_equal(found["flow"], [c.flow for c in expected.cycles])
         np.testing.assert_array_equal(found["net"], [c.net for c in expected.cycles])
         np.testing.assert_array_equal(found["cycle"], [c.number for c in expected.cycles])
-    assert expected.verdict in outcome.stdout
+    assert expected.response in outcome.stdout
     assert (folder / "shakedown.png").exists()
     # so that a later run without it leaves nothing of it behind
     assert all(is_own(folder / name) for name in ("shakedown.nc", "shakedown.png"))
     page = invoke("report", folder)
     assert page.exit_code in (0, 1), page.output
     text = (folder / "report.html").read_text(encoding="utf-8")
-    assert f"{expected.verdict} after {expected.cycles[-1].number} cycles" in text
+    assert f"{expected.response} after {expected.cycles[-1].number} cycles" in text
     (table,) = re.findall(r'<table id="shakedown-table">.*?</table>', text, re.DOTALL)
     stored = re.findall(r'<data value="([^"]*)">', table)
     assert [float(value) for value in stored] == [

@@ -41,7 +41,7 @@ GRIDS = [10, pytest.param(20, marks=pytest.mark.slow)]
 def test_rollers_below_the_limit_stop_straining(cells):
     """Melan's limit is 4 k, on any grid that resolves the shear below."""
     result = repeated(3.9, cells=cells)
-    assert result.verdict == "elastic shakedown"
+    assert result.response == "elastic shakedown"
     assert result.shakes_down
     assert result.flow <= 1e-3 * result.yield_strain
     assert result.cycles[0].flow > 0.5 * result.yield_strain
@@ -58,7 +58,7 @@ def test_rollers_below_the_limit_stop_straining(cells):
 @pytest.mark.parametrize("cells", GRIDS)
 def test_rollers_above_the_limit_go_on_straining(cells):
     result = repeated(4.1, cells=cells)
-    assert result.verdict == "ratcheting"
+    assert result.response == "ratcheting"
     assert not result.shakes_down
     assert result.rate > 0.01 * result.yield_strain
     # It is shear of layers over each other, which leaves no residual stress.
@@ -75,11 +75,11 @@ def test_hardening_that_moves_the_yield_surface_closes_what_ratchets():
     hard = SOFT.with_kinematic_hardening(0.2 * E)
     ratchets = repeated(ratio, SOFT, friction=friction, cells=8)
     closes = repeated(ratio, hard, friction=friction, cells=8)
-    assert (ratchets.verdict, closes.verdict) == ("ratcheting", "plastic shakedown")
+    assert (ratchets.response, closes.response) == ("ratcheting", "plastic shakedown")
     assert ratchets.rate > ratchets.yield_strain
     assert closes.rate <= 1e-3 * closes.yield_strain < 0.05 * closes.flow
     below = repeated(3.7, hard, friction=friction, cells=8)
-    assert below.verdict == "elastic shakedown"
+    assert below.response == "elastic shakedown"
 
 
 def test_jumps_change_nothing_but_the_number_of_cycles():
@@ -89,7 +89,7 @@ def test_jumps_change_nothing_but_the_number_of_cycles():
     step_by_step, cycle = rollers(3.4, friction=0.2, cells=6)
     for _ in range(result.cycles[-1].number):
         state = step_by_step.run(cycle, progress=False)[-1]
-    assert result.verdict == "ratcheting"
+    assert result.response == "ratcheting"
     assert 2 * result.solved < result.cycles[-1].number
     difference = np.abs(result.state.plastic_strain() - state.plastic_strain()).max()
     assert difference < result.error
@@ -120,7 +120,7 @@ def test_a_jump_that_is_not_confirmed_is_taken_back(monkeypatch):
     plain = repeated(3.9, cells=8, accelerate=False)
     assert wild.rejected > 0
     assert wild.solved == len(wild.cycles) + wild.rejected
-    assert wild.verdict == plain.verdict
+    assert wild.response == plain.response
     difference = np.abs(wild.state.plastic_strain() - plain.state.plastic_strain()).max()
     assert difference <= wild.error + 2e-3 * plain.yield_strain
 
@@ -138,7 +138,7 @@ def test_a_ball_pressed_again_stays_elastic():
     first = simulation.run(cycle, progress=False)[-1]
     simulation, _ = ball()
     result = shakedown.run(simulation, cycle, progress=False)
-    assert result.verdict == "elastic shakedown"
+    assert result.response == "elastic shakedown"
     assert result.cycles[1].flow < 0.05 * result.cycles[0].flow
     np.testing.assert_allclose(
         result.state.residual_displacement(), first.residual_displacement(), rtol=0.1, atol=1e-9
@@ -150,16 +150,16 @@ def test_a_substrate_below_a_coating():
     simulation, cycle = ball(sc.Layered([(STEEL, 20e-6)], SOFT))
     result = shakedown.run(simulation, cycle, progress=False)
     assert result.yield_strain == pytest.approx(np.sqrt(3.0) * K / E)
-    assert (result.verdict, result.solved) == ("elastic shakedown", 2)
+    assert (result.response, result.solved) == ("elastic shakedown", 2)
 
 
 def test_what_never_yields_is_elastic():
     simulation, cycle = ball(load=0.5)
     result = shakedown.run(simulation, cycle, progress=False)
-    assert (result.verdict, result.flow, result.rate, result.solved) == ("elastic", 0.0, 0.0, 1)
+    assert (result.response, result.flow, result.rate, result.solved) == ("elastic", 0.0, 0.0, 1)
     assert result.shakes_down
     with pytest.raises(dataclasses.FrozenInstanceError):
-        result.verdict = "ratcheting"
+        result.response = "ratcheting"
     with pytest.raises(ValueError, match="read-only"):
         result.strain_per_cycle()[0] = 1.0
     again = pickle.loads(pickle.dumps(result))
@@ -177,7 +177,7 @@ def test_a_ball_that_rolls_over_a_track_and_is_brought_back():
         shakedown.run(simulation, steps, progress=False)
     back = {"load": 0.0, "advance": (way, way)}
     result = shakedown.run(simulation, [*steps, back], progress=False, cycles=20)
-    assert result.verdict == "elastic shakedown"
+    assert result.response == "elastic shakedown"
     assert result.strain_per_cycle().shape == result.state.track(2, margin=0).plastic_strain().shape
 
 
@@ -195,7 +195,7 @@ def test_goes_on_after_an_interrupt_with_the_same_bits(tmp_path, monkeypatch):
     with pytest.raises(KeyboardInterrupt) as stopped:
         shakedown.run(simulation, cycle, progress=False, checkpoint=tmp_path)
     monkeypatch.undo()
-    assert stopped.value.result.verdict == "undecided"
+    assert stopped.value.result.response == "undecided"
     assert len(list(tmp_path.glob("*.h5"))) == stopped.value.result.solved == 7
 
     again, _ = rollers(3.4, cells=6, friction=0.2)
@@ -211,7 +211,7 @@ def test_goes_on_after_an_interrupt_with_the_same_bits(tmp_path, monkeypatch):
 def test_says_when_it_is_not_clear():
     with pytest.warns(shakedown.NotSteadyWarning, match="increase cycles = 3"):
         result = repeated(4.1, cells=8, cycles=3)
-    assert result.verdict == "undecided"
+    assert result.response == "undecided"
     assert not result.shakes_down
     simulation, cycle = rollers(3.4, cells=6, friction=0.2)
     with pytest.warns(shakedown.NotSteadyWarning):  # a jump follows the fourth, which none confirms
@@ -219,7 +219,7 @@ def test_says_when_it_is_not_clear():
     np.testing.assert_array_equal(simulation.state.plastic_strain(), last.state.plastic_strain())
     rows = dict(result._rows())
     assert rows["cycles"] == "3, 3 of which solved"
-    assert "verdict='undecided'" in repr(result)
+    assert "response='undecided'" in repr(result)
 
 
 def test_refuses():

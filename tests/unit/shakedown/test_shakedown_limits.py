@@ -90,7 +90,7 @@ def test_a_circle_is_decided_in_its_middle(friction):
 @pytest.mark.parametrize("friction", [0.0, 0.25, 0.5])
 def test_a_circle_that_is_safe(friction):
     """Below the bound, sigma_xx alone makes the passage elastic at every transverse position."""
-    safe = shakedown.point_safe(friction)
+    safe = shakedown.point_lower_bound(friction)
     first = math.sqrt(3.0) * sc.critical.onset_sliding(1.0, 1.0, 0.3, 1.0, friction).C
     assert first < safe.ratio <= shakedown.point(friction).ratio * (1 + 1e-12)
     for y in (0.0, 0.2, 0.5, 0.8, 0.98, 1.1):
@@ -115,7 +115,7 @@ def test_ellipses_between_line_and_circle():
     assert shear.max() * shakedown.elliptic(1.0).ratio == pytest.approx(1.0, rel=1e-4)
     ratios = [shakedown.elliptic(k).ratio for k in (0.01, 0.1, 1.0, 10.0, 100.0)]
     assert all(np.diff(ratios) < 0)
-    assert shakedown.elliptic(2.0, 0.5) == shakedown.Limit(2.0, 0.0, "upper")
+    assert shakedown.elliptic(2.0, 0.5) == shakedown.ShakedownLimit(2.0, 0.0, "upper")
 
 
 def test_ellipse_against_the_pressure_on_cells():

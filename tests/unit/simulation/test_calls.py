@@ -12,7 +12,7 @@ import samcontact as sc
 PACKAGE = str(Path(sc.surfaces.__file__).parent)
 STEEL = sc.Material.elastic(210e9, 0.3)
 YIELDING = sc.Material.perfect_plastic(210e9, 0.3, 0.6e9)
-MOST = {"elastic": 55, "plastic": 62}
+MAX_CALLS = {"elastic": 55, "plastic": 62}
 """Calls of functions of the package in a step: a few more than there are."""
 
 
@@ -32,7 +32,7 @@ def calls_of(function):
     return count
 
 
-@pytest.mark.parametrize("kind", MOST)
+@pytest.mark.parametrize("kind", MAX_CALLS)
 def test_a_step_calls_few_functions(kind):
     dz = {"elastic": None, "plastic": 10e-6}[kind]
     grid = sc.Grid(25, 25, 20e-6, 20e-6, dz=dz)
@@ -42,5 +42,5 @@ def test_a_step_calls_few_functions(kind):
         warnings.simplefilter("ignore", sc.IncrementWarning)  # whose estimate is another run
         counts = [calls_of(lambda load=load: simulation.step(load=load)) for load in (40.0, 44.0)]
     assert (simulation.state.max_equivalent_plastic_strain(2) > 0) == (kind == "plastic")
-    assert max(counts) <= MOST[kind]
+    assert max(counts) <= MAX_CALLS[kind]
     assert min(counts) >= 20  # they are counted

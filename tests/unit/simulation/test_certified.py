@@ -54,7 +54,7 @@ def test_names_are_those_of_bodies_that_have_them():
     steel = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
     assert error_controlled_quantities.names((STEEL, STEEL))[4:] == ["max_von_mises_body2"]
     assert error_controlled_quantities.names((STEEL, STEEL), volume=False) == list(
-        error_controlled_quantities.OF_CONTACT
+        error_controlled_quantities.CONTACT_QUANTITIES
     )
     assert len(error_controlled_quantities.names((steel, STEEL))) == 8
     assert error_controlled_quantities.names((steel, STEEL))[4] == "max_von_mises_body1"
@@ -80,7 +80,7 @@ def test_fields_of_the_plastic_zone_hold_the_largest_of_the_grid(shift):
                 assert mine[inside] == pytest.approx(other[beside], rel=1e-8, abs=1.0)
             kind = {"stress": "max_von_mises", "residual_stress": "max_residual_von_mises"}
             value = error_controlled_quantities.value(
-                state, f"{kind.get(name, 'print_depth')}_body2"
+                state, f"{kind.get(name, 'imprint_depth')}_body2"
             )
             field = whole if whole.ndim == 2 else von_mises(whole)
             assert value > 0.999 * field.max()

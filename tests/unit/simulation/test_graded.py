@@ -9,7 +9,7 @@ import pytest
 
 import samcontact as sc
 from reference import fem
-from rough_scenes import (
+from rough_setups import (
     CELLS,
     GRID,
     LAYERS,

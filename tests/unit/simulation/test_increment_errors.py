@@ -214,6 +214,6 @@ def test_table_results_and_report_state_them(tmp_path):
 
 def test_shares_are_written_without_powers_of_ten():
     shares = {"shear": 0.999, "pressure": 12.34, "gap": 0.004567}
-    told = increment_errors.said(shares)
+    told = increment_errors.error_summary(shares)
     expected = "the pressure by about 1200 %, the shear by about 100 %, the gap by about 0.46 %"
     assert told == f"more increments would change {expected}"

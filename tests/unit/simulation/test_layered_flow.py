@@ -197,9 +197,9 @@ def test_work_on_yielding_layers_is_found_again():
     states = [run.step(load=load) for load in np.linspace(0.5, 4.0, 8)]
     states += [run.step(load=4.0, shift=(5e-8, 0.0)) for _ in range(4)]
     found = sc.energy.balance(run, states)
-    assert found.plastic > 0.1 * found.put_in
-    assert found.friction > 0
-    assert abs(found.missing) < 2e-3
+    assert found.plastic_work > 0.1 * found.work_input
+    assert found.friction_work > 0
+    assert abs(found.imbalance) < 2e-3
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")

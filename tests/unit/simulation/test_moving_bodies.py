@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from moving_scenes import (
+from moving_setups import (
     CELL,
     CERAMIC,
     HEATED,
@@ -119,7 +119,7 @@ def test_a_track_without_plastic_strain_is_flat():
 RESUMED = """
 import os, signal, sys
 sys.path.insert(0, sys.argv[2])
-from moving_scenes import LOAD, RAMP, SOFT, STEEL, CELL, ball, roll
+from moving_setups import LOAD, RAMP, SOFT, STEEL, CELL, ball, roll
 simulation = ball(SOFT, STEEL, residual_stress="fast")
 simulation.run([*RAMP, *roll(5, -1.4 * CELL, -CELL)], progress=False)
 simulation.save(sys.argv[1])

@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from moving_scenes import (
+from moving_setups import (
     CELL,
     CERAMIC,
     HEATED,

@@ -5,7 +5,7 @@ import pytest
 
 import samcontact as sc
 from openmp import told_with
-from rough_scenes import (
+from rough_setups import (
     KINEMATIC,
     RIGID,
     SIZE,
@@ -82,7 +82,7 @@ def test_going_on_from_a_file_changes_no_digit(tmp_path):
 THREADS = """
 import hashlib, warnings
 warnings.simplefilter("ignore")
-from rough_scenes import *
+from rough_setups import *
 sim = rolling(SOFT, KINEMATIC, friction=0.1)
 for cells in (0, 16):
     state = sim.step(load=WIDE_PERCENT, advance=(cells * SIZE, (cells - 1.5) * SIZE))

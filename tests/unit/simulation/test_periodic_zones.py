@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from rough_scenes import (
+from rough_setups import (
     ELASTIC,
     KINEMATIC,
     RIGID,

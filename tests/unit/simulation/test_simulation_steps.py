@@ -7,7 +7,7 @@ import warnings
 
 import numpy as np
 import pytest
-from simulation_scenes import (
+from simulation_setups import (
     BALL,
     EXACT,
     GRID,

@@ -9,7 +9,7 @@ import pytest
 
 import samcontact as sc
 from openmp import told_with
-from rough_scenes import (
+from rough_setups import (
     CELLS,
     ELASTIC,
     GAP,
@@ -205,7 +205,7 @@ def test_going_on_from_a_file_or_a_pickle_changes_no_digit(tmp_path):
 THREADS = """
 import hashlib, warnings
 warnings.simplefilter("ignore")
-from rough_scenes import *
+from rough_setups import *
 sim = simulation(SOFT, PERFECT, friction=0.2)
 for percent in (1, 1.5, 0.2):
     state = sim.step(load=percent * PERCENT)

@@ -53,7 +53,7 @@ def test_rolling_over_a_dent(over_a_dent):
     assert stress[expected] > 0.999 * stress.max()
     assert 0 < expected < len(states) - 2
     assert stress[expected] > 1.3 * stress[0]  # the first of the largest load tells nothing
-    assert dataset["volume_increment"].values.tolist() == [expected + 1, len(states)]
+    assert dataset["output_increment"].values.tolist() == [expected + 1, len(states)]
     captions = [f.caption for f in report.contact.content(dataset)["figures"]]
     assert f"Pressure along x, increment {expected + 1}, 79 N" in captions
     assert f"Von Mises stress, body 2, increment {expected + 1}, 79 N" in captions

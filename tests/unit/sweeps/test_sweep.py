@@ -19,7 +19,7 @@ from case_texts import MINIMAL
 from command import invoke
 from comparing import assert_stored
 from samcontact import results
-from samcontact.cases import Case, CaseError, TuggingCase
+from samcontact.cases import AsperityCase, Case, CaseError
 from samcontact.sweeps import run, store, worker
 
 # 24 cases with paths of one and of three increments; those of 9e13 N do not fit on the grid
@@ -334,21 +334,27 @@ def test_interrupt_cancels_what_waits_in_an_executor(monkeypatch):
     assert [future.cancelled() for future in submitted] == [False, True, True]
 
 
-def test_tugging_too():
+def test_asperities_too():
     elastic = {"law": "elastic", "E": 200e9, "nu": 0.32}
-    case = TuggingCase.model_validate(
+    case = AsperityCase.model_validate(
         {
             "title": "two spheres",
-            "tugging": {"R1": 1.0, "R2": 1.0, "interference": 1e-4, "increments": 6, "depth": 0.5},
+            "asperities": {
+                "R1": 1.0,
+                "R2": 1.0,
+                "interference": 1e-4,
+                "increments": 6,
+                "depth": 0.5,
+            },
             "body1": elastic,
             "body2": elastic,
             "contact": {"tol": 1e-6},
         }
     )
-    found = sc.sweep(case, {"tugging.passes": [1, 2]}, progress=False)
+    found = sc.sweep(case, {"asperities.passes": [1, 2]}, progress=False)
     assert (found["status"] == "done").all()
-    assert found["force_x"].dims == ("tugging.passes", "pass", "increment")
-    assert found["residual_displacement"].dims == ("tugging.passes", "pass", "body")
+    assert found["force_x"].dims == ("asperities.passes", "pass", "increment")
+    assert found["residual_displacement"].dims == ("asperities.passes", "pass", "body")
     assert np.isnan(found["force_x"][0, 1]).all()
     np.testing.assert_array_equal(found["force_x"][0, 0], found["force_x"][1, 0])
 

@@ -75,7 +75,7 @@ def test_bad_executors(executor, none_solved):
         ("heat.velocity[0]", "m/s"),
         ("path[3].roll.distance", "m"),
         ("path[0].load", "N"),
-        ("tugging.depth", ""),
+        ("asperities.depth", ""),
         ("relief1.depth", "m"),
         ("grid.nx", ""),
     ],

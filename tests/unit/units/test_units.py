@@ -12,7 +12,7 @@ from pydantic import BaseModel, BeforeValidator
 
 import samcontact as sc
 from samcontact import units
-from samcontact.cases import Case, CaseError, TuggingCase, load_case
+from samcontact.cases import AsperityCase, Case, CaseError, load_case
 
 
 @pytest.mark.parametrize(
@@ -179,7 +179,7 @@ def test_without_pint(tmp_path, monkeypatch):
     assert case_of(tmp_path).grid.dx == 100e-6
 
 
-# numbers without a dimension (width and depth of [tugging] are multiples), and start, whose unit
+# numbers without a dimension (width and depth of [asperities] are multiples), and start, whose unit
 # depends on its segment
 NUMBERS = {
     *("nu", "C", "n", "recovery", "m", "floor", "hurst", "friction", "coulomb", "lateral_creepage"),
@@ -214,5 +214,5 @@ def without_unit(model):
 
 
 def test_every_field_with_a_dimension_takes_units():
-    sections = {model for case in (Case, TuggingCase) for model in models(case)}
+    sections = {model for case in (Case, AsperityCase) for model in models(case)}
     assert {name for model in sections for name in without_unit(model)} == NUMBERS

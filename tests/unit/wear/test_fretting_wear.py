@@ -42,7 +42,7 @@ def test_volume_is_that_of_the_work_of_friction(worn):
     for cycle in worn.cycles:
         assert cycle.parts > 1
         assert cycle.volume == pytest.approx(np.array([1e-14, 3e-14]) * cycle.friction_work)
-        assert cycle.lost == pytest.approx(cycle.volume, rel=1e-12)
+        assert cycle.lost_volume == pytest.approx(cycle.volume, rel=1e-12)
     np.testing.assert_allclose(worn.profile(body=2), 3 * worn.profile(body=1), rtol=1e-12)
     simulation = sc.Simulation(BALL_GRID, STEEL, STEEL, BALL, MU)
     before, *_, after = simulation.run(to_and_fro(BALL_LOAD, 0.3 * BALL_LOAD), progress=False)[1:]
@@ -63,7 +63,7 @@ def test_both_laws_agree_where_the_friction_is_the_same(amplitude):
     cycle = [{"load": BALL_LOAD, "shift": (d * amplitude, 0.0)} for d in (0, 1, -2, 2)]
     one = frets(cycle=cycle, energy=None, archard=1e-16, cycles=1)
     other = frets(cycle=cycle, energy=1e-16 / MU.coefficient, cycles=1)
-    assert (one.cycles[0].sticking_area == 0.0) == (amplitude == 2e-5)
+    assert (one.cycles[0].stick_area == 0.0) == (amplitude == 2e-5)
     depth = -one.profile().min()
     np.testing.assert_allclose(one.profile(), other.profile(), atol=1e-5 * depth)
 
@@ -87,7 +87,7 @@ def test_the_scar_ends_where_all_is_carried_by_what_sticks():
     assert result.stopped
     pressure = result.last[-1].pressure
     stuck = pressure > 0
-    areas = [one.sticking_area for one in result.cycles]
+    areas = [one.stick_area for one in result.cycles]
     assert areas == pytest.approx([np.count_nonzero(stuck) * LINE.cell_area] * len(areas))
     assert np.count_nonzero(stuck) < 0.62 * result.cycles[0].contact_area / LINE.cell_area
     solver = sc.ContactSolver(LINE, STEEL, STEEL)
@@ -100,7 +100,7 @@ def test_error_of_the_parts_is_in_proportion(monkeypatch):
     """And small: of first order, below 2 % of the depth."""
     scars = []
     for part in (1.0, 0.5, 0.25):
-        monkeypatch.setattr("samcontact.wear.by_slip._STABLE", part)
+        monkeypatch.setattr("samcontact.wear.by_slip._MAX_PRESSURE_CHANGE", part)
         scars.append(frets(repeats=120_000, cycles=1))
     counts = [scar.cycles[0].parts for scar in scars]
     coarse, fine = (np.linalg.norm(a.profile() - b.profile()) for a, b in pairwise(scars))

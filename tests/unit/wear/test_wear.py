@@ -69,7 +69,7 @@ def test_surfaces_may_be_functions_of_the_grid():
 def test_volume_lost_is_volume_removed(worn):
     assert worn.cycles[0].volume[0] > 0
     for cycle in worn.cycles:
-        assert cycle.lost[0] == pytest.approx(cycle.volume[0], rel=1e-12)
+        assert cycle.lost_volume[0] == pytest.approx(cycle.volume[0], rel=1e-12)
     total = (worn.profile(0) - worn.profile()).sum() * GRID.cell_area
     assert total == pytest.approx(worn.rate.sum(), rel=1e-12)
     assert (np.diff(worn.heights[2], axis=0) <= 0).all()
@@ -93,7 +93,7 @@ def test_next_cycle_starts_from_the_worn_surface_and_what_is_left(worn):
     simulation = sc.Simulation(
         GRID, ELASTIC, STEEL, GAP, 0.4, relief2=sc.Relief(-wear.smooth(removed, 7))
     )
-    left = np.maximum(wear.shift(strain, removed, GRID.dz), 0.0)
+    left = np.maximum(wear.below_worn_surface(strain, removed, GRID.dz), 0.0)
     assert strain[..., 0].max() > 2e-3 > left[..., 0].max() > 1e-3
     simulation.set_plastic_strain(2, shift_deviator(first.plastic_strain(), removed, GRID.dz), left)
     second = simulation.step(**PATH[0])
@@ -103,7 +103,7 @@ def test_next_cycle_starts_from_the_worn_surface_and_what_is_left(worn):
 def test_strain_may_move_up_by_the_smoothed_depth(worn):
     """Then some of what exceeds the threshold stays, and wears without any new flow."""
     exact, smoothed = (wearing(order=1, cycles=2, strain_depth=s) for s in ("exact", "smoothed"))
-    left = wear.shift(
+    left = wear.below_worn_surface(
         worn.first[1].equivalent_plastic_strain(), -smoothed.profile(1)[11:-11], GRID.dz
     )
     assert left[..., 0].max() > 2e-3
@@ -189,7 +189,7 @@ def test_a_track_longer_than_the_grid_wears():
     assert x[deep > 0].max() - x[deep > 0].min() > length
     for cycle in result.cycles:
         assert cycle.volume[0] > 0
-        assert cycle.lost[0] == pytest.approx(cycle.volume[0], rel=1e-12)
+        assert cycle.lost_volume[0] == pytest.approx(cycle.volume[0], rel=1e-12)
     # the second cycle meets the worn track: as a new simulation with it does
     again = sc.Simulation(GRID, ELASTIC, STEEL, GAP, 0.4, relief2=result.relief2)
     assert again.step(load=1e-3).pressure.max() > 0

@@ -96,7 +96,7 @@ def test_no_smoothing(window):
 def test_shift_by_whole_layers():
     field = RNG.normal(size=(6, 4, 3, 9))
     layers = RNG.integers(0, 11, (4, 3))
-    made = wear.shift(field, layers * 2.0, 2.0)
+    made = wear.below_worn_surface(field, layers * 2.0, 2.0)
     for i, j in np.ndindex(4, 3):
         n = min(int(layers[i, j]), 9)
         expected = np.concatenate([field[:, i, j, n:], np.zeros((6, n))], axis=1)
@@ -106,14 +106,14 @@ def test_shift_by_whole_layers():
 def test_shift_between_layers():
     z = (np.arange(60) + 0.5) * 0.1
     field = np.broadcast_to(np.exp(-z), (2, 1, 60))
-    made = wear.shift(field, np.array([[0.234], [0.0]]), 0.1)
+    made = wear.below_worn_surface(field, np.array([[0.234], [0.0]]), 0.1)
     np.testing.assert_allclose(made[0, 0, :50], np.exp(-z - 0.234)[:50], rtol=2e-3)
     np.testing.assert_array_equal(made[1], field[1])
 
 
 def test_shift_does_not_overshoot():
     field = RNG.uniform(0, 1, (5, 4, 12)) ** 8
-    made = wear.shift(field, RNG.uniform(0, 6, (5, 4)), 1.0)
+    made = wear.below_worn_surface(field, RNG.uniform(0, 6, (5, 4)), 1.0)
     assert made.min() >= -1e-15
     assert (made.max(axis=2) <= field.max(axis=2) + 1e-15).all()
 
@@ -126,8 +126,8 @@ def test_shifted_deviators_stay_deviators():
     made = shift_deviator(field, removed, 1.0)
     trace = made[:3].sum(axis=0)
     assert np.abs(trace[:2]).max() < 1e-14
-    np.testing.assert_allclose(made[:, 2, 1], wear.shift(field, removed, 1.0)[:, 2, 1])
-    assert np.abs(wear.shift(field, removed, 1.0)[:3, :2].sum(axis=0)).max() > 1e-3
+    np.testing.assert_allclose(made[:, 2, 1], wear.below_worn_surface(field, removed, 1.0)[:, 2, 1])
+    assert np.abs(wear.below_worn_surface(field, removed, 1.0)[:3, :2].sum(axis=0)).max() > 1e-3
 
 
 def test_strain_to_the_bottom():
@@ -139,7 +139,7 @@ def test_bad_fields():
     with pytest.raises(ValueError, match="depth must be >= 0 everywhere, got -1"):
         wear.smooth(-np.ones((7, 7)))
     with pytest.raises(ValueError, match="depth must be >= 0 everywhere, got -1"):
-        wear.shift(np.ones((7, 7, 2)), -np.ones((7, 7)), 1.0)
+        wear.below_worn_surface(np.ones((7, 7, 2)), -np.ones((7, 7)), 1.0)
     with pytest.raises(ValueError, match=r"equivalent must have shape \(nx, ny, nz\)"):
         wear.depth(np.ones((7, 7)), 1.0, 0.1)
 

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Case files of asperity collisions ("asperities")."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Annotated, Any, cast
+
+from pydantic import Field, model_validator
+
+from ..asperities import Collision, CollisionResult, collide
+from ..problem.moving_topography import Relief, relief_rows
+from .base import CaseError, CaseFile, Count, Length, OutputPlace, Positive, Section
+from .bodies import BodySection
+from .cross_checks import require_cold, require_image_tol, require_no_layers
+from .motion import ReliefSection
+from .sections import GridSection, settings_section
+
+
+class AsperitySection(Section):
+    """[asperities]: two spheres, their passes, and the cells unless the case has a [grid]."""
+
+    R1: Length
+    R2: Length
+    interference: Length
+    passes: Count = 1
+    back_and_forth: bool = False
+    cells_per_increment: Count = 1
+    increments: Annotated[int, Field(ge=4)] | None = None
+    width: Positive | None = None
+    depth: Positive | None = None
+
+    @model_validator(mode="after")
+    def _geometry(self) -> AsperitySection:
+        self.geometry()
+        return self
+
+    def geometry(self) -> Collision:
+        return Collision(self.R1, self.R2, self.interference)
+
+    def grid_arguments(self) -> dict[str, Any]:
+        """Fields that define a grid, if specified."""
+        names = ("increments", "width", "depth")
+        return {n: getattr(self, n) for n in names if getattr(self, n) is not None}
+
+
+if TYPE_CHECKING:
+    from ..bodies.material import Material
+
+    AsperitySolver = Section
+else:
+    # the spheres are smooth; without tol the default of `collide` applies
+    AsperitySolver = settings_section(
+        "AsperitySolver", __name__, without=("friction", "contact_law"), tol=None
+    )
+
+
+class AsperityCase(CaseFile):
+    """Validated case of `asperities.collide`; all quantities in SI units."""
+
+    title: Annotated[str, Field(min_length=1)]
+    description: str = ""
+    asperities: AsperitySection
+    grid: GridSection | None = None
+    body1: BodySection
+    body2: BodySection
+    relief1: ReliefSection | None = None
+    relief2: ReliefSection | None = None
+    contact: AsperitySolver = AsperitySolver()
+    output: OutputPlace = OutputPlace()
+
+    @model_validator(mode="after")
+    def _consistent(self) -> AsperityCase:
+        if self.body1.law == "rigid" and self.body2.law == "rigid":
+            raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
+        if self.grid is not None and self.asperities.grid_arguments():
+            given = ", ".join(self.asperities.grid_arguments())
+            raise ValueError(
+                f"asperities: {given} cannot be combined with [grid]: omit one of them"
+            )
+        bodies = (("body1", self.body1), ("body2", self.body2))
+        require_cold(bodies, "omit it, [asperities] does not support heat")
+        require_no_layers(bodies, "[asperities]")
+        require_image_tol(self.contact)
+        return self
+
+    def solve(
+        self, *, progress: bool = True, checkpoint: str | os.PathLike[str] | None = None
+    ) -> CollisionResult:
+        """Run `asperities.collide`; raises its errors, and CaseError for an invalid section."""
+        collision, section = self.asperities.geometry(), "grid"
+        reliefs: dict[str, Relief] = {}
+        try:
+            if self.grid is not None:
+                grid = self.grid.build()
+            else:
+                cells = self.asperities.cells_per_increment
+                grid = collision.grid(cells_per_increment=cells, **self.asperities.grid_arguments())
+            for section in ("relief1", "relief2"):
+                given = getattr(self, section)
+                if given is not None:
+                    reliefs[section] = given.build(grid, self.source.parent)
+                    relief_rows(section, reliefs[section], grid)
+        except (ValueError, ImportError) as error:
+            raise CaseError(f"{self.source}: [{section}] {error}") from error
+        return collide(
+            collision,
+            cast("Material", self.body1.build()),
+            cast("Material", self.body2.build()),
+            grid,
+            passes=self.asperities.passes,
+            back_and_forth=self.asperities.back_and_forth,
+            cells_per_increment=self.asperities.cells_per_increment,
+            relief1=reliefs.get("relief1"),
+            relief2=reliefs.get("relief2"),
+            checkpoint=checkpoint,
+            progress=progress,
+            **self.contact.model_dump(exclude_none=True),
+        )

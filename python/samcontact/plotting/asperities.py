@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of asperity collisions ("asperities"), for the series of one or several collisions.
+
+Each function takes an `ax` and returns it. With `critical` (e.g. `samcontact.critical.green`),
+values are relative to their values at first yield. Boucly (2008), figures 4.7 to 4.11.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from .._util.checks import FloatArray, choice
+from .._util.display import quantity
+from .._util.quantities import ASPERITIES
+from .parts import axes_or_new, finish, prefixed
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ..critical import CriticalSphere
+
+__all__ = ["force", "load_ratio", "net_energy", "residual_displacement"]
+
+Results = Sequence["xr.Dataset"]
+
+
+def _offset(series: xr.Dataset) -> FloatArray:
+    """Return the offset of the centres, relative to the equivalent radius."""
+    first, second = (float(series.attrs[name]) for name in ("R1", "R2"))
+    offset: FloatArray = series["offset"].values / (first * second / (first + second))
+    return offset
+
+
+def _label(series: xr.Dataset, critical: CriticalSphere | None) -> str:
+    interference = series.attrs["interference"]
+    if critical is None:
+        return quantity(interference, "m")
+    return f"ω/ωc = {interference / critical.interference:.3g}"
+
+
+def _one_pass(series: xr.Dataset, number: int) -> xr.Dataset:
+    passes = series.sizes["pass"]
+    if not 1 <= number <= passes:
+        raise ValueError(f"number must be a pass number, 1 to {passes}, got {number!r}")
+    one: xr.Dataset = series.sel({"pass": number})
+    return one
+
+
+def force(
+    results: Results,
+    ax: Axes | None = None,
+    *,
+    component: str = "x",
+    number: int = 1,
+    critical: CriticalSphere | None = None,
+) -> Axes:
+    """Draw the force of the upper on the lower sphere versus the offset of their centres over R.
+
+    Parameters
+    ----------
+    results : sequence of xarray.Dataset
+        `CollisionResult.series` of each collision; one line is drawn for each.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; default: a new figure.
+    component : {"x", "z"}
+        Tangential force (required to move the upper sphere along +X), or normal force.
+    number : int
+        Number of the pass, from 1.
+    critical : CriticalSphere, optional
+        Critical values: the force is shown relative to the critical load. If omitted, the force is
+        in N with a suitable prefix.
+    """
+    choice("component", component, ("x", "z"))
+    name = f"force_{component}"
+    passes = [_one_pass(result, number) for result in results]
+    # NaN: no contact, hence no force
+    largest = max((float(np.abs(np.nan_to_num(s[name])).max()) for s in passes), default=0.0)
+    factor, unit = prefixed(largest, "N") if critical is None else (1.0 / critical.load, "")
+    ax = axes_or_new(ax)
+    for series in passes:
+        force, label = series[name].values * factor, _label(series, critical)
+        ax.plot(_offset(series), force, ".-", markersize=3, linewidth=1.0, label=label)
+    beside = f"[{unit}]" if critical is None else "/ critical load"
+    ax.set_ylabel(f"{ASPERITIES[name].heading} {beside}")
+    return _against_offset(ax, critical)
+
+
+def load_ratio(
+    results: Results,
+    ax: Axes | None = None,
+    *,
+    number: int = 1,
+    critical: CriticalSphere | None = None,
+) -> Axes:
+    """Draw the ratio of tangential to normal force versus the offset of the centres over R.
+
+    Arguments as in `force`; `critical` affects the labels only.
+    """
+    ax = axes_or_new(ax)
+    for result in results:
+        series = _one_pass(result, number)
+        x = _offset(series)
+        ratio = series["load_ratio"].values
+        ax.plot(x, ratio, ".-", markersize=3, linewidth=1.0, label=_label(result, critical))
+    ax.set_ylabel("tangential force / normal force [-]")
+    return _against_offset(ax, critical)
+
+
+def net_energy(
+    results: Results, ax: Axes | None = None, *, critical: CriticalSphere | None = None
+) -> Axes:
+    """Draw net energy of each pass, and energy of the residual stress, versus interference.
+
+    Parameters
+    ----------
+    results : sequence of xarray.Dataset
+        `CollisionResult.series` of each collision, with equal numbers of passes; one point for each.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; default: a new figure.
+    critical : CriticalSphere, optional
+        Critical values: energy and interference are shown relative to them. If omitted, they are in
+        J and m.
+    """
+    unit = 1.0 if critical is None else critical.energy
+    ax = axes_or_new(ax)
+    for number in results[0]["pass"].values:
+        energies = [float(_one_pass(r, int(number))["net_energy"]) / unit for r in results]
+        label = "net energy" if number == 1 else f"pass {number}"
+        ax.plot(_interferences(results, critical), energies, "o-", markersize=3, label=label)
+    stored = [float(_one_pass(r, 1)["residual_energy"]) / unit for r in results]
+    label = "energy of residual stress"
+    ax.plot(_interferences(results, critical), stored, "s--", markersize=3, label=label)
+    ax.set_ylabel("energy [J]" if critical is None else "energy / critical energy")
+    return _finished(ax, _interference_label(critical))
+
+
+def residual_displacement(
+    results: Results, ax: Axes | None = None, *, critical: CriticalSphere | None = None
+) -> Axes:
+    """Draw the residual imprint depth of each body after each pass, versus interference.
+
+    Arguments as in `net_energy`.
+    """
+    unit = 1.0 if critical is None else critical.interference
+    ax = axes_or_new(ax)
+    for number in results[0]["pass"].values:
+        for body, style in ((1, "o-"), (2, "s--")):
+            depths = [
+                float(_one_pass(r, int(number))["residual_displacement"].sel(body=body)) / unit
+                for r in results
+            ]
+            label = f"body {body}, pass {number}"
+            ax.plot(_interferences(results, critical), depths, style, markersize=3, label=label)
+    of = "[m]" if critical is None else "/ critical interference"
+    ax.set_ylabel(f"residual imprint depth {of}")
+    return _finished(ax, _interference_label(critical))
+
+
+def _interferences(results: Results, critical: CriticalSphere | None) -> list[float]:
+    unit = 1.0 if critical is None else critical.interference
+    return [result.attrs["interference"] / unit for result in results]
+
+
+def _interference_label(critical: CriticalSphere | None) -> str:
+    return "interference [m]" if critical is None else "interference / critical interference"
+
+
+def _against_offset(ax: Axes, critical: CriticalSphere | None) -> Axes:
+    return _finished(ax, "offset X/R", "interference" if critical is None else None)
+
+
+def _finished(ax: Axes, label: str, title: str | None = None) -> Axes:
+    ax.axhline(0.0, color="k", linewidth=0.6)
+    ax.set_xlabel(label)
+    ax.legend(title=title, fontsize="small", title_fontsize="small")
+    return finish(ax)

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact laws: lower bound of the pressure across a gap, and the cells in contact.
+
+Only this module compares pressures with zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, astuple, dataclass, field
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import _core
+from .._util.cached_property import cached_property
+from .._util.checks import non_negative, require_type
+from .._util.display import HtmlTable
+from .._util.short_text import in_short
+from ..heat import Heat
+
+
+@dataclass(frozen=True)
+class ContactLaw(HtmlTable):
+    """Contact law, with its parameters as fields.
+
+    The pressure is p = r - a(g), with a repulsion r >= 0 carried by closed cells and an attraction
+    a(g) >= 0 across the gap g. With an attractive law, friction depends on the repulsion only, the
+    grid is not enlarged, a simulation starts with separated bodies under the maximum tension, and
+    `advance`, prescribed pressure and heat are refused. The unit of a parameter is metadata of its
+    field.
+    """
+
+    kind: ClassVar[str]
+    """Name of the law in case files, results and the core."""
+
+    def to_core(self) -> _core.ContactLaw:
+        """Contact law of the core."""
+        return _core.ContactLaw(self.kind, list(astuple(self)))
+
+    @cached_property
+    def attracts(self) -> bool:
+        """Whether surfaces attract each other."""
+        return self.to_core().attracts
+
+    def to_tree(self) -> dict[str, Any]:
+        """Kind and parameters by name."""
+        return {"kind": self.kind, **asdict(self)}
+
+    def require_possible(self, heat: Heat, given: Mapping[str, Any]) -> None:
+        """Raise ValueError for arguments that an attractive law does not support.
+
+        Parameters
+        ----------
+        heat : Heat
+            Frictional heat.
+        given : mapping
+            Arguments of `Simulation.step` or `ContactSolver.solve`.
+
+        Raises
+        ------
+        ValueError, TypeError
+            Something that the law excludes, or an argument of the wrong kind.
+        """
+        require_type("heat", heat, Heat)
+        require_type("given", given, Mapping)
+        if not self.attracts:
+            return
+        if any(heat.factor) or heat.partition is not None:
+            raise ValueError(
+                f"heat is not supported with contact_law = {self!r}, got {in_short(heat)}"
+            )
+        if given.get("pressure") is not None:
+            raise ValueError(
+                f"pressure cannot be combined with contact_law = {self!r}: the contact is not "
+                "solved"
+            )
+        ways: Sequence[float] = given.get("advance", (0.0, 0.0))
+        if np.any(ways):
+            raise ValueError(
+                f"advance must be (0, 0) with contact_law = {self!r}, got {tuple(ways)!r}: motion "
+                "through the grid is not supported with attraction"
+            )
+
+
+@dataclass(frozen=True)
+class HardContact(ContactLaw):
+    """Hard contact, for `ContactSolver` and `Simulation`: p >= 0, without attraction."""
+
+    kind: ClassVar[str] = "hard"
+
+
+@dataclass(frozen=True)
+class TensileLimit(ContactLaw):
+    """Constant tensile limit, for `ContactSolver` and `Simulation`: p >= -limit.
+
+    Surfaces separate where the tension reaches the limit, and open cells carry this tension at any
+    gap: Dugdale's attraction (1960, doi:10.1016/0022-5096(60)90013-2) with infinite range. An
+    evacuated gap acts in this way, and so does a liquid in the gap whose pressure is lower by the
+    limit (capillary pressure). For attraction across gaps, the law is the limit of a range that is
+    large compared with the gaps, as in the adhesion theory of Derjaguin, Muller and Toporov. The
+    solution is unique and independent of the path. The attractive force is the limit times the area
+    of the grid; on a grid that is not periodic it grows with the grid and bends the surfaces.
+
+    Attributes
+    ----------
+    limit : float
+        Tensile limit [Pa], >= 0; 0 is hard contact.
+
+    Raises
+    ------
+    ValueError, TypeError
+        The limit is negative, not finite or not a number.
+    """
+
+    kind: ClassVar[str] = "tensile_limit"
+    limit: float = field(metadata={"unit": "Pa"})
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "limit", non_negative("limit", self.limit))
+
+
+LAWS: tuple[type[ContactLaw], ...] = (HardContact, TensileLimit)
+"""Contact laws of case files and checkpoints."""
+
+
+def law_of(tree: Mapping[str, Any]) -> ContactLaw:
+    """Contact law from a tree of `ContactLaw.to_tree`.
+
+    Raises ValueError for an unknown kind, TypeError for parameters of another law.
+    """
+    parameters = dict(tree)
+    kind = parameters.pop("kind")
+    for law in LAWS:
+        if law.kind == kind:
+            return law(**parameters)
+    raise ValueError(f"kind must be one of {[law.kind for law in LAWS]}, got {kind!r}")
+
+
+def require_law(name: str, value: Any) -> ContactLaw:
+    """Return the value if it is a contact law; raise TypeError otherwise."""
+    require_type(name, value, ContactLaw)
+    law: ContactLaw = value
+    return law
+
+
+def in_contact(repulsion: ArrayLike) -> NDArray[np.bool_]:
+    """Whether cells are in contact, from their repulsion (for hard contact, the pressure)."""
+    found: NDArray[np.bool_] = np.asarray(repulsion) > 0
+    return found

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A grid with the surfaces of both bodies over it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._util.checks import FloatArray, gap_array
+from .._util.frozen import read_only
+from .grid import Grid
+from .moving_topography import Relief, heights_over, relief_rows
+
+_SAME_HEIGHT_TOLERANCE = 1e-9  # relative to the heights
+
+
+@dataclass(frozen=True, eq=False)
+class Domain:
+    """A grid with the initial gap and the reliefs of both bodies over it."""
+
+    grid: Grid
+    initial_gap: FloatArray
+    relief1: Relief | None
+    relief2: Relief | None
+
+    @property
+    def reliefs(self) -> tuple[Relief | None, Relief | None]:
+        return self.relief1, self.relief2
+
+    @property
+    def cells(self) -> int:
+        return self.grid.nx * self.grid.ny
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceGeometry:
+    """Gap and reliefs of two bodies: fields on one grid, or functions of any grid."""
+
+    gap: ArrayLike | Callable[[Grid], ArrayLike]
+    relief1: Relief | Callable[[Grid], Relief] | None = None
+    relief2: Relief | Callable[[Grid], Relief] | None = None
+
+    @property
+    def are_known(self) -> bool:
+        """Whether they are known on any grid."""
+        reliefs = (self.relief1, self.relief2)
+        return callable(self.gap) and all(r is None or callable(r) for r in reliefs)
+
+    def over(self, grid: Grid) -> Domain:
+        """Return the checked domain of a grid."""
+        gap = self.gap(grid) if callable(self.gap) else self.gap
+        reliefs = [r(grid) if callable(r) else r for r in (self.relief1, self.relief2)]
+        for number, relief in enumerate(reliefs, 1):
+            relief_rows(f"relief{number}", relief, grid)
+        checked = np.array(gap_array("gap", gap, grid.surface_shape), order="C")
+        return Domain(grid, read_only(checked), *reliefs)
+
+
+def require_consistent_overlap(larger: Domain, window: Domain) -> None:
+    """Raise ValueError unless a larger domain has the surfaces of a smaller one in its centre."""
+    i = (larger.grid.nx - window.grid.nx) // 2
+    j = (larger.grid.ny - window.grid.ny) // 2
+    columns = slice(j, j + window.grid.ny)
+    shown = [("gap", larger.initial_gap[i : i + window.grid.nx, columns], window.initial_gap)]
+    for number, (now, before) in enumerate(zip(larger.reliefs, window.reliefs, strict=True), 1):
+        if now is not None and before is not None:
+            first, rows = before.first, len(before.heights)
+            heights = heights_over(now, first + i, rows)[:, columns]
+            shown.append((f"relief{number}", heights, before.heights))
+    for name, field, known in shown:
+        body = np.isfinite(known)
+        if not np.array_equal(np.isfinite(field), body):
+            raise ValueError(f"{name} must be infinite in the same cells on a larger grid")
+        off = np.abs(field[body] - known[body])
+        if not np.all(off <= _SAME_HEIGHT_TOLERANCE * float(np.ptp(known[body]))):
+            raise ValueError(
+                f"{name} is inconsistent between grids: on a larger grid, heights in the common "
+                f"cells differ by up to {off.max():.3g} m"
+            )

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks of heat against bodies and grid, and its conversion for the core."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from .. import _core
+from .._util.checks import FloatArray, finite_array, require_type
+from ..bodies.layered import Body, Layered
+from ..heat import Heat
+from .friction import FrictionLaw
+from .grid import Grid
+
+NO_HEAT = Heat(0.0)
+"""Absence of heating."""
+MAX_PECLET_NUMBER = 1e7
+"""Maximum of speed times grid length over diffusivity [-]: the work is proportional to it."""
+MIN_DIFFUSION_LENGTH = 0.02
+"""Minimum diffusion length in the shortest step of a history, in cells; it bounds the time and
+memory of transient heating."""
+
+Bodies = tuple[Body, Body]
+
+
+def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: FrictionLaw) -> Heat:
+    """Check heat for bodies, grid and friction. Default: none. Raises ValueError, TypeError."""
+    checked = NO_HEAT if heat is None else heat
+    require_type("heat", checked, Heat)
+    heating(checked, bodies, grid)
+    require_heat_of(friction, checked)
+    return checked
+
+
+def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = None) -> list[Any]:
+    """Return one entry for each body; refuse heating that is not supported.
+
+    duration: of an increment of transient heating [s].
+    """
+    age = math.inf if heat.time is None else heat.time
+    reference = 1.0 if heat.reference is None else heat.reference
+    entries = []
+    of_slip = heat.partition is not None
+    name = "fraction of the heat" if of_slip else "heat.factor"
+    for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
+        if isinstance(body, Layered):
+            if factor > 0:
+                raise ValueError(
+                    f"{name} must be 0 for layered body{n}, got {factor!r}: heat conduction in "
+                    "layered bodies is not supported"
+                )
+            entries.append(_core.Heating())
+            continue
+        if factor > 0:
+            if grid.periodic:
+                raise ValueError(
+                    f"{name} of body{n} must be 0 on a periodic grid, got {factor!r} with "
+                    f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
+                    "steady state"
+                )
+            if body.is_rigid:
+                raise ValueError(f"{name} of body{n} must be 0 because it is rigid, got {factor!r}")
+            if body.thermal is None:
+                raise ValueError(
+                    f"{name} of body{n} must be 0 without thermal constants, got {factor!r}: "
+                    "set them with with_thermal()"
+                )
+            _require_speed(grid, n, body.thermal[2], math.hypot(*v))
+            if heat.history is not None:
+                _require_shortest(grid, n, body.thermal[2], heat.history[0])
+            if heat.time is not None:
+                _require_time("heat.time", heat.time, body.thermal[2], grid)
+            if duration is not None:
+                _require_time("duration", duration, body.thermal[2], grid)
+        constants = body.thermal or (1.0, 0.0, 1.0)
+        entries.append(_core.Heating(factor, *constants, *v, age, reference, of_slip))
+    return entries
+
+
+def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> None:
+    """Refuse a speed beyond the range of the heat kernels."""
+    extent = max(grid.nx * grid.dx, grid.ny * grid.dy)
+    fastest = MAX_PECLET_NUMBER * diffusivity / extent
+    if speed > fastest:
+        raise ValueError(
+            f"heat.velocity of body {body} must be <= {fastest:.4g} m/s on this grid "
+            f"({extent:.4g} m long, diffusivity {diffusivity:.4g} m^2/s), got {speed:.4g} m/s"
+        )
+    least = 1e-55 * diffusivity / min(grid.dx, grid.dy)
+    if 0 < speed < least:
+        raise ValueError(
+            f"heat.velocity of body {body} must be 0 or >= {least:.3g} m/s, got {speed:.3g} m/s"
+        )
+
+
+def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float) -> None:
+    """Refuse too short a step of the history before anything is solved."""
+    cell = max(grid.dx, grid.dy)
+    if math.sqrt(diffusivity * shortest) < MIN_DIFFUSION_LENGTH * cell:
+        least = (MIN_DIFFUSION_LENGTH * cell) ** 2 / diffusivity
+        raise ValueError(
+            f"heat.history must have a shortest step >= {least:.4g} s for body {body}, got "
+            f"{shortest:.4g} s: heat must diffuse over {MIN_DIFFUSION_LENGTH:g} of a cell of {cell:.4g} "
+            f"m (diffusivity {diffusivity:.4g} m^2/s)"
+        )
+
+
+def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> None:
+    longest = 1e55 * min(grid.dx, grid.dy) ** 2 / diffusivity
+    if time > longest:
+        raise ValueError(f"{name} must be <= {longest:.3g} s, got {time:.3g} s")
+
+
+def core_law(body: Body) -> Callable[[FloatArray], FloatArray] | None:
+    """Return the softening law of a body in the form (nx, ny, nz) -> depth-major array."""
+    law = body.softening
+    if law is None:
+        return None
+
+    def factor(rise: FloatArray) -> FloatArray:
+        checked = finite_array("factor of softening", law(rise), rise.shape)
+        return np.ascontiguousarray(np.moveaxis(checked, 2, 0))
+
+    return factor
+
+
+def require_reference(heat: Heat) -> None:
+    """Require a reference distance for steady heat at rest under approach control."""
+    if heat.reference is not None or heat.time is not None or heat.history is not None:
+        return
+    if any(f > 0 and not any(v) for f, v in zip(heat.shares, heat.velocity, strict=True)):
+        raise ValueError(
+            "heat.reference is required under approach control: the displacement due to a steady "
+            "stationary source is defined only relative to a reference distance [m]"
+        )
+
+
+def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
+    """Raise ValueError if the kind of heat does not suit the friction law."""
+    if friction.sticks and any(heat.factor):
+        raise ValueError(
+            f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: with "
+            "partial slip, heat follows from the slip; use heat.partition in a Simulation"
+        )
+    if not friction.sticks and heat.partition is not None:
+        raise ValueError(
+            f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: in "
+            "full sliding the heat flux is proportional to the pressure; use heat.factor, see "
+            "heat.factors"
+        )

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surface topography (roughness, dents, furrows) that moves with a body."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .._util.checks import FloatArray, boolean, finite_array, integer, real_array
+from .._util.display import ShortRepr
+from .._util.frozen import read_only
+from ..surfaces import SurfaceGrid
+from .grid import Grid
+
+__all__ = ["Relief"]
+
+MAX_ROWS = 1 << 20
+"""Maximum number of rows between the start of a contact and the last row of a dent or furrow."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Relief(ShortRepr):
+    """Surface topography (roughness, dents) that moves with a body.
+
+    Parameters
+    ----------
+    heights : array_like, shape (rows, ny)
+        Heights [m], positive out of the body, on cells equal in size to those of the grid; any
+        number of rows along x.
+    first : int, optional
+        Grid row of the first of these rows; may be negative. As a body moves towards +x, rows
+        before it enter the grid.
+    periodic : bool, optional
+        Whether the rows repeat along x. By default the surface is flat (0) beyond them.
+    worn : array_like, shape (rows, ny), optional
+        Depth of material already removed by wear [m], >= 0. Yield profile and residual stress of
+        the body are counted from the unworn surface. The heights are not changed. Default: 0; 0
+        beyond these rows.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Heights are not finite or not two-dimensional, worn depths are negative or have another
+        shape, or `first` is not an integer.
+    """
+
+    heights: FloatArray
+    first: int = 0
+    periodic: bool = False
+    worn: FloatArray | None = None
+
+    def __post_init__(self) -> None:
+        heights = real_array("heights", self.heights)
+        if heights.ndim != 2:
+            raise ValueError(f"heights must have shape (rows, ny), got {heights.shape}")
+        checked = np.array(finite_array("heights", heights, heights.shape), order="C")
+        object.__setattr__(self, "heights", read_only(checked))
+        object.__setattr__(self, "first", integer("first", self.first))
+        object.__setattr__(self, "periodic", boolean("periodic", self.periodic))
+        if self.worn is not None:
+            worn = np.array(finite_array("worn", self.worn, heights.shape), order="C")
+            if (worn < 0).any():
+                raise ValueError(f"worn must be >= 0 everywhere, got {float(worn.min())!r}")
+            object.__setattr__(self, "worn", read_only(worn))
+
+
+def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool, Any] | None:
+    """Convert a relief to the arguments of the core."""
+    if relief is None:
+        return None
+    if not isinstance(relief, Relief):
+        raise TypeError(f"{name} must be a Relief, got {type(relief).__name__}")
+    if relief.heights.shape[1] != grid.ny or relief.heights.shape[0] == 0:
+        raise ValueError(
+            f"{name} must have heights of shape (rows, {grid.ny}), got {relief.heights.shape}"
+        )
+    return relief.heights, int(relief.first), bool(relief.periodic), relief.worn
+
+
+def heights_over(relief: Relief, first: int, count: int) -> FloatArray:
+    """Heights in some rows of the grid [m], shape (count, ny)."""
+    rows = len(relief.heights)
+    places = np.arange(first, first + count) - relief.first
+    if relief.periodic:
+        places %= rows
+    inside = (places >= 0) & (places < rows)
+    return np.where(inside[:, None], relief.heights[np.clip(places, 0, rows - 1)], 0.0)
+
+
+def rows_within(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray, int]:
+    """Positions of the rows of cells within a radius of x, and the index of the first row."""
+    middle = 0.5 * (grid.nx - 1)
+    if not (abs(x) + radius) / grid.dx < MAX_ROWS:
+        raise ValueError(
+            f"x and its extent along x must be within {MAX_ROWS} cells of {grid.dx!r} m, "
+            f"got {x!r} m and {radius!r} m"
+        )
+    first = int(np.ceil((x - radius) / grid.dx + middle))
+    last = max(first, int(np.floor((x + radius) / grid.dx + middle)))
+    return np.asarray((np.arange(first, last + 1) - middle) * grid.dx, dtype=np.float64), first

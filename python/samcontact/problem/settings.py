@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Settings of solver and simulation, each with its default and its range.
+
+Checks, repr, checkpoints, section [contact] of case files and arguments of the core follow from it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+from .. import _core
+from .._util import memory
+from .._util.checks import choice, in_cells, integer, number
+from .._util.frozen import FixedAttributes
+from ..bodies.layered import Body
+from ..heat import Heat
+from .contact_law import ContactLaw, HardContact, require_law
+from .friction import FrictionLaw, friction_law, is_law
+
+
+@dataclass(frozen=True)
+class RangeSetting:
+    """Limits of a finite number; None: no limit."""
+
+    gt: float | None = None
+    ge: float | None = None
+    lt: float | None = None
+    le: float | None = None
+    unit: str = ""
+
+    def __str__(self) -> str:
+        least, most = (
+            None if limit is None else f"{limit:g}".replace("e-0", "e-")
+            for limit in (
+                self.ge if self.gt is None else self.gt,
+                self.le if self.lt is None else self.lt,
+            )
+        )
+        if most is None:
+            return f"a finite number {'>=' if self.gt is None else '>'} {least}"
+        ends = "[" if self.gt is None else "(", "]" if self.lt is None else ")"
+        return f"in {ends[0]}{least}, {most}{ends[1]}"
+
+    def check(self, name: str, value: Any) -> float:
+        """Return the value as a float within the limits."""
+        given = number(name, value)
+        inside = (
+            math.isfinite(given)
+            and (self.gt is None or given > self.gt)
+            and (self.ge is None or given >= self.ge)
+            and (self.lt is None or given < self.lt)
+            and (self.le is None or given <= self.le)
+        )
+        if not inside:
+            raise ValueError(f"{name} must be {self}, got {given!r}")
+        return given
+
+
+@dataclass(frozen=True)
+class CountSetting:
+    """Integer of at least 1."""
+
+    def check(self, name: str, value: Any) -> int:
+        return integer(name, value, 1)
+
+
+@dataclass(frozen=True)
+class ChoiceSetting:
+    """One of several words."""
+
+    allowed: tuple[str, ...]
+
+    def check(self, name: str, value: Any) -> str:
+        word: str = choice(name, value, self.allowed)
+        return word
+
+
+@dataclass(frozen=True)
+class FrictionSetting(RangeSetting):
+    """Coefficient of friction, or a friction law."""
+
+    def check(self, name: str, value: Any) -> Any:
+        return value.given if is_law(value) else super().check(name, value)
+
+
+@dataclass(frozen=True)
+class ContactLawSetting:
+    """Contact law."""
+
+    def check(self, name: str, value: Any) -> ContactLaw:
+        return require_law(name, value)
+
+
+Allowed = RangeSetting | CountSetting | ChoiceSetting | ContactLawSetting
+
+
+def _setting(default: Any, allowed: Allowed) -> Any:
+    """Field of a setting; it may be None if that is its default."""
+    return field(default=default, metadata={"allowed": allowed})
+
+
+def allowed(settings: type[ContactSettings]) -> Mapping[str, Allowed]:
+    """Allowed values of each setting, by its name."""
+    return {item.name: item.metadata["allowed"] for item in fields(settings)}
+
+
+@dataclass(frozen=True)
+class ContactSettings:
+    """Settings of `ContactSolver`, which documents them."""
+
+    friction: float | FrictionLaw = _setting(0.0, FrictionSetting(ge=0.0))  # noqa: RUF009 (a field)
+    tol: float = _setting(1e-8, RangeSetting(ge=1e-13, lt=1.0))
+    on_border: str = _setting("error", ChoiceSetting(("error", "warn")))
+    max_iterations: int = _setting(5000, CountSetting())
+    contact_law: ContactLaw = _setting(HardContact(), ContactLawSetting())  # noqa: RUF009 (a field)
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            value = getattr(self, item.name)
+            if value is not None or item.default is not None:
+                checked = item.metadata["allowed"].check(item.name, value)
+                object.__setattr__(self, item.name, checked)
+
+    @classmethod
+    def checked(cls, name: str, value: Any) -> Any:
+        """Check the value of a setting."""
+        return allowed(cls)[name].check(name, value)
+
+    @property
+    def law(self) -> FrictionLaw:
+        """Friction law, also if friction is given as a number."""
+        return friction_law(self.friction)
+
+    def arguments(self) -> dict[str, Any]:
+        """Settings by name."""
+        return {item.name: getattr(self, item.name) for item in fields(self)}
+
+    def __str__(self) -> str:
+        """Settings other than None, written as arguments."""
+        given = {name: value for name, value in self.arguments().items() if value is not None}
+        return ", ".join(f"{name}={value!r}" for name, value in given.items())
+
+
+@dataclass(frozen=True)
+class Settings(ContactSettings):
+    """Settings of `Simulation`, which documents them."""
+
+    tol: float = _setting(1e-6, RangeSetting(ge=1e-11, lt=1.0))
+    max_iterations: int = _setting(60, CountSetting())
+    increment_tol: float | None = _setting(None, RangeSetting(gt=0.0, lt=1.0))
+    residual_stress: str = _setting("fast", ChoiceSetting(("fast", "exact")))
+    image_tol: float = _setting(1e-3, RangeSetting(ge=1e-6, le=0.1))
+    zones: str = _setting("auto", ChoiceSetting(("auto", "one")))
+    reach: float | None = _setting(None, RangeSetting(ge=0.0, unit="m"))
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        # Near tol, the difference of two solutions is dominated by their residuals.
+        if self.increment_tol is not None and self.increment_tol < 10 * self.tol:
+            raise ValueError(
+                f"increment_tol must be in [10 tol, 1) with tol = {self.tol!r}, "
+                f"got {self.increment_tol!r}"
+            )
+
+    def to_core(self, dx: float) -> _core.Settings:
+        """Settings for the core, on cells of length dx along x [m]."""
+        given = self.arguments()
+        del given["friction"], given["contact_law"]  # passed separately
+        given["increment_tol"] = self.increment_tol or 0.0
+        given["one_zone"] = given.pop("zones") == "one"
+        given["reach"] = round(in_cells("reach", given["reach"], dx))
+        return _core.Settings(**given)
+
+
+class Configured(FixedAttributes):
+    """Base class with its settings as attributes."""
+
+    friction: Any  # float, or a law
+    tol: float
+    on_border: str
+    max_iterations: int
+    contact_law: ContactLaw
+    _settings: ContactSettings
+
+    def _configure(self, settings: ContactSettings) -> None:
+        self._settings = settings
+        vars(self).update(settings.arguments())
+
+
+def memory_of_contact(friction: FrictionLaw, bodies: tuple[Body, Body], heat: Heat) -> float:
+    """Memory of an elastic contact per surface cell [bytes]."""
+    body1, body2 = bodies
+    return memory.of_contact(
+        coupled=not friction.is_frictionless and body1._core.stack != body2._core.stack,
+        sticks=friction.sticks,
+        heated=any(heat.factor),
+    )

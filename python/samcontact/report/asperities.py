@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Report of an asperity collision: energy of each pass, and forces against the offset."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import plotting
+from .._util.check import Check
+from .._util.quantities import ASPERITIES
+from ..asperities.series import cells_under_load, of_passes
+from ..plotting.parts import counted, finish, new_figure
+from .figures import ReportFigure, embedded
+from .quality_checks import cells_across_contact, layers_across_plastic_zone
+from .tables import maxima_table, values_table
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+REQUIRED_VARIABLES = ("force_x", "force_z", "work", "net_energy", "energy_imbalance")
+MAX_MISSING_ENERGY = 0.05
+"""Limit of the unaccounted energy of a pass, relative to the maximum energy of any pass: a later
+pass may need almost none. It decreases with the number of increments."""
+MAX_MISSING_WORK = 0.02
+"""Limit of the unaccounted energy of a pass, relative to the maximum work within the pass, most of
+which is recovered."""
+MAX_FINAL_FORCE = 1e-6
+"""Limit of the force at the end of a pass, relative to the maximum force."""
+_PASS_VARIABLES = (
+    "net_energy", "dissipation", "residual_energy", "energy_imbalance", "residual_displacement",
+    "max_force_x", "min_force_x", "max_force_z", "max_pressure", "cells_across_contact", "layers_across_plastic_zone",
+)  # fmt: skip
+
+
+def content(dataset: xr.Dataset) -> dict[str, Any]:
+    """Return the variables of the template for an asperity collision."""
+    passes = of_passes(dataset)
+    table = values_table(passes, "pass", ASPERITIES, _PASS_VARIABLES)
+    maxima = maxima_table(passes, "pass", ASPERITIES, _PASS_VARIABLES[:9])
+    return {
+        "file": "series.nc",
+        "answers": [("results", "Results", maxima)],
+        "values": [("passes", "Passes", table)],
+        "figures": list(_figures(dataset)),
+    }
+
+
+def checks(dataset: xr.Dataset) -> Iterator[Check]:
+    missing = np.abs(dataset["energy_imbalance"].values)
+    taken = max(
+        float(np.abs(dataset[name]).max())
+        for name in ("net_energy", "dissipation", "residual_energy")
+    )
+    if float(dataset["dissipation"].max()) > 0:  # elastic passes take none
+        name = "energy balance: unaccounted energy, relative to the maximum of a pass"
+        yield Check(name, float(missing.max()) / taken, MAX_MISSING_ENERGY)
+    exchanged = np.nanmax(np.abs(dataset["work"].values), axis=1)
+    met = exchanged > 0
+    if met.any():
+        name = "energy balance: unaccounted energy, relative to the maximum work within the pass"
+        yield Check(name, float(np.max(missing[met] / exchanged[met])), MAX_MISSING_WORK)
+    force = dataset["normal_force"]
+    end = np.array([row[np.isfinite(row)][-1] for row in force.values])
+    largest = float(force.max())
+    if largest > 0:
+        name = "normal force at the end of a pass, relative to the maximum force"
+        yield Check(name, float(np.max(end)) / largest, MAX_FINAL_FORCE)
+        yield cells_across_contact(float(cells_under_load(dataset).min()))
+    for body in (1, 2):
+        yield from layers_across_plastic_zone(
+            dataset["layers_across_plastic_zone"].sel(body=body), body
+        )
+
+
+def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
+    for number in dataset["pass"].values.tolist():
+        for component, name in (("x", "Tangential force"), ("z", "Normal force")):
+            figure = new_figure()
+            plotting.asperities.force(
+                [dataset], figure.subplots(), component=component, number=number
+            )
+            values = dataset[f"force_{component}"].sel({"pass": number})
+            text = f"{name} versus offset of the spheres, from {float(values.min()):.4g} to "
+            text += f"{float(values.max()):.4g} N."
+            yield embedded(f"{name}, pass {number}", text, figure)
+        figure = new_figure()
+        plotting.asperities.load_ratio([dataset], figure.subplots(), number=number)
+        text = "Ratio of tangential to normal force versus offset of the spheres."
+        yield embedded(f"Load ratio, pass {number}", text, figure)
+    if dataset.sizes["pass"] > 1:
+        figure = new_figure()
+        ax = figure.subplots()
+        ax.plot(dataset["pass"], dataset["net_energy"], "o-", markersize=3, label="net energy")
+        label = "energy of the residual stress"
+        ax.plot(dataset["pass"], dataset["residual_energy"], "s--", markersize=3, label=label)
+        ax.set_xlabel("pass")
+        ax.set_ylabel("energy [J]")
+        ax.legend(frameon=False)
+        finish(counted(ax))
+        yield embedded("Energy of the passes", "Net and stored energy of each pass.", figure)
