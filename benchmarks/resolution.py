@@ -266,8 +266,8 @@ def page(records: list[Record]) -> str:
     spot = 100 * resolution.ROUND_SPOT_AREA_ERROR
     return TEXT.format(
         longest=1e6 * SIDE / MIN_WAVES, shortest=1e6 * MIN_WAVELENGTH, hurst=HURST, slope=SLOPE,
-        cells=WAVES * int(rows[-1]["fine"]), parted=CELLS_PER_WAVE_OF_PARTS, parts=parts_table(parted),
-        memory=1e-9 * rows[-1]["memory"], tables="\n\n".join(tables),
+        cells=WAVES * int(rows[-1]["fine"]), parted=CELLS_PER_WAVE_OF_PARTS,
+        parts=parts_table(parted), memory=1e-9 * rows[-1]["memory"], tables="\n\n".join(tables),
         side=resolution.AREA_PER_SIDE, low=min(ratios), high=max(ratios), round=spot / 100,
         eight=spot / 8, four=spot / 4, warn=100 * resolution.AREA_ERROR_WARNING,
         fail=100 * resolution.AREA_ERROR_LIMIT,

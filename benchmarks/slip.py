@@ -200,8 +200,8 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         if size == " x ".join(map(str, WHEEL_ON_RAIL)) and "time_s" in row:
             stated = CONTACT_STATES[name]
             lines.append(
-                f"{size} cells, {row['cells_in_contact']:.0f} touch, {name}: {row['time_s']:.2g} s; "
-                f"CONTACT states {stated:g} s for a wheel on a rail, 50 796 cells, in 2016."
+                f"{size} cells, {row['cells_in_contact']:.0f} touch, {name}: {row['time_s']:.2g} s;"
+                f" CONTACT states {stated:g} s for a wheel on a rail, 50 796 cells, in 2016."
             )
     return ["\n".join(f"- {line}" for line in lines)] if lines else []
 

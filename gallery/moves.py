@@ -10,14 +10,17 @@ from typing import Any
 
 TABLE = Path(__file__).parents[1] / "benchmarks" / "sensitivity.json"
 CHANGES = ("cells", "layers", "increments", "window")
-OWN_MESH_NOTE = """Moves: by how much the numbers change at most when the cells, layers or increments of the
+OWN_MESH_NOTE = """\
+Moves: by how much the numbers change at most when the cells, layers or increments of the
 page's mesh are halved, or its window is made larger ([sensitivity](../sensitivity.md)).
 """
-COARSE_MESH_NOTE = """Moves: by how much the numbers change at most when the cells, layers or increments of a
+COARSE_MESH_NOTE = """\
+Moves: by how much the numbers change at most when the cells, layers or increments of a
 mesh about half as fine as the page's are halved, or its window is made larger
 ([sensitivity](../sensitivity.md)); about an upper bound of their error.
 """
-BOTH_MESHES_NOTE = """Moves: by how much the numbers change at most when the cells, layers or increments of the
+BOTH_MESHES_NOTE = """\
+Moves: by how much the numbers change at most when the cells, layers or increments of the
 page's mesh are halved, or its window is made larger; in brackets where the largest change is that
 of a mesh about half as fine ([sensitivity](../sensitivity.md)), about an upper bound of the error.
 """

@@ -323,8 +323,8 @@ def about_grids(problem: str, data: dict[str, Any]) -> list[str]:
         sections += ["Tightly converged, against samcontact on the finest grid:", table(grid)]
     if problem in PERIODIC and (lines := list(accuracy_lines(problem, data))):
         sections += [
-            f"Against samcontact on {MAX_CELLS[problem]}² cells, times with set-up at a tenth of the "
-            "error of the grid:",
+            f"Against samcontact on {MAX_CELLS[problem]}² cells, times with set-up at a tenth of "
+            "the error of the grid:",
             table(without_empty(lines)),
         ]
     clocks = {

@@ -133,37 +133,40 @@ class EnergyBalance(HtmlTable):
     ----------
     work_input : float
         Work input: sum over the increments with positive work [J].
-    net : float
+    net_external_work : float
         Net external work: work input minus the work recovered in other increments [J].
-    elastic : float
+    elastic_energy : float
         Elastic energy due to the current tractions [J].
-    residual : float
+    residual_energy : float
         Elastic energy of the residual stress [J].
-    friction, plastic : float
+    friction_work, plastic_work : float
         Energy dissipated by friction, and by plastic flow [J].
-    eigenstrain : float
+    eigenstrain_energy : float
         Elastic energy of prescribed eigenstrain alone [J]; not part of the external work.
     """
 
     work_input: float
-    net: float
-    elastic: float
-    residual: float
-    friction: float
-    plastic: float
-    eigenstrain: float = 0.0
+    net_external_work: float
+    elastic_energy: float
+    residual_energy: float
+    friction_work: float
+    plastic_work: float
+    eigenstrain_energy: float = 0.0
 
     @property
-    def missing(self) -> float:
+    def imbalance(self) -> float:
         """Unaccounted part of the net external work, relative to the work input [-]."""
-        found = self.elastic + self.residual + self.friction + self.plastic
-        return (self.net - found) / self.work_input if self.work_input > 0 else 0.0
+        found = self.elastic_energy + self.residual_energy + self.friction_work + self.plastic_work
+        return (self.net_external_work - found) / self.work_input if self.work_input > 0 else 0.0
 
     def _rows(self) -> Rows:
-        parts = ["work_input", "net", "elastic", "residual", "friction", "plastic"]
-        parts += ["eigenstrain"] if self.eigenstrain > 0 else []
+        parts = [
+            "work_input", "net_external_work", "elastic_energy", "residual_energy",
+            "friction_work", "plastic_work",
+        ]  # fmt: skip
+        parts += ["eigenstrain_energy"] if self.eigenstrain_energy > 0 else []
         rows = [(name.replace("_", " "), quantity(getattr(self, name), "J")) for name in parts]
-        return [*rows, ("missing", percent(self.missing))]
+        return [*rows, ("imbalance", percent(self.imbalance))]
 
 
 def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
@@ -200,10 +203,10 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     if why:
         raise ValueError(why)
     first, last = (_found(simulation, states[:n]) for n in (1, len(states)))
-    before, work = sum(first.values()) - first["eigenstrain"], _work(states)
+    before, work = sum(first.values()) - first["eigenstrain_energy"], _work(states)
     given_back = float(work[work < 0].sum())
     net = before + float(work.sum())
-    return EnergyBalance(work_input=net - given_back, net=net, **last)
+    return EnergyBalance(work_input=net - given_back, net_external_work=net, **last)
 
 
 def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
@@ -218,8 +221,13 @@ def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
             residual += residual_energy(states[-1].track(number, margin=0))
             plastic += _plastic_work_of(body, number, states)
     elastic, friction = _elastic_energy(simulation, states[-1]), states[-1].friction_work
-    return {"elastic": elastic, "residual": residual, "friction": friction, "plastic": plastic,
-            "eigenstrain": given}  # fmt: skip
+    return {
+        "elastic_energy": elastic,
+        "residual_energy": residual,
+        "friction_work": friction,
+        "plastic_work": plastic,
+        "eigenstrain_energy": given,
+    }
 
 
 def _plastic_work_of(material: Body, body: int, states: Sequence[State]) -> float:

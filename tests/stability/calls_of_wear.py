@@ -65,7 +65,11 @@ CALLS = [
             "cycles": 1, "progress": False, "tol": 1e-4,
         },
     ),
-    ("wear.below_worn_surface", sc.wear.below_worn_surface, {"field": STRAIN, "depth": NOTHING, "dz": 5e-5}),
+    (
+        "wear.below_worn_surface",
+        sc.wear.below_worn_surface,
+        {"field": STRAIN, "depth": NOTHING, "dz": 5e-5},
+    ),
     ("wear.smooth", sc.wear.smooth, {"depth": NOTHING, "window": (3, 3), "order": 2}),
     ("wear.WearResult.x", WORN.x, {"body": 2}),
     ("wear.WearResult.profile", WORN.profile, {"cycle": 1, "body": 2}),

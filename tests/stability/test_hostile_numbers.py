@@ -26,8 +26,8 @@ MADE_BY_THE_PACKAGE = {
     "fatigue.FatigueField",
     "flattening.Flattening", "hertz.EllipticContact",
     "hertz.LineContact", "hertz.PointContact", "RollingSolution",
-    "shakedown.Cycle", "shakedown.ShakedownLimit", "shakedown.ShakedownResult", "PartialSlipSolution",
-    "wear.Cycle",
+    "shakedown.Cycle", "shakedown.ShakedownLimit", "shakedown.ShakedownResult",
+    "PartialSlipSolution", "wear.Cycle",
     "wear.FrettingCycle", "wear.FrettingResult", "wear.WearResult", "Zone",
 }  # fmt: skip
 """Results: only their methods take arguments of the user."""

@@ -37,7 +37,7 @@ class Quantity(NamedTuple):
     """Name and units of one quantity; a text left empty is not shown."""
 
     unit: str
-    """Unit of values in files and in Python: SI, "1" for a pure number."""
+    """SI unit of values in files and in Python; "1" for a pure number, "" for a text."""
     long_name: str
     """Name in files. The body replaces "{body}", or is appended."""
     shown: str = ""
@@ -101,7 +101,8 @@ class Quantity(NamedTuple):
         text = self.long_name
         if body is not None:
             text = text.format(body=body) if "{body}" in text else f"{text}, body {body}"
-        return xr.Variable(dims, data, {"units": self.unit, "long_name": text})
+        units = {"units": self.unit} if self.unit else {}
+        return xr.Variable(dims, data, {**units, "long_name": text})
 
 
 Q = Quantity
@@ -115,6 +116,8 @@ CONTACT = {
     "cell": Q("1", "numbers of cells with plastic strain, counted along z, y, x"),
     "output_increment": Q("1", "increments with stored volume fields"),
     "body": Q("1", "number of the body"),
+    "component": Q("", "tensor component"),
+    "side": Q("", "side of the interface"),
     # of each increment
     "load": Q("N", "normal load", "N", "load", "load", 6),
     "approach": Q("m", "rigid-body approach", "µm", "approach", "approach", 6),
@@ -171,7 +174,7 @@ CONTACT = {
         "plastic\nstrain", 4,
     ),
     "max_residual_von_mises": Q(
-        "Pa", "maximum von Mises stress of the residual stress", "MPa",
+        "Pa", "maximum von Mises residual stress", "MPa",
         "maximum residual von Mises stress", "residual\nvon Mises",
     ),
     "imprint_depth": Q(
@@ -278,7 +281,7 @@ CONTACT = {
     ),
     "temperature": Q("K", "temperature rise", "K", "temperature rise", kind="heat"),
     # of interfaces between layers
-    "interface": Q("m", "depths of the interfaces between layers"),
+    "interface": Q("m", "depth of the interfaces between layers"),
     "interface_stress": Q("Pa", "stress above and below the interfaces, positive in tension"),
 }  # fmt: skip
 

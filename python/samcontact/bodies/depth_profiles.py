@@ -43,7 +43,8 @@ def profile(kind: str, given: Any) -> Profile:
     for name, part in zip(names, values, strict=True):
         if part.ndim != 1 or not 1 <= part.size <= MAX_PROFILE_POINTS:
             raise ValueError(
-                f"{name} must be a list of 1 to {MAX_PROFILE_POINTS} numbers, got shape {part.shape}"
+                f"{name} must be a list of 1 to {MAX_PROFILE_POINTS} numbers, got shape "
+                f"{part.shape}"
             )
         if part.shape != values[0].shape:
             raise ValueError(f"{name} must have {values[0].size} values like z, got {part.size}")

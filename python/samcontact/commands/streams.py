@@ -15,8 +15,10 @@ from typing import Any
 
 import click
 
-_ASCII_SUBSTITUTES = {"µ": "u", "μ": "u", "≤": "<=", "≥": ">=", "×": "x", "·": ".", "°": "deg", "–": "-",
-            "—": "-", "…": "..."}  # fmt: skip
+_ASCII_SUBSTITUTES = {
+    "µ": "u", "μ": "u", "≤": "<=", "≥": ">=", "×": "x", "·": ".", "°": "deg", "–": "-", "—": "-",
+    "…": "...",
+}  # fmt: skip
 
 
 def _nearest(error: UnicodeError) -> tuple[str, int]:

@@ -278,7 +278,8 @@ def solve_driven(  # warnings name the caller's caller
     window, bodies = surfaces.over(solver.grid), (asked.body1, asked.body2)
     pulled = asked.contact_law.attracts
     scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
-    doubted = scene.doubted(asked.heat, {"load": load, "approach": approach}, stacklevel=3)
+    target = {"load": load, "approach": approach}
+    doubted = scene.doubted(asked.heat, target, is_loaded=drive.previous is not None, stacklevel=3)
     while True:
         try:
             solution, complaint = solver._solved_from(start, window, driver, value, drive)

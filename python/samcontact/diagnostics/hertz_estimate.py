@@ -174,14 +174,20 @@ class ContactSetup:
             return None
 
     def doubted(
-        self, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
+        self, heat: Heat, target: Mapping[str, Any], *, is_loaded: bool = False, stacklevel: int
     ) -> plausibility.PlausibilityCheck | None:
-        """Warn of the first quantity that is probably in a wrong unit, and return its check."""
+        """Warn of the first quantity that is probably in a wrong unit, and return its check.
+
+        Raises ValueError if the Hertz contact is far smaller than a cell, unless the bodies have
+        been loaded before.
+        """
         before, after, (least, most) = self._checked(heat)
         of_contact: list[plausibility.PlausibilityCheck] = []
         if target and self._is_hertzian and not least < self.load_of(**target) < most:
             of_contact = self.failed_checks(heat, **target)
         for doubt in (*before, *of_contact, *after):
+            if not is_loaded:
+                plausibility.require_solvable(doubt)
             plausibility.warn_if_implausible(doubt, stacklevel=stacklevel + 1)
             return doubt
         return None

@@ -53,9 +53,11 @@ class Monitor:
         self, scene: ContactSetup, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
     ) -> None:
         """Issue warnings before an increment; they suppress equivalent ones after it."""
-        if self.setup_warned or not (
-            doubt := scene.doubted(heat, target, stacklevel=stacklevel + 1)
-        ):
+        if self.setup_warned:
+            return
+        loaded = self.largest_load > 0
+        doubt = scene.doubted(heat, target, is_loaded=loaded, stacklevel=stacklevel + 1)
+        if not doubt:
             return
         self.setup_warned = True
         if doubt.of_contact:

@@ -29,6 +29,8 @@ paraboloid."""
 MAX_GRID_WIDTHS, MIN_CELLS_ACROSS, MAX_LAYERS = 4.0, 2.0, 1e3
 """Limits of the Hertz contact: maximum width over a side of the grid, minimum width in cells,
 maximum half-width in layers."""
+MIN_SOLVABLE_CELLS = 1e-3
+"""Minimum width of a Hertz contact in cells: a narrower contact is one cell at any load."""
 MIN_YIELD_STRAIN = 1e-6
 """Minimum yield stress over E: pure single crystals have 4e-6."""
 MAX_YIELD_STRAIN = 0.2
@@ -56,6 +58,7 @@ MAX_TEMPERATURE_RISE = 3e5
 _THERMAL_UNITS = "W/(m K) for conductivity and m^2/s for diffusivity"
 _MIN_CELLS_AFTER_CORRECTION = 6.0  # minimum width of the Hertz contact in cells after a correction
 _MAX_CONTACT_MODULUS = 2e12  # E* of two diamonds is 0.6e12
+_CELLS_ACROSS = "width of the Hertz contact in cells"
 _UNIT_ERROR_FACTORS = {"m": (1e-3, 1e-6, 1e-9), "N": (1e-3, 1e-6, 1e-9), "Pa": (1e3, 1e6, 1e9)}
 
 
@@ -174,6 +177,16 @@ def warn_if_implausible(doubt: PlausibilityCheck, *, stacklevel: int) -> None:
             f"likely unit error: {verdict.name} is {verdict.shown} ({verdict.condition} expected)"
         )
         warnings.warn(f"{told}. {doubt.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
+
+
+def require_solvable(doubt: PlausibilityCheck) -> None:
+    """Raise ValueError if a Hertz contact is far smaller than a cell."""
+    check = doubt.check
+    if check.name == _CELLS_ACROSS and check.value < MIN_SOLVABLE_CELLS:
+        raise ValueError(
+            f"{check.name} must be at least {MIN_SOLVABLE_CELLS:g}, got {check.value:.4g}: "
+            f"{doubt.remedy()}"
+        )
 
 
 def wear_coefficient(name: str, value: float) -> PlausibilityCheck:
@@ -299,8 +312,8 @@ def _of_contact(
     yield PlausibilityCheck(Check(name, windows, MAX_GRID_WIDTHS), said, True)
     wider = max(_flattened(contact, body) for body in bodies)
     cells = wider * min(2 * e / d for e, d in zip(extent, (grid.dx, grid.dy), strict=True))
-    name = "width of the Hertz contact in cells"
-    yield PlausibilityCheck(Check(name, cells, MIN_CELLS_ACROSS, at_least=True), said, True)
+    check = Check(_CELLS_ACROSS, cells, MIN_CELLS_ACROSS, at_least=True)
+    yield PlausibilityCheck(check, said, True)
     if any(b.is_plastic and expected.contact.p0 > b.min_yield_stress for b in bodies):
         yield from _in_layers(contact, grid, bodies)
 

@@ -31,7 +31,8 @@ MAX_FINAL_FORCE = 1e-6
 """Limit of the force at the end of a pass, relative to the maximum force."""
 _PASS_VARIABLES = (
     "net_energy", "dissipation", "residual_energy", "energy_imbalance", "residual_displacement",
-    "max_force_x", "min_force_x", "max_force_z", "max_pressure", "cells_across_contact", "layers_across_plastic_zone",
+    "max_force_x", "min_force_x", "max_force_z", "max_pressure", "cells_across_contact",
+    "layers_across_plastic_zone",
 )  # fmt: skip
 
 

@@ -50,7 +50,7 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
     yield Check("minimum frictional work in an increment", float(work.min()), 0.0, True, "J")
     if (balance := balance_of(dataset)) is not None:
         name = "energy balance: unaccounted work, relative to the work input"
-        yield Check(name, abs(balance.missing), MAX_MISSING_ENERGY)
+        yield Check(name, abs(balance.imbalance), MAX_MISSING_ENERGY)
 
 
 def _shear(dataset: xr.Dataset) -> FloatArray:

@@ -156,8 +156,8 @@ _SCALARS = (
 )  # fmt: skip
 _CONVERGENCE = (
     "iterations", "plastic_strain_residual", "yield_violation", "contact_iterations", "substeps",
-    "contact_edge_distance", "cells_across_contact", "sharp_edge_cells", "area_uncertainty", "layers_across_plastic_zone",
-    "plastic_edge_distance",
+    "contact_edge_distance", "cells_across_contact", "sharp_edge_cells", "area_uncertainty",
+    "layers_across_plastic_zone", "plastic_edge_distance",
 )  # fmt: skip
 
 
@@ -207,12 +207,12 @@ def slipping_tables(dataset: xr.Dataset) -> list[tuple[str, str, Table]]:
 
 def _energy_table(balance: EnergyBalance) -> Table:
     parts = {
-        "net external work": balance.net,
-        "elastic energy of tractions": balance.elastic,
-        "elastic energy of residual stress": balance.residual,
-        "frictional work": balance.friction,
-        "plastic dissipation": balance.plastic,
-        "unaccounted for": balance.missing * balance.work_input,
+        "net external work": balance.net_external_work,
+        "elastic energy of tractions": balance.elastic_energy,
+        "elastic energy of residual stress": balance.residual_energy,
+        "frictional work": balance.friction_work,
+        "plastic dissipation": balance.plastic_work,
+        "unaccounted for": balance.imbalance * balance.work_input,
     }
     most = balance.work_input or 1.0
     rows = [(name, [cell(value, 1.0), _percent(value / most)]) for name, value in parts.items()]

@@ -25,8 +25,8 @@ MAX_VOLUME_DIFFERENCE = 1e-9
 MAX_PROFILES = 10  # maximum number of profiles in a figure
 _CYCLE_VARIABLES = (
     "volume", "depth", "surface_strain", "max_equivalent_plastic_strain", "max_pressure",
-    "max_von_mises", "contact_area", "cells_across_contact", "layers_across_plastic_zone", "friction_work",
-    "slip_distance", "stick_area",
+    "max_von_mises", "contact_area", "cells_across_contact", "layers_across_plastic_zone",
+    "friction_work", "slip_distance", "stick_area",
 )  # fmt: skip
 
 

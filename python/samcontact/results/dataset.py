@@ -248,7 +248,7 @@ def _add_volume(
     heated: list[int],
     chosen: list[int],
 ) -> None:
-    dataset.coords["component"] = ("component", list(COMPONENTS))
+    dataset.coords["component"] = CONTACT["component"].variable("component", list(COMPONENTS))
     dataset.coords["output_increment"] = CONTACT["output_increment"].variable(
         "output_increment", np.array(chosen) + 1
     )
@@ -277,7 +277,7 @@ def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> 
         return
     fields = np.stack([state.interface_stress(body=body) for state in stored])
     dim = f"interface_body{body}"
-    dataset.coords["side"] = ("side", list(SIDES))
+    dataset.coords["side"] = CONTACT["side"].variable("side", list(SIDES))
     dataset.coords[dim] = CONTACT["interface"].variable(dim, layered.interfaces, body)
     dims = ("output_increment", "side", "component", "x", "y", dim)
     add(dataset, "interface_stress", dims, fields, body)

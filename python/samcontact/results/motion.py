@@ -44,16 +44,21 @@ def add_motion(
             add(dataset, "offset", "increment", offset, body)
         if body in moved:
             track = states[-1].track(body=body).to_dataset(volume=volume)
-            names = {name: f"track_{name}_body{body}" for name in TRACK if name in track.variables}
+            names = {n: stored for n, stored in _stored_names(body).items() if n in track.variables}
             dataset.update(track.rename(names))
+
+
+def _stored_names(body: int) -> dict[str, str]:
+    """Names in results files of the variables of a track, by their names in the track."""
+    return {name: f"track_{'position' if name == 'x' else name}_body{body}" for name in TRACK}
 
 
 def track_of(dataset: xr.Dataset, body: int) -> xr.Dataset | None:
     """Return the track of a body in results, in the form of `Track.to_dataset`; None without."""
-    suffix = f"_body{body}"
-    if f"track_x{suffix}" not in dataset.coords:
+    names = _stored_names(body)
+    if names["x"] not in dataset.coords:
         return None
-    stored = {f"track_{name}{suffix}": name for name in TRACK}
+    stored = {stored: name for name, stored in names.items()}
     short = {name: own for name, own in stored.items() if name in dataset.variables}
     track: xr.Dataset = dataset[[name for name in short if name in dataset.data_vars]].rename(short)
     sizes = {name: dataset.attrs[name] for name in ("dx", "dy", "dz") if name in dataset.attrs}

@@ -25,11 +25,12 @@ if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
 
-_BALANCE = {
-    "work_input": "work_input", "net": "net_external_work", "elastic": "elastic_energy",
-    "residual": "residual_energy", "plastic": "plastic_work",
-}  # fmt: skip
+_BALANCE = (
+    "work_input", "net_external_work", "elastic_energy", "residual_energy", "plastic_work",
+)  # fmt: skip
 _SURFACE = ("increment", "x", "y")
+_FLAGS = {"flag_values": np.array([0, 1], np.int8), "flag_meanings": "no_stick stick"}
+"""Attributes of `sticking` by the CF conventions, section 3.5."""
 
 
 def add_slipping(
@@ -48,22 +49,23 @@ def add_slipping(
         add(dataset, f"slip_{direction}", _SURFACE, np.stack([s.slip[number] for s in states]))
     add(dataset, "stick_fraction", "increment", [_share(state) for state in states])
     add(dataset, "sticking", _SURFACE, np.stack([s.sticking for s in states]).astype(np.int8))
+    dataset["sticking"].attrs |= _FLAGS
     inelastic = simulation.body1.is_plastic or simulation.body2.is_plastic
     if (volume or not inelastic) and not energy.no_balance(simulation, states):
         _add_balance(dataset, energy.balance(simulation, states))
 
 
 def _add_balance(dataset: xr.Dataset, found: energy.EnergyBalance) -> None:
-    for own, name in _BALANCE.items():
-        dataset[name] = CONTACT[name].variable((), getattr(found, own))
+    for name in _BALANCE:
+        dataset[name] = CONTACT[name].variable((), getattr(found, name))
 
 
 def balance_of(dataset: xr.Dataset) -> energy.EnergyBalance | None:
     """Return the energy balance of results; None if not stored."""
     if "work_input" not in dataset:
         return None
-    given = {own: float(dataset[name]) for own, name in _BALANCE.items()}
-    return energy.EnergyBalance(**given, friction=float(dataset["friction_work"][-1]))
+    given = {name: float(dataset[name]) for name in _BALANCE}
+    return energy.EnergyBalance(**given, friction_work=float(dataset["friction_work"][-1]))
 
 
 def _share(state: State) -> float:

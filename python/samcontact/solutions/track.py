@@ -147,7 +147,7 @@ class Track(FixedAttributes):
                 "plastic_strain": tensor,
                 "equivalent_plastic_strain": (*plane, "z"),
             }
-            coordinates["component"] = xr.Variable("component", list(COMPONENTS))
+            coordinates["component"] = CONTACT["component"].variable("component", list(COMPONENTS))
         axes = ("y", "z") if layered else ("y",)
         coordinates |= {axis: CONTACT[axis].variable(axis, getattr(self, axis)) for axis in axes}
         data = {

@@ -197,9 +197,10 @@ def _check_filter(scene: WearSetup) -> None:
             cells = scene.filter.deviation[axis]
             if cells * _MOVING_MEAN_WIDTH > max(extent, 1):
                 dx = (scene.grid.dx, scene.grid.dy)[axis]
+                longest = max(extent, 1) * dx / _MOVING_MEAN_WIDTH
                 raise ValueError(
-                    f"smoothing_length must be <= {max(extent, 1) * dx / _MOVING_MEAN_WIDTH:.3g} m, so that "
-                    f"wear is not spread beyond {size}, got {cells * dx:.6g}"
+                    f"smoothing_length must be <= {longest:.3g} m, so that wear is not spread "
+                    f"beyond {size}, got {cells * dx:.6g}"
                 )
         elif scene.filter.sides[axis] > max(extent, 1):
             raise ValueError(

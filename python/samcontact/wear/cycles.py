@@ -23,7 +23,7 @@ from .checkpoint import BodyStrain, WearProgress, require_own
 from .checks import WearSetup, make_filter, make_setup
 from .repeating import reliefs_of, repeat
 from .results import Cycle, Moments, WearResult
-from .steps import Window, below_worn_surface, depth, shift_deviator
+from .steps import Window, below_worn_surface, depth, deviator_below_worn_surface
 
 LOAD_TOLERANCE = 1e-9
 """Relative difference below which loads are equal, for rounding."""
@@ -251,10 +251,14 @@ def _moved_up(scene: WearSetup, body: int, kept: BodyStrain, worn: FloatArray) -
     first, _ = scene.rows(body)
     removed = worn[kept.first - first : kept.first - first + len(kept.equivalent)]
     dz = scene.grid.dz
-    back = None if kept.backstress is None else shift_deviator(kept.backstress, removed, dz)
+    back = (
+        None
+        if kept.backstress is None
+        else deviator_below_worn_surface(kept.backstress, removed, dz)
+    )
     return BodyStrain(
         kept.first,
-        shift_deviator(kept.strain, removed, dz),
+        deviator_below_worn_surface(kept.strain, removed, dz),
         np.maximum(below_worn_surface(kept.equivalent, removed, dz), 0.0),
         back,
     )

@@ -254,8 +254,8 @@ def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatAr
     return np.asarray(result, dtype=np.float64)
 
 
-def shift_deviator(tensor: FloatArray, depth: FloatArray, dz: float) -> FloatArray:
-    """Apply `shift` to each component of tensors, shape (..., 6, nx, ny, nz).
+def deviator_below_worn_surface(tensor: FloatArray, depth: FloatArray, dz: float) -> FloatArray:
+    """Apply `below_worn_surface` to each component of tensors, shape (..., 6, nx, ny, nz).
 
     Columns of deviators remain deviators: their trace is subtracted.
     """

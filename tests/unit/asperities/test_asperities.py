@@ -222,7 +222,8 @@ def counted(self):
 journal.Journal.add = counted
 steel = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)
 which = Collision(1.0, 1.0, 8e-4)
-collide(which, steel, steel, which.grid(8, width=1.5), passes=2, checkpoint=sys.argv[2], progress=False)
+grid = which.grid(8, width=1.5)
+collide(which, steel, steel, grid, passes=2, checkpoint=sys.argv[2], progress=False)
 """
 
 

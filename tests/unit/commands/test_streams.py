@@ -33,7 +33,8 @@ def run(case, *arguments, **options):
 
 FILES = {
     ".samcontact-files", "results.nc", "pressure.png", "load_approach.png", "axis_stress.png",
-    "sections.png", "pressure_map.png", "gap_map.png", "imprint.png", "imprint_map.png", "residual.png",
+    "sections.png", "pressure_map.png", "gap_map.png", "imprint.png", "imprint_map.png",
+    "residual.png",
 }  # fmt: skip
 
 

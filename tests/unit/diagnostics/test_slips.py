@@ -109,13 +109,30 @@ def test_a_slip_is_told_before_the_solve_and_fails_a_check(slip, solved):
     for way in ways:
         with warnings.catch_warnings():
             warnings.simplefilter("error", sc.UnitWarning)  # so that nothing is solved
-            with pytest.raises(sc.UnitWarning) as caught:
+            far_below_a_cell = slip == "cells in µm"
+            with pytest.raises(ValueError if far_below_a_cell else sc.UnitWarning) as caught:
                 way()
         assert name in str(caught.value)
         assert told in str(caught.value)
     loads = "increment", [step["load"] for step in path]
     checks = report.checks(solved.assign(load=loads).assign_attrs(case=case.text))
     assert [name in check.name for check in checks if not check.passed].count(True) == 1
+
+
+def test_a_contact_far_below_a_cell_is_refused_unless_it_was_loaded():
+    grid = sc.Grid(15, 15, 30e-6, 30e-6)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    simulation = sc.Simulation(grid, ELASTIC, ELASTIC, gap)
+    refused = r"in cells must be at least 0.001, got .*: Hertz: radius"
+    with pytest.raises(ValueError, match=refused):
+        simulation.step(load=1e-12)
+    with pytest.raises(ValueError, match=refused):
+        sc.ContactSolver(grid, ELASTIC, ELASTIC).solve(gap, load=1e-12)
+    assert not simulation.state.pressure.any()
+    simulation.step(load=100.0)
+    with pytest.warns(sc.UnitWarning, match="in cells is"):
+        simulation.step(load=1e-12)
+    assert simulation.state.load == pytest.approx(1e-12)
 
 
 STEEL = sc.Material.perfect_plastic(210e9, 0.3, 2e9)

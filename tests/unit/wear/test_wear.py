@@ -9,7 +9,7 @@ import pytest
 import samcontact as sc
 from samcontact import plotting, wear
 from samcontact.wear import cycles
-from samcontact.wear.steps import shift_deviator
+from samcontact.wear.steps import deviator_below_worn_surface
 
 ELASTIC = sc.Material.elastic(210e9, 0.3)
 STEEL = sc.Material.swift(210e9, 0.3, 1735e6, 16.0, 0.067)
@@ -95,7 +95,8 @@ def test_next_cycle_starts_from_the_worn_surface_and_what_is_left(worn):
     )
     left = np.maximum(wear.below_worn_surface(strain, removed, GRID.dz), 0.0)
     assert strain[..., 0].max() > 2e-3 > left[..., 0].max() > 1e-3
-    simulation.set_plastic_strain(2, shift_deviator(first.plastic_strain(), removed, GRID.dz), left)
+    strain = deviator_below_worn_surface(first.plastic_strain(), removed, GRID.dz)
+    simulation.set_plastic_strain(2, strain, left)
     second = simulation.step(**PATH[0])
     assert second.pressure.max() == pytest.approx(worn.cycles[1].max_pressure, rel=1e-6)
 

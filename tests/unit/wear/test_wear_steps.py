@@ -9,7 +9,7 @@ import pytest
 import samcontact as sc
 from samcontact import wear
 from samcontact.wear.checks import make_filter
-from samcontact.wear.steps import shift_deviator
+from samcontact.wear.steps import deviator_below_worn_surface
 
 RNG = np.random.default_rng(7)
 
@@ -123,7 +123,7 @@ def test_shifted_deviators_stay_deviators():
     field[2] = -field[0] - field[1]
     field[0, 2, 1] += 1.0  # one column is no deviator
     removed = np.array([[0.3, 0.0], [1.7, 2.2], [0.4, 0.6]])
-    made = shift_deviator(field, removed, 1.0)
+    made = deviator_below_worn_surface(field, removed, 1.0)
     trace = made[:3].sum(axis=0)
     assert np.abs(trace[:2]).max() < 1e-14
     np.testing.assert_allclose(made[:, 2, 1], wear.below_worn_surface(field, removed, 1.0)[:, 2, 1])
