@@ -205,7 +205,8 @@ def area_table(rows: list[Record]) -> str:
         lines.append(
             (
                 str(row["fine"]), str(row["spots"]),
-                f"{resolution.ROUND_SPOT_AREA_ERROR / row['uncertainty']:.1f}", f"{100 * row['area']:.3f}",
+                f"{resolution.ROUND_SPOT_AREA_ERROR / row['uncertainty']:.1f}",
+                f"{100 * row['area']:.3f}",
                 f"{100 * row['uncertainty']:.1f}", percent(error["area"]),
                 f"{1e-9 * row['pressure']:.3f}", percent(error["pressure"]),
             )

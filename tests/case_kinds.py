@@ -57,7 +57,8 @@ MARCHED = {"factor": [0.0, 2e-3], "velocity": HEAT["velocity"], "history": [1e-6
 FLAT = {"shape": "paraboloid", "Rx": 1e-3}
 ASPERITIES = {
     "title": "t",
-    "asperities": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6, "passes": 2, "back_and_forth": True,
+    "asperities": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6, "passes": 2,
+                "back_and_forth": True,
                 "cells_per_increment": 2, "increments": 12, "width": 1.7, "depth": 1.5},
     "body1": COLD, "body2": COLD, "relief1": DENT, "relief2": ROUGH,
     "contact": {k: CONTACT[k] for k in ("tol", "increment_tol", "on_border", "residual_stress",

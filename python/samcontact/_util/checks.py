@@ -143,10 +143,11 @@ def integer(
 
 
 def in_cells(name: str, length: float, step: float) -> float:
-    """Return a length [m] as a number of cells; raise ValueError if it exceeds `MAX_CELLS_ALONG_AXIS`."""
+    """Return a length [m] as a number of cells, at most `MAX_CELLS_ALONG_AXIS` (ValueError)."""
     if not abs(length) <= MAX_CELLS_ALONG_AXIS * step:
         raise ValueError(
-            f"{name} must be <= {MAX_CELLS_ALONG_AXIS * step:.6g} m ({MAX_CELLS_ALONG_AXIS} cells of {step!r} m), "
+            f"{name} must be <= {MAX_CELLS_ALONG_AXIS * step:.6g} m ({MAX_CELLS_ALONG_AXIS} cells "
+            f"of {step!r} m), "
             f"got {length!r} m"
         )
     return length / step
@@ -379,7 +380,8 @@ def file_path(name: str, value: Any) -> Path:
     longest = max(Path(text).parts, key=len, default="")
     if len(os.fsencode(longest)) > MAX_FILE_NAME_BYTES:
         raise ValueError(
-            f"{name} must have parts of at most {MAX_FILE_NAME_BYTES} bytes, the limit of file systems, "
+            f"{name} must have parts of at most {MAX_FILE_NAME_BYTES} bytes, the limit of file "
+            "systems, "
             f"got {in_short(longest)}"
         )
     return Path(text)

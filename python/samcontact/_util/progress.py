@@ -17,8 +17,8 @@ def progress_bar(
     """Return a context with ``update()`` and ``set_postfix(**values)``; silent if not `shown`.
 
     A bar is redrawn in place, which is impossible in a log: there, one line is written per tenth.
-    Without `leave`, for parts that `report_progress` reports with one line each, the bar is removed when
-    complete, and nothing is written to a log.
+    Without `leave`, for parts that `report_progress` reports with one line each, the bar is removed
+    when complete, and nothing is written to a log.
     """
     stream = sys.stderr if shown else None
     if not _in_place(stream):

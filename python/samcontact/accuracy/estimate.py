@@ -62,7 +62,8 @@ def of_grids(series: ArrayLike) -> Estimate:
     Estimate
         Extrapolated values, if three differences have one sign, decrease, and twice show an order
         within limits. Otherwise values of the finest grid, whose error is the maximum of the last
-        three differences, each scaled to the finest grid with order 2, and at least `MIN_RELATIVE_ERROR`.
+        three differences, each scaled to the finest grid with order 2, and at least
+        `MIN_RELATIVE_ERROR`.
     """
     f = np.asarray(series, dtype=np.float64)
     if len(f) == 1:

@@ -227,11 +227,11 @@ def find_load(
         Case, file, or dictionary with the layout of a file, whose forces are all multiplied by one
         factor; or a function of the maximum load [N] that returns simulation and path.
     quantity : str
-        Quantity with an error in results files, e.g. "max_pressure" or "imprint_depth_body2"; without
-        a body, the larger value of both. It is the larger of its values at maximum load and at the
-        end of the path. Special names: "permanent_deformation", the sum of the residual imprint
-        depths of both bodies at the end of the path; "yield", the maximum ratio of von Mises stress
-        to yield stress in an elastic solution (1 at first yield), with depth profiles.
+        Quantity with an error in results files, e.g. "max_pressure" or "imprint_depth_body2";
+        without a body, the larger value of both. It is the larger of its values at maximum load and
+        at the end of the path. Special names: "permanent_deformation", the sum of the residual
+        imprint depths of both bodies at the end of the path; "yield", the maximum ratio of von
+        Mises stress to yield stress in an elastic solution (1 at first yield), with depth profiles.
     value : float, optional
         Target value in SI units, > 0. Default: 1.
     tolerance : float, optional

@@ -247,7 +247,10 @@ class AccuracySearch:
         more = max(1, math.ceil(math.log2(worst))) if math.isfinite(worst) else MIN_GRIDS
         seconds = self.seconds + sum(last.seconds * growth**n for n in range(1, more + 1))
         memory = last.memory * REFINEMENT_RATIO ** (3 * more)
-        self.needs = f"{more} finer grids would require about {memory / 1e9:.2g} GB and {seconds:.2g} s in total"
+        self.needs = (
+            f"{more} finer grids would require about {memory / 1e9:.2g} GB and {seconds:.2g} s in "
+            "total"
+        )
         return False
 
     def _finest(self, last: GridRun) -> GridSolution:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Asperity collision ("asperities"): two spherical asperities slide past each other with interference.
+"""Asperity collision: two spherical asperities slide past each other with interference.
 
 The upper one moves along +X at a constant height over the lower one; neither rotates. The contact
 is solved in the local frame, whose z axis is the line of centres, for the approach given by the

@@ -91,12 +91,12 @@ def collide(
         (along the line of centres), force_x, force_y, force_z (of sphere 1 on sphere 2: force_x > 0
         resists motion towards +X, force_z > 0 is compressive), load_ratio force_x/force_z (NaN
         without contact), work of force_x since the start of the pass, plastic_work of both bodies
-        since the first pass, max_pressure, contact_area, cells_across_contact (across the contact; NaN
-        without contact), and for each body max_equivalent_plastic_strain and layers_across_plastic_zone (NaN
-        without plastic strain). By pass: net_energy (work of the pass), dissipation,
-        residual_energy (after the pass), energy_imbalance (net energy minus dissipation and
-        increase of residual energy: the error due to grid and increments), and for each body
-        residual_displacement (its maximum).
+        since the first pass, max_pressure, contact_area, cells_across_contact (across the contact;
+        NaN without contact), and for each body max_equivalent_plastic_strain and
+        layers_across_plastic_zone (NaN without plastic strain). By pass: net_energy (work of the
+        pass), dissipation, residual_energy (after the pass), energy_imbalance (net energy minus
+        dissipation and increase of residual energy: the error due to grid and increments), and for
+        each body residual_displacement (its maximum).
 
     Raises
     ------

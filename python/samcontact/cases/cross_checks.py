@@ -61,7 +61,8 @@ def _require_cycle(case: Any) -> None:
     if case.fatigue.steady_axis is None and len(case.steps()) < 2:
         raise ValueError(
             "fatigue requires a path of at least 2 increments, which form one cycle: add "
-            'increments, or set fatigue.steady_axis = "x" for material that passes through a steady '
+            'increments, or set fatigue.steady_axis = "x" for material that passes through a '
+            "steady "
             "contact"
         )
 

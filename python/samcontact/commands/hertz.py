@@ -110,14 +110,13 @@ def _warn_of_slips(contact: HertzContact, given: dict[str, float | None]) -> Non
         at_least, limit, unit, example = _PLAUSIBLE_LIMITS[name]
         if isinstance(value, UnitlessNumber):
             option = "--" + name.replace("_", "-")
-            verdict = Check(option, value, limit, at_least, unit)
+            check = Check(option, value, limit, at_least, unit)
             remedy = f'Numbers without a unit are in {unit}; or write {option} "{example}"'
-            warn_if_implausible(
-                PlausibilityCheck(verdict, lambda remedy=remedy: remedy), stacklevel=2
-            )  # type: ignore[misc]
+            doubt = PlausibilityCheck(check, lambda remedy=remedy: remedy)  # type: ignore[misc]
+            warn_if_implausible(doubt, stacklevel=2)
     if isinstance(contact, _hertz.LineContact):
-        verdict = Check("half-width over the radius", contact.b / contact.R, MAX_HALF_WIDTH_RATIO)
-        doubt = PlausibilityCheck(verdict, lambda: "The bodies are modelled as half-spaces")
+        check = Check("half-width over the radius", contact.b / contact.R, MAX_HALF_WIDTH_RATIO)
+        doubt = PlausibilityCheck(check, lambda: "The bodies are modelled as half-spaces")
     else:
         doubt = part_of_radius(ExpectedExtent(ExpectedContact(contact), (0.0, 0.0)))
     warn_if_implausible(doubt, stacklevel=2)

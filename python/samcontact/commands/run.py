@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 @click.option(
     "--animate",
     is_flag=True,
-    help="Also write rolling.gif for a path that moves the bodies, and partial_slip.gif with Coulomb "
-    "friction.",
+    help="Also write rolling.gif for a path that moves the bodies, and partial_slip.gif with "
+    "Coulomb friction.",
 )
 @click.option(
     "--resume",

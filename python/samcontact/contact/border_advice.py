@@ -47,7 +47,8 @@ def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
             f"{before}: a surface in contact everywhere reaches the edge of any grid; "
             f"{_PERIODIC_HINT}{ask}"
         )
-    return f'{text}; remove the shape of a measured surface with detrend="curvature", or {_PERIODIC_HINT}'
+    remedy = 'remove the shape of a measured surface with detrend="curvature"'
+    return f"{text}; {remedy}, or {_PERIODIC_HINT}"
 
 
 def _tilt(gap: FloatArray) -> str:

@@ -54,7 +54,8 @@ def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool
     over = 100 * (mean / LIMIT_PRESSURE_RATIO - 1)
     text = (
         f"mean pressure exceeds the fully plastic limit: it is {mean:.3g} times the yield stress "
-        f"of body {number} at maximum plastic strain (about {LIMIT_PRESSURE_RATIO:g} expected). With "
+        f"of body {number} at maximum plastic strain (about {LIMIT_PRESSURE_RATIO:g} expected). "
+        "With "
         f"{across:.0f} cells across the contact, the pressure is about {over:.0f} % too high and "
         "the contact area too small by as much: use smaller cells, or thinner layers (dz)"
     )

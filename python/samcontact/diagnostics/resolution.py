@@ -150,7 +150,7 @@ def _uncertainty(outline: Outline) -> float:
 
 
 def _is_wide(pressure: FloatArray) -> bool:
-    """Whether `RECOMMENDED_CELLS` cells in contact along x and y contain the maximum pressure; cheap.
+    """Whether `RECOMMENDED_CELLS` contact cells along x and y contain the maximum pressure; cheap.
 
     If so, the spot is at least as wide; if not, it may still be.
     """
@@ -207,8 +207,10 @@ def warn_of_contact(
     if thin and (count := spots(pressure, grid.periodic)) > 1:
         text = (
             f"area is uncertain by about {100 * share:.0f} %, and so is the mean pressure: {count} "
-            f"spots are {ROUND_SPOT_AREA_ERROR / share:.1f} cells across ({cell}). Use smaller cells; with "
-            f"round spots of 8 cells the uncertainty would be {100 * ROUND_SPOT_AREA_ERROR / RECOMMENDED_CELLS:.0f} %"
+            f"spots are {ROUND_SPOT_AREA_ERROR / share:.1f} cells across ({cell}). Use smaller "
+            "cells; with "
+            "round spots of 8 cells the uncertainty would be "
+            f"{100 * ROUND_SPOT_AREA_ERROR / RECOMMENDED_CELLS:.0f} %"
         )
     elif not _is_wide(pressure) and (cells := cells_across(pressure, grid.periodic)) < few:
         text = (
@@ -249,7 +251,8 @@ def warn_of_zone(
         return False
     text = (
         f"under-resolved plastic zone of body {body}: {layers:.0f} layers of "
-        f"{quantity(states[0].grid.dz or 0.0, 'm')} (at least {RECOMMENDED_CELLS} recommended), so that plastic "
+        f"{quantity(states[0].grid.dz or 0.0, 'm')} (at least {RECOMMENDED_CELLS} recommended), "
+        "so that plastic "
         "strain and residual stress depend on the grid. Reduce dz"
     )
     warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)

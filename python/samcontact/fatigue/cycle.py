@@ -30,7 +30,7 @@ _COPIES_OF_BLOCK = 2.5
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Cycle(HtmlTable):
-    """Stress history of the points of a body, created by `cycle` or `steady_cycle`, for the criteria.
+    """Stress history of points of a body, created by `cycle` or `steady_cycle`.
 
     Its stress is computed when a criterion needs it, and cached for the next criterion if it fits
     into memory.

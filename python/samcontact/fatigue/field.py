@@ -115,8 +115,8 @@ class FatigueField(ShortRepr, HtmlTable):
         -------
         xarray.Dataset
             A variable named after `criterion`, with its parameters as attributes and the
-            coordinates of `coordinates`; for critical planes another one, ending in _normal, with the
-            dimension "axis".
+            coordinates of `coordinates`; for critical planes another one, ending in _normal, with
+            the dimension "axis".
 
         Raises
         ------

@@ -127,7 +127,7 @@ def _expected(io: Any, path: Path) -> str:
 def _read(
     io: Any, path: Path, file: BinaryIO, format: str, given: ReaderArguments
 ) -> MeasuredSurface:
-    """Surface in an open file; _ReaderError for the reader's reasons, other errors for arguments."""
+    """Surface in an open file; _ReaderError if the reader fails, other errors for arguments."""
     reader = _tried(io, lambda: io.open_topography(file, format=format))
     with reader:
         if not len(_tried(io, lambda: list(reader.channels))):
@@ -155,7 +155,7 @@ def _read(
 
 
 def _tried(io: Any, call: Any) -> Any:
-    """Result of a reader; _ReaderError with its reason for any error: damaged files raise all kinds."""
+    """Result of a reader; _ReaderError for any error, since damaged files raise all kinds."""
     try:
         return call()
     except (ImportError, _ReaderError):
@@ -164,7 +164,8 @@ def _tried(io: Any, call: Any) -> Any:
         raise _ReaderError(error_text(error)) from error
     except Exception as error:
         raise _ReaderError(
-            f"its reader failed ({type(error).__name__}: {error_text(error)}): the file is damaged, or "
+            f"its reader failed ({type(error).__name__}: {error_text(error)}): the file is "
+            "damaged, or "
             "a variant that SurfaceTopography does not support"
         ) from error
 

@@ -118,7 +118,8 @@ def net_energy(
     Parameters
     ----------
     results : sequence of xarray.Dataset
-        `CollisionResult.series` of each collision, with equal numbers of passes; one point for each.
+        `CollisionResult.series` of each collision, with equal numbers of passes; one point for
+        each.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     critical : CriticalSphere, optional

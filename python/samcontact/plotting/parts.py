@@ -55,9 +55,9 @@ _in_column: ContextVar[str] = ContextVar("_in_column", default="screen")
 def journal_column(width: str = "single") -> Iterator[None]:
     """Create figures with the width and font size of a journal column.
 
-    Create and save figures within it: ``with plotting.journal_column("double"): summary_figures(...)``.
-    Figures with several panels side by side take the double column. Functions that receive an `ax`
-    draw into its figure.
+    Create and save figures within it: ``with plotting.journal_column("double"):
+    summary_figures(...)``. Figures with several panels side by side take the double column.
+    Functions that receive an `ax` draw into its figure.
 
     Parameters
     ----------

@@ -42,7 +42,8 @@ def require_identified(who: Identity) -> None:
         if text.startswith(_UNIDENTIFIED_PREFIX):
             raise UnidentifiedError(
                 f"{name} has no identity that distinguishes checkpoints of different runs: "
-                f"{text.removeprefix(_UNIDENTIFIED_PREFIX)}. Set its attribute `{IDENTITY_ATTRIBUTE}` to everything it "
+                f"{text.removeprefix(_UNIDENTIFIED_PREFIX)}. Set its attribute "
+                f"`{IDENTITY_ATTRIBUTE}` to everything it "
                 "depends on, e.g. law.identity = ('my law', 2e-4), or run without a checkpoint"
             )
 

@@ -95,8 +95,8 @@ def to_dataset(
         the plastic strain of a body is in several subdomains, the dimension is cell_body1 or
         cell_body2 instead of x, y, z (see `on_grid`). With partial slip, the dataset has tangential
         forces and motions, slip, sticking cells and the energy balance. For an elastic-plastic body
-        that moved, track_position_body1 or track_position_body2 is the dimension of its whole track at the end.
-        Every variable has ``units`` (SI) and ``long_name``.
+        that moved, track_position_body1 or track_position_body2 is the dimension of its whole track
+        at the end. Every variable has ``units`` (SI) and ``long_name``.
 
     Raises
     ------

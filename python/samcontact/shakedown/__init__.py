@@ -2,9 +2,9 @@
 """Shakedown limits and cyclic simulation: does plastic flow cease under repeated loading?
 
 Closed-form limits of the pressure of rolling and sliding contacts: `line`, exact by Melan's
-theorem; `point` and `elliptic`, upper bounds; `point_lower_bound`, lower bound; `line_kinematic` and
-`point_kinematic` for linear kinematic hardening. For any cycle of a `Simulation`, `run` repeats it
-until flow has ceased, is closed in each cycle, or continues. See docs/theory/shakedown.md.
+theorem; `point` and `elliptic`, upper bounds; `point_lower_bound`, lower bound; `line_kinematic`
+and `point_kinematic` for linear kinematic hardening. For any cycle of a `Simulation`, `run` repeats
+it until flow has ceased, is closed in each cycle, or continues. See docs/theory/shakedown.md.
 """
 
 from .cycling import run

@@ -33,7 +33,7 @@ EXACT, UPPER, LOWER = "exact", "upper", "lower"
 
 @dataclass(frozen=True)
 class ShakedownLimit(HtmlTable):
-    """ShakedownLimit of the Hertz pressure.
+    """Limit of the Hertz pressure.
 
     Attributes
     ----------
@@ -189,7 +189,7 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Returns
     -------
     ShakedownLimit
-        ShakedownLimit with von Mises' criterion.
+        Limit with von Mises' criterion.
 
     Raises
     ------
@@ -220,7 +220,8 @@ def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Returns
     -------
     ShakedownLimit
-        ShakedownLimit with von Mises' criterion at points in the plane y = 0; 4.675 without friction.
+        Limit with von Mises' criterion at points in the plane y = 0; 4.675 without
+        friction.
 
     Raises
     ------
@@ -257,8 +258,8 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Returns
     -------
     ShakedownLimit
-        ShakedownLimit with von Mises' criterion at points in the plane y = 0, where it is lowest; 3.23
-        without friction, 3 % below `point` for a coefficient of 0.4.
+        Limit with von Mises' criterion at points in the plane y = 0, where it is lowest;
+        3.23 without friction, 3 % below `point` for a coefficient of 0.4.
 
     Raises
     ------

@@ -28,7 +28,8 @@ def _log(state: State, number: int, count: int) -> None:
     )  # fmt: skip
     _logger.debug(
         "increment %d: %d plastic and %d contact iterations in %d sub-increments, residual %.2g",
-        number, state.iterations, state.contact_iterations, state.substeps, state.plastic_strain_residual,
+        number, state.iterations, state.contact_iterations, state.substeps,
+        state.plastic_strain_residual,
     )  # fmt: skip
 
 

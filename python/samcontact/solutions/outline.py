@@ -114,9 +114,9 @@ def steps_beside(
 ) -> tuple[NDArray[np.bool_], FloatArray]:
     """Whether the gap has a step up at each side, and the height of the step [m].
 
-    A step is higher than the slopes on both sides can cause between two cells, and than `MIN_STEP_RATIO`
-    times the bends of the gap on both sides. If there is no body outside (NaN or infinite), its
-    height is infinite.
+    A step is higher than the slopes on both sides can cause between two cells, and than
+    `MIN_STEP_RATIO` times the bends of the gap on both sides. If there is no body outside (NaN or
+    infinite), its height is infinite.
     """
     heights = [_along(sides, gap, cells, periodic) for cells in range(-2, 4)]
     with np.errstate(invalid="ignore"):
@@ -171,7 +171,7 @@ def _bends_suddenly(heights: FloatArray) -> bool:
 
 
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
-    """Whether the pressure of some cell exceeds both neighbours along an axis by `MIN_EDGE_PRESSURE_RATIO`.
+    """Whether some pressure exceeds both neighbours along an axis by `MIN_EDGE_PRESSURE_RATIO`.
 
     This holds at every edge towards which the pressure rises, and nowhere in a smooth contact.
     """

@@ -82,8 +82,8 @@ def sweep(
     -------
     xarray.Dataset
         All quantities with one value per increment (as in `results.scalars`; for asperity
-        collisions, as in `asperities.collide`), with NaN beyond the end of shorter paths and for failed
-        cases. Each case has a status, "done" or "failed", and an error text.
+        collisions, as in `asperities.collide`), with NaN beyond the end of shorter paths and for
+        failed cases. Each case has a status, "done" or "failed", and an error text.
 
     Raises
     ------

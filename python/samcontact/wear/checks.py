@@ -98,7 +98,8 @@ def make_setup(
     limit = number("threshold", threshold)
     if not YIELD_STRAIN < limit < MAX_SMALL_STRAIN:
         raise ValueError(
-            f"threshold must be > {YIELD_STRAIN!r} (yield) and < {MAX_SMALL_STRAIN!r} (limit of small "
+            f"threshold must be > {YIELD_STRAIN!r} (yield) and < {MAX_SMALL_STRAIN!r} (limit of "
+            "small "
             f"strains), got {limit!r}"
         )
     numbers = tuple(worn) if isinstance(worn, (list, tuple)) else ()
