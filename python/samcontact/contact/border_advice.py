@@ -19,7 +19,7 @@ _TILTED = 0.5  # of the other heights, from which on a plane is the reason
 _ROUNDING = 1e-12  # of the largest height, up to which a rise is none
 _REPEAT = 'let it repeat itself with Grid(..., periodic="xy")'
 _REMEDY = ": enlarge "
-_ASK = ', or ask for a warning with on_border="warn"'
+_ASK = ', or set on_border="warn"'
 
 
 def told_of_fixed(error: ValueError, scene: ContactSetup) -> None:

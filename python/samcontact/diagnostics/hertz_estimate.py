@@ -30,7 +30,7 @@ SMOOTH = 0.03
 _MARGIN = 1e-6
 """By which loads lie within those that are known to pass a check, for rounding."""
 _POINTS = 17  # a side, to which a paraboloid is fitted
-_ASK = ', or ask for a warning with on_border="warn"'
+_ASK = ', or set on_border="warn"'
 
 
 FailedChecks = tuple[plausibility.Doubt, ...]
@@ -263,7 +263,7 @@ class ContactSetup:
         long, short = expected.semi_axes
         sides = grid.nx * grid.dx, grid.ny * grid.dy
         raise GridTooSmallError(
-            f"{where} the contact touches the border of the grid ({lengths(*sides)}). "
+            f"{where} the contact reaches the edge of the grid ({lengths(*sides)}). "
             f"{expected}: enlarge nx dx and ny dy to {lengths(2.5 * long, 2.5 * short)} or more"
             f"{_ASK}"
         )

@@ -101,7 +101,7 @@ def test_loads_without_a_solution_end_the_search_at_what_has_one():
     load = sc.hertz.point(R, E_STAR, approach=5e-6).load
     found = sc.find_load(within, "approach", 5e-6, largest_load=1e6)
     assert found.load == pytest.approx(load, rel=5e-3)
-    with pytest.raises(ValueError, match=r"is not reached: .*touches the border of the grid"):
+    with pytest.raises(ValueError, match=r"is not reached: .*reaches the edge of the grid"):
         sc.find_load(within, "approach", 1e-4, largest_load=1e6)
 
 

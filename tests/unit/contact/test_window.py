@@ -195,7 +195,7 @@ def test_rolling_contact(relieved):
     np.testing.assert_allclose(one, other, rtol=0, atol=1e-3 * np.abs(other).max())
 
 
-TOUCHES = "^at load .* touches the border .*"
+TOUCHES = "^at load .* reaches the edge .*"
 REFUSED = {
     "flat": (
         {"gap": lambda grid: np.zeros(grid.surface_shape)},
@@ -248,7 +248,7 @@ def test_a_case_grows_and_the_run_tells(tmp_path):
 
 def test_a_warning_or_a_period_keeps_the_window():
     sim = simulation((7, 6), upper=STEEL, lower=STEEL, on_border="warn")
-    with pytest.warns(sc.GridTooSmallWarning, match="touches the border"):
+    with pytest.warns(sc.GridTooSmallWarning, match="reaches the edge"):
         assert sim.step(load=LOAD).grid == grid(7, 6)
     line = sc.Grid(8, 1, CELL, CELL, dz=CELL, periodic="y")
     sim = sc.Simulation(line, STEEL, SOFT, partial(surfaces.paraboloid, Rx=RADIUS, Ry=np.inf))

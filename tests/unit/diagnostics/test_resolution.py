@@ -181,7 +181,7 @@ def test_a_modulus_in_gigapascals_is_named_with_hertz_and_before_the_solve():
     grid = sc.Grid(31, 31, 36e-6, 36e-6)
     gap = sc.surfaces.paraboloid(grid, R)
     slip = sc.Material.elastic(210.0, 0.3)
-    text = r"touches the border .* Hertz: radius 418.2 mm, .* with E\* = 115.4 Pa .* 210e9"
+    text = r"reaches the edge .* Hertz: radius 418.2 mm, .* with E\* = 115.4 Pa .* 210e9"
     with pytest.raises(sc.GridTooSmallError, match=text):
         sc.ContactSolver(grid, slip, slip).solve(gap, load=LOAD)
     simulation = sc.Simulation(grid, slip, slip, gap)

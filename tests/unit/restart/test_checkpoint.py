@@ -244,7 +244,7 @@ class TestDamage:
     def test_values_that_are_no_numbers(self, saved, name):
         with edited(saved) as file:
             file["state"][name][..., 0] = np.nan
-        with pytest.raises(sc.CheckpointError, match=r"is damaged: .* not finite"):
+        with pytest.raises(sc.CheckpointError, match=r"is damaged: .* must be finite"):
             sc.Simulation.load(saved)
 
     def test_another_type_of_numbers(self, saved):

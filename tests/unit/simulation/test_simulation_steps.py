@@ -57,12 +57,12 @@ class TestGridTooSmall:
 
     def test_contact(self):
         gap = surfaces.paraboloid(self.narrow, RADIUS)
-        text = r"at load .* N the contact touches the border .* enlarge nx dx .*, or ask for"
+        text = r"at load .* N the contact reaches the edge .* enlarge nx dx .*, or "
         for body in (STEEL, SOFT):
             with pytest.raises(sc.GridTooSmallError, match=text):
                 simulation(STEEL, body, gap, self.narrow).step(load=LOAD)
         warned = simulation(STEEL, STEEL, gap, self.narrow, on_border="warn")
-        with pytest.warns(sc.GridTooSmallWarning, match="contact touches the border"):
+        with pytest.warns(sc.GridTooSmallWarning, match="contact reaches the edge"):
             assert warned.step(load=LOAD).load == LOAD
 
 

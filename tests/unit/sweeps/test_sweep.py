@@ -112,7 +112,7 @@ def test_failures_are_recorded_among_good_cases(serial):
     assert np.isnan(bad["load"]).all()
     for text in bad["error"].values.flat:
         assert text.startswith("GridTooSmallError: at load ")
-        assert "touches the border of the grid" in text
+        assert "reaches the edge of the grid" in text
 
 
 def test_shorter_paths_end_in_nan_and_zip_goes_along():
