@@ -29,9 +29,9 @@ EXPECTED = (
 )  # fmt: skip
 REFUSALS = {
     "border": (sc.GridTooSmallError, "enlarge"),
-    "convergence": (sc.ConvergenceError, "take"),
-    "unbounded flow": (ValueError, "flow of body"),  # of the whole half-space
-    "parts": (ValueError, "asks for"),  # more than an increment is divided into
+    "convergence": (sc.ConvergenceError, "tol"),
+    "unbounded flow": (ValueError, "plastic zone of body"),  # of the whole half-space
+    "parts": (ValueError, "would require"),  # more than an increment is divided into
     "heat steps": (CaseError, "heat.history must"),  # too short for the cells
     "strain beyond": (ValueError, "grid must contain the plastic strain"),  # in cycles to shakedown
 }

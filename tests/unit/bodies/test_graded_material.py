@@ -77,7 +77,7 @@ def made(law, yield_profile=None, residual_stress=None, **parameters):
 @pytest.mark.parametrize(
     ("make", "text"),
     [
-        (lambda: ELASTIC.with_yield_profile([0.0], [1.0]), "needs a body that yields"),
+        (lambda: ELASTIC.with_yield_profile([0.0], [1.0]), "requires an elastic-plastic"),
         (
             lambda: RIGID.with_residual_stress([0.0], [1.0]),
             "residual stress cannot be set for a rigid body",
@@ -88,7 +88,7 @@ def made(law, yield_profile=None, residual_stress=None, **parameters):
         ),
         (
             lambda: SOFT.with_yield_profile([0.0, 0.0], [1.0, 2.0]),
-            "z of yield_profile must be rising",
+            "z of yield_profile must be strictly ascending",
         ),
         (
             lambda: SOFT.with_yield_profile([-1e-3, 0.0], [1.0, 2.0]),
@@ -109,7 +109,7 @@ def made(law, yield_profile=None, residual_stress=None, **parameters):
         ),
         (
             lambda: SOFT.with_residual_stress([0.0], [1e12]),
-            "sxx of residual_stress must be a stress below",
+            "sxx of residual_stress must be at most Young's modulus in magnitude",
         ),
         (lambda: SOFT.with_residual_stress([0.0, 2e-3], [-2e9, 0.0]), "at z = 0 m must be at"),
         (

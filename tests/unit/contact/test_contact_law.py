@@ -115,7 +115,7 @@ def test_the_largest_tension_parts_the_bodies_and_more_is_refused():
     assert not apart.in_contact.any()
     assert apart.contact_area == 0
     assert apart.gap.min() == pytest.approx(0, abs=1e-15)
-    with pytest.raises(ValueError, match=r"load must be at least -.* N, the largest tension"):
+    with pytest.raises(ValueError, match=r"load must be at least -.* N, the maximum tensile force"):
         of.solve(gap, load=-pull * (1 + 1e-9))
     with pytest.raises(ValueError, match="load must be a finite number >= 0"):
         solver(PERIODIC, sc.HardContact()).solve(gap, load=-1e-3)

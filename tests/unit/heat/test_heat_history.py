@@ -223,7 +223,7 @@ def test_a_restored_state_goes_on_bit_by_bit(speed, shortest):
         for ahead in (0.0, UNIT):
             np.testing.assert_array_equal(first.stress(ahead, [DX]), other.stress(ahead, [DX]))
             np.testing.assert_array_equal(first.displacement(ahead), other.displacement(ahead))
-    with pytest.raises(ValueError, match="another history"):
+    with pytest.raises(ValueError, match="a different heat history"):
         second.set_state(first.state()[1:])
 
 

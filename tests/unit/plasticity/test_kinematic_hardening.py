@@ -186,7 +186,7 @@ class TestMaterial:
             PERFECT.with_kinematic_hardening(*arguments)
 
     def test_needs_a_body_that_yields(self):
-        with pytest.raises(ValueError, match="needs a body that yields"):
+        with pytest.raises(ValueError, match="requires an elastic-plastic material"):
             sc.Material.elastic(E, NU).with_kinematic_hardening(1e9)
 
 

@@ -250,10 +250,12 @@ def test_increments_find_forces_from_where_everything_slides(pair, mu):
 def test_what_no_contact_can_do_is_told():
     grid, gap = wheel(24)
     with pytest.raises(
-        ValueError, match=r"tangential_load must be shorter .*give the motion .creepage"
+        ValueError, match=r"tangential_load must be less than .*: prescribe creepage instead"
     ):
         roll(grid, gap, tangential_load=(1.1 * MU * LOAD, 0.0))
-    with pytest.raises(ValueError, match=r"torque must be smaller than .*give the motion .spin"):
+    with pytest.raises(
+        ValueError, match=r"torque must be less in magnitude than .*: prescribe spin"
+    ):
         roll(grid, gap, torque=1.0)
     with pytest.raises(ValueError, match="must be below the friction limit together"):
         roll(grid, gap, tangential_load=(0.9 * MU * LOAD, 0.0), torque=0.3)

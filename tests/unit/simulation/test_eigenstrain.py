@@ -300,7 +300,7 @@ def test_layers_without_a_bottom_show_it():
     assert state.layers == 19
     assert state.eigenstrain()[..., 15:].any()
     assert not state.eigenstrain()[..., :15].any()
-    with pytest.raises(ValueError, match="in the grid"):
+    with pytest.raises(ValueError, match="inside the grid"):
         given(simulation, first=(0, 0, 10**6))
 
 
