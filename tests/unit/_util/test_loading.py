@@ -52,7 +52,7 @@ def test_what_openmp_cannot_use_does_no_harm():
         assert solved(**environment) == (digits, expected, ""), environment
     other, threads, told = solved(OMP_NUM_THREADS="-1")
     assert (other, threads) == (digits, os.cpu_count())
-    assert "OMP_NUM_THREADS is '-1' and must be a whole number >= 1" in told
+    assert "OMP_NUM_THREADS must be a whole number >= 1, got '-1'" in told
     assert "libgomp" not in told
 
 

@@ -286,7 +286,7 @@ def test_results_tell_forces_motions_and_what_sticks(capsys, tmp_path):
         assert np.isnan(share[-1])
     np.testing.assert_array_equal(without_rounding(np.array([4e-9, -270.0])), [0.0, -270.0])
     told = capsys.readouterr().out
-    for heading in ("force", "shift", "friction", "sticks"):
+    for heading in ("force", "displacement", "frictional", "stick"):
         assert heading in told
     assert "torque" not in told
 

@@ -28,7 +28,7 @@ def test_run_writes_results_figures_and_tables(case_file, tmp_path):
     text = outcome.stdout
     assert "two balls" in text
     assert "Increments" in text
-    assert "Increment 2 against elastic Hertz contact at 600 N" in text
+    assert "Comparison with elastic Hertz contact, increment 2, 600 N" in text
     assert "contact area [mm²]" in text
     files = [line for line in text.splitlines() if line.startswith(str(tmp_path))]
     assert [f.rsplit("/", 1)[1] for f in files] == [

@@ -178,10 +178,10 @@ def test_a_series_without_a_case(collision, tmp_path, undrawn):
 def test_which_file_of_a_folder(tmp_path, collision, wear, undrawn):
     outcome = invoke("report", tmp_path)
     assert outcome.exit_code == 2
-    assert "must hold one of results.nc, series.nc, wear.nc, has none of them" in outcome.stderr
+    assert "must contain one of results.nc, series.nc, wear.nc, got none" in outcome.stderr
     for folder, name in ((collision[0], "series.nc"), (wear[0], "wear.nc")):
         (tmp_path / name).write_bytes((folder / name).read_bytes())
     outcome = invoke("report", tmp_path)
     assert outcome.exit_code == 2
-    assert "has series.nc, wear.nc: name the file" in outcome.stderr
+    assert "got series.nc, wear.nc: specify the file" in outcome.stderr
     assert invoke("report", tmp_path / "wear.nc").exit_code == 0
