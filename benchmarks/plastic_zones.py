@@ -18,7 +18,7 @@ NAME = "plastic_zones"
 TITLE = "Plastic zones of rough surfaces"
 CELL = 1e-6  # m
 SLOPE = 0.06  # rms
-SHORTEST = 8  # cells of the shortest wave
+MIN_WAVELENGTH = 8  # cells of the shortest wave
 ROLL_OFF = 64  # cells
 HARDNESS = 4.2e9  # Pa: load over contact area, nearly
 LOADING = (0.5, 1.0)  # parts of the load
@@ -43,7 +43,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 def gap(grid: sc.Grid) -> np.ndarray:
     """A self-affine surface of a rigid flat, in a bowl."""
     rough = sc.surfaces.rough_self_affine(
-        grid, 1e-6, 0.8, wavelength_min=SHORTEST * CELL, roll_off=ROLL_OFF * CELL, seed=7
+        grid, 1e-6, 0.8, wavelength_min=MIN_WAVELENGTH * CELL, roll_off=ROLL_OFF * CELL, seed=7
     )
     slopes = np.gradient(rough, CELL)
     rough *= SLOPE / np.sqrt(np.mean(slopes[0] ** 2 + slopes[1] ** 2))

@@ -36,16 +36,18 @@ def simulation(body1=RIGID, body2=STEEL, *, grid=GRID, gap=GAP, **options):
     return sc.Simulation(grid, body1, body2, gap, on_border="warn", **options)
 
 
-WIDE = sc.Grid(128, 128, SIZE, SIZE, LAYERS, SIZE)
+WIDE_GRID = sc.Grid(128, 128, SIZE, SIZE, LAYERS, SIZE)
 WIDE_PERCENT = 4 * PERCENT
 
 
 def rolling(body1, body2, **options):
     """Body 1 is rough, and rolls or slides with its roughness."""
-    heights = -rough_gap(0.0, WIDE)
-    bowl = rough_gap(grid=WIDE) + heights
+    heights = -rough_gap(0.0, WIDE_GRID)
+    bowl = rough_gap(grid=WIDE_GRID) + heights
     relief = sc.Relief(heights, periodic=True)
-    return simulation(body1, body2, grid=WIDE, gap=bowl - bowl.min(), relief1=relief, **options)
+    return simulation(
+        body1, body2, grid=WIDE_GRID, gap=bowl - bowl.min(), relief1=relief, **options
+    )
 
 
 def zones_of(sim, body):

@@ -42,7 +42,7 @@ KINDS = {
     "slip": "partly slipping",
 }
 PERIODIC = ("periodic", "periodic_plastic")
-FINE, AREA = "pressure, finest", "contact area, finest"
+FINE_PRESSURE, FINE_AREA = "pressure, finest", "contact area, finest"
 TIMES = {"with_setup_s": "with set-up", "without_setup_s": "without"}
 
 Place = tuple[str, str, int]
@@ -191,7 +191,7 @@ def grids_of(problem: str, case: str, data: dict[str, Any]) -> Grids:
     """What remains however tight the tolerance is, and what it takes to come there."""
     places, found = by_place(data), Grids()
     for n, code, row in sorted(converged(problem, data, case), key=lambda one: one[:2]):
-        error = row["errors"].get(FINE)
+        error = row["errors"].get(FINE_PRESSURE)
         ladder = places.get((problem, case, n), {}).get(code)
         if error and ladder:
             curve = points(ladder, MEASURE[problem], "with_setup_s")
@@ -213,7 +213,7 @@ def accuracy_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any
             if not case:
                 del line["in contact"]
             line["error of pressure"] = error
-            line["error of contact area"] = rows[n, code]["errors"][AREA]
+            line["error of contact area"] = rows[n, code]["errors"][FINE_AREA]
             line["time, equal cells"] = time and same_cells and time / same_cells
             line["time, equal error"] = time and same_error and time / same_error
             yield line

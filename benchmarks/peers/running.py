@@ -34,7 +34,7 @@ ONE_THREAD = {
         "NUMEXPR_NUM_THREADS",
     )
 }
-TOO_LONG = "more than"
+TIMEOUT_MARK = "more than"
 REPEAT_FOR = 0.5  # s of solves with the set-up done
 REPEATS = 20
 # Tolerances of the references: of one code where all solve the same discrete problem, else of each.
@@ -337,7 +337,7 @@ def measured_in_a_fork(task: Task, limit: float) -> dict[str, Any]:
         return answer
     # The kernel ends what is beyond its limit by one of these.
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL):
-        return {"failed": f"{TOO_LONG} {limit:g} s"}
+        return {"failed": f"{TIMEOUT_MARK} {limit:g} s"}
     return {"failed": f"exit status {status}"}
 
 

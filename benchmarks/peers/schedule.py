@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from . import problems
-from .running import CODES, MAX_CELLS, PACKAGES, TOO_LONG, Server, Task, code_class, tight
+from .running import CODES, MAX_CELLS, PACKAGES, TIMEOUT_MARK, Server, Task, code_class, tight
 
 SIZES = {
     "hertz": (64, 128, 256, 512, 1024),
@@ -107,7 +107,7 @@ class Results:
             self.data["rows"][key] = [
                 row
                 for row in rounds
-                if TOO_LONG not in row.get("failed", "") or row.get("limit_s", 0.0) >= limit
+                if TIMEOUT_MARK not in row.get("failed", "") or row.get("limit_s", 0.0) >= limit
             ]
 
     def save(self) -> None:
@@ -143,7 +143,7 @@ def too_long(task: Task, results: Results, limit: float) -> bool:
     if not before:
         return False
     if "failed" in before[0]:
-        return TOO_LONG in before[0]["failed"]
+        return TIMEOUT_MARK in before[0]["failed"]
     growth = GROWTH * (task.n / last) ** 2 / 4
     return growth * before[0]["with_setup_s"] > limit
 
@@ -213,7 +213,7 @@ def attempt(
 ) -> None:
     """One measurement, kept at once."""
     if too_long(task, results, limit):
-        row: dict[str, Any] = {"failed": f"expected to take {TOO_LONG} {limit:g} s"}
+        row: dict[str, Any] = {"failed": f"expected to take {TIMEOUT_MARK} {limit:g} s"}
     else:
         row = servers[task.code].run(replace(task, **settings), limit)
     if "failed" in row:

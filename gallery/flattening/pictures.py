@@ -16,7 +16,10 @@ from ..drawing import axes, gridded
 from ..page import Picture
 from .setups import CRITICAL, YIELD, Point, Results, models
 
-SMALL, LARGE = (2.0, 4.0, 6.0, 8.0, 11.0), (12.0, 20.0, 40.0, 70.0, 110.0)
+SMALL_INTERFERENCES, LARGE_INTERFERENCES = (
+    (2.0, 4.0, 6.0, 8.0, 11.0),
+    (12.0, 20.0, 40.0, 70.0, 110.0),
+)
 
 
 def figures(results: Results) -> list[Picture]:
@@ -26,12 +29,12 @@ def figures(results: Results) -> list[Picture]:
             "flattening_zone_small",
             "Figure 2.10: outlines of the plastic zone in the plane y = 0, for 2 to 11 critical "
             "interferences. Stated: elastic core at the surface at 2, zone at the surface at 6.",
-            zones(results, SMALL, zoom=True),
+            zones(results, SMALL_INTERFERENCES, zoom=True),
         ),
         Picture(
             "flattening_zone_large",
             "Figure 2.11: the same for 12 to 110 critical interferences.",
-            zones(results, LARGE, zoom=False),
+            zones(results, LARGE_INTERFERENCES, zoom=False),
         ),
         Picture(
             "flattening_strain",

@@ -19,8 +19,8 @@ surface = {shape = "paraboloid", Rx = 7.5e-3}
 """
 FLAT = 'body2 = {law = "elastic", E = 210e9, nu = 0.3}'
 STEEL = f"body2 = {{{', '.join(SWIFT.splitlines())}}}"
-SMALL = "nx = 8, ny = 8, dx = 120e-6, dy = 120e-6, nz = 6, dz = 120e-6"
-TWO_BALLS = MINIMAL.replace(GRID, f"[grid]\n{SMALL.replace(', ', chr(10))}")
+SMALL_GRID = "nx = 8, ny = 8, dx = 120e-6, dy = 120e-6, nz = 6, dz = 120e-6"
+TWO_BALLS = MINIMAL.replace(GRID, f"[grid]\n{SMALL_GRID.replace(', ', chr(10))}")
 # A case of each kind of run, and how many increments a resumed run may solve again.
 KINDS = {
     "shakedown": (f"estimate_error = false\n{TWO_BALLS}[shakedown]\ncycles = 3\ntol = 0.002\n", 3),
@@ -33,7 +33,7 @@ KINDS = {
     "wear": (WEAR.replace("cycles = 1", "cycles = 2"), 2),
     "fretting wear": (SCAR.replace("20000", "2000"), 6),
     "fretting": (
-        f'title = "to and fro"\nestimate_error = false\ngrid = {{{SMALL}}}\n{BALL}{STEEL}\n'
+        f'title = "to and fro"\nestimate_error = false\ngrid = {{{SMALL_GRID}}}\n{BALL}{STEEL}\n'
         'contact = {friction = {coulomb = 0.3}, on_border = "warn"}\n'
         "path = [{load = 400.0, increments = 1},"
         " {load = 400.0, increments = 1, fret = {tangential_load_x = 60.0}}]\n",
@@ -41,7 +41,7 @@ KINDS = {
     ),
     "found load": (
         'title = "searched"\n'
-        f"grid = {{{SMALL}}}\n"
+        f"grid = {{{SMALL_GRID}}}\n"
         f'contact = {{on_border = "warn"}}\n{BALL}{STEEL}\npath = [{{load = 900.0}}]\n',
         1,
     ),

@@ -20,7 +20,7 @@ from fuzzing import INPUTS, tried
 import samcontact as sc
 from samcontact.cases import Case, CaseError
 
-FEW, MANY = INPUTS["drawn cases"]
+MIN_SETUPS, MAX_SETUPS = INPUTS["drawn cases"]
 SETUPS_PER_PART = 250
 """Scenes of a slow test."""
 EXPECTED = (
@@ -114,12 +114,12 @@ def test_scenes_that_failed_once(number, outcome):
 
 
 def test_scenes_are_solved_in_balance():
-    count = outcomes(range(FEW))
-    assert count["solved"] >= 0.8 * FEW
+    count = outcomes(range(MIN_SETUPS))
+    assert count["solved"] >= 0.8 * MIN_SETUPS
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("first", range(FEW, MANY + FEW, SETUPS_PER_PART))
+@pytest.mark.parametrize("first", range(MIN_SETUPS, MAX_SETUPS + MIN_SETUPS, SETUPS_PER_PART))
 def test_ten_thousand_scenes(first):
     count = outcomes(range(first, first + SETUPS_PER_PART))
     assert count["solved"] >= 0.8 * SETUPS_PER_PART

@@ -6,7 +6,7 @@ import pytest
 
 import samcontact as sc
 
-QUICK, ALL = range(12), range(600)
+QUICK_SEEDS, ALL = range(12), range(600)
 pytestmark = [
     pytest.mark.filterwarnings(f"ignore::samcontact.{name}Warning")
     for name in ("Resolution", "ElasticStrain", "PlasticStrain", "GridTooSmall", "Unit")
@@ -65,7 +65,7 @@ def follow(seed):
         work = state.friction_work
 
 
-@pytest.mark.parametrize("seed", QUICK)
+@pytest.mark.parametrize("seed", QUICK_SEEDS)
 def test_a_path_with_flow_keeps_to_the_law(seed):
     follow(seed)
 

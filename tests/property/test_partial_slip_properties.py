@@ -10,7 +10,7 @@ from partial_slip_paths import Path
 import samcontact as sc
 
 TOL = 1e-7
-QUICK, ALL = range(60), range(1000)
+QUICK_SEEDS, ALL = range(60), range(1000)
 pytestmark = [
     pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning"),
     pytest.mark.filterwarnings("ignore::samcontact.ElasticStrainWarning"),
@@ -60,7 +60,7 @@ def walk(seeds):
 
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 def test_paths_keep_to_the_law():
-    walk(QUICK)
+    walk(QUICK_SEEDS)
 
 
 @pytest.mark.slow

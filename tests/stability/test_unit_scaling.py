@@ -12,7 +12,7 @@ from benchmarks.stability.table import apart
 from benchmarks.stability.units import SCENES, SLIDING
 
 pytestmark = pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-QUICK = "contact radius, load, time and temperature of the scene"
+QUICK_CASE = "contact radius, load, time and temperature of the scene"
 
 
 @cache
@@ -23,7 +23,9 @@ def in_si(scene):
 @pytest.mark.parametrize(
     ("scene", "units"),
     [
-        pair if QUICK in pair or pair[0] in SLIDING else pytest.param(*pair, marks=pytest.mark.slow)
+        pair
+        if QUICK_CASE in pair or pair[0] in SLIDING
+        else pytest.param(*pair, marks=pytest.mark.slow)
         for pair in itertools.product(SCENES, UNITS)
     ],
 )

@@ -5,7 +5,7 @@ import ast
 from pathlib import Path
 
 PACKAGE = Path(__file__).parents[2] / "python" / "samcontact"
-SHORT = {"float", "int", "bool"}
+SHORT_TYPES = {"float", "int", "bool"}
 """Annotations of arguments whose values are short."""
 
 
@@ -21,7 +21,7 @@ def raw_values(source):
             for part in ast.walk(node):
                 if isinstance(part, ast.FormattedValue) and part.conversion == ord("r"):
                     name = ast.unparse(part.value)
-                    if arguments.get(name, "int") not in SHORT:
+                    if arguments.get(name, "int") not in SHORT_TYPES:
                         found.append((node.lineno, name))
             return
         for inner in ast.iter_child_nodes(node):

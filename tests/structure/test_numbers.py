@@ -27,13 +27,15 @@ OTHERS = {
 
 CODE = re.compile(r"^```.*?^```$|\$\$.*?\$\$|`[^`\n]+`", re.DOTALL | re.MULTILINE)
 WORDS = "a|an|one|two|three|four|five|six|seven|eight|nine|ten|twelve"
-SHARE = "half|halves|thirds?|quarters?|fifths?|sixths?|sevenths?|eighths?|tenths?|twelfths?"
+FRACTION_WORDS = (
+    "half|halves|thirds?|quarters?|fifths?|sixths?|sevenths?|eighths?|tenths?|twelfths?"
+)
 FIGURE = r"\d+(?:\.\d+)?"
-MANY = rf"(?:{FIGURE}|\b(?:(?:{WORDS})(?:[ -](?:{SHARE}))?|half|twice))"
+AMOUNT = rf"(?:{FIGURE}|\b(?:(?:{WORDS})(?:[ -](?:{FRACTION_WORDS}))?|half|twice))"
 # What something takes: a duration, a size in memory, or such a thing as a multiple of another.
 COST = re.compile(
     rf"\b{FIGURE}(?: |-)(?:[mµ]?s|min|h|[kMGT]?B|(?:second|minute|hour)s?)\b(?! *[/·^])"
-    rf"|{MANY} (?:(?:%|times)(?: of the| the| as| less| more)?|of the|of its|the|as) "
+    rf"|{AMOUNT} (?:(?:%|times)(?: of the| the| as| less| more)?|of the|of its|the|as) "
     r"(?:time|memory|work|cost|long|fast|slow|quick|faster|slower|cheaper|dearer)\b"
 )
 # Those that nobody has measured: set, where the code has them so; or of what is described.

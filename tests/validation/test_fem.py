@@ -156,8 +156,8 @@ TOLERANCE = {
 }
 # Of quantities that feel the plastic strain; 12 cells are below what the tolerances above ask for.
 PLASTIC = ("γ", "residual von Mises stress", "imprint depth")
-COARSE = dict.fromkeys(PLASTIC, 0.02)
-FINE = TOLERANCE | dict.fromkeys(PLASTIC, 0.005)
+COARSE_TOLERANCE = dict.fromkeys(PLASTIC, 0.02)
+FINE_TOLERANCE = TOLERANCE | dict.fromkeys(PLASTIC, 0.005)
 UNIT = {
     "p_max": ("GPa", 1e-9),
     "approach": ("µm", 1e6),
@@ -245,8 +245,8 @@ def test_depth_need_not_be_known(name):
 @pytest.mark.parametrize("name", CASES)
 def test_differences_fall_with_refinement(name, measured):
     coarse, fine = (Run(name, cells=cells, increments=cells) for cells in (12, 24))
-    coarse.record(measured, "Finite elements, refined", COARSE)
-    fine.record(measured, "Finite elements, refined", FINE)
+    coarse.record(measured, "Finite elements, refined", COARSE_TOLERANCE)
+    fine.record(measured, "Finite elements, refined", FINE_TOLERANCE)
     one, other = coarse.scalars(), fine.scalars()
     for quantity in PLASTIC:
         errors = [abs(ours / reference - 1) for ours, reference in (one[quantity], other[quantity])]

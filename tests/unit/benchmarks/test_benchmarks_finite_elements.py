@@ -9,7 +9,7 @@ import pytest
 from benchmarks.finite_elements import balls, balls_deck, calculix, tables, wave, wave_deck
 from benchmarks.finite_elements import page as finite_elements
 
-KEPT = finite_elements.STUDY.records()
+STORED_RECORDS = finite_elements.STUDY.records()
 
 
 class Deck(NamedTuple):
@@ -178,7 +178,7 @@ def test_errors_are_those_of_a_known_limit():
 
 def test_both_codes_find_the_same():
     for name, worst in (("balls", 0.045), ("wave", 0.045)):
-        theirs, ours = tables.both(finite_elements.runs_of(KEPT, name)).values()
+        theirs, ours = tables.both(finite_elements.runs_of(STORED_RECORDS, name)).values()
         for quantity in finite_elements.SCENES[name].QUANTITIES:
             limit = tables.limit(theirs, quantity)
             assert tables.limit(ours, quantity) == pytest.approx(limit, rel=worst), quantity

@@ -33,8 +33,8 @@ STUDIES = {
     for file in Path(studies.__file__).parent.rglob("*.py")
     if "\nSTUDY = Study(" in file.read_text(encoding="utf-8")
 }
-KEPT = {name: studies.find(name) for name in sorted(STUDIES - WITHOUT_RECORDS)}
-by_study = pytest.mark.parametrize("study", KEPT.values(), ids=KEPT)
+STORED_RECORDS = {name: studies.find(name) for name in sorted(STUDIES - WITHOUT_RECORDS)}
+by_study = pytest.mark.parametrize("study", STORED_RECORDS.values(), ids=STORED_RECORDS)
 # Columns that are not measured, besides the first ones, which name rows.
 GIVEN = {
     "accuracy": {"values", "quantity", "finite elements", "reference", "difference [%]",
@@ -135,8 +135,8 @@ def close(found, stored, rel, name=""):
     ("name", "point", "rel"), AGAIN, ids=[f"{n}, {p['of']}" for n, p, _ in AGAIN]
 )
 def test_a_point_is_found_as_stored(name, point, rel):
-    (stored,) = (one for one in KEPT[name].records() if point.items() <= one.items())
-    close(point | KEPT[name].run(**point), stored, rel)
+    (stored,) = (one for one in STORED_RECORDS[name].records() if point.items() <= one.items())
+    close(point | STORED_RECORDS[name].run(**point), stored, rel)
 
 
 class TestStudy:
@@ -162,7 +162,7 @@ class TestStudy:
         assert studies.chosen(points, (), largest=1) == points[1:]
 
     def test_the_command_solves_in_a_process_and_writes_when_told(self, tmp_path, monkeypatch):
-        study = KEPT["static_capacity"]
+        study = STORED_RECORDS["static_capacity"]
         kept = study.file.read_bytes()
         page = tmp_path / "page.md"
         monkeypatch.setattr(studies, "ROOT", tmp_path)
@@ -240,7 +240,7 @@ def test_claims_of_the_page_in_words():
 
 
 # Small forms of the tables of the theory: between which shares of the page's numbers theirs are.
-SMALL = {
+SMALL_RUNS = {
     "contact_counts": (lambda: theory.contact_counts(rough=()), 0.8, 1.2, ["contact"]),
     "increments": (lambda: theory.increments((1,), 16, 8), 0.4, 2.5, ["increments"]),
     "grid_errors": (lambda: theory.grid_errors((8, 9), (), ()), 1.0, math.inf, ["quantity"]),
@@ -256,9 +256,9 @@ SMALL = {
 ALONE = {"grid_errors": {"minimum"}}  # columns that do not depend on how many there are
 
 
-@pytest.mark.parametrize("name", SMALL)
+@pytest.mark.parametrize("name", SMALL_RUNS)
 def test_a_small_form_of_a_table_of_the_theory(name):
-    make, low, high, same = SMALL[name]
+    make, low, high, same = SMALL_RUNS[name]
     page = "\n".join(file.read_text(encoding="utf-8") for file in theory.PAGES)
     made = re.search(rf"<!-- table: {name} -->\n(.*?)<!-- end", page, re.DOTALL)[1]
     rows = {tuple(row[key] for key in same): row for row in tables.rows_of(made)}

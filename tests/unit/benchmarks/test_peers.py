@@ -157,7 +157,7 @@ def test_equal_error_of_grids_is_between_the_grids():
     def grid(time, error):
         loose = made_up([time], error=error / 100)
         for row in loose:
-            row["errors"] |= {page.FINE: error, page.AREA: error}
+            row["errors"] |= {page.FINE_PRESSURE: error, page.FINE_AREA: error}
         return loose
 
     rows = {}

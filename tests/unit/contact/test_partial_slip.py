@@ -186,8 +186,8 @@ def test_line_of_another_program(share):
     assert pulled.tangential_applications <= 8
 
 
-SMALL = sc.Grid(16, 16, 1 / 16, 1 / 16)
-BALL = sc.surfaces.paraboloid(SMALL, 1.0)
+SMALL_GRID = sc.Grid(16, 16, 1 / 16, 1 / 16)
+BALL = sc.surfaces.paraboloid(SMALL_GRID, 1.0)
 
 
 def test_the_window_grows_with_the_contact():
@@ -255,7 +255,7 @@ def test_periodic_surfaces():
 )
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 def test_drives_that_cannot_be(friction, arguments, error, words):
-    solver = sc.ContactSolver(SMALL, SOFT, SOFT, friction)
+    solver = sc.ContactSolver(SMALL_GRID, SOFT, SOFT, friction)
     with pytest.raises(error, match=words):
         solver.solve(BALL, load=0.01, **arguments)
 
@@ -266,10 +266,10 @@ def test_what_friction_cannot_be():
         sc.Coulomb(-0.1)
     warm = SOFT.with_thermal(1.0, 1e-5, 1.0)
     with pytest.raises(ValueError, match=r"heat.factor must be 0 with friction = Coulomb"):
-        sc.ContactSolver(SMALL, warm, warm, sc.Coulomb(0.1), heat=sc.Heat(0.1))
+        sc.ContactSolver(SMALL_GRID, warm, warm, sc.Coulomb(0.1), heat=sc.Heat(0.1))
     with pytest.raises(ValueError, match=r"heat.factor must be 0 with friction = Coulomb"):
-        sc.Simulation(SMALL, warm, warm, BALL, friction=sc.Coulomb(0.1), heat=sc.Heat(0.1))
-    solver = sc.ContactSolver(SMALL, SOFT, SOFT, sc.Coulomb(0.1))
+        sc.Simulation(SMALL_GRID, warm, warm, BALL, friction=sc.Coulomb(0.1), heat=sc.Heat(0.1))
+    solver = sc.ContactSolver(SMALL_GRID, SOFT, SOFT, sc.Coulomb(0.1))
     found = solver.solve(BALL, load=0.01)
     with pytest.raises(ValueError, match="shear is required with friction = Coulomb"):
         solver.stress(found.pressure, 0.1)

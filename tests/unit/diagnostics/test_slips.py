@@ -48,21 +48,24 @@ increments = 2
 """
 FITS = "It would be plausible with"
 HERTZ = "Hertz: radius 244.5 µm, p0 = 2.395 GPa"
-CELLS, WINDOW = "width of the Hertz contact in cells", "over that of the grid"
-PART, YIELD = "half-width of the Hertz contact over its radius", "yield stress over E of body 2"
+CELLS_ACROSS, GRID_WIDTHS = "width of the Hertz contact in cells", "over that of the grid"
+RADIUS_RATIO, YIELD = (
+    "half-width of the Hertz contact over its radius",
+    "yield stress over E of body 2",
+)
 CAPACITY = "volumetric heat capacity (conductivity over diffusivity) of body 2"
 # what is changed, the check that fails, and what the text names
-SLIPS = {
-    "cells in µm": ({"20e-6": "20.0"}, CELLS, f"{HERTZ}. {FITS} cells of 20 µm:"),
-    "cells in mm": ({"20e-6": "0.02"}, CELLS, f"{HERTZ}. {FITS} cells of 20 µm:"),
-    "E in GPa": ({"210e9": "210.0"}, PART, f"{FITS} E* = 115.4 GPa:"),
-    "E in MPa": ({"210e9": "210e3"}, PART, f"{FITS} E* = 115.4 GPa:"),
-    "E in kPa": ({"210e9": "210e6"}, WINDOW, "E* = 115.4 GPa"),
-    "radius in mm": ({"7.5e-3": "7.5"}, WINDOW, f"{FITS} radii of 7.5 mm:"),
-    "radius in µm": ({"7.5e-3": "7500.0"}, WINDOW, f"{FITS} radii of 7.5 mm:"),
-    "load": ({"300.0": "1e9"}, PART, f"p0 = 357.8 GPa. {FITS} a load of"),
-    "small ball": ({"7.5e-3": "0.05e-3"}, PART, "The theory assumes half-spaces"),
-    "small cells": ({"20e-6": "20e-9"}, WINDOW, HERTZ),
+UNIT_ERRORS = {
+    "cells in µm": ({"20e-6": "20.0"}, CELLS_ACROSS, f"{HERTZ}. {FITS} cells of 20 µm:"),
+    "cells in mm": ({"20e-6": "0.02"}, CELLS_ACROSS, f"{HERTZ}. {FITS} cells of 20 µm:"),
+    "E in GPa": ({"210e9": "210.0"}, RADIUS_RATIO, f"{FITS} E* = 115.4 GPa:"),
+    "E in MPa": ({"210e9": "210e3"}, RADIUS_RATIO, f"{FITS} E* = 115.4 GPa:"),
+    "E in kPa": ({"210e9": "210e6"}, GRID_WIDTHS, "E* = 115.4 GPa"),
+    "radius in mm": ({"7.5e-3": "7.5"}, GRID_WIDTHS, f"{FITS} radii of 7.5 mm:"),
+    "radius in µm": ({"7.5e-3": "7500.0"}, GRID_WIDTHS, f"{FITS} radii of 7.5 mm:"),
+    "load": ({"300.0": "1e9"}, RADIUS_RATIO, f"p0 = 357.8 GPa. {FITS} a load of"),
+    "small ball": ({"7.5e-3": "0.05e-3"}, RADIUS_RATIO, "The theory assumes half-spaces"),
+    "small cells": ({"20e-6": "20e-9"}, GRID_WIDTHS, HERTZ),
     "layers": ({"dz = 20e-6": "dz = 20e-9"}, "contact in layers", "dz = 20 nm"),
     "yield in MPa": ({"2e9": "2000.0"}, YIELD, "Use Pa for both"),
     "W/(mm K)": ({"50.2": "0.0502"}, CAPACITY, "use W/(m K) for conductivity"),
@@ -74,7 +77,7 @@ SLIPS = {
 
 def changed(slip):
     text = CASE
-    for right, wrong in SLIPS[slip][0].items():
+    for right, wrong in UNIT_ERRORS[slip][0].items():
         assert right in text
         text = text.replace(right, wrong)
     return text
@@ -95,9 +98,9 @@ def test_the_right_scene_passes(solved):
     assert all(check.passed for check in report.checks(solved))
 
 
-@pytest.mark.parametrize("slip", SLIPS)
+@pytest.mark.parametrize("slip", UNIT_ERRORS)
 def test_a_slip_is_told_before_the_solve_and_fails_a_check(slip, solved):
-    _, name, told = SLIPS[slip]
+    _, name, told = UNIT_ERRORS[slip]
     case = parse_case(changed(slip))
     simulation, path = case.build()
     solver = sc.ContactSolver(
@@ -136,7 +139,7 @@ def test_a_contact_far_below_a_cell_is_refused_unless_it_was_loaded():
 
 
 STEEL = sc.Material.perfect_plastic(210e9, 0.3, 2e9)
-SLIPS_OF_MATERIALS = {
+UNIT_ERRORS_OF_MATERIALS = {
     "hardness numbers": (STEEL.with_yield_profile([0, 1e-3], [720, 350]), "maximum yield factor"),
     "case depth in mm": (STEEL.with_yield_profile([0, 0.8, 1], [2, 1, 1]), "depth of the yield"),
     "depths in mm": (STEEL.with_residual_stress([0, 0.3], [-8e8, 0]), "depth of the residual"),
@@ -154,9 +157,9 @@ SLIPS_OF_MATERIALS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("slip", SLIPS_OF_MATERIALS)
+@pytest.mark.parametrize("slip", UNIT_ERRORS_OF_MATERIALS)
 def test_a_slip_in_a_material_is_told(slip):
-    body, told = SLIPS_OF_MATERIALS[slip]
+    body, told = UNIT_ERRORS_OF_MATERIALS[slip]
     heat = sc.Heat(1e-3, velocity=(2e3, 0.0)) if "speed" in slip else None
     found = list(
         plausibility_checks(None, sc.Grid(8, 8, 1e-5, 1e-5), (ELASTIC, body), heat or NO_HEAT)
@@ -182,7 +185,7 @@ def test_real_cases_and_layers_are_not_doubted():
 
 def test_the_first_slip_is_told_by_a_solver():
     grid = sc.Grid(8, 8, 1e-5, 1e-5, dz=1e-5)
-    body, told = SLIPS_OF_MATERIALS["hardness numbers"]
+    body, told = UNIT_ERRORS_OF_MATERIALS["hardness numbers"]
     simulation = sc.Simulation(grid, ELASTIC, body, np.zeros((8, 8)), on_border="warn")
     with warnings.catch_warnings():
         warnings.simplefilter("error", sc.UnitWarning)

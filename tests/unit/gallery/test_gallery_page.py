@@ -15,15 +15,15 @@ from gallery.__main__ import main
 
 ROOT = Path(__file__).parents[3]
 PAGES = ROOT / "docs" / "gallery"
-NEAR = stated.Number("depth", 100.0, 104.0, "nm", "coarse")
-FAR = stated.Number("depth", 100.0, 106.0, "nm", "coarse", remark="why")
-SAID = stated.Statement("curves", "coincide", "to 1 %", True, "fine")
+NEAR_NUMBER = stated.Number("depth", 100.0, 104.0, "nm", "coarse")
+FAR_NUMBER = stated.Number("depth", 100.0, 106.0, "nm", "coarse", remark="why")
+STATED_CURVES = stated.Statement("curves", "coincide", "to 1 %", True, "fine")
 
 
 def test_a_number_holds_within_its_tolerance():
-    assert NEAR.holds
-    assert not FAR.holds
-    assert FAR.difference == pytest.approx(0.06)
+    assert NEAR_NUMBER.holds
+    assert not FAR_NUMBER.holds
+    assert FAR_NUMBER.difference == pytest.approx(0.06)
 
 
 def test_a_mesh_study_replaces_the_thesis_in_the_judgement_only():
@@ -34,7 +34,9 @@ def test_a_mesh_study_replaces_the_thesis_in_the_judgement_only():
 
 
 def test_table():
-    text = page.table([NEAR, FAR, SAID, stated.Number("cells", 23188, 23188, "", "")], {})
+    text = page.table(
+        [NEAR_NUMBER, FAR_NUMBER, STATED_CURVES, stated.Number("cells", 23188, 23188, "", "")], {}
+    )
     assert "| depth | 100 nm | 104 nm | +4.0 % | coarse |" in text
     assert "| depth [1] | 100 nm | 106 nm | +6.0 % | coarse |" in text
     assert "| curves | coincide | to 1 % | agrees | fine |" in text
@@ -44,7 +46,7 @@ def test_table():
 
 def test_a_table_says_how_much_values_move_with_the_mesh():
     moved = [moves.Moves("depth", [104.0], {"cells": moves.Move(2.345, own=False)})]
-    text = page.table([NEAR, SAID], moved)
+    text = page.table([NEAR_NUMBER, STATED_CURVES], moved)
     assert "| depth | 100 nm | 104 nm | +4.0 % | coarse | 2.3 % |" in text
     assert "| curves | coincide | to 1 % | agrees | fine |  |" in text
     assert moves.COARSE_MESH_NOTE in text
@@ -118,10 +120,10 @@ def test_a_page_has_its_table_and_figures(tmp_path):
     part = SimpleNamespace(
         TITLE="Title",
         INTRODUCTION="\nIntroduction.\n",
-        stated=lambda results: [NEAR, results],
+        stated=lambda results: [NEAR_NUMBER, results],
         figures=lambda results: [page.Picture("name", "Caption.", Figure())],
     )
-    assert page.write("part", part, SAID, tmp_path / "new") == [NEAR, SAID]
+    assert page.write("part", part, STATED_CURVES, tmp_path / "new") == [NEAR_NUMBER, STATED_CURVES]
     text = (tmp_path / "new" / "part.md").read_text()
     assert "# Title\n\nIntroduction.\n\n| quantity" in text
     assert "![Caption.](name.png)\n\nCaption.\n" in text
@@ -167,7 +169,7 @@ def test_the_command_fails_when_a_value_differs(tmp_path, monkeypatch):
     part = SimpleNamespace(
         TITLE="Title",
         INTRODUCTION="",
-        compute=lambda quick: NEAR if quick else FAR,
+        compute=lambda quick: NEAR_NUMBER if quick else FAR_NUMBER,
         stated=lambda results: [results],
         figures=lambda results: [],
     )

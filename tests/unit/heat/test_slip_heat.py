@@ -13,11 +13,11 @@ HOT = (50.2, 11.7e-6, 1.367e-5)
 BALL = sc.Material.elastic(210e9, 0.3).with_thermal(*HOT)
 STEEL = sc.Material.linear_hardening(210e9, 0.3, 1.2e9, 10e9).with_thermal(*HOT)
 GAP = sc.surfaces.paraboloid(GRID, 7.5e-3)
-MU, SHARE = 0.3, 0.6
+MU, HEAT_FRACTION = 0.3, 0.6
 
 
 def simulation(body2=STEEL, friction=None, heat=None, **settings):
-    heat = sc.Heat(partition=SHARE) if heat is None else heat
+    heat = sc.Heat(partition=HEAT_FRACTION) if heat is None else heat
     friction = sc.Coulomb(MU) if friction is None else friction
     return sc.Simulation(GRID, BALL, body2, GAP, friction, heat=heat, **settings)
 
@@ -40,9 +40,9 @@ def power_of(state):
 )
 def test_where_all_slips_it_is_the_heat_of_gross_sliding(body2, source):
     speed, duration = 0.2, 2.0
-    heat = sc.Heat(sc.heat.factors(MU, speed, SHARE), **source)
+    heat = sc.Heat(sc.heat.factors(MU, speed, HEAT_FRACTION), **source)
     slides = simulation(body2, MU, heat)
-    sticks = simulation(body2, heat=sc.Heat(partition=SHARE, **source))
+    sticks = simulation(body2, heat=sc.Heat(partition=HEAT_FRACTION, **source))
     # Cold first: what touches for the first time slips a part of the increment only.
     slides.step(load=300.0, heat_factor=0.0)
     sticks.step(load=300.0, shift=(speed * duration, 0.0), duration=1e9)
@@ -67,7 +67,7 @@ def test_where_all_slips_it_is_the_heat_of_gross_sliding(body2, source):
 
 @pytest.mark.parametrize("source", [{}, {"time": 1e-3, "velocity": ((0, 0), (0.3, 0.2))}])
 def test_the_power_of_friction_enters_the_bodies(source):
-    run = simulation(BALL, heat=sc.Heat(partition=SHARE, **source), tol=1e-9)
+    run = simulation(BALL, heat=sc.Heat(partition=HEAT_FRACTION, **source), tol=1e-9)
     before = run.step(load=100.0, duration=1.0)
     assert not power_of(before).any()
     assert not before.surface_temperature(1).any()
@@ -81,7 +81,7 @@ def test_the_power_of_friction_enters_the_bodies(source):
     )
     work = state.friction_work - before.friction_work
     assert power.sum() * GRID.cell_area * duration == pytest.approx(work, rel=1e-7)
-    for body, share in ((1, 1 - SHARE), (2, SHARE)):
+    for body, share in ((1, 1 - HEAT_FRACTION), (2, HEAT_FRACTION)):
         factor = [0.0, 0.0]
         factor[body - 1] = share
         hot = sc.ContactSolver(GRID, BALL, BALL, heat=sc.Heat(factor, **source))

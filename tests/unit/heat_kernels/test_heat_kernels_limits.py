@@ -179,7 +179,7 @@ def test_offsets_in_any_order():
     assert displacement(x, y, HALF, 2.0, (1.0, 0.0)).shape == (4, 2)
 
 
-GOOD = {
+VALID_ARGUMENTS = {
     "x": [0.0],
     "y": [0.0],
     "z": 1e-6,
@@ -221,8 +221,8 @@ GOOD = {
 )
 def test_errors_name_the_argument(name, value, text):
     with pytest.raises(ValueError, match=text):
-        heat_kernels.stress(**(GOOD | {name: value}))
-    arguments = {k: v for k, v in (GOOD | {name: value}).items() if k not in ("E", "z")}
+        heat_kernels.stress(**(VALID_ARGUMENTS | {name: value}))
+    arguments = {k: v for k, v in (VALID_ARGUMENTS | {name: value}).items() if k not in ("E", "z")}
     if name not in ("E", "z"):
         with pytest.raises(ValueError, match=text):
             heat_kernels.displacement(**arguments)
@@ -238,7 +238,7 @@ def test_errors_of_the_steady_state():
     with pytest.raises(ValueError, match="conductivity must be"):
         heat_kernels.steady_temperature(0.0, 0.0, 0.0, 1.0, 1.0, conductivity=-1.0)
     with pytest.raises(TypeError, match="time must be a number"):
-        heat_kernels.stress(**(GOOD | {"time": "1"}))
+        heat_kernels.stress(**(VALID_ARGUMENTS | {"time": "1"}))
 
 
 def test_a_long_table_can_be_interrupted():

@@ -84,9 +84,9 @@ def test_files_of_instruments(name):
     assert surface.undefined == (2 if name == "xyz-2.txt" else 0)
 
 
-@pytest.mark.parametrize("name", ASKED)
+@pytest.mark.parametrize("name", READER_ARGUMENTS)
 def test_what_files_do_not_tell_is_asked(name):
-    with pytest.raises(ValueError, match=ASKED[name]):
+    with pytest.raises(ValueError, match=READER_ARGUMENTS[name]):
         measured.read(FILES / name)
 
 

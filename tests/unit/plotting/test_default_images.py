@@ -121,7 +121,7 @@ cycles = 2
 }
 
 
-ALIKE = {("wear", "last_cycle_body2"): "wear/first_cycle_body2"}
+EQUAL_IMAGES = {("wear", "last_cycle_body2"): "wear/first_cycle_body2"}
 """Figures that look as others, which are stored."""
 FIRST_IN_OTHERS = {
     "long": ("axis_stress", "load_approach", "pressure", "sections"),
@@ -185,7 +185,9 @@ def squares(image, x=0, y=0):
 
 def stored(case):
     own = {path.stem: path for path in (STORED / case).glob("*.jpg")}
-    others = {name: STORED / f"{path}.jpg" for (of, name), path in ALIKE.items() if of == case}
+    others = {
+        name: STORED / f"{path}.jpg" for (of, name), path in EQUAL_IMAGES.items() if of == case
+    }
     return dict(sorted((own | others).items()))
 
 
@@ -228,5 +230,5 @@ if __name__ == "__main__":
             old.unlink()
         with tempfile.TemporaryDirectory() as folder:
             for name, image in drawn(case, Path(folder)).items():
-                if (case, name) not in ALIKE and name not in FIRST_IN_OTHERS.get(case, ()):
+                if (case, name) not in EQUAL_IMAGES and name not in FIRST_IN_OTHERS.get(case, ()):
                     image.save(STORED / case / f"{name}.jpg", quality=90, optimize=True)

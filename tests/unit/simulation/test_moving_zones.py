@@ -11,7 +11,7 @@ from rough_setups import (
     SIZE,
     SOFT,
     STEEL,
-    WIDE,
+    WIDE_GRID,
     WIDE_PERCENT,
     assert_few_errors,
     rms,
@@ -56,7 +56,7 @@ def test_zones_left_behind_act_as_in_one_box(bodies, cells, steps, options):
 def test_a_steady_motion_begins_with_the_flow_before():
     """A rough body at rest ploughs: as many iterations as in one box."""
     sims = [
-        simulation(RIGID, STEEL, grid=WIDE, gap=rough_gap(grid=WIDE), zones=zones)
+        simulation(RIGID, STEEL, grid=WIDE_GRID, gap=rough_gap(grid=WIDE_GRID), zones=zones)
         for zones in ("auto", "one")
     ]
     for step in range(4):

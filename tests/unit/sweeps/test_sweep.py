@@ -23,17 +23,17 @@ from samcontact.cases import AsperityCase, Case, CaseError
 from samcontact.sweeps import run, store, worker
 
 # 24 cases with paths of one and of three increments; those of 9e13 N do not fit on the grid
-MANY = {
+LARGE_SWEEP = {
     "body2.yield_stress": [1.5e9, 2e9, 3e9, 1e10],
     "contact.friction": [0, 0.1],
     "path[0].load": np.array([300.0, 600.0, 9e13]),
 }
-FEW = {"path[0].load": [300.0, 9e13, 600.0]}
+FAILING_SWEEP = {"path[0].load": [300.0, 9e13, 600.0]}
 
 
 @pytest.fixture(scope="module")
 def serial():
-    return sc.sweep(CASE, MANY, progress=False)
+    return sc.sweep(CASE, LARGE_SWEEP, progress=False)
 
 
 @pytest.fixture(scope="module")
@@ -135,7 +135,9 @@ def test_sections_may_be_swept():
 
 
 def test_dask_cluster_gives_the_same_bits(client, serial):
-    xr.testing.assert_identical(sc.sweep(CASE, MANY, executor=client, progress=False), serial)
+    xr.testing.assert_identical(
+        sc.sweep(CASE, LARGE_SWEEP, executor=client, progress=False), serial
+    )
 
 
 def test_dask_cluster_survives_the_death_of_a_worker(client, serial):
@@ -148,7 +150,7 @@ def test_dask_cluster_survives_the_death_of_a_worker(client, serial):
         killed.append(pids[busy.address])
 
     executor = Watched(client.get_executor(pure=False), 5, kill)
-    found = sc.sweep(CASE, MANY, executor=executor, progress=False)
+    found = sc.sweep(CASE, LARGE_SWEEP, executor=executor, progress=False)
     xr.testing.assert_identical(found, serial)
     assert len(killed) == 1
     client.wait_for_workers(2)
@@ -157,13 +159,13 @@ def test_dask_cluster_survives_the_death_of_a_worker(client, serial):
 
 def test_processes_give_the_same_bits(serial):
     with ProcessPoolExecutor(2, get_context("spawn")) as pool:
-        found = sc.sweep(CASE, MANY, executor=pool, progress=False)
+        found = sc.sweep(CASE, LARGE_SWEEP, executor=pool, progress=False)
     xr.testing.assert_identical(found, serial)
 
 
 def test_threads_give_the_same_bits(serial):
     with ThreadPoolExecutor(2) as pool:
-        found = sc.sweep(CASE, MANY, executor=pool, progress=False)
+        found = sc.sweep(CASE, LARGE_SWEEP, executor=pool, progress=False)
     xr.testing.assert_identical(found, serial)
 
 
@@ -171,13 +173,13 @@ def test_death_of_a_process_is_recorded_and_made_good_later(serial, tmp_path, re
     with ProcessPoolExecutor(1, get_context("spawn")) as pool:
         pid = pool.submit(os.getpid).result()
         executor = Watched(pool, 4, lambda: os.kill(pid, signal.SIGKILL))
-        broken = sc.sweep(CASE, MANY, executor=executor, output=tmp_path, progress=False)
+        broken = sc.sweep(CASE, LARGE_SWEEP, executor=executor, output=tmp_path, progress=False)
     errors = broken["error"].values.ravel().tolist()
     done = broken["status"].values.ravel().tolist().count("done")
     assert done >= 2
     assert sum(text.startswith("BrokenProcessPool: ") for text in errors) >= 10
     calls = request.getfixturevalue("calls")
-    whole = sc.sweep(CASE, MANY, output=tmp_path, progress=False)
+    whole = sc.sweep(CASE, LARGE_SWEEP, output=tmp_path, progress=False)
     xr.testing.assert_identical(whole, serial)
     assert len(calls) == 24 - done
 
@@ -187,7 +189,7 @@ def test_a_pool_that_is_broken_already_is_recorded():
         def submit(self, *_):
             raise BrokenExecutor("no more workers")
 
-    found = sc.sweep(CASE, FEW, executor=Broken(), progress=False)
+    found = sc.sweep(CASE, FAILING_SWEEP, executor=Broken(), progress=False)
     assert set(found["error"].values) == {"BrokenExecutor: no more workers"}
 
 
@@ -199,18 +201,18 @@ def test_cancelled_by_the_executor_is_a_failure():
             future.set_running_or_notify_cancel()
             return future
 
-    found = sc.sweep(CASE, FEW, executor=Cancels(), progress=False)
+    found = sc.sweep(CASE, FAILING_SWEEP, executor=Cancels(), progress=False)
     assert all(text.startswith("CancelledError") for text in found["error"].values)
 
 
 def test_going_on_solves_only_what_is_not_done(tmp_path, calls):
-    first = sc.sweep(CASE, FEW, output=tmp_path, progress=False)
+    first = sc.sweep(CASE, FAILING_SWEEP, output=tmp_path, progress=False)
     assert calls == [300.0, 9e13, 600.0]
     assert len(list((tmp_path / "cases").iterdir())) == 2
     with results.open_results(tmp_path / "sweep.nc") as stored:
         assert_stored(stored, first)
     calls.clear()
-    again = sc.sweep(CASE, FEW, output=tmp_path, progress=False)
+    again = sc.sweep(CASE, FAILING_SWEEP, output=tmp_path, progress=False)
     assert calls == [9e13]
     xr.testing.assert_identical(again, first)
     calls.clear()
@@ -329,7 +331,7 @@ def test_interrupt_cancels_what_waits_in_an_executor(monkeypatch):
 
     monkeypatch.setattr(run, "as_completed", impatient)
     with pytest.raises(sc.SweepInterrupted) as caught:
-        sc.sweep(CASE, FEW, executor=Slow(), progress=False)
+        sc.sweep(CASE, FAILING_SWEEP, executor=Slow(), progress=False)
     assert caught.value.dataset["status"].values.tolist() == ["done", "cancelled", "cancelled"]
     assert [future.cancelled() for future in submitted] == [False, True, True]
 
