@@ -189,7 +189,9 @@ class TestPaths:
 
     @pytest.mark.parametrize("folder", ["", "a\0b", 3])
     def test_a_checkpoint_is_a_path(self, folder):
-        with pytest.raises((TypeError, ValueError), match="checkpoint must be a (non-empty )?path"):
+        with pytest.raises(
+            (TypeError, ValueError), match=r"checkpoint must be a (non-empty )?path"
+        ):
             small().run([{"load": 1.0}], progress=False, checkpoint=folder)
 
     def test_files(self, tmp_path):

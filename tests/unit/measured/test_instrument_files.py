@@ -65,7 +65,7 @@ READ = {  # options, format, shape, size [m], span of the heights [m]
     "xyz-1.txt": ({"unit": "um"}, "xyz", (4, 4), 4e-6, 1e-6),
     "xyz-2.txt": ({"unit": "um", "undefined": "keep"}, "xyz", (4, 4), 4e-6, 1e-6),
 }
-ASKED = {
+READER_ARGUMENTS = {
     "csv-1.csv": 'unit is required, e.g. unit="um": .* a profile, .* specifies only x in um',
     "matrix-5.txt": "dx is required",
     "xy-1.txt": "unit is required, .* a profile, columns x and z .* specifies none",

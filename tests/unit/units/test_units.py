@@ -59,7 +59,8 @@ def test_wrong_texts_are_refused(text):
 def test_numbers_beyond_the_range_are_refused(text):
     with pytest.raises(
         ValueError,
-        match=r"value must be (within the range of floating-point numbers|a number and a unit .*), got '",
+        match=r"value must be (within the range of floating-point numbers|a number and a unit .*), "
+        "got '",
     ):
         units.si(text, "m")
     assert units.si("0 m", "m") == 0.0
