@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.accuracy_cost: what an accuracy costs beside grids chosen by hand."""
+"""python -m benchmarks.accuracy_cost: cost of a prescribed accuracy against manual grids."""
 
 from __future__ import annotations
 
@@ -22,30 +22,33 @@ NAMES = ("balls, 1500 N", "T1, 600 N", "T1, 1500 N", "T1, 4000 N", "V2, both yie
          "2a, rigid on M50", "F2, friction 0.2")  # fmt: skip
 LEVELS = range(7)
 INCREMENTS = (2, 4, 8, 16, 32, 64)
-MAX_SECONDS = 5.0  # s of a grid chosen by hand
+MAX_SECONDS = 5.0  # s, time limit of a manual grid
 TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: OMP_NUM_THREADS=1 python -m benchmarks.accuracy_cost --docs -->
-# What an accuracy costs
+# Cost of a prescribed accuracy
 
-`samcontact.to_accuracy` solves a case on several grids and in several numbers of increments.
-Whoever knew in advance which grid and how many increments have the same error would solve only
-that one.
-Here all grids of the sequence are solved so, each by itself, with {increments} increments of
-loading and one of elastic unloading, the tolerance that cases have by default and the window
-of the first grid, as long as that takes less than about {longest:.0f} s. The quickest of them
-whose largest error is below that of `to_accuracy` is the best by hand. Errors are those of the
-worst quantity, against [the truth](accuracy.md); times those of the processor, one thread.
+This page compares the computing time of `samcontact.to_accuracy` with that of the best manually
+chosen grid of equal error. `samcontact.to_accuracy` solves a case on several grids and with several
+numbers of increments; a user who knew the required grid and increments in advance would solve only
+this one.
+
+For comparison all grids of the sequence are solved separately, with {increments} increments of
+loading and one of elastic unloading, the default tolerance of case files and the extent of the
+first grid, as long as this takes less than about {longest:.0f} s. The best manual grid is the
+fastest one whose maximum error is below that of `to_accuracy`. Errors are those of the worst
+quantity, relative to [reference values](accuracy.md). Times are processor times with one thread.
 
 {table}
 
-In {count} of {rows} rows a grid of the sweep is as exact; there the median of time over that of
-the best is {median:.2g}. In the others none is, since values of `to_accuracy` are extrapolated and
-those of a grid are not; the one with the least error is shown.
+In {count} of {rows} rows a manual grid is as accurate as `to_accuracy`. In these rows the median of
+the ratio of times (`to_accuracy` over manual grid) is {median:.2g}. In the other rows no manual
+grid is as accurate, because the values of `to_accuracy` are extrapolated and those of a single
+grid are not; the most accurate grid is shown instead.
 """
 
 
 class Solved(NamedTuple):
-    """Largest relative error of a way to solve a case, and what it takes."""
+    """Maximum relative error of a solution, its processor time [s] and its grid."""
 
     error: float
     seconds: float
@@ -53,13 +56,13 @@ class Solved(NamedTuple):
 
 
 def error_of(values: dict[str, float], truth: dict[str, float]) -> float:
-    """Of the worst quantity."""
+    """Return the relative error of the worst quantity."""
     return max(abs(values[name] / exact - 1) for name, exact in truth.items() if exact != 0)
 
 
 @cache
 def by_hand(name: str, levels: range = LEVELS) -> list[Solved]:
-    """Grids and increments, each by itself."""
+    """Solve a case on single grids with given numbers of increments."""
     case = SectionsOfCase.model_validate({"title": "by hand", "accuracy": 0.1, **CASES[name]})
     scene, truth = RefinableCase(case), known()[name]
     scene.settle(scene.run(0, INCREMENTS[0]))
@@ -105,15 +108,15 @@ def run(of: str, asked: float) -> Record:
 
 
 def page(records: list[Record]) -> str:
-    head = ("case", "asked [%]", "error [%]", "time [s]", "best by hand", "its error [%]",
-            "its time [s]", "ratio")  # fmt: skip
+    head = ("case", "prescribed [%]", "error [%]", "time [s]", "best manual grid",
+            "its error [%]", "its time [s]", "ratio of times")  # fmt: skip
     lines, ratios = [], []
     for record in records:
         mine, best = Solved(**record["mine"]), Solved(**record["best"])
         ratio = mine.seconds / best.seconds
         if record["as_exact"]:
             ratios.append(ratio)
-        what = best.what if record["as_exact"] else f"none; nearest: {best.what}"
+        what = best.what if record["as_exact"] else f"none; most accurate: {best.what}"
         lines.append((record["of"], f"{100 * record['asked']:g}", f"{100 * mine.error:.2g}",
                       f"{mine.seconds:.2g}", what, f"{100 * best.error:.2g}",
                       f"{best.seconds:.2g}",
@@ -126,7 +129,7 @@ def page(records: list[Record]) -> str:
 
 
 STUDY = Study(
-    "accuracy_cost", "What an accuracy costs beside grids chosen by hand.", points, run, page
+    "accuracy_cost", "Cost of a prescribed accuracy against manual grids.", points, run, page
 )
 
 if __name__ == "__main__":

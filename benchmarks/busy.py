@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One thread and two beside processes that are always busy: processor time and clock.
+"""Processor and wall time of one and two threads, next to processes that are always busy.
 
 One and two threads take turns, so that what else the machine does meets both. Two threads should
 cost at most 1.3 times the processor time of one beside busy processes, and not be slower.

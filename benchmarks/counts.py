@@ -32,7 +32,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
         Task(NAME, case, "fast", "load_up", {"across": across, "path": case, "method": "fast"})
         for case in LOADINGS
     ]
-    # As many increments up as down; the last is the reference.
+    # Equal numbers of loading and unloading increments; the last is the reference.
     across, finest = (6, 50) if quick else (10, 200)
     stored = str(folder / f"{NAME}-{across}-{finest}.npz")
     base = f"{finest} increments"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What criteria of fatigue cost: a pass of 60 states over a body."""
+"""Cost of fatigue criteria: a pass of 60 states over a body."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ MAX_REPEATED_SECONDS = 0.5  # s: what is shorter is timed three times, and the b
 
 @dataclass(frozen=True)
 class Task:
-    """One measurement."""
+    """Measurement of a case by a method."""
 
     part: str
     case: str
@@ -44,7 +44,7 @@ class Task:
     reference: str = ""
     """The method whose time, in the same case with otherwise equal arguments, is 1."""
     threads: int = 0
-    """Of this one; 0: as the others."""
+    """Number of threads of this task; 0: the common number."""
     rounds: int = 1
     """Fresh processes that measure it; the shortest time counts."""
     hidden: bool = False
@@ -102,12 +102,12 @@ def rms_error(computed: Any, reference: Any) -> float:
 
 
 def relative_error(computed: float, reference: float) -> float:
-    """Of one number, without sign."""
+    """Return the unsigned relative error of a number."""
     return abs(float(computed) / float(reference) - 1)
 
 
 def work_of(simulation: Any) -> dict[str, int]:
-    """What a Simulation counted, as columns."""
+    """Return the counters of a Simulation as columns."""
     counters = simulation.counters
     found = {
         "contact_iterations": counters["contact_iterations"],

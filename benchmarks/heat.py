@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What frictional heat costs: the same contact and the same increments, cold and heated."""
+"""Cost of frictional heat: equal contact and increments, cold and heated."""
 
 from __future__ import annotations
 

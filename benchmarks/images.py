@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the periodicity of the fast residual stress costs and leaves: several image tolerances.
+"""Cost and error of the periodicity of the fast residual stress: several image tolerances.
 
 The strain is smooth, (1 - r^2)^4, so that nothing but the images differs from a box eight times
 as wide.

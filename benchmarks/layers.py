@@ -97,7 +97,7 @@ def press(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """What the rows say at once."""
+    """Return sentences that summarise the rows."""
     lines = []
     for name in BODIES[1:]:
         told = [

@@ -150,7 +150,7 @@ def apply(meter: Meter, cells: int, profile: str, file: str, method: str) -> dic
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """What the fast stress saves, and how its error compares, at worst and at best."""
+    """Return a sentence on time and error of the fast stress, as a range."""
     exact, fast = ([row for row in rows if row["method"] == name] for name in ("exact", "fast"))
     if not fast:
         return []

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.resolution: how fine a rough contact must be, as a page of the docs.
+"""python -m benchmarks.resolution: resolution of rough contact, as a page of the docs.
 
-One rough surface, made of waves, is pressed onto steel on finer and finer grids.
+One rough surface, a sum of waves, is pressed onto steel on increasingly fine grids.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from .steel import STEEL
 from .study import Record, Study, table
 
 MIN_WAVELENGTH = 16e-6  # m, wavelength
-WAVES = 8  # of the shortest along a side
+WAVES = 8  # number of shortest waves along a side
 SIDE = WAVES * MIN_WAVELENGTH
-MIN_WAVES = 2  # waves of the longest along a side
+MIN_WAVES = 2  # number of longest waves along a side
 HURST, SLOPE, SEED = 0.8, 0.06, 5
-BOWL = 3.0  # height of the border over the rms of the roughness: it keeps the contact inside
+BOWL = 3.0  # height of the raised border over the rms roughness: keeps the contact inside
 DEPTH = MIN_WAVELENGTH / 20  # m, below which residual stress converges
 HARDNESS = 4.2e9  # Pa: load over contact area, nearly
 PERCENT = (1.0, 2.0)
@@ -37,76 +37,78 @@ CELLS_PER_WAVE_OF_PARTS = 32  # cells of the shortest wave, for these
 SERIES = {
     "area": "contact area",
     "pressure": "mean pressure in contact",
-    "strain": "largest plastic strain",
-    "stress": "largest residual stress below 0.8 µm",
+    "strain": "maximum plastic strain",
+    "stress": "maximum residual stress below 0.8 µm",
 }
 UNITS = {"area": ("%", 100.0), "pressure": ("GPa", 1e-9), "strain": ("%", 100.0)} | {
     "stress": ("MPa", 1e-6)
 }
 TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.resolution --docs -->
-# Rough contact: how fine?
+# Resolution of rough contact
 
-A rigid rough flat is pressed onto steel (210 GPa, Swift's law). Its roughness is a sum of waves
+This page shows how errors of rough contact depend on the cell size, and recommends a resolution. A
+rigid rough flat is pressed onto steel (210 GPa, Swift's law). Its roughness is a sum of waves
 from {longest:.0f} to {shortest:.0f} µm, self-affine with Hurst exponent {hurst} and rms slope
-{slope}, of which every grid samples the same surface. Layers are as thick as cells are wide, and
-go as deep as the flow (`nz` is not given). The finest grid has {cells} x {cells} cells and took
-{memory:.1f} GB.
+{slope}; every grid samples the same surface. Layers are as thick as the cells are wide, and
+extend as deep as the plastic zone (`nz` is not given). The finest grid has {cells} x {cells} cells
+and needed {memory:.1f} GB.
 
-![Errors over the cells of the shortest wave](figures/rough_resolution.png)
+![Errors against the cells per shortest wave](figures/rough_resolution.png)
 
-Area and mean pressure are compared with what the two finest grids extrapolate to with order one,
-strain and stress with the finest grid. At the rims of spots single cells carry peaks of pressure
-and, in the first layer, of strain, whatever the tolerance. They grow with finer cells: the largest
-pressure and the residual stress of the first layer do not converge.
+Area and mean pressure are compared with values extrapolated with order one from the two finest
+grids, strain and stress with the finest grid. At the edges of contact spots single cells have peaks
+of pressure and, in the first layer, of strain, whatever the tolerance. These peaks grow as the
+cells become finer: the maximum pressure and the residual stress of the first layer do not converge.
 
 {tables}
 
 ## Increments
 
-Each load above is reached in one increment. The first one in several, with {parted} cells of the
-shortest wave:
+Each load above is reached in one increment. The first load in several increments, with {parted}
+cells per shortest wave:
 
 {parts}
 
-Residual stress depends on them more than on the cells.
+The residual stress depends more on the increments than on the cells.
 
-## What decides
+## Source of the error
 
-Not the cells of the shortest wave, but those of a spot. A cell is in contact or not, and each
-side of an outline is wrong by a part of a cell; the area is wrong by about
+The error is determined by the number of cells across a contact spot, not across the shortest wave.
+A cell is in contact or not, and each side of an outline is wrong by a part of a cell. The area is
+wrong by about
 
 $$\\frac{{\\pi - 1 + \\ln 2}}{{24}} \\, \\frac{{S}}{{N}} = {side:.3f} \\, \\frac{{S}}{{N}},$$
 
-S being the sides between cells in contact and others, N the cells in contact (Yastrebov, Anciaux
-and Molinari 2017,
-[doi:10.1016/j.triboint.2017.04.023](https://doi.org/10.1016/j.triboint.2017.04.023)). The tables
-call it "uncertain"; one solution alone tells it. The errors found are {low:.2f} to {high:.2f} of
-it, always towards too large an area. A round spot d cells across has {round:.2f}/d of its area:
-{eight:.0f} % with 8 cells, {four:.0f} % with 4. "Cells across a spot" is the d of round spots
-with the same S/N.
+where S is the number of sides between cells in contact and others, and N the number of cells in
+contact (Yastrebov, Anciaux and Molinari 2017,
+[doi:10.1016/j.triboint.2017.04.023](https://doi.org/10.1016/j.triboint.2017.04.023)). This is the
+column "area uncertainty" of the tables; it follows from a single solution. The errors found are
+{low:.2f} to {high:.2f} times this value, and the area is always too large. The uncertainty of a
+round spot d cells across is {round:.2f}/d of its area: {eight:.0f} % with 8 cells, {four:.0f} %
+with 4. "Cells across a spot" is the d of round spots with equal S/N.
 
-The contact area of states and results has this taken off where spots are small, and locates the
-edge within the cells where they are not: docs/theory/contact.md. The tables are of counted
-cells, and the mean pressure of these is too low by as much as the area is too large. Plastic
-strain and the residual stress below the surface are largest in spots that are wider than the mean,
-and are better by far.
+The contact area in states and results is corrected for this error where spots are small, and the
+edge is located within the cells where they are not: docs/theory/contact.md. The tables are for
+counted cells, whose mean pressure is too low by as much as the area is too large. Plastic strain
+and residual stress below the surface are largest in spots that are wider than the average, and are
+considerably more accurate.
 
-## What to take
+## Recommendations
 
-- Cells that give spots of 8 or more across under the load in question. Lighter loads need smaller
-  cells: the first touch of a rough surface is never resolved.
-- Several increments of the load where residual stress is wanted.
-- The error falls as the cell size. Of two grids, one twice as fine, twice the area of the finer
-  less that of the coarser is better than both.
-- `ResolutionWarning` tells the number when the area of several spots is uncertain by more than
-  {warn:.0f} % in a run, or {fail:.0f} % in a single increment. Results have it as
-  `area_uncertainty`, and the check of a report fails above {fail:.0f} %.
+- Choose cells that give contact spots of 8 or more cells across at the load of interest. Lighter
+  loads need smaller cells: the first contact of a rough surface is never resolved.
+- Apply the load in several increments if the residual stress matters.
+- The error is proportional to the cell size. From two grids, one twice as fine, twice the area of
+  the finer minus the area of the coarser is more accurate than both.
+- `ResolutionWarning` is issued if the area uncertainty of several spots exceeds {warn:.0f} % in a
+  run, or {fail:.0f} % in a single increment. Results contain it as `area_uncertainty`, and the
+  check of a report fails above {fail:.0f} %.
 """
 
 
 def surface(n: int) -> tuple[np.ndarray, float]:
-    """Heights of the waves [m], and how high they are."""
+    """Return the heights of the waves and their rms [m]."""
     waves = wave_amplitudes(WAVES, HURST, seed=SEED, lowest=MIN_WAVES)
     kx, ky = np.arange(-WAVES, WAVES + 1)[:, None], np.arange(WAVES + 1)
     slopes = [surface_rms(2j * np.pi / SIDE * k * waves) for k in (kx, ky)]
@@ -115,7 +117,7 @@ def surface(n: int) -> tuple[np.ndarray, float]:
 
 
 def gap(grid: sc.Grid) -> np.ndarray:
-    """The rough surface of a rigid flat, in a bowl."""
+    """Return the gap of a rigid rough flat with raised borders [m]."""
     rough, rms = surface(grid.nx)
     side = np.maximum(abs(grid.x[:, None]), abs(grid.y)) / (0.5 * SIDE)
     return rough + BOWL * rms * side**8
@@ -163,7 +165,7 @@ def points(quick: bool) -> list[Record]:
 
 
 def residual_stress(state: sc.State) -> tuple[float, float]:
-    """Largest von Mises stress of the plastic strain [Pa]: in the first layer, below `DEPTH`."""
+    """Return the maximum residual von Mises stress [Pa], in the first layer and below `DEPTH`."""
     surface = below = 0.0
     for zone in state.zones():
         stress = von_mises(zone.residual_stress())
@@ -173,7 +175,7 @@ def residual_stress(state: sc.State) -> tuple[float, float]:
 
 
 def references(rows: list[Record]) -> dict[str, float]:
-    """What the rows of one load, coarsest first, tend to: see the page."""
+    """Return the reference values of the rows of one load, coarsest first."""
     coarse, fine = rows[-2:]
     area = 2 * fine["area"] - coarse["area"]
     force = fine["pressure"] * fine["area"]
@@ -183,22 +185,22 @@ def references(rows: list[Record]) -> dict[str, float]:
 
 
 def errors(rows: list[Record]) -> list[Record]:
-    """Relative, with sign, of the rows of one load."""
+    """Return the signed relative errors of the rows of one load."""
     exact = references(rows)
     return [{name: row[name] / exact[name] - 1 for name in SERIES} for row in rows]
 
 
 def order(values: list[float]) -> float:
-    """The observed one of the three finest grids."""
+    """Return the observed order of convergence on the three finest grids."""
     coarse, middle, fine = values[-3:]
     return float(np.log2((middle - coarse) / (fine - middle)))
 
 
 def area_table(rows: list[Record]) -> str:
-    """What counting cells is wrong by."""
+    """Return the table of errors from counting cells."""
     head = (
-        "cells of the shortest wave", "spots", "cells across a spot", "contact area [%]",
-        "uncertain [%]", "error [%]", "mean pressure [GPa]", "error [%]",
+        "cells per shortest wave", "spots", "cells across a spot", "contact area [%]",
+        "area uncertainty [%]", "error [%]", "mean pressure [GPa]", "error [%]",
     )  # fmt: skip
     lines = []
     for row, error in zip(rows, errors(rows), strict=True):
@@ -216,9 +218,9 @@ def area_table(rows: list[Record]) -> str:
 
 def strain_table(rows: list[Record]) -> str:
     head = (
-        "cells of the shortest wave", "largest plastic strain [%]", "error [%]",
-        "residual von Mises below 0.8 µm [MPa]", "error [%]", "in the first layer [MPa]",
-        "largest pressure [GPa]",
+        "cells per shortest wave", "maximum plastic strain [%]", "error [%]",
+        "residual von Mises stress below 0.8 µm [MPa]", "error [%]",
+        "residual von Mises stress, first layer [MPa]", "maximum pressure [GPa]",
     )  # fmt: skip
     lines = []
     for row, error in zip(rows, errors(rows), strict=True):
@@ -237,7 +239,7 @@ def percent(share: float) -> str:
 
 
 def parts_table(rows: list[Record]) -> str:
-    """Of the first load, in more and more increments."""
+    """Return the table of the first load in several increments."""
     head = "increments", *(f"{SERIES[name]} [{unit}]" for name, (unit, _) in UNITS.items())
     lines = []
     for row in rows:
@@ -260,7 +262,7 @@ def page(records: list[Record]) -> str:
             f"## Load {load / 100 * HARDNESS * SIDE**2:.3g} N",
             area_table(mine),
             strain_table(mine),
-            f"Observed order of the area, of the three finest grids: {orders}.",
+            f"Observed order of convergence of the area on the three finest grids: {orders}.",
         ]
         found = zip(mine, errors(mine), strict=True)
         ratios += [error["area"] / row["uncertainty"] for row, error in found]
@@ -285,29 +287,27 @@ def draw(records: list[Record]) -> dict[str, Any]:
     axes = figure.subplots(1, 2, sharey=True)
     for ax, (load, mine) in zip(axes, by_load(rows).items(), strict=True):
         fine = [row["fine"] for row in mine]
-        for n, (name, told) in enumerate(SERIES.items()):
+        for n, (name, label) in enumerate(SERIES.items()):
             wrong = [100 * abs(error[name]) or np.nan for error in errors(mine)]
-            ax.loglog(fine, wrong, f"{MARKERS[n]}-", color=COLOURS[n], label=told)
-        ax.loglog(
-            fine, [100 * row["uncertainty"] for row in mine], "k--", label="area, uncertain by"
-        )
+            ax.loglog(fine, wrong, f"{MARKERS[n]}-", color=COLOURS[n], label=label)
+        ax.loglog(fine, [100 * row["uncertainty"] for row in mine], "k--", label="area uncertainty")
         ax.set(
-            xlabel="cells of the shortest wave",
+            xlabel="cells per shortest wave [-]",
             title=f"{load / 100 * HARDNESS * SIDE**2:.3g} N",
             xticks=fine,
             xticklabels=fine,
         )
         ax.minorticks_off()
         ax.grid(color="0.9")
-    axes[0].set(ylabel="error [%]")
-    axes[0].set_ylim(0.05, 30.0)  # below it is chance
+    axes[0].set(ylabel="relative error [%]")
+    axes[0].set_ylim(0.05, 30.0)  # smaller errors are accidental
     axes[0].yaxis.set_major_formatter("{x:g}")
     axes[1].legend(fontsize="small", loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return {"rough_resolution.png": figure}
 
 
 STUDY = Study(
-    "resolution", "How fine a rough contact must be.", points, run, page, draw,
+    "resolution", "Resolution of rough contact.", points, run, page, draw,
     document="rough_resolution", fresh=True, figures="docs/figures",
 )  # fmt: skip
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What an increment of rolling costs after a short and after a long way."""
+"""Cost of a rolling increment after a short and a long distance."""
 
 from __future__ import annotations
 

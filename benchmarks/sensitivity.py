@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.sensitivity: how much the gallery's stated numbers move with their meshes.
+"""python -m benchmarks.sensitivity: sensitivity of the gallery's stated numbers to the mesh.
 
-Each part of the gallery is computed again with cells, layers and increments halved and with a
-window and depth a quarter larger, one at a time. A number that moves by more than is said of it
-wants a finer mesh, a limit, or a sentence. --docs writes docs/sensitivity.md from the kept table.
+Each part of the gallery is computed again with halved cells, layers and increments and with a grid
+a quarter larger and deeper, one at a time. A number that changes by more than is stated needs a
+finer mesh, a limit or a remark. --docs writes docs/sensitivity.md from the stored table.
 """
 
 from __future__ import annotations
@@ -26,28 +26,29 @@ from .study import Record, Study, table
 
 PARTS = tuple(FIGURES)
 
-# The contact of tugging moves by whole cells: its increments can be halved when its cells are.
+# Colliding asperities move by whole cells: increments can only be halved together with the cells.
 AFTER = {("asperities", "increments"): "cells"}
 HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.sensitivity --docs -->
-# What the gallery's numbers depend on
+# Sensitivity of the gallery to the mesh
 
-By how much each number that a page of the [gallery](gallery.md) states moves [%] when the cells are
-halved in both directions, the layers are halved, the increments of the load are halved, or the
-window and its depth are made a quarter larger, one at a time. Each section says whether this is
-done to the mesh of the page or to the coarse one of the tests, about half as fine: the moves of
-that are about what the page is better by, and about an upper bound of what it is still off by.
+This page states by how much [%] each number on a page of the [gallery](gallery.md) changes when the
+mesh is changed: cells halved in both directions, layers halved, load increments halved, or the grid
+made a quarter wider and deeper (column "window"), one at a time. Each section states whether the
+mesh is that of the page or the coarse one of the tests, about half as fine. The changes on the
+coarse mesh are about the improvement from the coarse mesh to that of the page, and about an upper
+bound of the remaining error of the page.
 
-Of several numbers it is the largest move over the largest number. Numbers in a text are those it
-shows, with their last digit: a difference of one digit moves by large shares. A dash: the scene has
-nothing of that kind to change, or gives another number of values. Rolling goes on by a step for
-each cell, so that halved cells halve its steps too; tugging can have smaller increments on smaller
-cells only, and is compared with these.
+For several numbers the largest change relative to the largest number is given. Numbers in a text
+are used as printed: a small difference changes by a large percentage in its last digit. A dash
+means that the change does not apply to this contact, or that it alters the number of values.
+Rolling advances by one cell per step, so halved cells also halve its steps. Asperity collisions
+can have smaller increments only on smaller cells, and are compared with these.
 """
 MESHES = {
-    moves.OWN_MESH_NOTE: "The page's mesh.\n",
-    moves.COARSE_MESH_NOTE: "The coarse mesh.\n",
-    moves.BOTH_MESHES_NOTE: "The page's mesh; in brackets, the coarse one.\n",
+    moves.OWN_MESH_NOTE: "Mesh of the page.\n",
+    moves.COARSE_MESH_NOTE: "Coarse mesh.\n",
+    moves.BOTH_MESHES_NOTE: "Mesh of the page; in brackets, coarse mesh.\n",
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 ROUNDING = 1e-8
@@ -56,7 +57,7 @@ ROUNDING = 1e-8
 def resized(
     what: str | None, nx: int, ny: int, dx: float, dy: float, nz: int = 0, dz: float | None = None
 ) -> tuple[Any, ...]:
-    """What a `Grid` is made of, finer or larger in one respect."""
+    """Return the arguments of a `Grid`, finer or larger in one respect."""
     if what == "cells":  # an odd number stays odd: the middle stays a cell
         nx, ny, dx, dy = 2 * nx - nx % 2, 2 * ny - ny % 2, dx / 2, dy / 2
     elif what == "layers" and dz is not None:
@@ -68,7 +69,7 @@ def resized(
 
 @contextmanager
 def changed(what: str | None) -> Iterator[None]:
-    """Grids and steps that parts of the gallery make are finer, or larger, in one respect."""
+    """Make grids and steps of the gallery finer or larger in one respect."""
 
     def grid(*sizes: Any) -> Any:
         return real_grid(*resized(what, *sizes))
@@ -86,7 +87,7 @@ def changed(what: str | None) -> Iterator[None]:
         return real_step(simulation, **target)
 
     def collide(collision: Any, body1: Any, body2: Any, mesh: Any, **settings: Any) -> Any:
-        # The contact moves by whole cells: half the increments are compared with half the cells.
+        # The contact moves by whole cells: halved increments are compared with halved cells.
         cells = 2 if what == "cells" else 1
         finer = resized(
             "cells" if what == "increments" else what,
@@ -108,12 +109,12 @@ def changed(what: str | None) -> Iterator[None]:
 
 @cache
 def stated(name: str, what: str | None, coarse: bool) -> dict[str, list[float]]:
-    """All numbers of each stated value; nothing where the scene cannot be computed so."""
+    """Return all numbers of each stated value; none if the computation fails."""
     part = importlib.import_module(f"gallery.{name}")
     with changed(what):
         try:
             entries = part.stated(part.compute(coarse))
-        except Exception as error:  # told in the table: the others go on
+        except Exception as error:  # stated in the table; the other parts continue
             return {"(not computed)": [float("nan")], str(error)[:60]: []}
     return {
         entry.quantity: [float(entry.ours)]
@@ -124,7 +125,7 @@ def stated(name: str, what: str | None, coarse: bool) -> dict[str, list[float]]:
 
 
 def moved(before: list[float], after: list[float] | None) -> float | None:
-    """Largest change [%] of a list of numbers, over the largest of them; None of others."""
+    """Return the largest change [%] relative to the largest number; None if counts differ."""
     if not before or after is None or len(after) != len(before):
         return None
     if max(map(abs, [*before, *after])) < ROUNDING:
@@ -140,7 +141,7 @@ def points(quick: bool) -> list[Record]:
 
 
 def run(of: str, mesh: str, change: str) -> Record:
-    """The numbers of a part, or how much a change of its mesh moves them."""
+    """Return the numbers of a part, or their changes with a change of its mesh."""
     coarse = mesh == "coarse"
     if change == "none":
         return {"values": stated(of, None, coarse)}
@@ -152,7 +153,7 @@ def run(of: str, mesh: str, change: str) -> Record:
 
 
 def page(records: list[Record]) -> str:
-    """The table as a page of the docs; values that never move by more than 0.5 % are counted."""
+    """Return the page; values that never change by more than 0.5 % are only counted."""
     text = [HEAD]
     for part in PARTS:
         found = [row for row in moves.of_part(part, records) if row.values]
@@ -161,7 +162,7 @@ def page(records: list[Record]) -> str:
         text.append(MESHES[meshes])
         shown = [row for row in found if not row.largest or row.largest.percent > 0.5]
         if steady := len(found) - len(shown):
-            text.append(f"{steady} of {len(found)} values move by less than 0.5 %.\n")
+            text.append(f"{steady} of {len(found)} values change by less than 0.5 %.\n")
         lines = []
         for row in shown:
             numbers = ", ".join(f"{number:.4g}" for number in row.values[:6])
@@ -180,7 +181,7 @@ def cell(move: moves.Move | None, mixed: bool) -> str:
 
 
 STUDY = Study(
-    "sensitivity", "How much the gallery's stated numbers move with their meshes.", points, run,
+    "sensitivity", "Sensitivity of the gallery's stated numbers to the mesh.", points, run,
     page, lasting=True, keeps_quick=True,
 )  # fmt: skip
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stick and slip: work of the shear beside that of the pressure, against Cattaneo and Mindlin.
+"""Partial slip: work of shear and pressure solutions, compared with Cattaneo and Mindlin.
 
 And of rolling with creepage, steady and step after step.
 """
@@ -18,7 +18,7 @@ from .elastic_smooth import work
 from .harness import Meter, Task, relative_error
 
 NAME = "slip"
-TITLE = "Stick and slip"
+TITLE = "Partial slip"
 NOTES_NEED_TIMES = True  # which its page does not keep
 SERIES = ("case", "method")
 MU = 0.3
@@ -183,7 +183,7 @@ def softness() -> float:
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """What the rows say at once."""
+    """Return sentences that summarise the rows."""
     lines = []
     for n in sorted({row["across"] for row in rows if row["case"].startswith("Q = ")}):
         at = [row for row in rows if row["across"] == n and row["case"].startswith("Q = ")]

@@ -38,7 +38,7 @@ class Study:
     about: str
     """First line of the help of its command."""
     points: Callable[[bool], Sequence[Record]]
-    """All points; when its argument is true, few small ones that are never kept."""
+    """Function returning all points; with argument True, few small ones that are not stored."""
     run: Callable[..., Record | list[Record]]
     """Run of one point, given as keyword arguments; returns a record, or one for each row."""
     page: Callable[[list[Record]], str] = lambda records: ""

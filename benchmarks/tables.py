@@ -26,12 +26,12 @@ WORK = (
     "surface_applications",
     "volume_applications",
 )
-# What means something on one machine only.
+# Columns that are meaningful on one machine only.
 TIMES = ("time_s", "us_per_cell_and_application", "ms_per_iteration")
 
 
 def frame(rows: list[dict[str, Any]]) -> pd.DataFrame:
-    """All rows, columns in a fixed order."""
+    """Return all rows, with columns in a fixed order."""
     table = pd.DataFrame(rows)
     errors = [c for c in table if c.startswith("error: ")]
     others = [c for c in table if c not in (*FIRST_COLUMNS, *errors, *WORK)]
@@ -90,7 +90,7 @@ def _value(text: str) -> float | str:
 
 
 def section_of(page: str, part: ModuleType) -> str:
-    """What the page has of a part; nothing where that has not been measured for it."""
+    """Return the section of a part on the page; empty if it has not been measured."""
     return dict(map(_titled, _sections(inside_markers(page))[1:])).get(part.TITLE, "")
 
 
@@ -105,7 +105,7 @@ def noted(page: str, parts: list[ModuleType]) -> str:
 
 
 def environment() -> str:
-    """What the measurements ran on."""
+    """Return version, processor and threads of the measurements."""
     threads = os.environ.get("OMP_NUM_THREADS", "all")
     return f"samcontact {sc.__version__}, {platform.machine()}, {threads} thread(s)."
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One thread and two: contact, increments and zones; sweeps in one process and in two.
+"""One and two threads: contact, increments and subdomains; sweeps in one and two processes.
 
 Times are those of the clock, so the machine must have two free processors.
 """
@@ -94,7 +94,7 @@ def sweep(meter: Meter, cases: int, processes: int) -> dict[str, Any]:
 
 
 def efficiency(row: dict[str, Any]) -> float:
-    """Of the second thread: 1 where it halves the time."""
+    """Return the efficiency of the second thread: 1 if it halves the time."""
     return float(1 / (2 * row["time_ratio"]))
 
 

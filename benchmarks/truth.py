@@ -57,7 +57,7 @@ def finest(
 def extrapolated(
     names: list[str], parts: list[int], grids: list[Values], coarse: list[Values]
 ) -> dict[str, float]:
-    """With order 2 of the cells, and orders 1 and 2 of the increments."""
+    """Extrapolate with order 2 in the cells, and orders 1 and 2 in the increments."""
     change = (grids[-1] - grids[-3]) / 3
     # a thin layer at the surface that no grid shows yet is no largest value
     values = grids[-1] + np.where(np.abs(change) < 0.05 * np.abs(grids[-1]), change, 0.0)

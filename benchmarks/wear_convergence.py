@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.wear_convergence: what wear and running-in depend on, as a page of the docs.
+"""python -m benchmarks.wear_convergence: convergence of wear and running-in, as a page.
 
-Both scenes of Boucly's thesis (2008), section 5.2, with cells, layers and increments made smaller
-one at a time: with the filter that has a length in metres, and with the thesis's in cells.
+Both contacts of Boucly's thesis (2008), section 5.2, with cells, layers and increments refined one
+at a time: with a filter whose length is in metres, and with the thesis's filter in cells.
 """
 
 from __future__ import annotations
@@ -16,44 +16,46 @@ from gallery.wear import ELASTIC, FRICTION, RADIUS, STEEL, THRESHOLD
 
 from .study import Record, Study, by_group, table_of
 
-SMOOTHING = 7.2e-6  # m: spreads as far as a moving mean over half a wavelength of 50 um
+SMOOTHING = 7.2e-6  # m: equivalent to a moving average over half a wavelength of 50 um
 HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.wear_convergence --docs -->
 # Convergence of wear and running-in
 
-Both scenes of section 5.2 of the thesis ([running-in](gallery/running_in.md),
-[wear](gallery/wear.md)), with cells dx, layers dz and load increments made smaller, one at a
-time. Volumes are those removed in all cycles.
+This page shows how computed wear and running-in depend on the mesh and on the smoothing of the worn
+surface. Both contacts of section 5.2 of Boucly's thesis ([running-in](gallery/running_in.md),
+[wear](gallery/wear.md)) are solved with smaller cells dx, layers dz and load increments, one at a
+time. Volumes are sums over all cycles.
 """
 TEXTS = {
-    "gaussian": """## Running-in, a filter with a length
+    "gaussian": """## Running-in with a filter of fixed length
 
-`smoothing_length` = 7.2 µm, which spreads as far as a moving mean over half a wavelength of the
-roughness (25 µm). A Gaussian leaves no edges, and running-in stops on every mesh. The last cycles
-wear next to nothing. How many of them there are depends on the layers: they decide at which depth
-the strain of the surface is compared with the threshold.
+The smoothing length is 7.2 µm (`smoothing_length`), equivalent to a moving average over half a
+wavelength of the roughness (25 µm). A Gaussian filter leaves no edges, and running-in ends on every
+mesh. The last cycles remove almost nothing. Their number depends on the layers, which determine the
+depth at which the strain is compared with the threshold.
 """,
-    "cells": """## Running-in, the thesis's filter
+    "cells": """## Running-in with the filter of the thesis
 
-A moving mean over 25 µm (`window` in cells, `order` 1), as far as the cells allow. Its border is
-a ramp with sharp edges. On coarse cells they are no sharper than a cell, and running-in stops. On
-finer ones each edge carries the next contact, at a pressure that grows as the cells shrink, is
-strained beyond the threshold, breaks off, and leaves edges of its own: the volume of a cycle
-rises again, and nothing stops. The pressure of a sharp edge grows without limit as the cells
-shrink, so that no finer mesh removes it.
+The filter is a moving average over 25 µm (`window` in cells, `order` 1), as closely as the cells
+permit. The border of the worn region is then a ramp with sharp edges. On coarse grids the edges are
+no sharper than a cell, and running-in ends. On finer grids each edge carries the next contact, at a
+pressure that increases as the cells shrink. It is strained beyond the threshold, is removed, and
+leaves new edges: the volume per cycle increases again, and wear does not cease. The pressure at a
+sharp edge grows without limit as the cells shrink, so refinement does not help.
 """,
     "lens": """## Wear of the flat surface
 
-Two balls under 2000 N, `smoothing_length` = 87 µm (a moving mean over 300 µm). The first cycle
-removes a lens deeper than the balls came closer, and the contacts after it run on its rim, beyond
-the Hertz pressure and with strains beyond those of a small-strain theory: wear does not stop, and
-each cycle depends more on the mesh than the one before.
+Two smooth balls are loaded by 2000 N, with a smoothing length of 87 µm (equivalent to a moving
+average over 300 µm). The first cycle removes a lens deeper than the approach of the balls. The
+following contacts are on the rim of this pit, above the Hertz pressure and with strains beyond the
+small-strain limit. Wear does not cease, and each cycle depends more on the mesh than the previous
+one.
 """,
 }
 COMPARED = {
     "gaussian": (
         2.5,
-        ("volume [µm³]", "largest pressure, last cycle [GPa]", "roughness that is left [µm]"),
+        ("volume [µm³]", "maximum pressure, last cycle [GPa]", "residual roughness [µm]"),
     ),
     "lens": (45.0, tuple(f"volume of cycle {n} [mm³]" for n in (1, 2, 3))),
 }
@@ -63,13 +65,13 @@ FILTERS: dict[str, dict[str, Any]] = {
     "gaussian": {"smoothing_length": SMOOTHING},
     "lens": {"smoothing_length": 300e-6 / 12**0.5},
 }
-"""Method that smooths the border, or a window in cells."""
+"""Smoothing of the border of the worn region, by group of points."""
 
 
 def solve(
     point: Record, side: float, depth: float, load: float, rough: bool, cycles: int
 ) -> sc.wear.WearResult:
-    """The wear, with the thesis's ball and steel."""
+    """Compute the wear with the ball and the steel of the thesis."""
     dx, dz = point["dx"], point["dz"]
     count = 2 * round(0.5 * side / dx) + 1
     grid = sc.Grid(count, count, dx, dx, round(depth / dz), dz)
@@ -91,12 +93,12 @@ def solve(
 
 
 def run(**point: Any) -> Record:
-    """Values in the row of a mesh."""
+    """Return the row of a mesh."""
     return {"line": lens(point) if point["of"] == "lens" else running_in(point)}
 
 
 def mesh(point: Record) -> dict[str, str]:
-    """The first cells of a line."""
+    """Return the first columns of a row."""
     return {
         "dx [µm]": f"{1e6 * point['dx']:.3g}",
         "dz [µm]": f"{1e6 * point['dz']:.3g}",
@@ -110,14 +112,14 @@ def running_in(point: Record) -> dict[str, str]:
     middle = np.hypot(x[:, None], y[None, :]) < 75e-6
     last = found.cycles[-1]
     worn = np.cumsum(found.rate)
-    cycles = f"{len(found.cycles) - 1}" if found.stopped else "does not stop in 16"
+    cycles = f"{len(found.cycles) - 1}" if found.stopped else "not ceased in 16"
     return {
-        "cycles that wear": cycles,
-        "for 99 % of the volume": str(int(np.searchsorted(worn / worn[-1], 0.99)) + 1),
+        "cycles with wear": cycles,
+        "cycles for 99 % of the volume": str(int(np.searchsorted(worn / worn[-1], 0.99)) + 1),
         "volume [µm³]": f"{1e18 * found.rate.sum():.0f}",
-        "of the last cycle [µm³]": f"{1e18 * found.rate[-1]:.3g}",
-        "largest pressure, last cycle [GPa]": f"{1e-9 * last.max_pressure:.2f}",
-        "roughness that is left [µm]": f"{1e6 * found.profile(-1)[middle].std():.3f}",
+        "volume of the last cycle [µm³]": f"{1e18 * found.rate[-1]:.3g}",
+        "maximum pressure, last cycle [GPa]": f"{1e-9 * last.max_pressure:.2f}",
+        "residual roughness [µm]": f"{1e6 * found.profile(-1)[middle].std():.3f}",
     }
 
 
@@ -127,8 +129,8 @@ def lens(point: Record) -> dict[str, str]:
                for one in found.cycles}  # fmt: skip
     pressures = ", ".join(f"{1e-9 * cycle.max_pressure:.2f}" for cycle in found.cycles)
     return volumes | {
-        "depth after the first [µm]": f"{1e6 * found.cycles[0].depth[0]:.1f}",
-        "largest pressure, cycles 1 to 3 [GPa]": pressures,
+        "depth after cycle 1 [µm]": f"{1e6 * found.cycles[0].depth[0]:.1f}",
+        "maximum pressure, cycles 1 to 3 [GPa]": pressures,
     }
 
 
@@ -149,18 +151,18 @@ def points(quick: bool) -> list[Record]:
 
 
 def spread(rows: list[dict[str, str]], finest: float, names: tuple[str, ...]) -> str:
-    """By how much values differ between the meshes of cells up to this size [µm]."""
+    """Return a sentence on the spread of values between meshes with cells up to this size [µm]."""
     fine = [row for row in rows if float(row["dx [µm]"]) <= finest]
     parts = []
     for name in names:
         values = np.array([float(row[name]) for row in fine])
         share = 100 * (values.max() - values.min()) / (values.max() + values.min())
         parts.append(f"{name.rsplit(' [', 1)[0]} ±{share:.0f} %")
-    return f"Between the meshes with dx up to {finest:g} µm: {', '.join(parts)}."
+    return f"Spread between the meshes with dx up to {finest:g} µm: {', '.join(parts)}."
 
 
 def page(records: list[Record]) -> str:
-    """All of it."""
+    """Return the page."""
     parts = [HEAD]
     for name, text in TEXTS.items():
         rows = [mesh(record) | record["line"] for record in by_group(records)[name]]
@@ -170,7 +172,7 @@ def page(records: list[Record]) -> str:
     return "\n".join(parts)
 
 
-STUDY = Study("wear_convergence", "What wear and running-in depend on.", points, run, page)
+STUDY = Study("wear_convergence", "Convergence of wear and running-in.", points, run, page)
 
 if __name__ == "__main__":
     STUDY.main()

@@ -19,15 +19,16 @@ from .profiles import each, grows
 from .stated import Number, Stated, Statement
 
 STATED = Stated("asperities")
-TITLE = "Tugging of two asperities"
+TITLE = "Collision of two asperities"
 INTRODUCTION = """
-Part 4 of the thesis: two spheres of 1 m radius, perfectly plastic with 0.9115 GPa, slide past each
-other at a constant height, without friction and without rotating. Forces, energy and interference
-are divided by their values at the onset of yield (Green 2005). X is the offset of the centres,
-negative before they are aligned, R = 0.5 m. A positive tangential force resists the motion; the
-thesis's figures show both forces of the first pass. The kinematics are derived anew, see
-[theory](../theory/moving_contacts.md#tugging): the thesis's equations (4.2), (4.13) and (4.15)
-contain slips.
+This page shows forces, energy and imprints of two colliding asperities (tugging, in the thesis),
+and compares with part 4 of the thesis. Two spheres of 1 m radius, perfectly plastic with 0.9115
+GPa, pass each other at constant height, without friction and rotation. Forces, energy and
+interference are divided by their values at the onset of yield (Green 2005). X is the offset of the
+centres, negative before they are aligned, R = 0.5 m. A positive tangential force resists the
+motion; the figures of the thesis show both forces of the first pass. The kinematics are derived
+independently, see [theory](../theory/moving_contacts.md#tugging), because equations (4.2), (4.13)
+and (4.15) of the thesis contain errors.
 """
 
 STEEL = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)
@@ -38,7 +39,7 @@ CRITICAL = sc.critical.green(0.5, sc.hertz.effective_modulus(STEEL, STEEL), 0.32
 @dataclass
 class Results:
     runs: dict[float, CollisionResult]
-    """By interference over the critical one."""
+    """Results by interference over the critical one."""
     elastic: CollisionResult
     again: CollisionResult
     """Three passes."""
@@ -87,7 +88,7 @@ def curve(result: CollisionResult, name: str) -> tuple[np.ndarray, np.ndarray]:
 
 
 def unlike(result: CollisionResult, name: str, sign: float) -> float:
-    """How far a curve is from its (anti)symmetric image, over its maximum."""
+    """Return the deviation of a curve from its (anti)symmetric image, over its maximum."""
     x, f = curve(result, name)
     return float(np.abs(f - sign * np.interp(-x, x, f)).max() / np.abs(f).max())
 
@@ -207,11 +208,7 @@ def figures(results: Results) -> list[Picture]:
         ("z", asperity_figures.force, "Figure 4.8: normal force"),
         ("energy", asperity_figures.net_energy, "Figure 4.9: net energy of a pass"),
         ("ratio", asperity_figures.load_ratio, "Figure 4.10: load ratio"),
-        (
-            "imprint",
-            asperity_figures.residual_displacement,
-            "Figure 4.11: largest depth of the print",
-        ),
+        ("imprint", asperity_figures.residual_displacement, "Figure 4.11: maximum imprint depth"),
     ):
         figure = Figure(figsize=(6.2, 4.2), layout="constrained")
         options = {"component": name} if draw is asperity_figures.force else {}

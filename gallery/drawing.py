@@ -25,7 +25,7 @@ def axes(
 
 
 def gridded() -> tuple[Figure, Axes]:
-    """One pair of axes with a grid."""
+    """Return a figure and its axes with grid lines."""
     figure, ax = axes(1, 1, (6.0, 4.2))
     ax.grid(True, linewidth=0.4, alpha=0.5)
     return figure, ax

@@ -14,13 +14,13 @@ class Limit:
 
     value: float
     error: float
-    """By how much the extrapolations from the finer and from the coarser pair differ."""
+    """Difference between the extrapolations from the finer and from the coarser pair."""
     text: str
-    """What it was made of."""
+    """Values from which the limit is extrapolated."""
 
 
 def first_order(counts: Sequence[float], values: Sequence[float], what: str) -> Limit:
-    """Of values at three or more increasing counts of cells or increments: v + c/count."""
+    """Extrapolate values at three or more increasing counts of cells or increments: v + c/count."""
     pairs = list(zip(counts, values, strict=True))
     *_, coarse, fine = ((m * v - n * u) / (m - n) for (n, u), (m, v) in pairwise(pairs))
     listed = (", ".join(f"{x:.4g}" for x in row) for row in (values, counts))

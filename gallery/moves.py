@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How much the stated values of a part move with their mesh: the table that benchmarks keeps."""
+"""Changes of the stated values of a part with the mesh, from the table stored in benchmarks."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ of a mesh about half as fine ([sensitivity](../sensitivity.md)), about an upper 
 
 @dataclass(frozen=True, order=True)
 class Move:
-    """By how much a value moves [%], and whether on the page's own mesh."""
+    """Change of a value [%], and whether it is on the mesh of the page."""
 
     percent: float
     own: bool
@@ -36,7 +36,7 @@ class Move:
 
 @dataclass(frozen=True)
 class Moves:
-    """Of a stated value and its numbers; by what was changed."""
+    """Stated value, its numbers, and their changes by the kind of mesh change."""
 
     quantity: str
     values: list[float]
@@ -59,7 +59,7 @@ def kept() -> list[dict[str, Any]]:
 
 
 def of_part(name: str, records: list[dict[str, Any]]) -> list[Moves]:
-    """Those of the page's mesh; of the coarse one where a change was not computed on it."""
+    """Return changes on the mesh of the page, or on the coarse mesh if not computed on it."""
     found: dict[bool, list[Moves]] = {True: [], False: []}
     for record in (record for record in records if record["of"] == name):
         own = record["mesh"] == "page"
@@ -81,7 +81,7 @@ def of_part(name: str, records: list[dict[str, Any]]) -> list[Moves]:
 
 
 def note(table: list[Moves]) -> str:
-    """What the column of a page means."""
+    """Return the explanation of the column of a page."""
     own = {move.own for moves in table for move in moves.by.values()}
     return (
         BOTH_MESHES_NOTE if len(own) == 2 else OWN_MESH_NOTE if own == {True} else COARSE_MESH_NOTE

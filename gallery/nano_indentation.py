@@ -19,19 +19,19 @@ from .stated import Number, Stated, Statement
 STATED = Stated("nano_indentation")
 TITLE = "Nano-indentation"
 INTRODUCTION = """
-A spherical tip of radius 105 µm, taken as rigid, is pressed on nitrided steel (E = 210 GPa,
-ν = 0.3, Swift's law with B = 1240 MPa, C = 30, n = 0.085) to 0.650 N and taken away: 2.3.1.1 and
-2.3.1.3 of the thesis. Young's modulus is printed there as 210 MPa; the elastic interference that it
-states needs 210 GPa. The same is done twice, by given loads and by given interferences (rigid-body
-approaches). The measured prints of figure 2.9 are neither in a table nor in the text, and are not
-shown here.
+This page compares a computed nano-indentation with sections 2.3.1.1 and 2.3.1.3 of the thesis. A
+rigid spherical tip of radius 105 µm is pressed on nitrided steel (E = 210 GPa, ν = 0.3, Swift's law
+with B = 1240 MPa, C = 30, n = 0.085) with 0.650 N and removed. The thesis prints Young's modulus as
+210 MPa; the elastic interference that it states requires 210 GPa. The indentation is computed
+twice, with given loads and with given interferences (rigid-body approaches). The measured imprints
+of figure 2.9 are stated neither in a table nor in the text, and are not shown here.
 """
 
 TIP = 105e-6
 LOAD = 0.650
 STEEL = sc.Material.swift(E=210e9, nu=0.3, B=1240e6, C=30.0, n=0.085)
 MESH = 31, 17, 44
-"""Of the thesis: cells along x, y and z."""
+"""Mesh of the thesis: cells along x, y and z."""
 SHOWN = 4
 """Loads in the figure of the pressure."""
 
@@ -107,7 +107,7 @@ def prints(states: list[sc.State]) -> np.ndarray:
 
 
 def stated(results: Results) -> list[Number | Statement]:
-    """What the thesis states beside what was computed."""
+    """Return the stated values of the thesis and the computed ones."""
     grid, top = results.grid, results.by_load[results.top]
     elastic = hertz(LOAD)
     difference = difference_of_the_drives(results)
@@ -139,7 +139,7 @@ def figures(results: Results) -> list[Picture]:
     return [
         Picture(
             "nano_imprint",
-            "Figure 2.9: permanent print at the centre against the load it was pressed with.",
+            "Figure 2.9: residual imprint depth at the centre against the maximum load.",
             print_figure(results),
         ),
         Picture(
@@ -162,14 +162,18 @@ def print_figure(results: Results) -> Figure:
     loading = results.by_load[: results.top + 1]
     _, load = curve(loading)
     ax.plot(
-        np.append(0, load) * 1e3, np.append(0, prints(loading)) * 1e9, "o-", ms=3, label="computed"
+        np.append(0, load) * 1e3,
+        np.append(0, prints(loading)) * 1e9,
+        "o-",
+        ms=3,
+        label="simulation",
     )
     last = results.by_load[-1].residual_displacement().max()
     ax.plot(LOAD * 1e3, last * 1e9, "ks", mfc="none", label="after unloading")
     ax.axvline(LOAD * 1e3, color="k", linestyle="--", linewidth=0.8)
     ax.text(LOAD * 1e3 - 8, 1, "thesis: largest load, 650 mN", rotation=90, ha="right", va="bottom")
     ax.set_xlabel("load [mN]")
-    ax.set_ylabel("permanent print [nm]")
+    ax.set_ylabel("residual imprint depth [nm]")
     ax.set_ylim(bottom=0)
     ax.legend(frameon=False)
     return figure

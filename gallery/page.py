@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a part of the gallery is made of, and the page that shows it.
+"""Protocol of a part of the gallery, and its page.
 
 A part is a module with a TITLE, an INTRODUCTION (Markdown), and three functions:
 `compute(quick)` solves its cases, on coarse grids when quick; `stated(results)` lists what the
-thesis says beside what was computed; `figures(results)` lists the figures.
+thesis states and the computed values; `figures(results)` lists the figures.
 """
 
 from __future__ import annotations

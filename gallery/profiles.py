@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What several parts do with stresses, profiles and lists of numbers."""
+"""Stresses, profiles and lists of numbers used by several parts."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 
 def von_mises(stress: np.ndarray) -> np.ndarray:
-    """Of components xx, yy, zz, yz, xz, xy, shape (6, ...), in their unit."""
+    """Return the von Mises stress of components xx, yy, zz, yz, xz, xy, shape (6, ...)."""
     xx, yy, zz, yz, xz, xy = stress
     normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
     return np.asarray(np.sqrt(0.5 * normal + 3.0 * (yz**2 + xz**2 + xy**2)))

@@ -20,15 +20,16 @@ from .stated import Number, Stated, Statement
 from .track import BALL, RADIUS, Cycle, Mesh, Run, ellipse, roll
 
 STATED = Stated("rolling")
-TITLE = "Rolling, and its cycles"
+TITLE = "Rolling and repeated passes"
 INTRODUCTION = """
-Sections 3.2.1.1 and 3.2.1.2 of the thesis: a ceramic ball of 9.525 mm diameter rolls over a flat of
-steel, without friction. First 460 N on steel M50 or 52100, as in a thrust bearing. The profiles
-measured there (figures 3.8, 3.9 and 3.12) have no numbers in the text, so only the computed ones
-are here; figures 3.6 and 3.7 show the bearing. Then a Hertz pressure of 5.7 GPa on steel 52100:
-load, roll to the right, unload, go back unloaded, and again. a is the Hertz contact radius at
-5.7 GPa. The moduli of 310 and 210 MPa in 3.2.1.1 are GPa. Sections across the track are taken at
-60 % of the way. Tensile stress is positive.
+This page shows the track and the residual stress of a rolling ball, and compares with sections
+3.2.1.1 and 3.2.1.2 of the thesis. A ceramic ball of 9.525 mm diameter rolls over a steel flat
+without friction. The first part is 460 N on steel M50 or 52100, as in a thrust bearing. The
+profiles measured there (figures 3.8, 3.9 and 3.12) have no numbers in the text, so only computed
+profiles are shown; figures 3.6 and 3.7 show the bearing. The second part is a Hertz pressure of 5.7
+GPa on steel 52100: load, roll to the right, unload, return unloaded, and repeat. a is the Hertz
+contact radius at 5.7 GPa. The moduli of 310 and 210 MPa in 3.2.1.1 are GPa. Sections across the
+track are taken at 60 % of the distance. Tensile stress is positive.
 """
 
 BEARING_LOAD = 460.0
@@ -242,7 +243,7 @@ def bearing(results: Results) -> Picture:
     finish(right, "rolling direction x [µm]")
     return Picture(
         "rolling_bearing",
-        "Figures 3.8 and 3.9, computed profiles only: prints across and along the track, 460 N.",
+        "Figures 3.8 and 3.9, computed profiles only: imprints across and along the track, 460 N.",
         figure,
     )
 
@@ -266,7 +267,7 @@ def prints(results: Results) -> Picture:
     finish(right, "across the track y/a")
     return Picture(
         "rolling_imprints",
-        "Figures 3.10 to 3.12: print of a ball that is pressed, or rolled to the right, once "
+        "Figures 3.10 to 3.12: imprint of a ball that is pressed, or rolled to the right, once "
         f"({run.way * 1e3:.2g} mm); and of up to three cycles (2 mm) along and across the track. "
         "Of figure 3.12 only the computed profiles.",
         figure,

@@ -17,16 +17,18 @@ from .stated import Number, Stated, Statement
 from .track import BALL, Mesh, Run, both_cycles, ellipse, roll, table_ellipse
 
 STATED = Stated("rolling_ellipticity")
-TITLE = "Rolling, effect of the ellipticity"
+TITLE = "Rolling: influence of the ellipticity"
 INTRODUCTION = """
-Section 3.2.1.3 of the thesis: a ceramic ellipsoid rolls twice by 4 mm along the minor axis of its
-contact over a flat of steel 52100. Its semi-major axis is k times the semi-minor one, the grid is
-stretched as much across. The Hertz pressure is meant to be 5.7 GPa for every k, but the radii and
-loads of table 3.2 (R_x = 4.7625 mm, R_y / R_x = k^(pi/2), 1152.9 N times k) give 4.9 to 5.2 GPa for
-k > 1, by exact elliptic integrals. The stated values and trends are those of these radii and loads:
-so were the rows and figures below computed, except where they say 5.7 GPa. There k and the
-semi-minor axis are exact, as is 5.7 GPa: R_x falls from 4.7625 mm (k = 1) to 3.76 mm (k = 16).
-a is 310.8 µm, p0 is 5.7 GPa; profiles are taken at 60 % of the way.
+This page shows how the ellipticity of a rolling contact changes track, strain and residual stress,
+and compares with section 3.2.1.3 of the thesis. A ceramic ellipsoid rolls twice by 4 mm along the
+minor axis of its contact over a flat of steel 52100. The semi-major axis is k times the semi-minor
+axis, and the grid is stretched across by the same factor. The thesis intends a Hertz pressure of
+5.7 GPa for every k, but the radii and loads of table 3.2 (R_x = 4.7625 mm, R_y / R_x = k^(pi/2),
+1152.9 N times k) give 4.9 to 5.2 GPa for k > 1, by exact elliptic integrals. The stated values and
+trends are those of these radii and loads, which are used in the rows and figures below unless 5.7
+GPa is stated. In the latter k, the semi-minor axis and 5.7 GPa are exact: R_x falls from 4.7625 mm
+(k = 1) to 3.76 mm (k = 16). a is 310.8 µm, p0 is 5.7 GPa; profiles are taken at 60 % of the
+distance.
 """
 
 BODIES = (CERAMIC, STEEL_52100)
@@ -227,7 +229,7 @@ def prints(results: Results) -> Picture:
     finish(right, "across the track y/a")
     return Picture(
         "rolling_ellipticity_imprints",
-        "Figures 3.18 and 3.19: prints along and across the track after one (dashed) and two "
+        "Figures 3.18 and 3.19: imprints along and across the track after one (dashed) and two "
         "cycles, rolled to the right.",
         figure,
     )

@@ -18,17 +18,18 @@ from .stated import Number, Stated, Statement
 from .track import BALL, Mesh, Run, both_cycles, roll, table_ellipse
 
 STATED = Stated("rolling_load")
-TITLE = "Rolling, effect of the load"
+TITLE = "Rolling: influence of the load"
 INTRODUCTION = """
-Section 3.2.1.3 of the thesis, tables 3.2 and 3.3: a ceramic ellipsoid rolls twice by 4 mm along the
-minor axis of its contact over a flat of steel 52100, under 3690 to 25 499 N, unloaded on the way
-back. The tables give R_x = 4.7625 mm, R_y / R_x = k^(pi/2) = 26.2 for k = 8, and a load k times
-that of a ball with the same semi-minor axis. These do not belong together: the exact contact of
-these radii and loads has k = 8.18, and a Hertz pressure 15 % below the stated one. The stated
-strains, stresses and prints are those of the radii and loads, which are used here; they are named
-by the stated pressures. What a pressure of 5.7 GPa would do is in
-[effect of the ellipticity](rolling_ellipticity.md). Profiles are taken at 60 % of the way, after
-two cycles. Tensile stress is positive.
+This page shows how the load of a rolling contact changes track, strain and residual stress, and
+compares with section 3.2.1.3 of the thesis, tables 3.2 and 3.3. A ceramic ellipsoid rolls twice by
+4 mm along the minor axis of its contact over a flat of steel 52100, under 3690 to 25 499 N, and
+returns unloaded. The tables give R_x = 4.7625 mm, R_y / R_x = k^(pi/2) = 26.2 for k = 8, and a load
+k times that of a ball with equal semi-minor axis. These values are inconsistent: the exact contact
+of these radii and loads has k = 8.18, and a Hertz pressure 15 % below the stated one. The stated
+strains, stresses and imprints are those of the radii and loads, which are used here; they are
+labelled with the stated pressures. For an actual pressure of 5.7 GPa see [influence of the
+ellipticity](rolling_ellipticity.md). Profiles are taken at 60 % of the distance, after two cycles.
+Tensile stress is positive.
 """
 
 K = 8
@@ -209,7 +210,7 @@ def prints(results: Results) -> Picture:
     finish(ax, "rolling direction x [mm]", "height of the surface [µm]")
     return Picture(
         "rolling_load_imprints",
-        "Figure 3.28: print in the middle of the track after one (dashed) and two cycles, rolled "
+        "Figure 3.28: imprint in the middle of the track after one (dashed) and two cycles, rolled "
         "to the right.",
         figure,
     )

@@ -17,15 +17,17 @@ from .stated import Number, Stated, Statement
 from .track import BALL, Mesh, Run, ellipse, roll
 
 STATED = Stated("rolling_two_bodies")
-TITLE = "Pressed and rolled"
+TITLE = "Indentation and rolling compared"
 INTRODUCTION = """
-Section 3.2.2 of the thesis: what rolling changes. First two bodies of steel 52100 with a circular
-(k = 1) or elliptic (k = 8) contact, one of them elastic (E_EP) or both inelastic (EP_EP), pressed,
-or rolled twice over both bodies along the minor axis. The contacts are exact ones of the Hertz
-pressure p0; the thesis does not say how it made those of k = 8, see
-[effect of the ellipticity](rolling_ellipticity.md). Then a ceramic ball of 9.525 mm diameter on a
-flat with linear hardening, tangent modulus E_t over Young's modulus from 0 to 0.8. Its yield stress
-and load are not stated: taken here are the micro-yield stress of 52100, 1477 MPa, and 5.7 GPa.
+This page compares indentation with rolling, and the computed values with section 3.2.2 of the
+thesis. In the first part two bodies of steel 52100 have a circular (k = 1) or elliptic (k = 8)
+contact. One of them is elastic (E_EP) or both are elastic-plastic (EP_EP); they are pressed
+together or rolled twice along the minor axis. The contacts are exact for the Hertz pressure p0; the
+thesis does not state how those of k = 8 were obtained, see [influence of the
+ellipticity](rolling_ellipticity.md). In the second part a ceramic ball of 9.525 mm diameter is on a
+flat with linear hardening, with a tangent modulus E_t of 0 to 0.8 times Young's modulus. Yield
+stress and load are not stated in the thesis; the micro-yield stress of 52100, 1477 MPa, and 5.7 GPa
+are assumed.
 """
 
 MICRO_YIELD = float(STEEL_52100.yield_stress(MICRO_STRAIN))
@@ -38,7 +40,7 @@ Key = tuple[str, int]
 @dataclass
 class Results:
     runs: dict[Key, dict[float, Run]]
-    """By pair, k, and Hertz pressure [GPa]."""
+    """Results by pair, k and Hertz pressure [GPa]."""
     again: Run
     """Pressed twice, without rolling."""
     hardening: dict[float, Run]

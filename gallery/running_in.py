@@ -20,14 +20,15 @@ from .wear import HERTZ as SMOOTH
 STATED = Stated("running_in")
 TITLE = "Running-in of a rough surface"
 INTRODUCTION = """
-Section 5.2.2 of the thesis: the balls and the steel of [wear of a flat surface](wear.md) under
-30 N, where one surface has the roughness A sin(2πx/λ) sin(2πy/λ), A = 0.5 µm and λ = 50 µm.
-Friction 0.4, threshold 0.2 %. Body 2 is rough, yields and wears; body 1 is smooth and elastic. The
-filter that smooths the border of the wear, whose window the thesis does not state, is a Gaussian
-that spreads as far as a moving mean over half a wavelength. With it the results converge with
-cells, layers and increments; with the thesis's, a polynomial over a window of cells, they do not
-([convergence](../wear_convergence.md)). Sections are through the crests next to the middle,
-y = 12.5 µm.
+This page shows the running-in of a rough surface, and compares with section 5.2.2 of the thesis.
+The balls and the steel are those of [wear of a flat surface](wear.md), under 30 N, with the
+roughness A sin(2πx/λ) sin(2πy/λ), A = 0.5 µm and λ = 50 µm, on one surface. The friction is 0.4,
+the threshold 0.2 %. Body 2 is rough, elastic-plastic and wears; body 1 is smooth and elastic. The
+thesis does not state the width of its filter for the border of the worn region. Here the filter is
+a Gaussian, equivalent to a moving average over half a wavelength. With it the results converge with
+cells, layers and increments; with the filter of the thesis, a polynomial over a fixed number of
+cells, they do not ([convergence](../wear_convergence.md)). Sections are through the crests next to
+the centre, y = 12.5 µm.
 """
 
 LOAD, AMPLITUDE, WAVELENGTH = 30.0, 0.5e-6, 50e-6

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the thesis states, a row of `statements.toml` each, beside what was computed.
+"""Values stated in the thesis, one row of `statements.toml` each, and the computed ones.
 
 Fields of a row: `quantity`; `thesis`, a number or words; of numbers `unit`, `tolerance` and
 `converged`; of words `ours`, the form of what was computed, and `contradicted`; `mesh`, where it is

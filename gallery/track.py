@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the parts on rolling share: bodies, ellipses, and one run of loading, rolling, unloading."""
+"""Common parts on rolling: bodies, ellipses, and a run of loading, rolling and unloading."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def ellipse(k: float, p0: float = BALL.p0, E_star: float = BALL.E_star) -> sc.he
 
 
 def table_ellipse(k: float, load: float) -> sc.hertz.EllipticContact:
-    """As tables 3.2 and 3.3 have it: the ball's R_x, R_y / R_x = k^(pi/2), and the load."""
+    """Return the contact of tables 3.2 and 3.3: R_x of the ball, R_y / R_x = k^(pi/2), load."""
     return sc.hertz.elliptic(RADIUS, RADIUS * k ** (0.5 * np.pi), BALL.E_star, load=load)
 
 
@@ -72,7 +72,7 @@ class Mesh:
 
 @dataclass
 class Cycle:
-    """What one pass left in the lower body, along its track and across it where it is steady."""
+    """State of the lower body after a pass, along the track and across its steady part."""
 
     x: np.ndarray
     y: np.ndarray
@@ -81,17 +81,17 @@ class Cycle:
     """Position of the section across [m]."""
     along: np.ndarray
     across: np.ndarray
-    """Permanent print, positive into the body."""
+    """Residual normal displacement [m], positive into the body."""
     gamma: np.ndarray
     von_mises: np.ndarray
     hydrostatic: np.ndarray
-    """In the plane y = 0, (x, z)."""
+    """Field in the plane y = 0, shape (x, z)."""
     gamma_across: np.ndarray
     von_mises_across: np.ndarray
     hydrostatic_across: np.ndarray
     """Across the track, (y, z)."""
     largest_von_mises: float
-    """Of all cells of the section across."""
+    """Maximum over all cells of the section across the track."""
 
     @property
     def row(self) -> int:
@@ -99,7 +99,7 @@ class Cycle:
 
     @property
     def depth(self) -> float:
-        """Of the steady print [m]."""
+        """Depth of the steady imprint [m]."""
         return float(self.along[self.row])
 
     def profile(self, name: str) -> np.ndarray:
@@ -120,7 +120,7 @@ class Cycle:
         )
 
     def width(self) -> float:
-        """Of the steady print between the points of zero displacement [m]."""
+        """Width of the steady imprint between the points of zero displacement [m]."""
         y, u = self.y[self.y >= 0], self.across[self.y >= 0]
         if np.all(u > 0):
             return float("nan")
@@ -147,7 +147,7 @@ class Run:
     pressure_across: list[np.ndarray] = field(default_factory=list)
     """At the end of each pass, through the largest and through the centre of the contact."""
     history: list[np.ndarray] = field(default_factory=list)
-    """Of each pass: way, largest pressure, largest plastic strain."""
+    """Distance, maximum pressure and maximum plastic strain of each pass."""
     loaded: np.ndarray = field(default_factory=lambda: np.zeros(0))
     """Von Mises stress under the load at the end of the last pass, (y, z)."""
     loaded_axis: list[np.ndarray] = field(default_factory=list)
@@ -202,7 +202,7 @@ def roll(
     cycles: int = 1,
     steady: float = 0.6,
 ) -> Run:
-    """Press, roll by `way` towards +x over both bodies, unload, go back, and again.
+    """Press, roll by the distance `way` towards +x over both bodies, unload, go back, and again.
 
     steady: where on the way the section across is taken.
     """

@@ -17,12 +17,13 @@ from .profiles import succession, top
 from .stated import Number, Stated, Statement
 
 STATED = Stated("two_plastic_bodies")
-TITLE = "Two inelastic bodies"
+TITLE = "Two elastic-plastic bodies"
 INTRODUCTION = """
-Section 2.3.1.4 of the thesis: two balls of 15 mm radius (equivalent radius 7.5 mm), steel 52100, to
-11 179 N, a Hertz pressure of 8 GPa. One ball is inelastic and the other elastic (E_EP), or both are
-inelastic (EP_EP). L_c is the load at which the equivalent plastic strain reaches 0.2 %. a is the
-Hertz contact radius at 11 179 N; values up to 1900 N come from a finer grid.
+This page compares the contact of two elastic-plastic balls with section 2.3.1.4 of the thesis. Two
+balls of 15 mm radius (equivalent radius 7.5 mm), steel 52100, are loaded to 11 179 N, a Hertz
+pressure of 8 GPa. One ball is elastic-plastic and the other elastic (E_EP), or both are
+elastic-plastic (EP_EP). L_c is the load at which the equivalent plastic strain reaches 0.2 %. a is
+the Hertz contact radius at 11 179 N; values up to 1900 N are from a finer grid.
 """
 
 RADIUS = 7.5e-3
@@ -39,7 +40,7 @@ COLOURS = {"E_EP": "C0", "EP_EP": "C3", "M50 against 52100": "C2"}
 
 @dataclass
 class Case:
-    """One pair of bodies: maxima at each load, and fields at the peak and after unloading."""
+    """Results of a pair of bodies: maxima at each load, fields at the peak and after unloading."""
 
     load: np.ndarray
     p_max: np.ndarray
@@ -242,7 +243,7 @@ def loads(results: Results) -> Picture:
         strain_axis.plot(LC[pair] * 1e-3, 0.2, "o", color=colour, markerfacecolor="none")
         right.plot(case.load / LC["EP_EP"], case.p_max / p0, color=colour, label=pair)
     strain_axis.axhline(0.2, color="k", linestyle=":", linewidth=1)
-    strain_axis.set_ylabel("largest plastic strain [%], dash-dotted")
+    strain_axis.set_ylabel("maximum plastic strain [%], dash-dotted")
     strain_axis.set_ylim(0, 3)
     finish(left, "load [kN]", "largest pressure [GPa]")
     right.plot(
@@ -265,10 +266,10 @@ def differences(results: Results) -> Picture:
         ax.plot(load / LC["EP_EP"], percent, color=COLOURS[pair], label=label)
     ax.plot([0, 1], [3, 3], "k--", linewidth=1, label="stated: below 3 % for $L < L_c$")
     ax.plot(PEAK / LC["EP_EP"], 11, "ko", markerfacecolor="none", label="stated: 11 %")
-    finish(ax, "$L/L_c$", "$p_{max}$ of E_EP above that of two\ninelastic bodies [%]")
+    finish(ax, "$L/L_c$", "$p_{max}$ of E_EP above that of two\nelastic-plastic bodies [%]")
     return Picture(
         "two_plastic_bodies_difference",
-        "Figure 2.20: error in the largest pressure when one of two inelastic bodies is taken "
-        "as elastic; with two hardening laws, the harder one.",
+        "Figure 2.20: error in the largest pressure when one of two elastic-plastic bodies is "
+        "taken as elastic; with two hardening laws, the harder one.",
         figure,
     )

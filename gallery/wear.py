@@ -19,21 +19,23 @@ from .stated import Number, Stated, Statement
 STATED = Stated("wear")
 TITLE = "Wear of a flat surface"
 INTRODUCTION = """
-Section 5.2.1 of the thesis: two balls of 15 mm radius, smooth, pressed together thirteen times by
-2000 N with friction 0.4 (the shear follows the load); after each cycle, material at the surface
-with more than 0.2 % of accumulated plastic strain is removed. Steel of Swift's law, B = 1735 MPa,
-C = 16, n = 0.067. The thesis does not say whether both balls yield, nor which window its filter
-has: here body 2 yields and wears, body 1 is elastic, and the window is 300 µm, of second order.
-After the border is smoothed the plastic strain either moves up by the exact depth, as the thesis
-describes it, or by what the surface lost ([theory](../theory/wear.md)).
+This page shows the wear of smooth balls, the limit of the wear model, and a comparison with section
+5.2.1 of the thesis. Two smooth balls of 15 mm radius are loaded thirteen times by 2000 N with
+friction 0.4 (the shear follows the load). After each cycle surface material with more than 0.2 %
+accumulated plastic strain is removed. The steel follows Swift's law with B = 1735 MPa, C = 16, n =
+0.067. The thesis states neither whether both balls are elastic-plastic nor the width of its filter.
+Here body 2 is elastic-plastic and wears, body 1 is elastic, and the filter is 300 µm wide, of
+second order. After smoothing of the border the plastic strain moves up by the exact depth, as
+described in the thesis, or by the local wear depth ([theory](../theory/wear.md)).
 
-Wear does not stop, as stated. Its rate is constant when the strain moves up by what the surface
-lost; by the exact depth it falls. But both leave the range of the theory in the second cycle. The
-first removes a lens 47 µm deep where the balls came closer by 28 µm, so the next contact is on its
-rim, at far more than the Hertz pressure. Its strain joins what figure 5.9 has below the surface,
-and a hole of 200 µm breaks out; from then on each cycle breaks the rim, and makes a new one further
-out. Plastic strains of the rim are several times those of a small-strain theory, and its walls are
-steep. Rates are therefore those of this model on this mesh, not of a steel.
+Wear does not cease, as stated in the thesis. Its rate is constant if the strain moves up by the
+local wear depth, and decreases if it moves by the exact depth. However, both leave the range of the
+theory in the second cycle. The first cycle removes a lens 47 µm deep, whereas the approach is 28
+µm, so the next contact is on the rim of the pit, at far more than the Hertz pressure. Its plastic
+zone joins that below the surface in figure 5.9, and a hole of 200 µm breaks out. Each further cycle
+removes the rim and creates a new one further out. Plastic strains of the rim are several times the
+small-strain limit, and its walls are steep. The rates are therefore those of this model on this
+mesh, not of a steel.
 """
 
 STEEL = sc.Material.swift(E=210e9, nu=0.3, B=1735e6, C=16.0, n=0.067)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is known from experiments beside what is computed: indentation, from first yield on."""
+"""Comparison with experiments: indentation from first yield to the fully plastic range."""

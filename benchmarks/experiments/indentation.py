@@ -25,7 +25,7 @@ REPRESENTATIVE = 0.2
 
 
 class Indentation(NamedTuple):
-    """Under load. Lengths over the radius of the ball, stresses over E*."""
+    """Imprint under load: lengths over the radius of the ball, stresses over E*."""
 
     cells: int
     radius: float
@@ -72,7 +72,7 @@ def press(material: sc.Material, radius: float, mean_pressure: float, cells: int
 
 
 def perfect(stiffness: float, cells: int) -> Indentation:
-    """Of a perfectly plastic body, to about this E* a/(Y R)."""
+    """Indent a perfectly plastic body to about this E* a/(Y R)."""
     Y = YIELD_STRAIN * E
     guess = min(float(cavity(stiffness)), 2.9)
     if stiffness < 3.0:
@@ -82,7 +82,7 @@ def perfect(stiffness: float, cells: int) -> Indentation:
 
 
 def hardening(exponent: float, to_radius: float, cells: int) -> Indentation:
-    """Of a body whose stress grows with this power of the plastic strain.
+    """Indent a body with power-law hardening of this exponent.
 
     At a contact radius of 0.02 R, E* a/(Y R) is 40 with Y at the representative strain.
     """
@@ -95,18 +95,18 @@ def hardening(exponent: float, to_radius: float, cells: int) -> Indentation:
 
 
 def hertz(stiffness: float) -> float:
-    """Mean pressure over Y of an elastic body."""
+    """Return the mean pressure over Y of an elastic body."""
     return 4.0 * stiffness / (3.0 * math.pi)
 
 
 def first_yield() -> float:
-    """Mean pressure over Y at which a body first yields."""
+    """Return the mean pressure over Y at first yield."""
     Y = YIELD_STRAIN * E
     return 2.0 / 3.0 * sc.critical.onset(RADIUS, E_STAR, NU, Y).p0 / Y
 
 
 def cavity(stiffness: float | np.ndarray) -> np.ndarray:
-    """Mean pressure over Y by the cavity that expands.
+    """Return the mean pressure over Y by the expanding cavity model.
 
     A core below the ball under even pressure grows by the volume that the ball displaces, with
     tan(beta) = a/R, in a sphere that yields out to c: (c/a)^3 is the logarithm's argument, and the

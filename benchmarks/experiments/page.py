@@ -25,28 +25,28 @@ from .indentation import (
 
 STIFFNESSES = (2.0, 2.5, 3.0, 4.0, 6.0, 9.0, 13.0, 20.0, 30.0, 45.0, 65.0, 100.0)
 CELLS = (10, 14, 20)
-MAX_FINE_STIFFNESS = 60.0  # from which on the finest grid is left out
+MAX_FINE_STIFFNESS = 60.0  # stiffness from which the finest grid is omitted
 EXPONENTS = (0.1, 0.2, 0.3)
 RADII = (0.02, 0.04)
 
 TABOR = (2.6, 3.0)
 """2.8 +- 0.2."""
-METALS = {  # Y [Pa] of which E*/Y are the orders of magnitude
+METALS = {  # Y [Pa], with the order of magnitude of E*/Y
     "bearing steel": 2.0e9,
     "steel, worked": 0.65e9,
-    "mild steel, as it comes": 0.25e9,
+    "mild steel, as delivered": 0.25e9,
     "copper, annealed (E* of 140 GPa)": 0.07e9 * E_STAR / 140e9,
 }
 HARDNESS = 800  # Vickers, of 64 HRC
 PROJECTED = math.sin(math.radians(68.0))
-"""Area of a Vickers print over that of its faces."""
+"""Projected area of a Vickers imprint over the area of its faces."""
 VICKERS_STRAIN = 0.08
 
 TEXT = Path(__file__).with_name("template.md")
 
 
 Prints = list[tuple[float, Indentation]]
-"""Each with the stiffness that was asked for, or the exponent of its hardening."""
+"""Imprints, each with its nominal stiffness or its hardening exponent."""
 
 
 def points(quick: bool) -> list[Record]:
@@ -66,7 +66,7 @@ def run(of: str, **point: Any) -> Record:
 
 
 def prints(records: list[Record]) -> dict[str, Prints]:
-    """Prints of each group."""
+    """Return the imprints of each group."""
     return {
         name: [(record[first], Indentation(*(record[field] for field in Indentation._fields)))
                for record in records if record["of"] == name]
@@ -75,7 +75,7 @@ def prints(records: list[Record]) -> dict[str, Prints]:
 
 
 def finest(rows: Prints) -> list[Indentation]:
-    """The last of each load."""
+    """Return the finest grid of each load."""
     return list(dict(rows).values())
 
 
@@ -134,7 +134,7 @@ def curve_table(rows: Prints) -> list[dict[str, Any]]:
                 "on coarser grids": ", ".join(f"{one.constraint:.3f}" for one in grids[:-1]),
                 "Hertz": f"{hertz(x):.3f}" if x < 5 else "",
                 "cavity": f"{float(cavity(x)):.3f}" if grows else "",
-                "largest plastic strain R/a": f"{last.max_strain / last.radius:.2f}",
+                "maximum plastic strain R/a": f"{last.max_strain / last.radius:.2f}",
             }
         )
     return lines
@@ -148,7 +148,7 @@ def hardening_table(rows: Prints) -> list[dict[str, Any]]:
             "a/R": f"{one.radius:.4f}",
             "E\\* a/(Y R)": f"{one.stiffness:.0f}",
             "mean pressure / Y": f"{one.constraint:.3f}",
-            "largest plastic strain": f"{100 * one.max_strain:.1f} %",
+            "maximum plastic strain": f"{100 * one.max_strain:.1f} %",
             "power of the load": "" if number % len(RADII) else f"{powers[n]:.2f}",
         }
         for number, (n, one) in enumerate(rows)
@@ -156,7 +156,7 @@ def hardening_table(rows: Prints) -> list[dict[str, Any]]:
 
 
 def meyer(rows: Prints) -> dict[float, float]:
-    """Power of the radius with which the load grows, of each exponent."""
+    """Return the exponent of the imprint radius in the load, for each hardening exponent."""
     found = {}
     for n in EXPONENTS:
         first, last = (one for exponent, one in rows if exponent == n)
@@ -166,13 +166,13 @@ def meyer(rows: Prints) -> dict[float, float]:
 
 
 def spread(rows: Prints) -> float:
-    """How far mean pressures of coarser grids are from those of the finest at most."""
+    """Return the maximum relative difference of mean pressures from those on the finest grid."""
     last = dict(rows)
     return max(abs(one.constraint / last[asked].constraint - 1) for asked, one in rows)
 
 
 def edge(curve: list[Indentation]) -> float:
-    """Largest plastic strain over a/R where the fully plastic range begins."""
+    """Return the maximum plastic strain over a/R at the beginning of the fully plastic range."""
     at = min(curve, key=lambda one: abs(one.stiffness - 30))
     return at.max_strain / at.radius
 
@@ -186,7 +186,7 @@ def honest_table(curve: list[Indentation]) -> list[dict[str, Any]]:
                 "metal": metal,
                 "Y/E\\*": f"{stress / E_STAR:.4f}",
                 "a/R of 30": f"{radius:.3f}",
-                "largest plastic strain there": f"{100 * radius * edge(curve):.1f} %",
+                "maximum plastic strain at this radius": f"{100 * radius * edge(curve):.1f} %",
             }
         )
     return lines
@@ -214,14 +214,14 @@ def draw(records: list[Record]) -> dict[str, Any]:
     hard = [one for _, one in found["hardening"]]
     ax.plot(
         [one.stiffness for one in hard], [one.constraint for one in hard], "s", color="C2",
-        label="that hardens, n = 0.1 to 0.3", markerfacecolor="none",
+        label="hardening, n = 0.1 to 0.3", markerfacecolor="none",
     )  # fmt: skip
     ax.set(xscale="log", xlim=(1, 220), ylim=(0, 3.8))
-    ax.set(xlabel="E* a/(Y R)", ylabel="mean pressure / Y (at the strain 0.2 a/R)")
+    ax.set(xlabel="E* a/(Y R) [-]", ylabel="mean pressure / Y (at a strain of 0.2 a/R) [-]")
     ax.set_xticks([1, 2, 5, 10, 20, 50, 100, 200], ["1", "2", "5", "10", "20", "50", "100", "200"])
     ax.grid(alpha=0.3)
     ax.legend(frameon=False, fontsize=8, loc="lower right")
     return {"experiments.png": figure}
 
 
-STUDY = Study("experiments", "Indentation beside what experiments found.", points, run, page, draw)
+STUDY = Study("experiments", "Comparison of indentation with experiments.", points, run, page, draw)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An elastic ball on a ball that yields, by both codes and to accuracies; it has an axis."""
+"""Axisymmetric contact of an elastic and an elastic-plastic ball, solved by both codes."""
 
 from __future__ import annotations
 
@@ -35,17 +35,17 @@ from .tables import (
 ELEMENTS = (5, 10, 20)  # on the Hertz radius
 CELLS = (8, 16, 32, 64)
 ACCURACIES = (0.05, 0.01, 0.002)
-REFERENCE_SECONDS = 150.0  # s for what these are compared with
+REFERENCE_SECONDS = 150.0  # s for the reference of the prescribed accuracies
 FLATTER, SLOPES_ON = (1.0, 4.0), 10
-REPEATS = 3  # of what is asked for to an accuracy: the least time counts
+REPEATS = 3  # runs to a prescribed accuracy; the minimum time counts
 FIGURE = "finite_elements.png"
 WEDGE = 180.0  # two degrees of the circumference are modelled
 QUANTITIES = {
     "load": ("load [N]", 1.0),
-    "von_mises": ("largest von Mises stress [MPa]", 1e-6),
-    "plastic_strain": ("largest plastic strain [%]", 100.0),
-    "residual_von_mises": ("largest residual von Mises stress [MPa]", 1e-6),
-    "print": ("depth of the print [µm]", 1e6),
+    "von_mises": ("maximum von Mises stress [MPa]", 1e-6),
+    "plastic_strain": ("maximum plastic strain [%]", 100.0),
+    "residual_von_mises": ("maximum residual von Mises stress [MPa]", 1e-6),
+    "print": ("imprint depth [µm]", 1e6),
 }
 CONTROLLED_QUANTITIES = {
     "load": "load",
@@ -57,20 +57,21 @@ CONTROLLED_QUANTITIES = {
 """Names of the quantities in `to_accuracy`."""
 TEXT = """## Two balls
 
-An elastic ball on a ball of AISI 52100 that yields, of 15 mm radius each: pressed by
-{approach:.3f} µm (1500 N, 4.1 GPa by Hertz) in {up} increments, and released in {down}:
+An elastic ball is pressed on an elastic-plastic ball of AISI 52100, each of 15 mm radius. The
+approach of {approach:.3f} µm (1500 N, 4.1 GPa by Hertz) is applied in {up} increments and released
+in {down}:
 
-- CalculiX, axisymmetric: quadratic
-  elements with reduced integration, as many on the contact's radius as the table says, evenly down
-  to {fine} radii and beside it, then each {growth} times as large as the last, out to
-  {far:.0f} radii; contact face to face with a stiffness that lets 4 nm through. It has the
-  advantage of two dimensions: the scene has an axis, of which samcontact does not know.
-- samcontact, three-dimensional: cubic cells, as many on the contact's radius, no `nz`, all settings
-  as they come; the mirror planes are found;
-- the same asked for to 5, 1 and 0.2 % (`sc.to_accuracy`), which chooses cells and increments;
-  its time is that of all its grids. Its limit is also that of ever more increments.
+- CalculiX, axisymmetric: quadratic elements with reduced integration. The table states the number
+  of elements on the contact radius. Elements are uniform to {fine} contact radii in depth and
+  width; each further element is {growth} times as large as the previous one, out to {far:.0f}
+  radii. The contact is face to face, with a stiffness that permits 4 nm of interpenetration. Two
+  dimensions are an advantage of this model: samcontact makes no use of the axis.
+- samcontact, three-dimensional: cubic cells, their number on the contact radius as in the table,
+  without `nz` and with default settings; mirror planes are detected.
+- samcontact with a prescribed accuracy of 5, 1 and 0.2 % (`sc.to_accuracy`), which chooses cells
+  and increments. The time includes all grids. The reference is also the limit of small increments.
 
-![Largest error of two balls over time](../build/figures/finite_elements.png)
+![Maximum error of two balls against time](../build/figures/finite_elements.png)
 
 ### Errors of two balls
 
@@ -78,20 +79,20 @@ An elastic ball on a ball of AISI 52100 that yields, of 15 mm radius each: press
 
 {ratios}
 
-### Numbers of two balls
+### Results of two balls
 
 {numbers}
 
-The limits differ by {differ}: the finite elements' surface has slopes, up to {slope:.0f} % here,
-while half-spaces are plane. Without flow, finite elements differ from Hertz by {load:+.2f} % in
-the load and {stress:+.2f} % in the largest von Mises stress; with a radius four times as large by
-{flat_load:+.2f} and {flat_stress:+.2f} %. CalculiX has stress and strain at integration points
-beside the axis, samcontact in the middle of cells on it.
+The limits of the two codes differ by {differ}. The surface of the finite element model has slopes,
+up to {slope:.0f} % here, while half-spaces are plane. In elastic contact finite elements differ
+from Hertz by {load:+.2f} % in the load and {stress:+.2f} % in the maximum von Mises stress; with a
+radius four times as large by {flat_load:+.2f} and {flat_stress:+.2f} %. CalculiX evaluates stress
+and strain at integration points near the axis, samcontact at cell centres on the axis.
 """
 
 
 def solve(across: int) -> dict[str, float]:
-    """The scene of the decks with so many cells on the Hertz radius; time [s] of the processor."""
+    """Solve the contact with `across` cells on the Hertz radius; results and processor time [s]."""
     start = time.process_time()
     cell = 1e-3 * deck.CONTACT / across
     n = 2 * int(1.25 * across) + 1
@@ -148,13 +149,13 @@ CASE = {
 
 
 def limit() -> dict[str, float]:
-    """Limit of the scene for finer grids and more increments."""
+    """Return the limit of fine grids and small increments."""
     truth = finest(CASE, REFERENCE_SECONDS)
     return {quantity: truth[name] for quantity, name in CONTROLLED_QUANTITIES.items()}
 
 
 def measure_accuracy(asked: float) -> dict[str, float]:
-    """The scene to an accuracy."""
+    """Solve the contact to a prescribed accuracy."""
     timed = []
     for _ in range(REPEATS):
         start = time.process_time()
@@ -166,7 +167,7 @@ def measure_accuracy(asked: float) -> dict[str, float]:
 
 
 def measure_slopes(flatter: float) -> dict[str, float]:
-    """What the slopes of the surface do to an elastic contact: numbers over those of Hertz."""
+    """Return finite element results of an elastic contact over those of Hertz (slope effect)."""
     with tempfile.TemporaryDirectory() as folder:
         run = finite_elements(Path(folder), SLOPES_ON, flatter)
     approach = 1e-3 * deck.APPROACH / flatter
@@ -177,9 +178,9 @@ def measure_slopes(flatter: float) -> dict[str, float]:
 
 
 def section(found: dict[str, Runs]) -> str:
-    """Of the page."""
+    """Return the section of the page."""
     runs = both(found)
-    name = "on the radius"
+    name = "cells on the radius"
     rows = time_rows(runs, QUANTITIES)
     for asked, run in found["an accuracy"].items():
         error = error_against(found["truth"]["0"], run, QUANTITIES)

@@ -52,7 +52,7 @@ def ticks(per_radius: int) -> FloatArray:
 
 
 def lifted(r: float, depth: float, flatter: float = 1.0) -> float:
-    """What the paraboloid adds to the height of a node of the upper body [mm]."""
+    """Return the height of the paraboloid at a node of the upper body [mm]."""
     height = min(r, FINE_RADIUS * CONTACT) ** 2 / (2 * RADIUS * flatter)
     return float(height * np.exp(-depth / (20 * CONTACT)))
 
@@ -60,7 +60,7 @@ def lifted(r: float, depth: float, flatter: float = 1.0) -> float:
 def block(
     per_radius: int, upper: bool, flatter: float, first_node: int, first_element: int
 ) -> Block:
-    """One of the two bodies."""
+    """Return nodes and elements of one body."""
     z = ticks(per_radius)
     r = z.copy()
     r[0] = HOLE * CONTACT

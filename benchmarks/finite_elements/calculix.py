@@ -50,7 +50,7 @@ def run(folder: Path) -> float:
 
 
 def von_mises(printed: FloatArray) -> FloatArray:
-    """Of rows of element, integration point and six components [MPa], in pascals."""
+    """Return von Mises stresses [Pa] of rows (element, integration point, six components [MPa])."""
     xx, yy, zz, xy, xz, yz = printed[:, 2:].T
     normal = 0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2)
     return np.asarray(1e6 * np.sqrt(normal + 3 * (xy**2 + xz**2 + yz**2)))

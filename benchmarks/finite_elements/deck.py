@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What decks for CalculiX have in common: sets, both materials, contact, steps.
+"""Common parts of the CalculiX decks: sets, both materials, contact, steps.
 
 Millimetres, newtons, megapascals.
 """
@@ -17,7 +17,7 @@ FloatArray = NDArray[np.float64]
 
 
 def steel(elastic_only: bool) -> list[str]:
-    """Of UPPER and LOWER: AISI 52100 below, and the same without flow."""
+    """Return the materials of UPPER and LOWER: AISI 52100 below, elastic above."""
     law = sc.Material.swift(210e9, 0.3, B=945e6, C=20, n=0.121)
     strains = np.r_[0.0, np.geomspace(1e-6, 0.2, 150)]
     curve = [f"{law.yield_stress(g) / 1e6:.10g}, {g:.10g}" for g in strains]
@@ -37,7 +37,7 @@ def named(kind: str, name: str, numbers: list[int]) -> list[str]:
 
 
 def surface(name: str, elements: list[int], side: str) -> list[str]:
-    """The same side of some elements."""
+    """Return a surface made of one side of several elements."""
     return [f"*SURFACE, NAME={name}, TYPE=ELEMENT", *(f"{n}, {side}" for n in elements)]
 
 
@@ -51,7 +51,7 @@ def contact(stiffness: float) -> list[str]:
 
 
 def step(drive: list[str], increments: int, printed: list[str]) -> list[str]:
-    """What drives a step, and what is printed at its end."""
+    """Return a step with its driving condition and its output."""
     return [
         "*STEP, INC=10000", "*STATIC, DIRECT", f"{1.0 / increments:.10g}, 1.",
         "*CONTROLS, PARAMETERS=FIELD", f"{RESIDUAL:g}, {100 * RESIDUAL:g}",

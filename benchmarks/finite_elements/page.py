@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two contacts by finite elements and by samcontact: runs of both, page and figures."""
+"""Comparison of finite elements and samcontact on two contacts: runs, page and figures."""
 
 from __future__ import annotations
 
@@ -12,30 +12,30 @@ from . import balls, wave
 from .tables import Points, Runs, points
 
 SCENES = {"balls": balls, "wave": wave}
-REPEATS = 3  # of samcontact; the least time counts: what disturbs only adds
-LABELS = {"a grid": "samcontact", "an accuracy": "samcontact, to an accuracy"}
+REPEATS = 3  # runs of samcontact; the minimum time counts, because disturbances only add
+LABELS = {"a grid": "samcontact", "an accuracy": "samcontact, prescribed accuracy"}
 TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: OMP_NUM_THREADS=1 python -m benchmarks.finite_elements --docs -->
-# Beside finite elements
+# Comparison with finite elements
 
-Two contacts that yield, one with an axis and one without, by samcontact and by
-[CalculiX](https://www.calculix.de) 2.20 (Debian's `calculix-ccx`). Both codes solve them on one
-thread, on meshes of their own.
+This page compares the errors and computing times of samcontact with those of the finite element
+code [CalculiX](https://www.calculix.de) 2.20 (Debian's `calculix-ccx`). Two elastic-plastic
+contacts are solved, one axisymmetric and one not. Both codes use one thread and their own meshes.
 
 ```console
 $ apt install calculix-ccx
 $ OMP_NUM_THREADS=1 python -m benchmarks.finite_elements --docs
 ```
 
-Tables have the largest of the errors of five numbers, each against its code's own limit on fine
-meshes (the two finest extrapolated with order two), and the processor's time. Work on the deck is
-not in it.
+The tables give the maximum error of five quantities and the processor time. Errors are relative to
+the limit of the code itself on fine meshes, extrapolated with order two from the two finest meshes.
+The time for writing the input deck is not included.
 
 {sections}"""
 
 
 def cases(quick: bool) -> list[Record]:
-    """Scenes by a code on meshes of a size, and what else the page takes of the balls."""
+    """Return the points: each contact by each code and mesh size, and further runs of the balls."""
     sizes = {
         name: {
             "samcontact": scene.CELLS[:2] if quick else scene.CELLS,
@@ -50,7 +50,7 @@ def cases(quick: bool) -> list[Record]:
 
 
 def run(of: str, by: str, size: float) -> Record:
-    """Results of a case in SI units."""
+    """Return the results of a point in SI units."""
     scene = SCENES[of]
     if by == "samcontact":
         runs = (scene.solve(int(size)) for _ in range(REPEATS))
@@ -65,7 +65,7 @@ def run(of: str, by: str, size: float) -> Record:
 
 
 def runs_of(records: list[Record], name: str) -> dict[str, Runs]:
-    """Records of a scene by code and size."""
+    """Return the records of a contact by code and size."""
     found: dict[str, Runs] = {"CalculiX": {}, "samcontact": {}}
     for record in records:
         if record["of"] == name:
@@ -74,13 +74,13 @@ def runs_of(records: list[Record], name: str) -> dict[str, Runs]:
 
 
 def page(records: list[Record]) -> str:
-    """All of it."""
+    """Return the page."""
     sections = (scene.section(runs_of(records, name)) for name, scene in SCENES.items())
     return TEXT.format(sections="\n".join(sections))
 
 
 def draw(records: list[Record]) -> dict[str, Any]:
-    """Largest error of all quantities over time, of each scene."""
+    """Draw the maximum error of all quantities against time for each contact."""
     from matplotlib.figure import Figure
 
     figures = {}
@@ -93,12 +93,12 @@ def draw(records: list[Record]) -> dict[str, Any]:
         for (label, known), marker in zip(lines.items(), "sod", strict=False):
             errors, seconds = zip(*known, strict=True)
             ax.loglog(seconds, [100 * e for e in errors], marker=marker, label=label)
-        ax.set(xlabel="processor's time [s]", ylabel="largest error [%]")
+        ax.set(xlabel="processor time [s]", ylabel="maximum error [%]")
         ax.grid(which="major", alpha=0.3)
         ax.legend()
     return figures
 
 
 STUDY = Study(
-    "finite_elements", "Two contacts by finite elements and by samcontact.", cases, run, page, draw
+    "finite_elements", "Comparison of two contacts with finite elements.", cases, run, page, draw
 )

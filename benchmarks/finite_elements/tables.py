@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Errors of both codes against their own limits, and tables of them."""
+"""Errors of both codes relative to their own limits, and tables of them."""
 
 from __future__ import annotations
 
@@ -10,47 +10,52 @@ import numpy as np
 from ..study import table
 
 Runs = dict[str, dict[str, Any]]
-"""What was found, by the size of a mesh."""
+"""Results of a code by mesh size."""
 Quantities = dict[str, tuple[str, float]]
-"""Headings and factors of units of what is compared."""
+"""Headings and unit factors of the quantities compared."""
+METHODS = {
+    "a grid": "samcontact on a given grid",
+    "an accuracy": "samcontact with a prescribed accuracy",
+}
+"""Names of the ways to choose the cells of samcontact."""
 Points = list[tuple[float, float]]
 """Errors and times [s]."""
 
 
 def both(found: dict[str, Runs]) -> dict[str, Runs]:
-    """Runs of the two codes alone."""
+    """Return the runs of the two codes without further runs."""
     return {code: found[code] for code in ("CalculiX", "samcontact")}
 
 
 def limit(runs: Runs, quantity: str) -> float:
-    """Where the two finest meshes lead with order two."""
+    """Return the limit, extrapolated with order two from the two finest meshes."""
     (coarse, a), (fine, b) = sorted((int(size), run[quantity]) for size, run in runs.items())[-2:]
     ratio = (fine / coarse) ** 2
     return float((ratio * b - a) / (ratio - 1))
 
 
 def error_of(runs: Runs, size: str, quantities: Quantities) -> float:
-    """The largest relative error of a mesh."""
+    """Return the maximum relative error on a mesh."""
     return error_against({q: limit(runs, q) for q in quantities}, runs[size], quantities)
 
 
 def error_against(truth: dict[str, float], run: dict[str, Any], quantities: Quantities) -> float:
-    """The largest relative error of a run whose limit is known."""
+    """Return the maximum relative error of a run with a given limit."""
     return max(abs(run[q] / truth[q] - 1) for q in quantities)
 
 
 def points(runs: Runs, quantities: Quantities) -> Points:
-    """Largest errors and times of all meshes."""
+    """Return maximum errors and times of all meshes."""
     return [(error_of(runs, size, quantities), run["seconds"]) for size, run in runs.items()]
 
 
 def points_against(truth: dict[str, float], runs: Runs, quantities: Quantities) -> Points:
-    """The same of runs whose limit is known."""
+    """Return maximum errors and times of runs with a given limit."""
     return [(error_against(truth, run, quantities), run["seconds"]) for run in runs.values()]
 
 
 def time_at(known: Points, error: float) -> float | None:
-    """Time at an error between those that are known, in logarithms; None outside."""
+    """Return the time at an error, interpolated in logarithms; None outside the known errors."""
     errors, times = np.log(sorted(known)).T
     if not errors[0] <= np.log(error) <= errors[-1]:
         return None
@@ -58,28 +63,28 @@ def time_at(known: Points, error: float) -> float | None:
 
 
 def ratios(theirs: Runs, quantities: Quantities, ours: dict[str, Points]) -> str:
-    """What finite elements take times what the others do, at the errors of their meshes."""
+    """Return sentences on the ratio of computing times at the errors of the FE meshes."""
     lines = []
     for error, seconds in points(theirs, quantities):
         for than, known in ours.items():
             at = time_at(known, error)
             if at is not None:
                 lines.append(
-                    f"At an error of {100 * error:.2g} % finite elements take "
-                    f"{seconds / at:.0f} times as long as {than}."
+                    f"- Error {100 * error:.2g} %: finite elements take {seconds / at:.0f} times "
+                    f"as long as {METHODS[than]}."
                 )
     return "\n".join(lines)
 
 
 def apart(runs: dict[str, Runs], quantities: Quantities) -> str:
-    """Between which values the limits of two codes differ."""
+    """Return the range of the relative differences between the limits of two codes."""
     one, other = runs.values()
     found = [100 * abs(limit(one, q) / limit(other, q) - 1) for q in quantities]
     return f"{min(found):.2g} to {max(found):.2g} %"
 
 
 def time_rows(runs: dict[str, Runs], quantities: Quantities) -> list[list[str]]:
-    """Code, size, mesh, largest error and time."""
+    """Return rows of code, size, mesh, maximum error and time."""
     rows = []
     for code, found in runs.items():
         for size, run in found.items():
@@ -90,17 +95,17 @@ def time_rows(runs: dict[str, Runs], quantities: Quantities) -> list[list[str]]:
 
 
 def time_cells(mesh: str, error: float, run: dict[str, Any]) -> list[str]:
-    """Mesh, largest error and time of a run."""
+    """Return mesh, maximum error and time of a run as cells of a table."""
     return [mesh, f"{100 * error:.2g}", f"{run['seconds']:.3g}"]
 
 
 def times(sizes: str, rows: list[list[str]]) -> str:
-    """The table of errors and times; sizes: what those of meshes are."""
-    return table(["code", sizes, "mesh", "largest error [%]", "time [s]"], rows)
+    """Return the table of errors and times; `sizes` is the heading of the mesh sizes."""
+    return table(["code", sizes, "mesh", "maximum error [%]", "time [s]"], rows)
 
 
 def numbers(sizes: str, runs: dict[str, Runs], quantities: Quantities) -> str:
-    """The table of what was found, and of the limits."""
+    """Return the table of results and limits."""
     rows = []
     for code, found in runs.items():
         limits = {q: limit(found, q) for q in quantities}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A rigid wavy surface on a half-space that yields, by both codes: no axis, three dimensions."""
+"""Three-dimensional contact of a rigid wavy surface and an elastic-plastic half-space."""
 
 from __future__ import annotations
 
@@ -21,26 +21,27 @@ FIGURE = "finite_elements_wave.png"
 RELEASED = 1e-6  # of the load, which may be left after release
 QUANTITIES = {
     "approach": ("approach [µm]", 1e6),
-    "von_mises": ("largest von Mises stress [MPa]", 1e-6),
-    "plastic_strain": ("largest plastic strain [%]", 100.0),
-    "residual_von_mises": ("largest residual von Mises stress [MPa]", 1e-6),
-    "print": ("print, peak to valley [µm]", 1e6),
+    "von_mises": ("maximum von Mises stress [MPa]", 1e-6),
+    "plastic_strain": ("maximum plastic strain [%]", 100.0),
+    "residual_von_mises": ("maximum residual von Mises stress [MPa]", 1e-6),
+    "print": ("imprint, peak to valley [µm]", 1e6),
 }
 TEXT = """## A wavy surface
 
-A rigid surface z = {amplitude:g} µm (2 - cos(2πx/L) - cos(2πy/L)), L = {period:g} mm, on a
-half-space of AISI 52100: pressed by {pressure:g} MPa on average, a fifth of what closes the gap
-without flow, in {up} increments, and released in {down}. It has no axis; both codes solve it in
-three dimensions:
+A rigid surface z = {amplitude:g} µm (2 - cos(2πx/L) - cos(2πy/L)), L = {period:g} mm, is pressed on
+a half-space of AISI 52100. The mean pressure of {pressure:g} MPa, a fifth of the pressure that
+closes the gap in elastic contact, is applied in {up} increments and released in {down}. The contact
+is not axisymmetric; both codes solve it in three dimensions:
 
-- CalculiX, a quarter of the period with sides that slide: quadratic elements with reduced
-  integration, as many on half a period as the table says, cubes down to {fine:g} periods, then
-  each {growth} times as thick as the last, to a bottom {depth:g} period deep, held along z; contact
-  face to face with a stiffness that lets 10 nm through; pressed by a force, released by a motion;
-- samcontact: cubic cells on the whole period, as many as the table says (`periodic="xy"`), no `nz`,
-  all settings as they come; the mirror planes are found.
+- CalculiX, a quarter of the period with sliding sides: quadratic elements with reduced integration.
+  The table states the number of elements on half a period. Elements are cubes to a depth of
+  {fine:g} periods; each further layer is {growth} times as thick as the previous one, to a bottom
+  at {depth:g} period, fixed along z. The contact is face to face, with a stiffness that permits
+  10 nm of interpenetration. Loading is force-controlled, unloading displacement-controlled.
+- samcontact: cubic cells on the whole period (`periodic="xy"`), their number as in the table,
+  without `nz` and with default settings; mirror planes are detected.
 
-![Largest error over time](../build/figures/finite_elements_wave.png)
+![Maximum error against time](../build/figures/finite_elements_wave.png)
 
 ### Errors of the wavy surface
 
@@ -48,20 +49,20 @@ three dimensions:
 
 {ratios}
 
-### Numbers of the wavy surface
+### Results of the wavy surface
 
-The approach is without the uniform compression of the finite elements' depth.
+The approach excludes the uniform compression of the finite element model over its depth.
 
 {numbers}
 
-The limits differ by {differ}. Slopes are up to {slope:.1f} % here, and the finite elements'
-approach has the stiffness of their contact in it. It and the print go up and down with their mesh:
-these limits are less certain than those of the grid.
+The limits of the two codes differ by {differ}. Slopes are up to {slope:.1f} % here, and the
+approach of the finite elements contains the stiffness of their contact. Their approach and imprint
+vary irregularly with the mesh: these limits are less certain than those of samcontact.
 """
 
 
 def solve(across: int) -> dict[str, float]:
-    """The scene of the decks with so many cells on a period; time [s] of the processor."""
+    """Solve the contact with `across` cells on a period; results and processor time [s]."""
     start = time.process_time()
     period, amplitude = 1e-3 * deck.PERIOD, 1e-3 * deck.AMPLITUDE
     cell = period / across
@@ -124,14 +125,14 @@ def numbers_of(file: Path) -> dict[str, float]:
 
 
 def uniform_compression() -> float:
-    """What the mean pressure takes from the depth of the mesh, whose sides slide [mm]."""
+    """Return the compression of the mesh under the mean pressure, with sliding sides [mm]."""
     E, nu = 1e-6 * STEEL.E, STEEL.nu
     return deck.PRESSURE * deck.DEPTH * deck.PERIOD * (1 + nu) * (1 - 2 * nu) / (E * (1 - nu))
 
 
 def section(runs: dict[str, Runs]) -> str:
-    """Of the page."""
-    name = "on half a period, on a period"
+    """Return the section of the page."""
+    name = "cells on half a period, on a period"
     return TEXT.format(
         amplitude=1e3 * deck.AMPLITUDE,
         period=deck.PERIOD,

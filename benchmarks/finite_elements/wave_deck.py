@@ -64,13 +64,13 @@ def depths(across: int) -> FloatArray:
 
 
 def height(x: float, y: float) -> float:
-    """Of the wavy surface above its crest [mm]."""
+    """Return the height of the wavy surface above its crest [mm]."""
     k = 2 * np.pi / PERIOD
     return float(AMPLITUDE * (2.0 - np.cos(k * x) - np.cos(k * y)))
 
 
 def with_middles(corners: FloatArray) -> FloatArray:
-    """And the points half-way between them."""
+    """Return the values and the midpoints between them."""
     return np.sort(np.r_[corners, 0.5 * (corners[1:] + corners[:-1])])
 
 
@@ -101,7 +101,7 @@ def block(
 
 
 def steps(pushed: int) -> list[str]:
-    """Up to the mean pressure on the quarter by a force on a node, and off by its motion."""
+    """Return the steps: loading by a force on a node, unloading by its displacement."""
     printed = [
         "*NODE PRINT, NSET=PUSHED, FREQUENCY=10000", "U",
         "*NODE PRINT, NSET=BOTTOM, TOTALS=ONLY, FREQUENCY=10000", "RF",

@@ -22,19 +22,19 @@ def style(code: str) -> dict[str, str]:
 
 
 def draw_precision(axes: Axes, codes: dict[str, Ladder], problem: str) -> None:
-    """Error over time, in times of samcontact at the error where things are counted."""
+    """Draw error against time, relative to samcontact at the error of `COUNTED_AT`."""
     unit = time_at(points(codes[OURS], MEASURE[problem], TIME), COUNTED_AT[problem])
     for code, ladder in codes.items():
         curve = points(ladder, MEASURE[problem], TIME)
         if curve and unit:
             errors, times = zip(*curve, strict=True)
             axes.loglog([t / unit for t in times], errors, markersize=5, **style(code))
-    axes.set(xlabel="time / samcontact's [-]", ylabel=f"error of {MEASURE[problem]}, rms [-]")
+    axes.set(xlabel="time / time of samcontact [-]", ylabel=f"rms error of {MEASURE[problem]} [-]")
     axes.grid(True, which="major", alpha=0.3)
 
 
 def draw_ratios(axes: Axes, places: dict[int, dict[str, Ladder]], problem: str) -> None:
-    """Time over that of samcontact at equal error, over the cells across."""
+    """Draw the time relative to samcontact at equal error, against the cells across."""
     for code in CODES:
         found = {}
         for n, codes in places.items():
@@ -46,12 +46,12 @@ def draw_ratios(axes: Axes, places: dict[int, dict[str, Ladder]], problem: str) 
     axes.set_xticks(sorted(places), [str(n) for n in sorted(places)])
     axes.xaxis.set_minor_formatter(NullFormatter())
     target = f"{COUNTED_AT[problem]:.0e}".replace("e-0", "e-")
-    axes.set(xlabel="cells across [-]", ylabel=f"time / samcontact's at {target} [-]")
+    axes.set(xlabel="cells across [-]", ylabel=f"time / time of samcontact at error {target} [-]")
     axes.grid(True, which="major", alpha=0.3)
 
 
 def figure(data: dict[str, Any], problem: str) -> Figure | None:
-    """A row for each case."""
+    """Return the figure of a problem, with a row for each case."""
     by_case: dict[str, dict[int, dict[str, Ladder]]] = {}
     for (name, case, n), codes in by_place(data).items():
         if name == problem and OURS in codes:
@@ -61,7 +61,7 @@ def figure(data: dict[str, Any], problem: str) -> Figure | None:
     drawn = Figure(figsize=(9, 3.4 * len(by_case) + 0.5), layout="constrained")
     grid = drawn.subplots(len(by_case), 2, squeeze=False)
     for (left, right), (case, places) in zip(grid, by_case.items(), strict=True):
-        # The largest size where most codes are, so that there is something to compare.
+        # The largest size that most codes have solved.
         most = max(len(codes) for codes in places.values())
         n = max(n for n, codes in places.items() if len(codes) == most)
         draw_precision(left, places[n], problem)
@@ -77,6 +77,6 @@ def figure(data: dict[str, Any], problem: str) -> Figure | None:
 
 
 def draw(data: dict[str, Any]) -> dict[str, Figure]:
-    """Figures by the name of their file, of the problems that have something to draw."""
+    """Return the figures of the problems with measurements, by file name."""
     drawn = {f"peers_{problem}.png": figure(data, problem) for problem in MEASURE}
     return {name: one for name, one in drawn.items() if one is not None}

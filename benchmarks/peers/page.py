@@ -39,7 +39,7 @@ KINDS = {
     "plastic": "elastic-plastic",
     "periodic": "periodic elastic",
     "periodic_plastic": "periodic elastic-plastic",
-    "slip": "partly slipping",
+    "slip": "partial slip",
 }
 PERIODIC = ("periodic", "periodic_plastic")
 FINE_PRESSURE, FINE_AREA = "pressure, finest", "contact area, finest"
@@ -47,7 +47,7 @@ TIMES = {"with_setup_s": "with set-up", "without_setup_s": "without"}
 
 Place = tuple[str, str, int]
 Ladder = dict[float, list[dict[str, Any]]]
-"""Rounds of a code in one place by its tolerance, only those that worked."""
+"""Successful rounds of a code on one problem, by tolerance."""
 
 
 def by_place(data: dict[str, Any]) -> dict[Place, dict[str, Ladder]]:
@@ -64,7 +64,7 @@ def by_place(data: dict[str, Any]) -> dict[Place, dict[str, Ladder]]:
 
 
 def row_counts(problem: str, tol: float) -> bool:
-    """Whether it is no reference, whose error against itself is zero."""
+    """Whether the row is not a reference, whose error relative to itself is zero."""
     return tol not in tight(problem).values()
 
 
@@ -94,13 +94,13 @@ def time_at(curve: list[tuple[float, float]], error: float) -> float | None:
 def ratio_at(
     codes: dict[str, Ladder], code: str, measure: str, time: str, error: float
 ) -> float | None:
-    """Time of a code over that of samcontact, at equal error."""
+    """Return the time of a code over that of samcontact, at equal error."""
     ours, other = (time_at(points(codes[name], measure, time), error) for name in (OURS, code))
     return other / ours if ours and other else None
 
 
 def row_at(ladder: Ladder, measure: str, error: float) -> dict[str, Any] | None:
-    """The loosest run that is at least as good."""
+    """Return the loosest run with at most this error."""
     for tol in sorted(ladder, reverse=True):
         if ladder[tol][0]["errors"].get(measure, np.inf) <= error:
             return ladder[tol][0]
@@ -147,7 +147,7 @@ def solver_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any]]
 
 
 def times_of(problem: str) -> dict[str, str]:
-    """A plastic body cannot be solved twice: its set-up is always in."""
+    """Return the kinds of time; a plastic body cannot be solved twice, so set-up is included."""
     return {"with_setup_s": "with set-up"} if problem in PLASTIC else TIMES
 
 
@@ -163,20 +163,21 @@ def converged(
 
 
 def grid_lines(problem: str, data: dict[str, Any]) -> list[dict[str, Any]]:
-    """What the grids of both codes leave, against samcontact on the finest of all."""
+    """Return rows of grid errors of both codes, relative to samcontact on the finest grid."""
     found = sorted(converged(problem, data), key=lambda one: one[:2])
     ours = [(n, row) for n, code, row in found if code == OURS]
     if not ours:
         return []
     finest, reference = max(ours, key=lambda one: one[0])
-    quantities = ("largest_pressure", "largest_plastic_strain")
+    quantities = {
+        "largest_pressure": "maximum pressure",
+        "largest_plastic_strain": "maximum plastic strain",
+    }
     return [
         {
             "cells": f"{n}²",
             "code": code,
-            **{
-                f"{q.replace('_', ' ')} / finest - 1": row[q] / reference[q] - 1 for q in quantities
-            },
+            **{f"{name} / finest - 1": row[q] / reference[q] - 1 for q, name in quantities.items()},
         }
         for n, code, row in found
         if n < finest
@@ -184,11 +185,11 @@ def grid_lines(problem: str, data: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 Grids = dict[str, dict[int, tuple[float, float | None]]]
-"""By code and cells across: error of the grid, and the least time at a tenth of it beside."""
+"""Error of the grid and minimum time to a tenth of it, by code and cells across."""
 
 
 def grids_of(problem: str, case: str, data: dict[str, Any]) -> Grids:
-    """What remains however tight the tolerance is, and what it takes to come there."""
+    """Return the discretisation error of each grid, and the time to a tenth of it."""
     places, found = by_place(data), Grids()
     for n, code, row in sorted(converged(problem, data, case), key=lambda one: one[:2]):
         error = row["errors"].get(FINE_PRESSURE)
@@ -200,7 +201,7 @@ def grids_of(problem: str, case: str, data: dict[str, Any]) -> Grids:
 
 
 def accuracy_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Both codes against the finest grid: at equal cells, and at the same error."""
+    """Return rows that compare both codes with the finest grid, at equal cells and equal error."""
     for case in dict.fromkeys(place[1] for place in by_place(data) if place[0] == problem):
         grids = grids_of(problem, case, data)
         ours = [(error, time) for error, time in grids.get(OURS, {}).values() if time]
@@ -220,7 +221,7 @@ def accuracy_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any
 
 
 def stress_lines(data: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """One application: nothing to make equal."""
+    """Return rows of the stress, which is one application without a tolerance."""
     for (problem, _, n), codes in by_place(data).items():
         if problem != "stress" or OURS not in codes:
             continue
@@ -235,7 +236,7 @@ def stress_lines(data: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def without_empty(lines: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Without columns that no row fills."""
+    """Remove columns that are empty in all rows."""
     kept = [name for name in lines[0] if any(line[name] is not None for line in lines)]
     return [{name: line[name] for name in kept} for line in lines]
 
@@ -246,7 +247,7 @@ MAX_SETUP_BOUND_CELLS = (
 
 
 def least_ratios(data: dict[str, Any]) -> str:
-    """The least ratio of any other code, of elastic and of elastic-plastic contact."""
+    """Return the minimum ratio of any other code, for each kind of contact."""
     found: dict[str, list[float]] = {}
     for place, codes in by_place(data).items():
         problem = place[0]
@@ -259,7 +260,7 @@ def least_ratios(data: dict[str, Any]) -> str:
                 ratio = ratio_at(codes, code, MEASURE[problem], time, COUNTED_AT[problem])
                 found.setdefault(kind, []).extend([ratio] if ratio else [])
     return "; ".join(
-        f"least ratio of {kind} contact at an error of {COUNTED_AT[problem]:g}"
+        f"minimum ratio of {kind} contact at an error of {COUNTED_AT[problem]:g}"
         + (f", from {MAX_SETUP_BOUND_CELLS}² cells on" if problem in ELASTIC else "")
         + f": {min(found[kind]):.2g}"
         for kind, problem in {kind: problem for problem, kind in KINDS.items()}.items()
@@ -268,7 +269,7 @@ def least_ratios(data: dict[str, Any]) -> str:
 
 
 def wins_of_peers(data: dict[str, Any]) -> list[str]:
-    """Where a peer is faster at equal error, over the errors of the tables."""
+    """Return where another code is faster at equal error, over the errors of the tables."""
     found: dict[str, list[str]] = {}
     for problem, measure in MEASURE.items():
         for place, codes in by_place(data).items():
@@ -297,13 +298,13 @@ def wins_of_peers(data: dict[str, Any]) -> list[str]:
                 line = f"{TITLES[problem]}{case}, {place['code']}, at the error of its grid"
                 found.setdefault(line, []).append(f"{place['cells']} ({ratio:.2f})")
     if not found:
-        return ["Nowhere in these tables is a peer faster at equal error."]
-    head = "At one of the errors of the tables or more (least time over that of samcontact):"
+        return ["In these tables no other code is faster at equal error."]
+    head = "At one or more of the errors of the tables (minimum time relative to samcontact):"
     return ["\n".join([head, "", *(f"- {k}: {', '.join(v)}" for k, v in found.items())])]
 
 
 def failures(data: dict[str, Any]) -> list[str]:
-    """Measurements that are not in the tables, and why."""
+    """Return measurements missing in the tables, with the reason."""
     found: dict[str, list[str]] = {}
     for key, rounds in data["rows"].items():
         problem, case, n, code, tol = key.split("|")
@@ -317,13 +318,13 @@ def failures(data: dict[str, Any]) -> list[str]:
 
 
 def about_grids(problem: str, data: dict[str, Any]) -> list[str]:
-    """What the discretisations leave, where they are not the same for all codes."""
+    """Return discretisation errors of codes with different discretisations."""
     sections = []
     if problem in PLASTIC and (grid := grid_lines(problem, data)):
-        sections += ["Tightly converged, against samcontact on the finest grid:", table(grid)]
+        sections += ["Tightly converged, relative to samcontact on the finest grid:", table(grid)]
     if problem in PERIODIC and (lines := list(accuracy_lines(problem, data))):
         sections += [
-            f"Against samcontact on {MAX_CELLS[problem]}² cells, times with set-up at a tenth of "
+            f"Relative to samcontact on {MAX_CELLS[problem]}² cells, times with set-up at a tenth of "
             "the error of the grid:",
             table(without_empty(lines)),
         ]
@@ -334,12 +335,12 @@ def about_grids(problem: str, data: dict[str, Any]) -> list[str]:
         if key.split("|")[0] == problem
     }
     if "process_time" in clocks:
-        sections.append("Measured in processor time, beside other work on the machine.")
+        sections.append("Measured in processor time, on a machine with other load.")
     return sections
 
 
 def tables_of(data: dict[str, Any]) -> str:
-    """All tables, as they stand between the markers of the page."""
+    """Return all tables between the markers of the page."""
     versions = ", ".join(f"{code} {version}" for code, version in data["versions"].items())
     counts = [len(rounds) for rounds in data["rows"].values() if rounds]
     sections = [f"{versions}; one thread; {min(counts)} to {max(counts)} rounds."]
@@ -353,11 +354,11 @@ def tables_of(data: dict[str, Any]) -> str:
                 sections.append(f"![{title}: time and error](../build/figures/peers_{problem}.png)")
         if lines:
             sections += about_grids(problem, data)
-    sections += ["### Where a peer is faster", *wins_of_peers(data), *failures(data)]
+    sections += ["### Cases in which another code is faster", *wins_of_peers(data), *failures(data)]
     return "\n\n".join(sections)
 
 
 def write(data: dict[str, Any]) -> None:
-    """Put the tables into the page."""
+    """Write the tables into the page."""
     page = PAGE.read_text(encoding="utf-8")
     PAGE.write_text(between_markers(page, tables_of(data)), encoding="utf-8")

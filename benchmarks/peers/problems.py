@@ -21,7 +21,7 @@ ROUGH_RMS = 1e-6  # m
 ROUGH_CASES = {"light": (0.02, 15.0), "heavy": (0.02, 600.0)}
 YIELD_STRESS = 0.01 * E_STAR
 HARDENING = 0.1 * E
-# In elastic contact radii: width of the cell, whose images act where it is periodic, and depth.
+# Width of the (possibly periodic) cell and its depth, in elastic contact radii.
 PLASTIC_SIDE, STRESS_SIDE, DEPTH = 6.0, 12.0, 2.0
 INCREMENTS = 2
 # Of the rough surface that repeats itself: its shortest wave is this part of the side. Loads [N]:
@@ -58,7 +58,7 @@ class Elastic:
 
 @dataclass(frozen=True)
 class Slipping(Elastic):
-    """The same without what pressure does along the surface, then pulled along x."""
+    """Solve without tangential displacement by pressure, then load tangentially along x."""
 
     force: float | None = None
     shift: float | None = None

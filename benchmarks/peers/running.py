@@ -24,7 +24,7 @@ import numpy as np
 from ..harness import ROOT, peak_memory, relative_error, rms_error
 from . import problems
 
-# What anything may read: OpenMP of the codes, the threads of NumPy's BLAS.
+# Environment for one thread: OpenMP of the codes, BLAS of NumPy.
 ONE_THREAD = {
     name: "1"
     for name in (
@@ -59,7 +59,7 @@ PACKAGES = {"tamaas": "tamaas", "ContactMechanics": "ContactMechanics", "ASPHER"
 
 @dataclass
 class Outcome:
-    """What a code found."""
+    """Results of a code."""
 
     pressure: np.ndarray
     counts: dict[str, float]
@@ -73,7 +73,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Task:
-    """What is measured: a code on a problem of n cells across, with its own tolerance."""
+    """Measurement of a code on a problem of n cells across, with its own tolerance."""
 
     problem: str
     case: str

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is measured, in which order, and the file that keeps it: A B A B, resumable."""
+"""Order of the measurements (A B A B, resumable) and the file that stores them."""
 
 from __future__ import annotations
 
@@ -211,7 +211,7 @@ def attempt(
     settings: dict[str, str],
     report: Callable[[str], None],
 ) -> None:
-    """One measurement, kept at once."""
+    """Run one measurement and store it immediately."""
     if too_long(task, results, limit):
         row: dict[str, Any] = {"failed": f"expected to take {TIMEOUT_MARK} {limit:g} s"}
     else:

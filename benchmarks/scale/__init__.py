@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the main jobs cost against their size, and what a much larger one would need."""
+"""Time and memory of the main jobs against their size, and needs of a much larger one."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What transforms of a surface that is spread over processes send: counted, not measured.
+"""Data sent by transforms of a surface distributed over processes: counted, not measured.
 
 Each process has rows of the surface. It transforms them, all processes exchange a block with each
 other (a transpose), and each transforms whole columns; after the product in wavenumbers the same
@@ -22,29 +22,29 @@ BANDS = 1 / 2**2 + 2 / 8**2
 
 
 class Count(NamedTuple):
-    """Of planes that go to wavenumbers and back in a solution."""
+    """Number of planes transformed forth and back in a solution."""
 
     number: float
     padded: bool
 
 
 def bytes_of_a_transpose(n: int, padded: bool) -> int:
-    """Of n rows of real numbers, twice as long where they are padded, as their half spectrum."""
+    """Return the bytes of n rows as half spectra, twice as long if padded."""
     return COMPLEX * n * ((2 * n if padded else n) // 2 + 1)
 
 
 def bytes_of_a_rank(n: int, ranks: int, padded: bool) -> float:
-    """What a process sends for one displacement; it keeps its own block."""
+    """Return the bytes that a process sends for one displacement, without its own block."""
     return 2 * bytes_of_a_transpose(n, padded) / ranks * (1 - 1 / ranks)
 
 
 def message(n: int, ranks: int, padded: bool) -> float:
-    """Bytes from one process to another in one transpose."""
+    """Return the bytes sent from one process to another in one transpose."""
     return bytes_of_a_transpose(n, padded) / ranks**2
 
 
 def planes(job: str, largest: dict[str, dict[str, Any]]) -> Count:
-    """From what the largest solution that was measured has counted.
+    """Return the planes of a solution, from the counts of the largest measured solution.
 
     Larger rough surfaces repeat themselves; finer cells and the ball that slips are on a padded
     plane. An iteration of zones sends the strain of its layers one way and their stress the other,

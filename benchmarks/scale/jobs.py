@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The main jobs at any size: the same scene on more and more cells.
+"""Main jobs at any size: equal contact problems with increasing numbers of cells.
 
-Larger rough surfaces have more of the same roughness, so that the spots of contact become more; the
-others get finer cells. What is counted as cells is the surface's where nothing but the surface
-is asked for, and for zones; the volume's in the others.
+Larger rough surfaces have more of an equal roughness, and therefore more contact spots; the other
+jobs have finer cells. Cells are those of the surface for elastic jobs and for plastic subdomains,
+and those of the volume for the others.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ MAX_EXPONENT = 1.15
 
 
 class Job(NamedTuple):
-    """A kind of scene: its function below, sizes that span three decades of cells, bytes of a cell
-    that it keeps below at the largest, and the exponent of its time over all sizes."""
+    """Kind of contact problem: its function below, sizes that span three decades of cells, limit of
+    the bytes per cell at the largest size, and limit of the exponent of time over all sizes."""
 
     name: str
     function: str
@@ -48,17 +48,19 @@ RADII = (8, 12, 16, 24, 32, 48, 64, 80)
 JOBS = (
     Job("elastic rough contact, finer cells", "finer", "surface", SURFACES, 120),
     Job("elastic rough contact, larger surface", "rough", "surface", SURFACES, 120),
-    Job("stick and slip to 1e-4", "slipping", "surface", SURFACES, 500),
-    Job("stick and slip to 1e-6", "slipping_fine", "surface", SURFACES, 500),
-    Job("rough contact that yields, zones", "zones", "surface", (32, *SURFACES[:-1]), 5000),
-    Job("ball that yields", "ball", "volume", RADII, 400),
-    Job("rolling ball that yields", "rolling", "volume", (4, 6, 8, 12, 16, 24, 32, 40), 500),
-    Job("coated body that yields", "coated", "volume", RADII, 300),
+    Job("partial slip to 1e-4", "slipping", "surface", SURFACES, 500),
+    Job("partial slip to 1e-6", "slipping_fine", "surface", SURFACES, 500),
+    Job(
+        "elastic-plastic rough contact, subdomains", "zones", "surface", (32, *SURFACES[:-1]), 5000
+    ),
+    Job("elastic-plastic ball", "ball", "volume", RADII, 400),
+    Job("rolling elastic-plastic ball", "rolling", "volume", (4, 6, 8, 12, 16, 24, 32, 40), 500),
+    Job("elastic-plastic coated body", "coated", "volume", RADII, 300),
 )
 
 
 def surface(n: int) -> tuple[sc.Grid, np.ndarray]:
-    """A self-affine surface that repeats itself, of a rigid flat: waves of 8 to 32 cells."""
+    """Return a periodic self-affine surface of a rigid flat, with waves of 8 to 32 cells."""
     grid = sc.Grid(n, n, CELL, CELL, dz=CELL, periodic="xy")
     rough = sc.surfaces.rough_self_affine(
         grid, 1e-6, 0.8, wavelength_min=8 * CELL, roll_off=32 * CELL, seed=7
@@ -68,7 +70,7 @@ def surface(n: int) -> tuple[sc.Grid, np.ndarray]:
 
 
 def finer(meter: Meter, n: int) -> dict[str, Any]:
-    """The same twelve waves and a crown on ever finer cells, to a tolerance of 1e-8."""
+    """Solve twelve waves with a crown on increasingly fine cells, to a tolerance of 1e-8."""
     found = elastic_rough.contact(meter, n, "tol 1e-8")
     return {"cells": n * n, "contact": float(np.mean(found.pressure > 0)), "transforms": found.work}
 
@@ -105,7 +107,7 @@ def slipping(meter: Meter, n: int, method: str = "tol 1e-4") -> dict[str, Any]:
 
 
 def slipping_fine(meter: Meter, n: int) -> dict[str, Any]:
-    """The same to a smaller tolerance."""
+    """Solve the partial slip contact to a smaller tolerance."""
     return slipping(meter, n, "tol 1e-6")
 
 

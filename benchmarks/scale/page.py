@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page: growth of time and memory, and what a surface too large for a machine would need."""
+"""Page on growth of time and memory, and on the needs of a surface too large for a machine."""
 
 from __future__ import annotations
 
@@ -32,19 +32,19 @@ def run(of: str, n: int) -> dict[str, Any]:
 
 
 def of(rows: Rows, job: Job) -> Rows:
-    """Those of a job, smallest first."""
+    """Return the rows of a job, smallest first."""
     return sorted((row for row in rows if row["of"] == job.function), key=lambda row: row["n"])
 
 
 def growth(rows: Rows) -> float:
-    """Exponent of the processor's time over the last decade of cells, or all where they are few."""
+    """Return the exponent of the processor time over the last decade of cells (or three sizes)."""
     last = [row for row in rows if row["cells"] >= rows[-1]["cells"] / (1.1 * DECADE)]
     chosen = last if len(last) > 2 else rows[-3:]
     return exponent([row["cells"] for row in chosen], [row["cpu_s"] for row in chosen])
 
 
 def overall(rows: Rows) -> float:
-    """The same over all sizes."""
+    """Return the exponent of the processor time over all sizes."""
     return exponent([row["cells"] for row in rows], [row["cpu_s"] for row in rows])
 
 
@@ -53,7 +53,7 @@ def bytes_a_cell(row: dict[str, Any]) -> float:
 
 
 def summary(rows: Rows) -> str:
-    """A line for each job."""
+    """Return the table with a row for each job."""
     lines = []
     for job in JOBS:
         found = of(rows, job)
@@ -62,33 +62,33 @@ def summary(rows: Rows) -> str:
         memory = [f"{bytes_a_cell(found[-1]):.0f}", f"{job.stated:.0f}"]
         lines.append([job.name, job.unit, " to ".join(ends), *exponents, *memory])
     return table(
-        ["job", "cells of the", "cells", "exponent, all", "at most", "exponent, last decade",
-         "bytes a cell, largest", "at most"], lines,
+        ["job", "cells of the", "cells", "exponent, all sizes", "limit", "exponent, last decade",
+         "bytes per cell, largest size", "limit"], lines,
     )  # fmt: skip
 
 
 def sizes(rows: Rows) -> str:
-    """A line for each size of each job."""
+    """Return the table with a row for each size of each job."""
     lines = [
         [job.name, str(row["n"]), str(row["cells"]), f"{row['cpu_s']:.3g}",
          f"{1e6 * row['cpu_s'] / row['cells']:.3g}", f"{row['memory_MB']:.0f}"]
         for job in JOBS
         for row in of(rows, job)
     ]  # fmt: skip
-    return table(["job", "n", "cells", "time [s]", "µs a cell", "memory [MB]"], lines)
+    return table(["job", "n", "cells", "time [s]", "µs per cell", "memory [MB]"], lines)
 
 
-# The others are no surfaces, or above their size what they take is not known.
+# The other jobs are not surfaces, or their growth beyond the measured sizes is uncertain.
 LARGE_SURFACE_JOBS = [job for job in JOBS if job.unit == "surface" and job.exponent < 1.2]
 
 
 def memory(rows: Rows, job: Job) -> float:
-    """Of the large surface, from the largest that was solved [bytes]."""
+    """Return the memory of the large surface, from the largest solved size [bytes]."""
     return bytes_a_cell(of(rows, job)[-1]) * cluster.SIDE**2
 
 
 def needs(rows: Rows) -> str:
-    """Time and memory of the large surface, from the largest that was solved."""
+    """Return the table of time and memory of the large surface, from the largest solved size."""
     lines = []
     for job in LARGE_SURFACE_JOBS:
         found = of(rows, job)
@@ -99,7 +99,7 @@ def needs(rows: Rows) -> str:
 
 
 def communication(rows: Rows) -> str:
-    """What travels between processes, of each job and number of them."""
+    """Return the table of data sent between processes, by job and number of processes."""
     by_name = {job.function: of(rows, job)[-1] for job in LARGE_SURFACE_JOBS}
     lines = []
     for job in LARGE_SURFACE_JOBS:
@@ -111,13 +111,13 @@ def communication(rows: Rows) -> str:
                           f"{2 * count.number:.0f}", f"{count.number * each / 1e9:.3g}",
                           f"{count.number * each / cluster.RATE / 60:.2g}"])  # fmt: skip
     return table(
-        ["job", "processes", "a displacement, of one process [GB]", "a message [MB]",
-         "transposes of a solution", "all of a process [GB]", "at the rate below [min]"], lines,
-    )  # fmt: skip
+        ["job", "processes", "sent per displacement and process [GB]", "size of a message [MB]",
+         "transposes of a solution", "sent per process [GB]", "time at the rate below [min]"],
+    lines, )  # fmt: skip
 
 
 def slowest(rows: Rows, job: Job) -> tuple[float, int, int]:
-    """How much longer a transform takes per cell than on the size before, and these sizes."""
+    """Return the largest increase of the time per cell of a transform, and the two sizes."""
     found = of(rows, job)
     each = [row["cpu_s"] / row["cells"] / row["transforms"] for row in found]
     return max(
@@ -127,22 +127,22 @@ def slowest(rows: Rows, job: Job) -> tuple[float, int, int]:
 
 
 def counted(rows: Rows) -> list[Job]:
-    """Jobs of which the transforms are known."""
+    """Return the jobs with counted transforms."""
     return [job for job in JOBS if "transforms" in of(rows, job)[-1]]
 
 
 def caches(rows: Rows) -> str:
-    """Where a transform of an elastic contact becomes dearer, and by how much."""
+    """Return a sentence on the largest increase of the time of a transform in elastic contact."""
     elastic = [job for job in counted(rows) if job.name.startswith("elastic")]
     ratio, small, large = max(slowest(rows, job) for job in elastic)
     return (
-        f"from {small} × {small} to {large} × {large} cells a transform comes to take\n"
+        f"from {small} × {small} to {large} × {large} cells a transform takes\n"
         f"{ratio:.1f} times as long per cell."
     )
 
 
 def transforms(rows: Rows) -> str:
-    """Of the smallest and the largest size, a line for each job that counts them."""
+    """Return the transforms of the smallest and the largest size, a line for each job."""
     ends = [(job, of(rows, job)) for job in counted(rows)]
     return "\n".join(
         f"- {job.name}: {found[0]['transforms']:.0f} to {found[-1]['transforms']:.0f}"
@@ -151,7 +151,7 @@ def transforms(rows: Rows) -> str:
 
 
 def above(rows: Rows) -> str:
-    """Which jobs grow faster than is usual."""
+    """Return a sentence on jobs with an unusually large exponent."""
     found = [(job, overall(of(rows, job))) for job in JOBS]
     beyond = [f"{job.name} (exponent {value:.2f})" for job, value in found if value > MAX_EXPONENT]
     said = f"above {MAX_EXPONENT:g} over all sizes"
@@ -159,7 +159,7 @@ def above(rows: Rows) -> str:
 
 
 def fits(memories: dict[str, float]) -> str:
-    """Which of the large surfaces one machine could hold."""
+    """Return a sentence on large surfaces that fit into one machine."""
     inside = [name for name, size in memories.items() if size <= MACHINE]
     if not inside:
         return f"None fits into {MACHINE / 1e12:g} TB, the memory of one large machine."
@@ -171,7 +171,7 @@ def fits(memories: dict[str, float]) -> str:
 
 
 def page(rows: Rows) -> str:
-    """All of it."""
+    """Return the page."""
     return TEXT.read_text(encoding="utf-8").format(
         summary=summary(rows),
         sizes=sizes(rows),
@@ -190,4 +190,6 @@ def page(rows: Rows) -> str:
     )
 
 
-STUDY = Study("scale", "What the main jobs cost against their size.", points, run, page, fresh=True)
+STUDY = Study(
+    "scale", "Time and memory of the main jobs against their size.", points, run, page, fresh=True
+)

@@ -26,7 +26,7 @@ from .setups import (
     reaches,
 )
 
-FINE_CELLS = 20  # cells in a semi-axis, beside the usual ones
+FINE_CELLS = 20  # cells on a semi-axis of the finer grid
 GROOVE = "deep groove, inner race"
 
 TEXT = Path(__file__).with_name("template.md")
@@ -55,7 +55,7 @@ def run(of: str, name: str, pressure: float) -> Record:
 
 
 def pressed(records: list[Record]) -> tuple[Rows, Rows, Rows]:
-    """Tables of contacts, of steels and of finer grids, by name."""
+    """Return results of contacts, of steels and on finer grids, by name."""
     found: dict[str, Rows] = {"contacts": {}, "steels": {}, "fine": {}}
     for record in records:
         rows = found[record["of"]].setdefault(record["name"], [])
@@ -68,12 +68,12 @@ def at(rows: list[Pressed], pressure: float) -> Pressed:
 
 
 def by_model(rows: list[Pressed]) -> float:
-    """Pressure that leaves what is allowed [Pa]."""
+    """Return the pressure at the permissible deformation [Pa]."""
     return reaches(rows, [row.deformation for row in rows])
 
 
 def power(rows: list[Pressed], low: float, high: float) -> float:
-    """Of the pressure, with which the deformation grows."""
+    """Return the exponent of the pressure in the deformation."""
     first, last = at(rows, low), at(rows, high)
     return math.log(last.deformation / first.deformation) / math.log(high / low)
 
@@ -122,7 +122,7 @@ def page(records: list[Record]) -> str:
 
 
 def race_ellipse() -> hertz.EllipticContact:
-    """That in the groove at 4.2 GPa."""
+    """Return the contact ellipse in the groove at 4.2 GPa."""
     race = CONTACTS[GROOVE].race
     return hertz.elliptic(race.Rx, race.Ry, E_STAR, p0=4.2e9)
 
@@ -137,7 +137,7 @@ def contact_row(name: str, rows: list[Pressed], iso: Pressed) -> dict[str, str]:
         "load": load,
         "model [1e-4 D]": f"{1e4 * iso.deformation:.2f}",
         "Palmgren [1e-4 D]": "" if line else f"{1e4 * iso.palmgren:.2f}",
-        "largest plastic strain": f"{100 * iso.strain:.2f} %",
+        "maximum plastic strain": f"{100 * iso.strain:.2f} %",
         "p₀ of 1e-4 D, model [GPa]": f"{1e-9 * by_model(rows):.2f}",
         "p₀ of 1e-4 D, Palmgren [GPa]": "" if line else f"{1e-9 * formula:.2f}",
     }
@@ -149,8 +149,8 @@ def steel_row(name: str, rows: list[Pressed]) -> dict[str, str]:
     return {
         "steel": name,
         "at 4.2 GPa [1e-4 D]": f"{1e4 * deformation:.2f}",
-        "p₀ of 1e-4 D [GPa]": f"{1e-9 * reached:.2f}" if reached > 0 else "beyond these",
-        "largest plastic strain at 4.2 GPa": f"{100 * at(rows, 4.2e9).strain:.2f} %",
+        "p₀ of 1e-4 D [GPa]": f"{1e-9 * reached:.2f}" if reached > 0 else "above these pressures",
+        "maximum plastic strain at 4.2 GPa": f"{100 * at(rows, 4.2e9).strain:.2f} %",
     }
 
 
@@ -178,12 +178,19 @@ def draw(records: list[Record]) -> dict[str, Any]:
     for ax in (left, right):
         ax.axhline(ALLOWED, color="k", linewidth=0.8)
         ax.axvline(4.2, color="k", linewidth=0.8)
-        ax.set(yscale="log", xlabel="largest Hertz pressure [GPa]", ylim=(1e-6, 1e-3))
+        ax.set(yscale="log", xlabel="maximum Hertz pressure [GPa]", ylim=(1e-6, 1e-3))
         ax.grid(alpha=0.3)
         ax.legend(frameon=False, fontsize=7.5, loc="lower right")
-    left.set(ylabel="permanent deformation / diameter", title=f"{STEEL}, both bodies")
+    left.set(ylabel="permanent deformation / ball diameter [-]", title=f"{STEEL}, both bodies")
     right.set_title(GROOVE)
     return {"static_capacity.png": figure}
 
 
-STUDY = Study("static_capacity", "Which load leaves 1e-4 of the diameter.", points, run, page, draw)
+STUDY = Study(
+    "static_capacity",
+    "Load at a permanent deformation of 1e-4 of the ball diameter.",
+    points,
+    run,
+    page,
+    draw,
+)

@@ -25,7 +25,7 @@ ROLLER, ITS = 10e-3, 65e-3
 
 
 class Contact(NamedTuple):
-    """A contact, the diameter of its ball or roller [m], and what ISO 76 allows it [Pa]."""
+    """Contact, diameter of its ball or roller [m], and Hertz pressure of ISO 76 [Pa]."""
 
     race: bearings.RaceContact
     diameter: float
@@ -76,18 +76,18 @@ E_STAR = hertz.effective_modulus(STEELS[STEEL], STEELS[STEEL])
 
 
 class Pressed(NamedTuple):
-    """By a Hertz pressure [Pa]: load [N], deformation over the diameter, largest strain."""
+    """Results at a Hertz pressure [Pa]: load [N], deformation over diameter, maximum strain."""
 
     pressure: float
     load: float
     deformation: float
     strain: float
     palmgren: float
-    """NaN of lines of contact."""
+    """Deformation by Palmgren over the diameter [-]; NaN for line contacts."""
 
 
 def press(contact: Contact, steel: sc.Material, pressure: float, cells: int = 12) -> Pressed:
-    """Both bodies of this steel, loaded and released; `cells` in a semi-axis of the ellipse."""
+    """Load and unload two bodies of this steel, with `cells` cells on a semi-axis."""
     race, half = contact.race, int(1.25 * cells)
     line = math.isinf(race.Ry)
     if line:
@@ -117,7 +117,7 @@ def press(contact: Contact, steel: sc.Material, pressure: float, cells: int = 12
 
 
 def reaches(rows: list[Pressed], values: list[float]) -> float:
-    """Pressure at which values that grow with it are as allowed; NaN beyond them [Pa]."""
+    """Return the pressure at which `values` reach the permissible one [Pa]; NaN beyond them."""
     logs = np.log(np.maximum(values, 1e-12))
     if not values[0] < ALLOWED < values[-1]:
         return math.nan

@@ -33,7 +33,7 @@ def figures(results: Results) -> list[Picture]:
         ),
         Picture(
             "flattening_zone_large",
-            "Figure 2.11: the same for 12 to 110 critical interferences.",
+            "Figure 2.11: outlines of the plastic zone for 12 to 110 critical interferences.",
             zones(results, LARGE_INTERFERENCES, zoom=False),
         ),
         Picture(
@@ -119,7 +119,7 @@ def strain_figure(results: Results) -> Figure:
     ax.set_xlim(0, 112)
     ax.set_ylim(0, None)
     ax.set_xlabel(r"$\omega/\omega_c$")
-    ax.set_ylabel("largest equivalent plastic strain / (Y/E)")
+    ax.set_ylabel("maximum equivalent plastic strain / (Y/E) [-]")
     return figure
 
 
@@ -130,7 +130,7 @@ def friction_figure(results: Results) -> Figure:
         [s.ratio for s in results.surface],
         "o-",
         ms=4,
-        label="computed",
+        label="simulation",
     )
     for value, label in ((6, "thesis, no friction: 6"), (1, "thesis: below 1, high friction")):
         ax.axhline(value, color="k", linestyle="--", linewidth=0.8)
@@ -165,7 +165,7 @@ def model_figure(results: Results) -> Figure:
         panels[0].plot(w, relative / w**1.25, style, label=name)
         panels[1].plot(w, area_ratio / w, style)
         panels[2].plot(w, relative / area_ratio * unit, style)
-    panels[0].plot(ratio, load / ratio**1.25, "C0o", ms=3, label="computed")
+    panels[0].plot(ratio, load / ratio**1.25, "C0o", ms=3, label="simulation")
     panels[0].plot(
         rising["approach_over_wc"], rising["load_over_Wc"] / rising["approach_over_wc"] ** 1.25,
         "k+", ms=5, label="finite elements",

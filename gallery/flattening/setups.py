@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is computed: a rigid sphere pressed into the half-space, by interference."""
+"""Contact of a rigid sphere and a half-space, by interference."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ FRICTION = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5)
 
 @dataclass(frozen=True)
 class Point:
-    """One interference: everything over its critical value, strain over Y/E."""
+    """Results at an interference: relative to critical values, strain relative to Y/E."""
 
     ratio: float
     load: float
     area: float
     strain: float
     cells: float
-    """Of the contact radius."""
+    """Cells on the contact radius."""
     substeps: int
     core: float
     """Area in the plane y = 0, x >= 0, over a_c^2, that is elastic between surface and zone."""
@@ -63,7 +63,7 @@ class Surface:
 class Results:
     points: list[Point]
     surface: list[Surface]
-    """One for each coefficient of friction."""
+    """Results by coefficient of friction."""
     study: list[Surface]
     """Without friction, on other meshes."""
     cells: int

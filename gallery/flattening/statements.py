@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the thesis states about flattening, beside what was computed."""
+"""Statements of the thesis on flattening."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ REACHED = 5.0
 
 
 def stated(results: Results) -> list[Number | Statement]:
-    """What the thesis states beside what was computed."""
+    """Return the stated values of the thesis and the computed ones."""
     mesh = f"{results.cells // 2} to {results.cells} cells per contact radius"
     reached = results.surface[0]
     entries: list[Number | Statement] = [

@@ -7,11 +7,12 @@ from .statements import stated
 
 TITLE = "Normal load and friction"
 INTRODUCTION = """
-Section 2.3.3 of the thesis: a ball of 10 mm radius on a half-space of steel M50, in gross sliding
-with the friction coefficient µ; the shear µp acts on the half-space along +x. First a rigid ball
-and 800 N, then an elastic ball and up to 5000 N. For the second the text says 20 mm, but its Hertz
-pressure of 5.05 GPa needs 10 mm, which is what the start of the section says. a is the Hertz
-contact radius at the largest load.
+This page shows how friction changes stress, plastic strain and residual stress below a sliding
+ball, and compares with section 2.3.3 of the thesis. A ball of 10 mm radius is in full sliding on a
+half-space of steel M50 with the friction coefficient µ; the shear traction µp acts on the
+half-space along +x. The first part is a rigid ball with 800 N, the second an elastic ball with up
+to 5000 N. For the second part the text states 20 mm, but its Hertz pressure of 5.05 GPa requires 10
+mm, as stated at the start of the section. a is the Hertz contact radius at the largest load.
 """
 
 __all__ = ["INTRODUCTION", "TITLE", "compute", "figures", "stated"]

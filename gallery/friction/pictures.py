@@ -149,7 +149,7 @@ def pressure_and_strain(results: Results) -> Picture:
     return Picture(
         "friction_pressure",
         "Figures 2.52 and 2.57: pressure in the plane y = 0, and equivalent plastic strain on "
-        "x = y = 0 (for µ = 0.5 it goes on rising towards the surface), at 5000 N.",
+        "x = y = 0 (for µ = 0.5 it increases up to the surface), at 5000 N.",
         figure,
     )
 
@@ -242,9 +242,9 @@ def hydrostatic(results: Results) -> Picture:
 def first_layer(results: Results) -> Picture:
     figure, ax = axes(1, 1, (5.0, 3.6))
     depth, gamma = np.array(results.layers).T
-    ax.plot(depth, 100 * gamma, "o-", color="C0", label="largest plastic strain")
+    ax.plot(depth, 100 * gamma, "o-", color="C0", label="maximum plastic strain")
     least = bound(0.5, float(results.sliding[0.5].pressure.max()))
-    ax.axhline(100 * least, color="C3", linestyle=":", label="needed to bear the shear at z = 0")
+    ax.axhline(100 * least, color="C3", linestyle=":", label="required by the shear at z = 0")
     ax.axhline(5.34, color="k", linestyle="--", linewidth=1, label="stated: 5.34 %")
     ax.set(xlim=(0, 1.1 * depth.max()), ylim=(0, 14))
     finish(ax, "depth of the first layer z/a", "plastic strain [%]")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is computed: sliding contacts of a rigid and of an elastic ball."""
+"""Sliding contacts of a rigid and of an elastic ball."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Elastic:
 
 @dataclass
 class Plastic:
-    """One friction coefficient: the largest load, after unloading, and each load before."""
+    """Results at a friction coefficient: at the largest load, after unloading, at each load."""
 
     x: np.ndarray
     z: np.ndarray

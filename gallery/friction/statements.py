@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the thesis states about friction, beside what was computed."""
+"""Statements of the thesis on friction."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ STATED = Stated("friction")
 
 
 def peak_position(x: np.ndarray, pressure: np.ndarray) -> float:
-    """Where a profile has its maximum, by a parabola through five cells."""
+    """Return the position of the maximum of a profile, by a parabola through five cells."""
     k = int(pressure.argmax())
     c = np.polyfit(x[k - 2 : k + 3], pressure[k - 2 : k + 3], 2)
     return float(-c[1] / (2 * c[0]))
 
 
 def contact_radius(x: np.ndarray, pressure: np.ndarray) -> float:
-    """Where the pressure ends: its square falls linearly with the square of the distance."""
+    """Return the contact radius: squared pressure is linear in the squared distance."""
     rim = (x > 0.75) & (x < 0.95)
     slope, at_centre = np.polyfit(x[rim] ** 2, pressure[rim] ** 2, 1)
     return float(np.sqrt(-at_centre / slope))
@@ -89,7 +89,7 @@ def stated_rigid(results: Results) -> list[Number | Statement]:
 
 
 def without_friction(results: Results) -> list[Number | Statement]:
-    """The rigid ball beside the elastic contact and finite elements."""
+    """The rigid ball compared with the elastic contact and finite elements."""
     a, mesh = results.rigid.a, results.mesh["rigid ball"]
     both: tuple[Elastic, Plastic] = (results.elastic[0.0], results.plastic[0.0])
     top = [float(case.pressure.max()) * 1e-9 for case in both]

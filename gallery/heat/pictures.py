@@ -121,7 +121,9 @@ def sections(results: Results) -> list[Picture]:
             case = cases[factor]
             x, z, plane = case.x / HERTZ.a, case.z / HERTZ.a, case.plane * 1e-6
             filled = ax.contourf(x, z, plane.T, levels=12, cmap="viridis")
-            figure.colorbar(filled, ax=ax, label="MPa", shrink=0.7, ticks=MaxNLocator(5))
+            figure.colorbar(
+                filled, ax=ax, label="von Mises stress [MPa]", shrink=0.7, ticks=MaxNLocator(5)
+            )
             i, k = np.unravel_index(int(plane.argmax()), plane.shape)
             ax.plot(x[i], z[k], "wx", markersize=7, clip_on=False, zorder=4)
             ax.set_title(

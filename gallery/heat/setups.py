@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is computed: contacts heated by the flux Q_f p, elastic and elastic-plastic."""
+"""Contacts heated by the flux Q_f p, elastic and elastic-plastic."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Plastic:
     residual_largest: tuple[float, float]
     """Residual von Mises stress, and its depth."""
     elastic_unloading: np.ndarray
-    """What `residual` would be without yielding during unloading."""
+    """Residual stress without yielding during unloading."""
 
 
 @dataclass
@@ -70,7 +70,7 @@ class Onset:
     """Hertz pressure."""
     radius: np.ndarray
     depth: np.ndarray
-    """Where the body yields first, over the Hertz radius at that load."""
+    """Position of first yield, over the Hertz radius at this load."""
 
     def load(self, factor: float) -> float:
         p0 = float(np.interp(factor, self.factor, self.p0))

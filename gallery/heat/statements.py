@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the thesis states about frictional heat, beside what was computed."""
+"""Statements of the thesis on frictional heat."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ from .setups import (
 STATED = Stated("heat")
 FINE_ONSET = {0.0: 296.0, 0.05: 497.0, 0.12: 472.0, 0.20: 209.0}
 FINE_GRID_STRESSES = {0.0: 2539.4, 0.05: 1961.9, 0.12: 3530.4, 0.20: 7391.6}
-"""Of a separate computation of the thermo-elastic contact on a fine grid."""
+"""Results of a separate computation of the thermo-elastic contact on a fine grid."""
 STEP = 20.0
-"""Of the depths of the thesis's tables [µm]."""
+"""Step of the depths in the tables of the thesis [µm]."""
 
 
 def stated(results: Results) -> list[Number | Statement]:
@@ -87,7 +87,7 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
 
 
 def slope(curve: Onset, low: float, high: float) -> tuple[float, float]:
-    """Of the straight line through a part of the curve [MPa s/m], and its relative deviation."""
+    """Return the slope of a line through a part of the curve [MPa s/m], and the deviation."""
     part = (curve.factor >= low) & (curve.factor <= high)
     fit = np.polyfit(curve.factor[part], curve.p0[part], 1)
     deviation = np.abs(np.polyval(fit, curve.factor[part]) / curve.p0[part] - 1)
@@ -213,7 +213,7 @@ def depths(
         "stress depths",
         all(abs(a - b) < STEP for a, b in zip(ours, thesis, strict=True)),
         ours,
-        remark=(f"The thesis tells depths in steps of {STEP:.0f} µm. " + remark).strip(),
+        remark=(f"The thesis states depths in steps of {STEP:.0f} µm. " + remark).strip(),
         mesh=mesh,
         which=name,
         depths=thesis,
@@ -234,7 +234,7 @@ def attenuated(results: Results) -> Statement:
 
 
 def competition(results: Results) -> list[Statement]:
-    """Of the stresses of pressure and heat, on the axis."""
+    """Return the stresses due to pressure and heat on the axis."""
     middle = len(results.elastic[0.0].x) // 2
     axis = {f: results.elastic[f].plane[middle] * 1e-6 for f in FACTORS}
     z = results.elastic[0.0].z
@@ -306,7 +306,7 @@ def reversed_flow(results: Results) -> str:
 
 
 def study(results: Results, factor: float) -> str:
-    """What the layers do to the residual stress on the axis."""
+    """Return the influence of the layers on the residual stress on the axis."""
     rows = [
         f"{(case.z[1] - case.z[0]) * 1e6:g} µm: {case.residual[0] * 1e-6:.0f}, "
         f"{at_surface(case.residual) * 1e-6:.0f}"

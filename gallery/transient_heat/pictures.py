@@ -39,7 +39,7 @@ def flash(results: Results) -> Picture:
     for ax in (left, right):
         ax.set_xlim(-1.8, 1.8)
     right.set_ylim(-0.2, 13)
-    finish(left, "x/a", "rise of temperature of the surface [K]")
+    finish(left, "x/a", "temperature rise of the surface [K]")
     finish(right, "x/a", "pressure [GPa]")
     return Picture(
         "transient_heat_flash",
@@ -54,7 +54,7 @@ def temperatures(results: Results) -> Picture:
         case = results.elastic[kind]
         value, x = case.hottest
         shown = panel(ax, case.x, case.z, case.temperature, "inferno", NAMES[kind])
-        figure.colorbar(shown, ax=ax, label="rise of temperature [K]", shrink=0.85,
+        figure.colorbar(shown, ax=ax, label="temperature rise [K]", shrink=0.85,
                         location="bottom", ticks=MaxNLocator(5))  # fmt: skip
         ax.plot(x / HERTZ.a, 0, "wx", clip_on=False, zorder=4)
         ax.text(0.02, 0.05, f"largest: {value:.0f} K", transform=ax.transAxes, color="w",
@@ -62,7 +62,7 @@ def temperatures(results: Results) -> Picture:
     figure.axes[0].set_ylabel("depth z/a")
     return Picture(
         "transient_heat_temperature",
-        "Figures 3.34 to 3.36: rise of temperature in the plane y = 0, elastic flat. In (iii) the "
+        "Figures 3.34 to 3.36: temperature rise in the plane y = 0, elastic flat. In (iii) the "
         "tool moves to the right. Cross: the largest.",
         figure,
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is computed: a tool that heats the flat, at rest and moving."""
+"""Contact of a tool that heats the flat, at rest and moving."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Elastic:
     x: np.ndarray
     z: np.ndarray
     pressure: np.ndarray
-    """In the plane y = 0, as the other fields."""
+    """Field in the plane y = 0, like the other fields."""
     flash: np.ndarray
     temperature: np.ndarray
     von_mises: np.ndarray
@@ -47,7 +47,7 @@ class Elastic:
 
     @property
     def hottest(self) -> tuple[float, float]:
-        """Rise of temperature and x."""
+        """Temperature rise and x."""
         k = int(self.flash.argmax())
         return float(self.flash[k]), float(self.x[k])
 
@@ -72,14 +72,14 @@ class Results:
     """(iii) in its steady state."""
     times: np.ndarray
     rises: np.ndarray
-    """Largest rise of temperature of a source at rest at these times."""
+    """Largest temperature rise of a source at rest at these times."""
     pressures: np.ndarray
     """Largest pressure at these times."""
     mesh: dict[str, str]
 
 
 def solver(cells: int, heat: sc.Heat) -> tuple[sc.ContactSolver, np.ndarray]:
-    """Of an elastic flat, and its pressure."""
+    """Return the contact solver of an elastic flat, and its pressure."""
     grid = square(HERTZ.a, cells, 1.8)
     found = sc.ContactSolver(grid, ELASTIC, UNYIELDING, heat=heat)
     return found, found.solve(sc.surfaces.paraboloid(grid, RADIUS), load=LOAD).pressure

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the thesis states about transient heat, beside what was computed."""
+"""Statements of the thesis on transient heat."""
 
 from __future__ import annotations
 

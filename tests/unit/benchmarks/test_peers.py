@@ -84,7 +84,7 @@ class TestWhatItSays:
             for n in ours.keys() & theirs.keys():
                 assert theirs[n][0] < ours[n][0]
         ours, theirs = page.grid_lines("plastic", stored)[:2]
-        pressure, strain = (f"largest {q} / finest - 1" for q in ("pressure", "plastic strain"))
+        pressure, strain = (f"maximum {q} / finest - 1" for q in ("pressure", "plastic strain"))
         assert abs(theirs[pressure]) < abs(ours[pressure])
         assert abs(theirs[strain]) > abs(ours[strain])
 
@@ -143,10 +143,10 @@ def test_ratios_are_of_least_times_and_wins_of_peers_are_said():
     assert page.ratio_at(codes, "tamaas", "pressure", "with_setup_s", 1e-6) == 1.5
     assert page.ratio_at(codes, "tamaas", "pressure", "with_setup_s", 1e-8) is None
     text = page.tables_of(data)
-    assert "Least ratio" not in text  # nothing of 256 cells across
+    assert "Minimum ratio" not in text  # nothing of 256 cells across
     large = {key.replace("64", "256"): rounds for key, rounds in rows.items() if "64" in key}
     assert page.least_ratios(data | {"rows": large}) == (
-        "least ratio of elastic contact at an error of 1e-06, from 256² cells on: 0.25"
+        "minimum ratio of elastic contact at an error of 1e-06, from 256² cells on: 0.25"
     )
     assert "Hertz contact, ASPHER, with set-up: 64² (0.25)" in text
     assert "tamaas, with set-up" not in text
