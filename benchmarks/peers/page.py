@@ -324,8 +324,8 @@ def about_grids(problem: str, data: dict[str, Any]) -> list[str]:
         sections += ["Tightly converged, relative to samcontact on the finest grid:", table(grid)]
     if problem in PERIODIC and (lines := list(accuracy_lines(problem, data))):
         sections += [
-            f"Relative to samcontact on {MAX_CELLS[problem]}² cells, times with set-up at a tenth of "
-            "the error of the grid:",
+            f"Relative to samcontact on {MAX_CELLS[problem]}² cells, times with set-up at a tenth "
+            "of the error of the grid:",
             table(without_empty(lines)),
         ]
     clocks = {
