@@ -21,7 +21,7 @@ INSTEAD = {
     r"\b(?:told|tells?|telling)\b": "state, warn, report, show",
     r"\banew\b": "again, new",
     r"\bfor ever\b": "without end",
-    r"\bstick and slip\b": "partial slip; stick zone, slip zone",
+    r"\bstick and slip\b(?! (?:zone|condition|cell|map))": "partial slip; stick zone, slip zone",
     r"\bgross sliding\b": "full sliding",
     r"\brise of (?:the )?temperature\b": "temperature rise",
     r"\b(?:un)?like bodies\b|\bbodies (?:un)?a?like\b": "dissimilar (identical) materials",
@@ -31,7 +31,7 @@ INSTEAD = {
     r"\bverdicts?\b": "check, result",
     r"\bdoubts?\b|\bdoubted\b": "plausibility check",
     r"\bgo(?:es)? on with\b": "continue, resume",
-    r"\bat first\b": "initial, initially",
+    r"\bat first\b(?! (?:yield|contact))": "initial, initially",
     r"\bbeside\b": "next to, in addition to",
     r"\btugs?\b|\btuggings\b": "collide, asperity collision",
 }
