@@ -272,7 +272,7 @@ def test_checkpoints_of_another_version_are_refused(tmp_path, monkeypatch):
     with monkeypatch.context() as older:
         older.setattr(file._core, "version", "0.0.9")
         run()
-    with pytest.raises(sc.CheckpointError, match=r"written by samcontact 0\.0\.9, and this is"):
+    with pytest.raises(sc.CheckpointError, match=r"was written by samcontact 0\.0\.9, not "):
         run()
-    with pytest.warns(UserWarning, match=r"written by samcontact 0\.0\.9, and this is"):
+    with pytest.warns(UserWarning, match=r"was written by samcontact 0\.0\.9, not "):
         sc.Simulation.load(tmp_path / "increment_00001.h5")
