@@ -63,10 +63,10 @@ class ContactLaw(Shown):
         ValueError, TypeError
             Something that the law excludes, or an argument of the wrong kind.
         """
-        require_type("heat", heat, Heat)
-        require_type("given", given, Mapping)
         if not self.attracts:
             return
+        require_type("heat", heat, Heat)
+        require_type("given", given, Mapping)
         if any(heat.factor) or heat.partition is not None:
             raise ValueError(
                 f"heat must be left out with contact_law = {self!r}, got {in_short(heat)}"
