@@ -26,13 +26,14 @@ using simulation::Simulation;
 using simulation::State;
 using simulation::Target;
 
-/// Heights (rows, ny), first row, whether periodic, what is worn off.
+/// Heights (rows, ny), first row, whether periodic, worn depth.
 using ReliefTuple = std::tuple<Array, int, bool, MaybeArray>;
 simulation::Reliefs to_reliefs(const std::array<std::optional<ReliefTuple>, 2>& given) {
   simulation::Reliefs reliefs;
   for (int b = 0; b < 2; ++b) {
-    if (!given[b]) continue;
-    const auto& [heights, first_row, periodic, worn] = *given[b];
+    const std::optional<ReliefTuple>& relief = given[b];
+    if (!relief) continue;
+    const auto& [heights, first_row, periodic, worn] = *relief;
     reliefs[b] = {to_field(heights), static_cast<int>(heights.shape(0)), first_row, periodic,
                   to_field_or_empty(worn)};
   }
