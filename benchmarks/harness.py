@@ -40,7 +40,7 @@ class Task:
     function: str
     """Name of a function in the part's module."""
     arguments: dict[str, Any] = field(default_factory=dict)
-    """Keyword arguments, JSON; also what tells tasks of equal case and method apart."""
+    """Keyword arguments, JSON; they also distinguish tasks of equal case and method."""
     reference: str = ""
     """The method whose time, in the same case with otherwise equal arguments, is 1."""
     threads: int = 0

@@ -102,7 +102,7 @@ def difference_of_the_drives(results: Results) -> float:
 
 
 def prints(states: list[sc.State]) -> np.ndarray:
-    """Permanent print at the centre [m]: unloading is elastic, so it is there under load."""
+    """Imprint depth at the centre [m]; unloading is elastic, so it equals that under load."""
     return np.array([s.residual_displacement().max() for s in states])
 
 

@@ -224,7 +224,7 @@ def stated_hardening(results: Results) -> list[Number | Statement]:
         say.trend(
             "pressure across",
             max(beside) < 0.01 and max(beside[1:]) == 0,
-            f", {100 * beside[0]:.1f} % higher beside it for E_t = 0" if beside[0] > 0 else "",
+            f", {100 * beside[0]:.1f} % higher next to it for E_t = 0" if beside[0] > 0 else "",
         ),
     ]
 

@@ -41,7 +41,7 @@ class Elastic:
     side: float
     load: float
     periodic: str = ""
-    """As of sc.Grid."""
+    """Periodic directions, as in sc.Grid."""
 
     @property
     def n(self) -> int:

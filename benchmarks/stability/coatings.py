@@ -41,7 +41,7 @@ def pressed(body: sc.Material | sc.Layered) -> sc.ContactSolution:
 
 
 def elastic(row: str) -> dict[str, Any]:
-    """Beside bodies without a coating; and what its pressure moves, by two layers in its place."""
+    """Differences from uncoated bodies, and from two half-thickness layers under its pressure."""
     stiffness, cells = row.split(SEPARATOR)
     coating, thickness = sc.Material.elastic(ratio(stiffness) * E, 0.3), float(cells) * SIZE
     # Equal materials become one layer: those that hardly differ are solved as two.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction from none to infinite, of like and unlike bodies: sliding, partial slip and rolling."""
+"""Friction from zero to infinite: sliding, partial slip, rolling; equal or dissimilar materials."""
 
 from __future__ import annotations
 

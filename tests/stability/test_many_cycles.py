@@ -71,10 +71,10 @@ def test_shakedown_to_the_last_bits(law, friction, cycles, method):
 
 
 def test_alternating_flow_settles():
-    """Shear to and fro flows for ever: the loop closes, each one adds the same and none drifts.
+    """Alternating shear causes flow in every cycle: loops close, are equal and do not drift.
 
-    Pressure and shear are prescribed, kinematic hardening is linear. Neighbouring cells settle with
-    each other, ever more slowly: what a cycle changes falls faster than 1/cycles.
+    Pressure and shear are prescribed, kinematic hardening is linear. Neighbouring cells adapt to
+    each other more and more slowly: the change per cycle falls faster than 1/cycles.
     """
     law = PERFECT.with_kinematic_hardening(0.2 * E)
     simulation = sc.Simulation(GRID, STEEL, law, GAP, tol=1e-8, on_border="warn")

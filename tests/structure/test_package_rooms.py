@@ -195,7 +195,7 @@ def test_no_module_reaches_into_the_privates_of_another():
 
 
 def test_no_test_file_imports_another():
-    """What several share is a module."""
+    """Code shared by several test files is a module of its own."""
     pattern = re.compile(r"^\s*(?:from|import) test_\w+", re.MULTILINE)
     files = (ROOT / "tests").rglob("*.py")
     assert [file.name for file in files if pattern.search(file.read_text())] == []

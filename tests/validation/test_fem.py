@@ -191,14 +191,14 @@ def test_unloading_is_elastic(run):
 
 
 class Shallow(Run):
-    """With few layers to show; plastic flow goes deeper."""
+    """Few output layers; plastic flow extends below them."""
 
     def _grid(self, radius, cells, width, depth):
         return super()._grid(radius, cells, width, 0.5)
 
 
 class Open(Run):
-    """Without layers given."""
+    """No number of layers given."""
 
     def _grid(self, radius, cells, width, depth):
         grid = super()._grid(radius, cells, width, depth)
@@ -206,7 +206,7 @@ class Open(Run):
 
 
 class Growing(Open):
-    """In a window that is too small at first."""
+    """Initial grid too small; it is enlarged automatically."""
 
     def _grid(self, radius, cells, width, depth):
         return super()._grid(radius, cells, 0.3, depth)

@@ -71,7 +71,7 @@ def test_rolling_against_finer_cells():
 
 
 def test_friction_work_of_rolling_that_is_missing():
-    """As the theory states it: of the first order in the cell."""
+    """The missing work is that stated on the theory page, of first order in the cell size."""
     stated = re.search(
         r"is ([\d, ]+) and \d+ % below force times creepage with ([\d, ]+) and",
         THEORY,

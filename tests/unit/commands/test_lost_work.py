@@ -172,7 +172,7 @@ def test_results_that_cannot_be_written_leave_checkpoints(
 
 
 def test_no_room_for_anything(case_file, tmp_path, monkeypatch):
-    """Of two errors the first is told, and what could not be kept."""
+    """The command reports the first of two errors, and the results that could not be stored."""
     full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
     monkeypatch.setattr(sc.Simulation, "step", stop_at(3, ERRORS[0]))
     monkeypatch.setattr(results, "save", fails(full))

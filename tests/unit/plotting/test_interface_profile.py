@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is drawn of the interfaces of a layered body is what they bear."""
+"""Profiles along interfaces of a layered body show the stresses above and below them."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The energy of stick and slip, and what a report tells of it."""
+"""Energy balance in partial slip, and its section in a report."""
 
 import math
 import re
