@@ -57,7 +57,10 @@ def test_load_unload_mirrors():
     ("call", "message"),
     [
         (lambda: paths.ramp(), "exactly one of load, approach must be given, got none"),
-        (lambda: paths.ramp(load=1.0, approach=1.0), "exactly one .* must be given, got load, approach"),
+        (
+            lambda: paths.ramp(load=1.0, approach=1.0),
+            "exactly one .* must be given, got load, approach",
+        ),
         (lambda: paths.ramp(load=float("inf")), "load must be a finite number, got inf"),
         (lambda: paths.ramp(approach=float("inf")), "approach must be a finite number, got inf"),
         (lambda: paths.ramp(load=1.0, increments=0), "increments must be an integer >= 1, got 0"),

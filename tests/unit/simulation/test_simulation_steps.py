@@ -256,8 +256,16 @@ class TestBadInput:
         ("arguments", "error", "text"),
         [
             ({}, ValueError, "one of load, approach, pressure must be given"),
-            ({"load": 1.0, "approach": 0.0}, ValueError, "pressure must be given, got load, approach"),
-            ({"load": 1.0, "pressure": BALL}, ValueError, "pressure must be given, got load, pressure"),
+            (
+                {"load": 1.0, "approach": 0.0},
+                ValueError,
+                "pressure must be given, got load, approach",
+            ),
+            (
+                {"load": 1.0, "pressure": BALL},
+                ValueError,
+                "pressure must be given, got load, pressure",
+            ),
             ({"load": -1.0}, ValueError, "load must be a finite number >= 0 [N], got -1"),
             ({"load": math.nan}, ValueError, "load must be a finite number >= 0 [N], got nan"),
             ({"load": math.inf}, ValueError, "load must be a finite number >= 0 [N], got inf"),
