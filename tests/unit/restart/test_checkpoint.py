@@ -252,7 +252,9 @@ class TestDamage:
             values = file["state/pressure"][...]
             del file["state/pressure"]
             file["state/pressure"] = values.astype(np.float32)
-        with pytest.raises(sc.CheckpointError, match="pressure must be of type float64, got float32"):
+        with pytest.raises(
+            sc.CheckpointError, match="pressure must be of type float64, got float32"
+        ):
             sc.Simulation.load(saved)
 
     def test_a_group_where_an_array_belongs(self, saved):
