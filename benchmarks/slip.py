@@ -191,17 +191,18 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         most = {m: max(row["shear_work"] for row in of[m]) for m in ("tol 1e-4", "tol 1e-8")}
         exact = max(row["shear_applications"] for row in of["tol 1e-8"])
         lines.append(
-            f"{n:.0f} cells across: transforms of at most {most['tol 1e-4']:.0f} exact "
-            f"displacements by shear at 1e-4, {most['tol 1e-8']:.0f} at 1e-8; at most "
-            f"{exact:.0f} are exact ones."
+            f"{n:.0f} cells across: the work for the shear is at most that of "
+            f"{most['tol 1e-4']:.0f} exact displacements at a tolerance of 1e-4, and of "
+            f"{most['tol 1e-8']:.0f} at 1e-8; at most {exact:.0f} of these are exact evaluations."
         )
     for row in rows:
         size, _, name = row["case"].partition(", ")
         if size == " x ".join(map(str, WHEEL_ON_RAIL)) and "time_s" in row:
             stated = CONTACT_STATES[name]
             lines.append(
-                f"{size} cells, {row['cells_in_contact']:.0f} touch, {name}: {row['time_s']:.2g} s;"
-                f" CONTACT states {stated:g} s for a wheel on a rail, 50 796 cells, in 2016."
+                f"{size} cells, {row['cells_in_contact']:.0f} in contact, {name}: "
+                f"{row['time_s']:.2g} s; "
+                f"CONTACT, as stated in 2016 for a wheel on a rail with 50 796 cells: {stated:g} s."
             )
     return ["\n".join(f"- {line}" for line in lines)] if lines else []
 
