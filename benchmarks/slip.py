@@ -100,14 +100,14 @@ def press_unlike(meter: Meter, n: int, last: int) -> dict[str, Any]:
 
 
 def ball(nx: int, ny: int, radius: float) -> tuple[sc.Grid, sc.Material, Any, float]:
-    """On 1 m x 1 m, with E* = 1 and a contact of a radius: grid, bodies, gap and load."""
+    """Return grid (1 m x 1 m), body, gap and load for E* = 1 and a given contact radius."""
     grid = sc.Grid(nx, ny, 1 / nx, 1 / ny)
     body = sc.Material.elastic(2 * (1 - NU * NU), NU)
     return grid, body, sc.surfaces.paraboloid(grid, 1.0), 4 / 3 * radius**3
 
 
 def rolled(grid: sc.Grid, body: sc.Material, gap: Any, load: float, tol: float) -> Any:
-    """A third of the creepage at which all slides, along x and y, with spin."""
+    """Solve steady rolling at a third of the creepage of full sliding, along x and y, with spin."""
     full = MU * abs(load) ** (1 / 3)
     return sc.rolling.steady(
         grid, body, body, gap, load=load, friction=sc.Coulomb(MU), tol=tol,
@@ -127,7 +127,7 @@ def roll_wide(meter: Meter, n: list[int]) -> dict[str, Any]:
 
 
 def shift(meter: Meter, n: list[int]) -> dict[str, Any]:
-    """Pressed and shifted, so far that rather more than half of the contact slips."""
+    """Solve a contact that is loaded and displaced until rather more than half of it slips."""
     grid, body, gap, load = ball(*n, WIDE_RADIUS)
     most = 3 * MU * load * softness() / (16 * WIDE_RADIUS)
     found = meter(
