@@ -79,7 +79,7 @@ def solve(case: str) -> None:
 
 @contextlib.contextmanager
 def beside(count: int) -> Iterator[None]:
-    """So many processes that do nothing else than take a processor."""
+    """Keep `count` processors busy with processes that do nothing else."""
     processes = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(count)]
     try:
         yield

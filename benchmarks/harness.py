@@ -48,7 +48,7 @@ class Task:
     rounds: int = 1
     """Fresh processes that measure it; the shortest time counts."""
     hidden: bool = False
-    """Only makes data for other tasks: no row in the tables."""
+    """Whether the task only makes data for other tasks, without a row in the tables."""
 
 
 def peak_memory() -> int:

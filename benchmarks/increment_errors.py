@@ -138,7 +138,7 @@ def true_error(name: str, states: Sequence[sc.State], finer: Sequence[sc.State])
 
 
 def _difference(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """In the layers that both have."""
+    """Return the difference of two fields in their common layers."""
     layers = slice(min(one.shape[-1], other.shape[-1]))
     return np.asarray(one[..., layers] - other[..., layers])
 

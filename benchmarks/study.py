@@ -32,7 +32,7 @@ Record = dict[str, Any]
 
 @dataclass(frozen=True)
 class Study:
-    """Points, how one is run, and what is made of the records."""
+    """Points of a study, the function for one point, and the output made from the records."""
 
     name: str
     about: str

@@ -29,7 +29,7 @@ ROUGH = ((256, 0.8), (256, 0.3), (1024, 0.8), (1024, 0.3))  # cells across, Hurs
 
 
 def press(gap: np.ndarray, grid: sc.Grid, load: float) -> list[sc.ContactSolution]:
-    """By a load, and by the approach that comes of it."""
+    """Solve under load control, and under approach control with the resulting approach."""
     solver = sc.ContactSolver(grid, RIGID, STEEL, on_border="warn")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sc.GridTooSmallWarning)

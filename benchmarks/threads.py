@@ -66,7 +66,7 @@ def solve(meter: Meter, case: str, n: int, method: str) -> dict[str, Any]:
 
 
 def press(meter: Meter, n: int) -> dict[str, Any]:
-    """Two balls up and back, `n` cells on the Hertz radius."""
+    """Load and unload two balls, with `n` cells per Hertz radius."""
 
     def run() -> sc.Simulation:
         simulation = balls(n)
@@ -79,7 +79,7 @@ def press(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def sweep(meter: Meter, cases: int, processes: int) -> dict[str, Any]:
-    """So many loads of a case, in processes of one thread each, their start included."""
+    """Solve `cases` loads of a case in single-threaded processes, including their start."""
     loads = [800.0 + 1600.0 * k / cases for k in range(cases)]
 
     def run() -> Any:

@@ -62,7 +62,7 @@ def hertz(load: float) -> sc.hertz.PointContact:
 
 
 def compute(quick: bool) -> Results:
-    """On the thesis's mesh and increments when quick, else on twice as many of both."""
+    """Compute on the mesh and increments of the thesis if quick, else on twice as many of both."""
     finer = 1 if quick else 2
     # odd counts along x and y keep a cell on the axis
     nx, ny = ((n - 1) * finer + 1 for n in MESH[:2])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pressed against rolled, one body inelastic or both, and linear hardening: section 3.2.2."""
+"""Loading without and with rolling, one or two elastic-plastic bodies, linear hardening: 3.2.2."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Results:
     runs: dict[Key, dict[float, Run]]
     """Results by pair, k and Hertz pressure [GPa]."""
     again: Run
-    """Pressed twice, without rolling."""
+    """Result of two loadings without rolling."""
     hardening: dict[float, Run]
     mesh: str
     hardening_mesh: str

@@ -34,7 +34,7 @@ def solver(body: sc.Material | sc.Layered) -> sc.ContactSolver:
 
 
 def pressed(body: sc.Material | sc.Layered) -> sc.ContactSolution:
-    """By half of the gap's height at three quarters of the half width."""
+    """Solve for an approach of the gap at 3/4 of the half-width of the grid."""
     half, made = 0.75 * CELLS / 2 * SIZE, solver(body)
     gap = sc.surfaces.paraboloid(made.grid, RADIUS)
     return made.solve(gap, approach=half**2 / (2 * RADIUS))

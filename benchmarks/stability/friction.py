@@ -52,8 +52,10 @@ def sliding(row: str) -> dict[str, Any]:
 
 
 def slipping(row: str) -> dict[str, Any]:
-    """Pressed, pulled by half of the friction, shifted until all slips, and rolled with creepage
-    and spin; what does not converge has no number."""
+    """Solve contacts under half the friction limit, in full sliding, and rolling with spin.
+
+    A solution that does not converge has no number.
+    """
     name, _, told = row.rpartition(", ")
     mu = math.inf if told == "∞" else float(told)
     pair, grid, gap, radius = scene(name, 3.2, 25)

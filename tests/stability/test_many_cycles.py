@@ -25,8 +25,8 @@ LAWS = {
 SETTLED = 60
 """Cycles within which what tol leaves open is taken up; each takes up a part of the rest."""
 REPEATED = {"exact": 1e-14, "fast": 1e-9}
-"""By how much a settled cycle changes, over the largest value. Fast transforms round: once in many
-cycles a cell at its yield stress flows by a rounding error, tol times less than an increment."""
+"""Maximum change per settled cycle, relative to the largest value. Fast transforms have rounding
+errors: once in many cycles a cell at its yield stress flows by tol times an increment."""
 SCENES = [
     ("linear", 0.0, 1000, "fast"),
     *((law, friction, 100, "exact") for law in LAWS for friction in (0.0, 0.2)),

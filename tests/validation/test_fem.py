@@ -256,7 +256,7 @@ def test_differences_fall_with_refinement(name, measured):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_exact_and_fast_residual_stress(name, measured):
-    """They differ by less than either does from the finite elements on this mesh."""
+    """Both methods differ less from each other than from the finite elements on this mesh."""
     runs = [Run(name, 12, 12, residual_stress=method) for method in ("exact", "fast")]
     exact, fast = (run.scalars() for run in runs)
     largest = max(abs(exact[quantity][0] / fast[quantity][0] - 1) for quantity in PLASTIC)
@@ -265,7 +265,7 @@ def test_exact_and_fast_residual_stress(name, measured):
 
 
 class TestPerfectPlasticity:
-    """Case 2d: a rigid paraboloid pressed to ten critical interferences and taken away."""
+    """Case 2d: a rigid paraboloid loaded to ten critical interferences and unloaded."""
 
     CRITICAL, RADIUS = 1.10909e-6, 10e-3
     TABLE = "Perfect plasticity"

@@ -17,7 +17,7 @@ E = 210e9
 
 
 def run(nu, cells, path):
-    """On cells of the contact radius over a number."""
+    """Run a path with `cells` cells per contact radius; return states, errors and the radius."""
     body = sc.Material.elastic(E, nu)
     radius = sc.hertz.point(R, sc.hertz.effective_modulus(body, body), load=LOAD).a
     grid = sc.Grid(2 * cells + 9, 2 * cells + 9, radius / cells, radius / cells)

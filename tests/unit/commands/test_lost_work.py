@@ -36,7 +36,7 @@ def expected(case_file, tmp_path_factory):
 
 
 def after(function, action):
-    """The function, and then what ends the command."""
+    """Return a function that calls `function`, then `action`, which ends the command."""
 
     def called(*arguments, **named):
         value = function(*arguments, **named)
@@ -301,7 +301,7 @@ class TestOneRunAtATime:
 
 
 def test_a_run_replaces_the_files_of_the_one_before(case_file, tmp_path, monkeypatch):
-    """Its figures, report and exports, when the new results are there; none of anyone else."""
+    """A run removes old figures, reports and exports once new results exist, but no other files."""
     command = ("run", case_file, "--output", tmp_path, "--quiet")
     assert invoke(*command).exit_code == 0
     assert invoke("report", tmp_path).exit_code == 0

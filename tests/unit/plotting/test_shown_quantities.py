@@ -99,7 +99,7 @@ def test_rounding_below_zero_is_none_of_another_quantity(state, simulation):
 
 
 def test_given_tractions_that_pull_are_shown(tmp_path):
-    """Also where the bodies overlap: neither is white."""
+    """Prescribed tension and overlap of the bodies are drawn in colour, not white."""
     grid = Grid(21, 21, 1e-6, 1e-6)
     gap = surfaces.paraboloid(grid, 1e-3)
     simulation = Simulation(grid, ELASTIC, ELASTIC, gap)

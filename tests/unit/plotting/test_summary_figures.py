@@ -83,7 +83,7 @@ def test_without_a_volume(tmp_path, undrawn):
 
 
 def test_profiles_run_where_there_is_something(tmp_path, drawn, undrawn):
-    """On a rough surface nothing may touch in the middle."""
+    """Profiles run through the maximum: the middle of a rough surface may be out of contact."""
     simulation = make_simulation()
     grid = simulation.grid
     state = FakeState(grid, 1500.0)
