@@ -36,7 +36,7 @@ def pressed(body1: Case, body2: Case, load: float, surface: Case = BALL, **more:
 
 
 def rolled(body1: Case, load: float, distance: float, surface: Case, passes: int = 1) -> Case:
-    """Over a Swift body, which is unloaded after each pass."""
+    """Case of rolling over a body of Swift hardening, unloaded after each pass."""
     roll = {"distance": distance, "step": 25e-6, "passes": passes}
     return pressed(body1, SWIFT, load, surface) | {"path": [{"load": load, "roll": roll}]}
 

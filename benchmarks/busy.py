@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Processor and wall time of one and two threads, next to processes that are always busy.
 
-One and two threads take turns, so that what else the machine does meets both. Two threads should
-cost at most 1.3 times the processor time of one beside busy processes, and not be slower.
+One and two threads take turns, so that other work of the machine affects both. While other
+processes are busy, two threads should cost at most 1.3 times the processor time of one, and not be
+slower.
 """
 
 from __future__ import annotations
@@ -78,7 +79,7 @@ def solve(case: str) -> None:
 
 @contextlib.contextmanager
 def beside(count: int) -> Iterator[None]:
-    """So many processes that do nothing else than take a processor."""
+    """Keep `count` processors busy with processes that do nothing else."""
     processes = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(count)]
     try:
         yield

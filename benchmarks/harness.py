@@ -40,7 +40,7 @@ class Task:
     function: str
     """Name of a function in the part's module."""
     arguments: dict[str, Any] = field(default_factory=dict)
-    """Keyword arguments, JSON; also what tells tasks of equal case and method apart."""
+    """Keyword arguments, JSON; they also distinguish tasks of equal case and method."""
     reference: str = ""
     """The method whose time, in the same case with otherwise equal arguments, is 1."""
     threads: int = 0
@@ -48,7 +48,7 @@ class Task:
     rounds: int = 1
     """Fresh processes that measure it; the shortest time counts."""
     hidden: bool = False
-    """Only makes data for other tasks: no row in the tables."""
+    """Whether the task only makes data for other tasks, without a row in the tables."""
 
 
 def peak_memory() -> int:

@@ -76,10 +76,10 @@ def apply(meter: Meter, box: str, file: str, method: str) -> dict[str, Any]:
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """The largest error over its bound."""
+    """Return a sentence with the largest error for each bound."""
     worst: dict[float, float] = {}
     for row in rows:
         bound = float(row["method"].removeprefix("image_tol "))
         worst[bound] = max(worst.get(bound, 0.0), row["error: stress, largest"])
-    told = [f"{error:.1e} at {bound:.0e}" for bound, error in worst.items()]
+    told = [f"{error:.1e} for image_tol {bound:.0e}" for bound, error in worst.items()]
     return [f"Largest error of all boxes: {', '.join(told)}."]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Errors by the increments, stated and true, for the table in docs/theory/accuracy.md.
+"""Increment errors, estimated and true, for the table in docs/theory/accuracy.md.
 
-The scenes serve tests/unit/simulation/test_increment_errors.py too.
+The cases are also used by tests/unit/simulation/test_increment_errors.py too.
 """
 
 from __future__ import annotations
@@ -69,16 +69,16 @@ def rolled(load: float, size: float, count: int) -> Path:
 
 
 class Setup(NamedTuple):
-    """A body pressed, shaken or rolled on another."""
+    """Contact case: a body pressed, fretted or rolled on another."""
 
     cells: int
-    """Across the elastic contact."""
+    """Number of cells across the elastic contact."""
     make: Callable[[int], sc.Simulation]
-    """With so many cells."""
+    """Simulation for a number of cells."""
     path: Callable[[sc.Simulation, int], Path]
-    """With so many increments in each segment."""
+    """Load path for a number of increments in each segment."""
     fields: tuple[str, ...]
-    """That depend on them."""
+    """Names of the fields with increment errors."""
     counts: tuple[int, ...] = (1, 4, 16)
     many: int = 64
 
@@ -113,7 +113,7 @@ SCENES = {
 
 
 def solved(scene: Setup, count: int) -> tuple[sc.Simulation, Path, list[sc.State]]:
-    """Solve a scene with so many increments in each segment of its path."""
+    """Solve a case with `count` increments in each segment of its path."""
     simulation = scene.make(scene.cells)
     path = scene.path(simulation, count)
     return simulation, path, simulation.run(path, progress=False)
@@ -138,7 +138,7 @@ def true_error(name: str, states: Sequence[sc.State], finer: Sequence[sc.State])
 
 
 def _difference(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """In the layers that both have."""
+    """Return the difference of two fields in their common layers."""
     layers = slice(min(one.shape[-1], other.shape[-1]))
     return np.asarray(one[..., layers] - other[..., layers])
 
@@ -161,7 +161,7 @@ def errors(scene: Setup, counts: Sequence[int], many: int) -> dict[str, list[tup
 def stated_errors(names: Sequence[str] = tuple(SCENES), runs: int | None = None) -> str:
     """True errors by the increments, and their ratio to the stated ones.
 
-    runs: how many of the numbers of increments of each scene; all where None.
+    runs: how many of the increment counts of each case to run; None: all.
     """
     rows = []
     for name in names:

@@ -104,5 +104,5 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
             f"{label} {np.max([row[f'{label}, {name}'] for row in rows]):.2f}"
             for label in ("iteration", "first increment", "memory")
         ]
-        lines.append(f"- {name}, at most, over homogeneous: {', '.join(told)}.")
+        lines.append(f"- {name}, maximum ratio to a homogeneous body: {', '.join(told)}.")
     return ["\n".join(lines)]

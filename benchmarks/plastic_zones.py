@@ -112,7 +112,7 @@ def solve(
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """Time, memory and fields of zones over those of one box."""
+    """Return a sentence per size: zones compared with one box in time, memory and fields."""
     lines = []
     for across in sorted({row["across"] for row in rows}):
         at = [row for row in rows if row["across"] == across]
@@ -122,8 +122,8 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
             memory = [b["memory_MB"] / a["memory_MB"] for a, b in zip(one, zones, strict=True)]
             errors = [row[key] for row in zones for key in row if key.startswith("error: ")]
             lines.append(
-                f"- {across:.0f} cells across, zones over one box: time {min(times):.2f} to "
-                f"{max(times):.2f}, memory {min(memory):.2f} to {max(memory):.2f}; fields differ "
-                f"by {max(errors):.1e} at most."
+                f"- {across:.0f} cells across: zones need {min(times):.2f} to {max(times):.2f} of "
+                f"the time and {min(memory):.2f} to {max(memory):.2f} of the memory of one box; "
+                f"fields differ by at most {max(errors):.1e}."
             )
     return ["\n".join(lines)] if lines else []

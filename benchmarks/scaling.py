@@ -93,8 +93,9 @@ def exponents(rows: list[dict[str, Any]]) -> dict[str, float]:
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """Sentences below the table."""
+    """Return the sentences below the table."""
     return [
-        f"Fast, {FITTED[0]:.0e} to {FITTED[1]:.0e} cells: {quantity} grows as cells^{value:.2f}."
+        f"Fast method, {FITTED[0]:.0e} to {FITTED[1]:.0e} cells: "
+        f"{quantity} grows as cells^{value:.2f}."
         for quantity, value in exponents(rows).items()
     ]

@@ -34,7 +34,7 @@ HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 
 This page states by how much [%] each number on a page of the [gallery](gallery.md) changes when the
 mesh is changed: cells halved in both directions, layers halved, load increments halved, or the grid
-made a quarter wider and deeper (column "window"), one at a time. Each section states whether the
+made a quarter wider and deeper (column "grid size"), one at a time. Each section states whether the
 mesh is that of the page or the coarse one of the tests, about half as fine. The changes on the
 coarse mesh are about the improvement from the coarse mesh to that of the page, and about an upper
 bound of the remaining error of the page.
@@ -62,7 +62,7 @@ def resized(
         nx, ny, dx, dy = 2 * nx - nx % 2, 2 * ny - ny % 2, dx / 2, dy / 2
     elif what == "layers" and dz is not None:
         nz, dz = 2 * nz, dz / 2
-    elif what == "window":
+    elif what == "grid size":
         nx, ny, nz = nx + 2 * round(nx / 8), ny + 2 * round(ny / 8), nz + round(nz / 4)
     return nx, ny, dx, dy, nz, dz
 

@@ -100,14 +100,14 @@ def press_unlike(meter: Meter, n: int, last: int) -> dict[str, Any]:
 
 
 def ball(nx: int, ny: int, radius: float) -> tuple[sc.Grid, sc.Material, Any, float]:
-    """On 1 m x 1 m, with E* = 1 and a contact of a radius: grid, bodies, gap and load."""
+    """Return grid (1 m x 1 m), body, gap and load for E* = 1 and a given contact radius."""
     grid = sc.Grid(nx, ny, 1 / nx, 1 / ny)
     body = sc.Material.elastic(2 * (1 - NU * NU), NU)
     return grid, body, sc.surfaces.paraboloid(grid, 1.0), 4 / 3 * radius**3
 
 
 def rolled(grid: sc.Grid, body: sc.Material, gap: Any, load: float, tol: float) -> Any:
-    """A third of the creepage at which all slides, along x and y, with spin."""
+    """Solve steady rolling at a third of the creepage of full sliding, along x and y, with spin."""
     full = MU * abs(load) ** (1 / 3)
     return sc.rolling.steady(
         grid, body, body, gap, load=load, friction=sc.Coulomb(MU), tol=tol,
@@ -127,7 +127,7 @@ def roll_wide(meter: Meter, n: list[int]) -> dict[str, Any]:
 
 
 def shift(meter: Meter, n: list[int]) -> dict[str, Any]:
-    """Pressed and shifted, so far that rather more than half of the contact slips."""
+    """Solve a contact that is loaded and displaced until rather more than half of it slips."""
     grid, body, gap, load = ball(*n, WIDE_RADIUS)
     most = 3 * MU * load * softness() / (16 * WIDE_RADIUS)
     found = meter(
@@ -191,17 +191,18 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         most = {m: max(row["shear_work"] for row in of[m]) for m in ("tol 1e-4", "tol 1e-8")}
         exact = max(row["shear_applications"] for row in of["tol 1e-8"])
         lines.append(
-            f"{n:.0f} cells across: transforms of at most {most['tol 1e-4']:.0f} exact "
-            f"displacements by shear at 1e-4, {most['tol 1e-8']:.0f} at 1e-8; at most "
-            f"{exact:.0f} are exact ones."
+            f"{n:.0f} cells across: the work for the shear is at most that of "
+            f"{most['tol 1e-4']:.0f} exact displacements at a tolerance of 1e-4, and of "
+            f"{most['tol 1e-8']:.0f} at 1e-8; at most {exact:.0f} of these are exact evaluations."
         )
     for row in rows:
         size, _, name = row["case"].partition(", ")
         if size == " x ".join(map(str, WHEEL_ON_RAIL)) and "time_s" in row:
             stated = CONTACT_STATES[name]
             lines.append(
-                f"{size} cells, {row['cells_in_contact']:.0f} touch, {name}: {row['time_s']:.2g} s;"
-                f" CONTACT states {stated:g} s for a wheel on a rail, 50 796 cells, in 2016."
+                f"{size} cells, {row['cells_in_contact']:.0f} in contact, {name}: "
+                f"{row['time_s']:.2g} s; "
+                f"CONTACT, as stated in 2016 for a wheel on a rail with 50 796 cells: {stated:g} s."
             )
     return ["\n".join(f"- {line}" for line in lines)] if lines else []
 

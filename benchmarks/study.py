@@ -32,7 +32,7 @@ Record = dict[str, Any]
 
 @dataclass(frozen=True)
 class Study:
-    """Points, how one is run, and what is made of the records."""
+    """Points of a study, the function for one point, and the output made from the records."""
 
     name: str
     about: str
@@ -51,7 +51,7 @@ class Study:
     lasting: bool = False
     """Whether measurements take so long that each is kept, and --docs measures nothing."""
     keeps_quick: bool = False
-    """Whether the small points are kept beside the others."""
+    """Whether the small points are stored together with the others."""
     figures: str = DRAWN
     """Folder of its figures: docs/figures where no records are stored to draw them from."""
 

@@ -29,7 +29,7 @@ ROUGH = ((256, 0.8), (256, 0.3), (1024, 0.8), (1024, 0.3))  # cells across, Hurs
 
 
 def press(gap: np.ndarray, grid: sc.Grid, load: float) -> list[sc.ContactSolution]:
-    """By a load, and by the approach that comes of it."""
+    """Solve under load control, and under approach control with the resulting approach."""
     solver = sc.ContactSolver(grid, RIGID, STEEL, on_border="warn")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sc.GridTooSmallWarning)
@@ -82,7 +82,7 @@ def shakedown_limits(frictions: Sequence[float] = FRICTIONS) -> str:
 
 
 def rolling_reach(steps: int = 100) -> str:
-    """What the track beyond a part of the grid's length changes, over the largest pressure."""
+    """Pressure error if the track beyond `reach` is neglected, relative to the largest pressure."""
     body = sc.Material.elastic(310e9, 0.29)
     steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
     d, radius, load = 80e-6, 4.7625e-3, 1150.0
@@ -222,7 +222,7 @@ def grid_errors(
 
 
 def increments(few: Sequence[int] = (1, 4, 16), many: int = 64, across: int = 16) -> str:
-    """What few increments up to 1500 N and one back change for two balls, against many."""
+    """Errors of two balls loaded to 1500 N in few increments and unloaded in one, against many."""
 
     def values(count: int) -> np.ndarray:
         simulation = balls(across)

@@ -23,7 +23,7 @@ AXES = (("cells",), ("time_ratio",))
 BASE = "1 thread"
 SIZES = {
     "contact": (64, 256, 1024),
-    "stick and slip": (64, 256, 1024),
+    "partial slip": (64, 256, 1024),
     "increments": (8, 24, 40),
     "zones": (64, 256, 512),
     "sweep": (4, 16, 64),
@@ -31,12 +31,12 @@ SIZES = {
 ROUNDS = 3  # of all but sweeps, which take minutes
 LARGE_SIZES = {
     "contact": 256**2,
-    "stick and slip": 256**2,
+    "partial slip": 256**2,
     "increments": 1e5,
     "zones": 1e5,
     "sweep": 64,
 }
-"""Cells, or cases, from which on the second thread has to pay: a process starts in a second."""
+"""Minimum cells (of a sweep: cases) of a large case; starting a process takes a second."""
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
@@ -53,11 +53,11 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def solve(meter: Meter, case: str, n: int, method: str) -> dict[str, Any]:
-    """Any of them; harness sets the number of threads."""
+    """Solve one case; the harness sets the number of threads."""
     if case == "contact":
         found = elastic_rough.contact(meter, n, "tol 1e-8")
         return {"cells": n * n, "across": n, "contact_iterations": found.iterations}
-    if case == "stick and slip":
+    if case == "partial slip":
         return {**slip.solve(meter, n, 0.5, "tol 1e-6"), "errors": {}}
     if case == "zones":
         simulation, states = plastic_zones.run(meter, n, 5, "auto")
@@ -66,7 +66,7 @@ def solve(meter: Meter, case: str, n: int, method: str) -> dict[str, Any]:
 
 
 def press(meter: Meter, n: int) -> dict[str, Any]:
-    """Two balls up and back, `n` cells on the Hertz radius."""
+    """Load and unload two balls, with `n` cells per Hertz radius."""
 
     def run() -> sc.Simulation:
         simulation = balls(n)
@@ -79,7 +79,7 @@ def press(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def sweep(meter: Meter, cases: int, processes: int) -> dict[str, Any]:
-    """So many loads of a case, in processes of one thread each, their start included."""
+    """Solve `cases` loads of a case in single-threaded processes, including their start."""
     loads = [800.0 + 1600.0 * k / cases for k in range(cases)]
 
     def run() -> Any:
@@ -99,13 +99,14 @@ def efficiency(row: dict[str, Any]) -> float:
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """The worst of the large ones, and of the small ones."""
+    """Minimum efficiency of the large cases, and maximum time ratio of the small ones."""
     lines = []
     for case in SIZES:
         both = [row for row in rows if row["case"] == case and row["method"] != BASE]
         large = [efficiency(row) for row in both if row["cells"] >= LARGE_SIZES[case]]
         small = [row["time_ratio"] for row in both if row["cells"] < LARGE_SIZES[case]]
-        told = [f"efficiency of two at least {min(large):.2f}"] if large else []
-        told += [f"small ones take {max(small):.2f} times as long as on one"] if small else []
+        told = [f"efficiency of two threads at least {min(large):.2f}"] if large else []
+        if small:
+            told.append(f"small cases take up to {max(small):.2f} times as long as on one")
         lines += [f"- {case}: {'; '.join(told)}."] if told else []
     return ["\n".join(lines)]

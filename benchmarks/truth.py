@@ -23,8 +23,9 @@ FINER_INCREMENTS = {
     "given approach": (3, (16, 32, 64)),
     "V1, rigid tip": (6, (4, 8, 16)),
 }
-"""Where what more increments than four change is large, or depends on the grid: on which, and how
-many. Of the rigid tip the residual stress at the rim: it falls by 5 % on grid 3, by 1 % on 6."""
+"""Cases whose change with more than four increments is large or depends on the grid: number of the
+grid, increments. For the rigid tip this is the residual stress at the rim: it falls by 5 % on
+grid 3, by 1 % on grid 6."""
 Values = NDArray[np.float64]
 
 

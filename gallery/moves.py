@@ -9,20 +9,20 @@ from pathlib import Path
 from typing import Any
 
 TABLE = Path(__file__).parents[1] / "benchmarks" / "sensitivity.json"
-CHANGES = ("cells", "layers", "increments", "window")
+CHANGES = ("cells", "layers", "increments", "grid size")
 OWN_MESH_NOTE = """\
-Moves: by how much the numbers change at most when the cells, layers or increments of the
-page's mesh are halved, or its window is made larger ([sensitivity](../sensitivity.md)).
+Moves: maximum change of the numbers if the cells, layers or increments of the page's mesh are
+halved, or its grid is enlarged ([sensitivity](../sensitivity.md)).
 """
 COARSE_MESH_NOTE = """\
-Moves: by how much the numbers change at most when the cells, layers or increments of a
-mesh about half as fine as the page's are halved, or its window is made larger
-([sensitivity](../sensitivity.md)); about an upper bound of their error.
+Moves: maximum change of the numbers if the cells, layers or increments of a mesh about half as
+fine as that of the page are halved, or its grid is enlarged ([sensitivity](../sensitivity.md)).
+This is approximately an upper bound of their error.
 """
 BOTH_MESHES_NOTE = """\
-Moves: by how much the numbers change at most when the cells, layers or increments of the
-page's mesh are halved, or its window is made larger; in brackets where the largest change is that
-of a mesh about half as fine ([sensitivity](../sensitivity.md)), about an upper bound of the error.
+Moves: maximum change of the numbers if the cells, layers or increments of the page's mesh are
+halved, or its grid is enlarged ([sensitivity](../sensitivity.md)). Values in brackets are changes
+of a mesh about half as fine and are approximately upper bounds of the error.
 """
 
 

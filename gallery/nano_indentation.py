@@ -62,7 +62,7 @@ def hertz(load: float) -> sc.hertz.PointContact:
 
 
 def compute(quick: bool) -> Results:
-    """On the thesis's mesh and increments when quick, else on twice as many of both."""
+    """Compute on the mesh and increments of the thesis if quick, else on twice as many of both."""
     finer = 1 if quick else 2
     # odd counts along x and y keep a cell on the axis
     nx, ny = ((n - 1) * finer + 1 for n in MESH[:2])
@@ -102,7 +102,7 @@ def difference_of_the_drives(results: Results) -> float:
 
 
 def prints(states: list[sc.State]) -> np.ndarray:
-    """Permanent print at the centre [m]: unloading is elastic, so it is there under load."""
+    """Imprint depth at the centre [m]; unloading is elastic, so it equals that under load."""
     return np.array([s.residual_displacement().max() for s in states])
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pressed against rolled, one body inelastic or both, and linear hardening: section 3.2.2."""
+"""Loading without and with rolling, one or two elastic-plastic bodies, linear hardening: 3.2.2."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Results:
     runs: dict[Key, dict[float, Run]]
     """Results by pair, k and Hertz pressure [GPa]."""
     again: Run
-    """Pressed twice, without rolling."""
+    """Result of two loadings without rolling."""
     hardening: dict[float, Run]
     mesh: str
     hardening_mesh: str
@@ -224,7 +224,7 @@ def stated_hardening(results: Results) -> list[Number | Statement]:
         say.trend(
             "pressure across",
             max(beside) < 0.01 and max(beside[1:]) == 0,
-            f", {100 * beside[0]:.1f} % higher beside it for E_t = 0" if beside[0] > 0 else "",
+            f", {100 * beside[0]:.1f} % higher next to it for E_t = 0" if beside[0] > 0 else "",
         ),
     ]
 

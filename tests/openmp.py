@@ -13,7 +13,10 @@ def own(count):
 
 
 def told_with(script, *threads):
-    """What it prints with each of them, also on a busy machine; it may import what tests share."""
+    """Return the output of a script for each number of threads.
+
+    The number is exact on a busy machine too. The script may import modules shared by tests.
+    """
     paths = [str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")]
     shared = {"PYTHONPATH": os.pathsep.join(filter(None, paths))}
     return [

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The numbers that validation tests measure, how they are stored, and the page made of them.
 
-``python tests/validation_page.py`` writes the page anew from the stored numbers, which is enough
+``python tests/validation_page.py`` rewrites the page from the stored numbers, which is enough
 after a change of its text (docs/validation.md.jinja).
 """
 
@@ -24,13 +24,13 @@ REPEATS = 0.05
 
 @dataclasses.dataclass(frozen=True)
 class Row:
-    """A number beside its reference, both in `unit`."""
+    """A number and its reference, both in `unit`."""
 
     table: str
     quantity: str
     mesh: str
     source: str
-    """Where the reference comes from, if the table has more than one origin."""
+    """Origin of the reference, if the table has more than one."""
     ours: float
     reference: float
     """Zero if `ours` is itself a difference."""
@@ -54,12 +54,12 @@ class Row:
         return abs(self.ours - self.reference) <= self.limit
 
     def repeats(self, stored: Row) -> bool:
-        """Whether the same was measured before, against the same."""
+        """Whether the stored row has the same reference and the same number, but for rounding."""
         same = dataclasses.replace(self, ours=stored.ours) == stored
         return same and abs(self.ours - stored.ours) <= REPEATS * self.limit
 
     def cells(self) -> list[str]:
-        """What the page says; the unit stands once."""
+        """Cells of the row on the page, each value with its unit."""
         unit = f" {self.unit}" if self.unit else ""
         difference, scale = self.ours - self.reference, 1.0
         if self.relative:
@@ -83,7 +83,7 @@ class Row:
 
 
 class Measured:
-    """What one test measures; compared with what is stored, if that is given."""
+    """Numbers measured by one test, compared with the stored ones, if given."""
 
     def __init__(self, test: str, stored: dict[tuple[str, str, str, str], Row] | None) -> None:
         self.test, self.stored = test, stored

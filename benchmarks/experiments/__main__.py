@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.experiments: indentation beside what experiments found, as a page."""
+"""python -m benchmarks.experiments: page of indentation against experiments."""
 
 from .page import STUDY
 

@@ -113,7 +113,7 @@ def solve(across: int) -> dict[str, float]:
 
 
 def finite_elements(folder: Path, across: int, flatter: float | None = None) -> dict[str, float]:
-    """Numbers of the scene on a mesh, with its elements and the processor's time [s].
+    """Results of the finite-element model, number of elements and processor time [s].
 
     flatter: as of decks.
 

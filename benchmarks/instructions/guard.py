@@ -46,7 +46,7 @@ def allowances(messages: str) -> dict[str, float]:
 def compare(
     before: dict[str, int], after: dict[str, int], allowed: dict[str, float]
 ) -> tuple[list[tuple[str, str, str, str, str]], list[str]]:
-    """Rows (kernel, before, after, change, verdict) and the kernels that grew too much."""
+    """Rows (kernel, before, after, change, result) and the kernels that grew too much."""
     rows, failed = [], []
     for kernel in sorted(before.keys() | after.keys()):
         old, new = before.get(kernel), after.get(kernel)

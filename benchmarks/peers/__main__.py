@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.peers: samcontact beside other open codes. See docs/peers.md."""
+"""python -m benchmarks.peers: comparison with other open codes. See docs/peers.md."""
 
 from __future__ import annotations
 

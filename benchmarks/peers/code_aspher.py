@@ -62,8 +62,8 @@ class Hierarchical(Contact):
 
 
 class Slip:
-    """`FrictionSolver` with its preconditioner. Its tolerance is one of the residuals of stick and
-    slip; where it says that it has not converged, it has no result."""
+    """`FrictionSolver` with its preconditioner. The tolerance bounds one of its stick and slip
+    residuals; a run reported as not converged has no result."""
 
     tolerances = (1e-1, 1e-2, 1e-3, 1e-4)
 

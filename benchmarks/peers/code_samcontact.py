@@ -38,8 +38,8 @@ class Contact:
 
 
 class Slip:
-    """Stick and slip of two like bodies, each twice as stiff: pressure and shear do not act on each
-    other, as in ASPHER."""
+    """Partial slip of two identical materials, each twice as stiff: pressure and shear are
+    uncoupled, as in ASPHER."""
 
     tolerances = (1e-1, 1e-2, 1e-4, 1e-6, 1e-8)
 

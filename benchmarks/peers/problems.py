@@ -41,7 +41,7 @@ class Elastic:
     side: float
     load: float
     periodic: str = ""
-    """As of sc.Grid."""
+    """Periodic directions, as in sc.Grid."""
 
     @property
     def n(self) -> int:
@@ -111,8 +111,10 @@ def slipping(n: int, case: str) -> Slipping:
 
 
 def rough(n: int, case: str) -> Elastic:
-    """Self-affine, Hurst exponent 0.8, the shortest wave of eight cells: every grid has a surface
-    of its own, as rough as it can carry."""
+    """Self-affine surface with Hurst exponent 0.8 and a shortest wavelength of eight cells.
+
+    Every grid has its own surface, with the finest roughness that the grid resolves.
+    """
     crown, load = ROUGH_CASES[case]
     grid = sc.Grid(n, n, ROUGH_SIDE / n, ROUGH_SIDE / n)
     gap = sc.surfaces.paraboloid(grid, crown)

@@ -81,7 +81,7 @@ class Task:
     code: str
     tol: float
     folder: str = ""
-    """Where references are kept; no part of what tells tasks apart, as the clock."""
+    """Folder of the references; like the clock, it does not distinguish tasks."""
     clock: str = "perf_counter"
     """Name in `time`."""
 

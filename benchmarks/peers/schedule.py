@@ -193,7 +193,7 @@ def measure_all(
 
 
 def finest_of(chosen: list[str]) -> list[Task]:
-    """Of each problem and case; before the others, whose errors it tells."""
+    """Return the finest task of each problem and case, run first as the reference for errors."""
     return [
         Task(problem, case, MAX_CELLS[problem], "samcontact", tight(problem)["samcontact"])
         for problem in chosen

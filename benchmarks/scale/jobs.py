@@ -85,7 +85,7 @@ def rough(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def zones(meter: Meter, n: int) -> dict[str, Any]:
-    """Under a rigid flat, in two increments, spots yield in zones of their own."""
+    """Press a rough surface by a rigid flat in two increments; spots yield in separate zones."""
     grid, gap = surface(n)
     load = PLASTIC_PRESSURE * (n * CELL) ** 2
 
@@ -126,7 +126,7 @@ def ball(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def rolling(meter: Meter, n: int) -> dict[str, Any]:
-    """Pressed in four increments, then steps of a quarter of the Hertz radius of `n` cells."""
+    """Load in four increments, then roll in steps of 1/4 of the Hertz radius of `n` cells."""
     d = CONTACT_RADIUS / n
     grid = sc.Grid(5 * n + 1, 4 * n + 1, d, d, int(2.2 * n), d)
     step = {"load": LOAD, "advance": (-0.25 * CONTACT_RADIUS, -0.25 * CONTACT_RADIUS)}
@@ -143,8 +143,10 @@ def rolling(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def coated(meter: Meter, n: int) -> dict[str, Any]:
-    """A rigid ball on a hard elastic coating, a quarter as thick as the contact's radius, on steel
-    that yields; two increments."""
+    """Press a rigid ball, in two increments, on a hard elastic coating on elastic-plastic steel.
+
+    The coating is a quarter as thick as the contact radius.
+    """
     load, radius = 900.0, 10e-3
     modulus = sc.hertz.effective_modulus(sc.Material.rigid(), STEEL)
     d = sc.hertz.point(radius, modulus, load=load).a / n

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What extreme scenes cost and lose: units, cycles, materials, cells, friction and coatings."""
+"""Cost and accuracy of extreme cases: units, cycles, materials, cells, friction, coatings."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.stability: what extreme scenes cost and lose."""
+"""python -m benchmarks.stability: cost and accuracy of extreme cases."""
 
 from .page import STUDY
 

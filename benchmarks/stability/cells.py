@@ -50,7 +50,7 @@ def long_cells(row: str) -> dict[str, Any]:
 
 
 def dent(cells: tuple[int, int, int]) -> tuple[sc.State, np.ndarray]:
-    """Of a ball: peak pressure, depth of its print, volume integral of the plastic strain."""
+    """Loaded state; peak pressure [Pa], imprint depth [m], integral of the plastic strain [m³]."""
     nx, ny, nz = cells
     grid = sc.Grid(nx, ny, 3.2 * EXACT.a / nx, 3.2 * EXACT.a / ny, nz, 2 * EXACT.a / nz)
     simulation = sc.Simulation(grid, STEEL, SOFT, sc.surfaces.paraboloid(grid, RADIUS))
@@ -61,7 +61,7 @@ def dent(cells: tuple[int, int, int]) -> tuple[sc.State, np.ndarray]:
 
 
 def flat_cells(row: str) -> dict[str, Any]:
-    """Beside the fine square ones."""
+    """Differences from fine square cells."""
     state, values = dent(FLAT[row])
     pressure, depth, volume = np.abs(values / dent(FLAT["square, fine"])[1] - 1)
     return {

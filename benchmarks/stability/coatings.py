@@ -34,14 +34,14 @@ def solver(body: sc.Material | sc.Layered) -> sc.ContactSolver:
 
 
 def pressed(body: sc.Material | sc.Layered) -> sc.ContactSolution:
-    """By half of the gap's height at three quarters of the half width."""
+    """Solve for an approach of the gap at 3/4 of the half-width of the grid."""
     half, made = 0.75 * CELLS / 2 * SIZE, solver(body)
     gap = sc.surfaces.paraboloid(made.grid, RADIUS)
     return made.solve(gap, approach=half**2 / (2 * RADIUS))
 
 
 def elastic(row: str) -> dict[str, Any]:
-    """Beside bodies without a coating; and what its pressure moves, by two layers in its place."""
+    """Differences from uncoated bodies, and from two half-thickness layers under its pressure."""
     stiffness, cells = row.split(SEPARATOR)
     coating, thickness = sc.Material.elastic(ratio(stiffness) * E, 0.3), float(cells) * SIZE
     # Equal materials become one layer: those that hardly differ are solved as two.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction from none to infinite, of like and unlike bodies: sliding, partial slip and rolling."""
+"""Friction from zero to infinite: sliding, partial slip, rolling; equal or dissimilar materials."""
 
 from __future__ import annotations
 
@@ -52,8 +52,10 @@ def sliding(row: str) -> dict[str, Any]:
 
 
 def slipping(row: str) -> dict[str, Any]:
-    """Pressed, pulled by half of the friction, shifted until all slips, and rolled with creepage
-    and spin; what does not converge has no number."""
+    """Solve contacts under half the friction limit, in full sliding, and rolling with spin.
+
+    A solution that does not converge has no number.
+    """
     name, _, told = row.rpartition(", ")
     mu = math.inf if told == "∞" else float(told)
     pair, grid, gap, radius = scene(name, 3.2, 25)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cost and accuracy of extreme scenes: rows of all tables, and their page."""
+"""Cost and accuracy of extreme cases: rows of all tables, and their page."""
 
 from __future__ import annotations
 

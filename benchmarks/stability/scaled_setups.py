@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes of what sticks, slips, is layered, repeats itself or tires, in any system of units."""
+"""Cases with partial slip, layers, periodicity and fatigue, in any system of units."""
 
 import itertools
 
@@ -96,7 +96,7 @@ def heat_of_slip(unit):
 
 
 def coated(unit):
-    """Stick and slip of a stiff coating."""
+    """Partial slip on a stiff coating."""
     body = sc.Layered([(unit.elastic(400e9, 0.25), 90e-6 * unit.m)], unit.elastic())
     return fretting(unit, unit.elastic(300e9, 0.2), body)[0]
 
@@ -197,7 +197,7 @@ def yielding_layers(unit):
 
 
 def to_accuracy(unit):
-    """Grids and increments are chosen, errors told."""
+    """Run to an accuracy: automatic grids and increments, estimated errors."""
     E, m = 210e9 * unit.Pa, unit.m
     soft = {"law": "linear_hardening", "E": E, "nu": 0.3, "yield_stress": 1e9 * unit.Pa}
     found = sc.to_accuracy(

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 COUNT, VALUE, ROUNDING = "count", "value", "rounding"
-"""Kinds of columns: iterations, numbers of the scene, and what would be zero in real numbers."""
+"""Kinds of columns: iteration counts, results, and numbers that are zero in exact arithmetic."""
 
 
 class Column(NamedTuple):
@@ -24,7 +24,7 @@ class Column(NamedTuple):
         return f"{value:.0f}" if self.kind == COUNT else f"{value:.1e}"
 
     def agree(self, value: float | None, stored: float | None) -> bool:
-        """Whether a row solved anew, maybe on another machine, has this number again."""
+        """Whether a repeated run, perhaps on another machine, reproduces the stored number."""
         if value is None or stored is None:
             return value is stored
         if self.kind == COUNT:

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Static capacity of rolling bearings: ISO 76's question asked of bodies that yield."""
+"""Static capacity of rolling bearings: the criterion of ISO 76 for elastic-plastic bodies."""

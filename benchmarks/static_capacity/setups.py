@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contacts of rolling bearings, pressed once and released: the print of both bodies together."""
+"""Contacts of rolling bearings, loaded once and unloaded: sum of both imprint depths."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ NAMES = ("experiments", "finite_elements", "peers", "static_capacity")
 
 
 def key(name: str) -> str:
-    """Of what the figures of a folder of the benchmarks depend on."""
+    """Digest of the inputs of the figures of a benchmark folder."""
     found = hashlib.sha256(fingerprint().encode())
     for file in sorted([*BENCHMARKS.glob("*.py"), *(BENCHMARKS / name).glob("*.*")]):
         found.update(file.name.encode() + file.read_bytes())

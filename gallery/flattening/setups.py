@@ -65,7 +65,7 @@ class Results:
     surface: list[Surface]
     """Results by coefficient of friction."""
     study: list[Surface]
-    """Without friction, on other meshes."""
+    """Results without friction on other meshes."""
     cells: int
 
     def at(self, ratio: float) -> Point:

@@ -29,7 +29,7 @@ class Elastic:
     pressure: np.ndarray
     z: np.ndarray
     von_mises: np.ndarray
-    """On x = y = 0."""
+    """Von Mises stress at x = y = 0."""
     largest_at: tuple[float, float]
     """x, z of the largest von Mises stress in the plane y = 0."""
 

@@ -180,7 +180,7 @@ def onset(cells: int, factors: np.ndarray) -> Onset:
 def pressure_curves(
     plastic: dict[float, list[Plastic]], cells: int, plastic_cells: int
 ) -> dict[str, tuple[float, list[tuple[str, np.ndarray, np.ndarray]]]]:
-    """Figure 2.21, from cases of 1500 N that are there, and new ones."""
+    """Curves of figure 2.21, from the computed cases of 1500 N and additional ones."""
     depths = np.linspace(0.0, 1.6, 65) * HERTZ.a
     curves = {}
     for load, factor, width, depth in ((LOAD, 0.20, 4.0, 1.6), (LARGE_LOAD, 0.05, 3.0, 1.6)):

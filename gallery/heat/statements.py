@@ -41,7 +41,7 @@ def mesh_of(results: Results, factor: float) -> str:
 
 
 def largest_residual(case: Plastic) -> tuple[float, float]:
-    """Value and depth; where it is in the first layer, that at the surface."""
+    """Return maximum and depth; a maximum in the first layer is replaced by the surface value."""
     if case.residual_largest[1] > case.z[0]:
         return case.residual_largest
     return at_surface(case.residual), 0.0

@@ -61,7 +61,7 @@ class Plastic:
     gamma: float
     pressure: float
     residual: float
-    """Largest, at the middle of a layer or, on the axis, at the surface."""
+    """Largest residual stress, at mid-depth of a layer or, on the axis, at the surface."""
 
 
 @dataclass

@@ -26,7 +26,7 @@ STATED = Stated("transient_heat")
 
 
 def still_missing(time: float) -> float:
-    """What a source at rest lacks of its steady temperature after a long time [K].
+    """Difference of a stationary source from its steady temperature after a long time [K].
 
     A point source has Q/(2 pi k r) erfc(r/sqrt(4 kappa t)): Carslaw & Jaeger (1959), section 10.4.
     """

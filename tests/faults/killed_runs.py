@@ -183,7 +183,7 @@ def refused(run, folder):
     return run(folder) + " " + told[-1]
 """
 )
-"""Of any kind: `computed("kind|way|folder")`. The way is nothing, or one of
+"""Script for a run of any kind: `computed("kind|way|folder")`. The way is empty, or one of
 "disk BYTES": the largest size of a file;
-"twice": with a second run in the folder, whose error follows the digest;
-"memory BYTES": what there is, the most that was asked for follows the digest, or the error."""
+"twice": a second run starts in the folder, and its error follows the digest;
+"memory BYTES": available memory; the largest request, or the error, follows the digest."""

@@ -60,7 +60,7 @@ class Driven:
         return heat
 
     def timing(self, way=None):
-        """Of a ramp."""
+        """Return the duration of a ramp, if the case depends on time."""
         if not self.timed:
             return {}
         return {"duration": (abs(way) if way else self.scene.a) / self.speed}

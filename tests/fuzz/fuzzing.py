@@ -28,7 +28,7 @@ INPUTS = {
 
 
 def tried(name):
-    """Runs a test with `count` inputs, and as a slow one with more."""
+    """Parametrise a test with `count` inputs, and with more inputs if slow."""
     few, many = INPUTS[name]
     slow = pytest.param(many, marks=pytest.mark.slow, id="many")
     return pytest.mark.parametrize("count", [pytest.param(few, id="few"), slow])

@@ -2,8 +2,8 @@
 """Outcomes of randomly drawn cases, counted for docs/testing.md.
 
 `python tests/fuzz/setup_counts.py LOG ...` writes the counts and the table of that page. A log is
-what `python tests/fuzz/test_fuzz_setups.py FIRST LAST` prints; of a scene that is in several lines
-the last counts.
+the output of `python tests/fuzz/test_fuzz_setups.py FIRST LAST`. If a case occurs in several lines,
+the last line counts.
 """
 
 import json
@@ -19,7 +19,7 @@ COUNTS = Path(__file__).with_suffix(".json")
 PAGE = Path(__file__).parents[2] / "docs" / "testing.md"
 PLACE = re.compile(r"(<!-- table: drawn_setups -->\n).*?(<!-- end of table -->)", re.DOTALL)
 OUTCOMES = ("solved", "border", "convergence", "unbounded flow", "parts", "heat steps", "FAILED")
-"""As in the logs; but for the first and the last, refused by name."""
+"""Outcomes named in the logs; all but the first and the last are refusals."""
 
 
 def laws(case):

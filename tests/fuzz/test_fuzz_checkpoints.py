@@ -228,5 +228,5 @@ def test_edited_wear(worn, tmp_path, count):
 
 
 def test_what_the_libraries_raise_is_refused():
-    """CheckpointError is one of them: what is refused in a helper stays refused above."""
+    """READ_ERRORS contain CheckpointError, so that a refusal in a helper remains a refusal."""
     assert issubclass(CheckpointError, READ_ERRORS)

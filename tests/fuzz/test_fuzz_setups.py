@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Thousands of drawn cases: solved within the laws and in balance, or refused with a reason.
 
-`python tests/fuzz/test_fuzz_setups.py 2000 3000` solves the scenes of these numbers and tells what
-each came to, which `setup_counts.py` counts.
+`python tests/fuzz/test_fuzz_setups.py 2000 3000` solves the cases with these numbers and prints the
+outcome of each, which `setup_counts.py` counts.
 """
 
 import sys
@@ -22,7 +22,7 @@ from samcontact.cases import Case, CaseError
 
 MIN_SETUPS, MAX_SETUPS = INPUTS["drawn cases"]
 SETUPS_PER_PART = 250
-"""Scenes of a slow test."""
+"""Number of cases in one slow test."""
 EXPECTED = (
     sc.ResolutionWarning, sc.ElasticStrainWarning, sc.PlasticStrainWarning,
     sc.GridTooSmallWarning, sc.UnitWarning, sc.IncrementWarning, sc.shakedown.NotSteadyWarning,
@@ -35,14 +35,15 @@ REFUSALS = {
     "heat steps": (CaseError, "heat.history must"),  # too short for the cells
     "strain beyond": (ValueError, "grid must contain the plastic strain"),  # in cycles to shakedown
 }
-"""What the errors are, and say that helps."""
+"""Type of each refusal, and a part of its message."""
 FOUND = {
     2274: "heat steps", 2369: "solved", 2832: "solved", 3291: "solved", 4508: "solved",
     7906: "convergence", 7921: "solved",
 }  # fmt: skip
-"""Scenes that failed once, and what they come to."""
+"""Numbers of cases that once failed, and their outcome."""
 MUCH_MISSING, FALLS = 0.6, 0.75
-"""Of the energy put in; and what twice the increments leave of more than that at most."""
+"""Missing fraction of the work input that requires a second run with twice the increments, and the
+largest allowed ratio of the second missing fraction to the first."""
 REFUSING = tuple({kind for kind, _ in REFUSALS.values()})
 
 

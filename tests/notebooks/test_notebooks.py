@@ -73,7 +73,7 @@ def test_links_lead_somewhere(path):
 
 @notebooks
 def test_runs_and_shows_figures(path):
-    """With warnings as errors; the site has the same run."""
+    """Warnings are errors. The site shows the outputs of this run."""
     run = executed(read(path))
     outputs = [o for cell in run.cells for o in cell.get("outputs", ())]
     assert sum("image/png" in o.get("data", {}) for o in outputs) >= 3

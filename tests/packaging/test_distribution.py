@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What users install: the source distribution builds; recipes say what pyproject.toml says."""
+"""Distribution: the source distribution builds, and recipes agree with pyproject.toml."""
 
 import re
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the installation that is tested holds, and what it needs of the machine."""
+"""Contents of the tested installation, and its requirements on the machine."""
 
 import re
 import subprocess

@@ -26,7 +26,7 @@ CORE = {
 
 
 def call(*command):
-    """Output of a command, which fails the test with all that it says."""
+    """Return the output of a command; if it fails, the test fails with its output."""
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout

@@ -66,8 +66,8 @@ def require_law(law, now, before):
 
 @pytest.mark.parametrize("kind", BOUNDED, ids=lambda kind: kind.law)
 def test_random_contacts_keep_to_the_law(kind):
-    """All have a solution, but where the bound jumps at the edge of bodies unlike: there cells may
-    neither touch, which their shear prevents, nor part."""
+    """All contacts have a solution, except where the shear bound jumps at the contact edge of
+    dissimilar materials: a cell there may neither close, because of its shear, nor open."""
     solved, alike, unlike = np.sum([follow(kind, seed) for seed in range(40)], axis=0)
     assert alike == 0
     jumps = np.isinf(kind(*(1.0 for _ in kind.constants)).ratio(0.0))

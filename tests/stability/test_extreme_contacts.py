@@ -49,7 +49,7 @@ def flat(grid):
 
 
 def wavy(grid):
-    """Pressed flat by the larger loads below."""
+    """Return the gap of a wavy surface that the larger loads below flatten completely."""
     waves = np.cos(2 * np.pi * grid.x[:, None] / 3.1e-4) * np.cos(2 * np.pi * grid.y / 3.1e-4)
     return 1e-7 * (1 - waves)
 
@@ -171,7 +171,7 @@ def test_step_in_a_ball(height, friction):
 @pytest.mark.parametrize("friction", [0.0, 0.1, 0.3, 0.6, 1.0])
 @pytest.mark.parametrize("pair", [(RIGID, CORK), (CORK, RIGID), (STEEL, CORK), (STEEL, STEEL)])
 def test_friction_up_to_one(pair, friction):
-    """Without friction symmetric in x; with coupling, the pressure tilts with the shear."""
+    """The pressure is symmetric in x without friction or coupling; otherwise the shear tilts it."""
     grid = sc.Grid(37, 31, 1.5e-5, 1.8e-5)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     solver = sc.ContactSolver(grid, *pair, friction)

@@ -50,7 +50,7 @@ def test_coupled_friction_of_one_at_any_poisson_ratio(nu1, nu2):
 
 @pytest.mark.parametrize(("nx", "ny"), [(24, 384), (384, 24), (24, 1536), (24, 96), (96, 24)])
 def test_long_cells(nx, ny):
-    """Up to dx:dy = 64:1, 24 cells across: no worse than square cells of that size, 0.6 %."""
+    """Cells up to dx:dy = 64:1, 24 across: errors of square cells of the longer side, 0.6 %."""
     grid, found, exact = ball(nx, ny)
     expected = exact.pressure(grid.x[:, None], grid.y)
     assert found.approach == pytest.approx(exact.approach, rel=5e-4)
@@ -62,7 +62,7 @@ PRIMES = [(23, 29), (31, 37), (61, 47), (127, 23), (19, 97), (7, 61)]
 
 @pytest.mark.parametrize(("nx", "ny"), PRIMES)
 def test_prime_numbers_of_cells(nx, ny):
-    """Within the error of the coarser side, less than (0.4 cell/contact radius)^1.5."""
+    """The error is that of the coarser direction, below (0.4 cell/contact radius)^1.5."""
     _, found, exact = ball(nx, ny)
     cell = 2.6 / min(nx, ny)
     assert found.approach == pytest.approx(exact.approach, rel=(0.4 * cell) ** 1.5)

@@ -65,7 +65,7 @@ def is_number(value):
 
 
 def spoiled(value, bad):
-    """Each copy of an argument in which one number is replaced; and one number for an array."""
+    """Yield copies of an argument with one number replaced; for an array also the number alone."""
     if is_number(value):
         yield bad
     elif isinstance(value, np.ndarray) and value.dtype.kind == "f":

@@ -25,8 +25,8 @@ LAWS = {
 SETTLED = 60
 """Cycles within which what tol leaves open is taken up; each takes up a part of the rest."""
 REPEATED = {"exact": 1e-14, "fast": 1e-9}
-"""By how much a settled cycle changes, over the largest value. Fast transforms round: once in many
-cycles a cell at its yield stress flows by a rounding error, tol times less than an increment."""
+"""Maximum change per settled cycle, relative to the largest value. Fast transforms have rounding
+errors: once in many cycles a cell at its yield stress flows by tol times an increment."""
 SCENES = [
     ("linear", 0.0, 1000, "fast"),
     *((law, friction, 100, "exact") for law in LAWS for friction in (0.0, 0.2)),
@@ -71,10 +71,10 @@ def test_shakedown_to_the_last_bits(law, friction, cycles, method):
 
 
 def test_alternating_flow_settles():
-    """Shear to and fro flows for ever: the loop closes, each one adds the same and none drifts.
+    """Alternating shear causes flow in every cycle: loops close, are equal and do not drift.
 
-    Pressure and shear are prescribed, kinematic hardening is linear. Neighbouring cells settle with
-    each other, ever more slowly: what a cycle changes falls faster than 1/cycles.
+    Pressure and shear are prescribed, kinematic hardening is linear. Neighbouring cells adapt to
+    each other more and more slowly: the change per cycle falls faster than 1/cycles.
     """
     law = PERFECT.with_kinematic_hardening(0.2 * E)
     simulation = sc.Simulation(GRID, STEEL, law, GAP, tol=1e-8, on_border="warn")

@@ -20,7 +20,7 @@ SIZE, RADIUS, LOAD = 1e-6, 30e-6, 0.04
 GRID = sc.Grid(64, 64, SIZE, SIZE, 6, SIZE)
 SETTLED = 20
 REPEATED = 1e-12
-"""By how much a settled cycle changes what it finds, over the largest value."""
+"""Maximum change of fields by a settled cycle, relative to the largest value."""
 
 pytestmark = pytest.mark.filterwarnings(
     "ignore::samcontact.GridTooSmallWarning", "ignore::samcontact.PlasticStrainWarning"
@@ -56,7 +56,7 @@ def assert_balanced(state, load):
     [("perfect", 0.2, 30), ("kinematic", 0.0, 30), *long(*itertools.product(LAWS, FRICTIONS))],
 )
 def test_asperities_shake_down(law, friction, cycles):
-    """After few cycles all are equal: subdomains neither creep nor activate each other."""
+    """Cycles after the first few are equal: subdomains neither creep nor activate each other."""
     bodies = sc.Simulation(GRID, ELASTIC, LAWS[law], asperities(), friction, on_border="warn")
     first = bodies.step(load=LOAD)
     for cycle in range(cycles):
@@ -81,7 +81,7 @@ def test_asperities_shake_down(law, friction, cycles):
     ("friction", "cycles"), [(0.0, 20), *long(*((friction,) for friction in FRICTIONS))]
 )
 def test_zones_that_flow_to_and_fro_settle(friction, cycles):
-    """Sharp spots yield again when they are let go; what a cycle adds falls as one over them."""
+    """Sharp spots yield again on unloading; the change per cycle decreases as 1/cycles."""
     bodies = simulation(ELASTIC, LAWS["kinematic"], friction=friction)
     before = bodies.step(load=PERCENT).plastic_strain()
     grown, changes = [], []

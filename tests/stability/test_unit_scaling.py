@@ -36,9 +36,9 @@ def test_same_digits_in_other_units(scene, units):
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_same_bits_in_powers_of_two(scene):
-    """Such units change no mantissa, so nothing may compare or add what has different units; but
-    for numbers that vanish beside the largest, where logarithms of lengths are added, and for the
-    certified values of runs to an accuracy."""
+    """Such units change no mantissa, so results are bit-identical if no code compares or adds
+    quantities of different units. Exceptions: numbers negligible against the largest, where
+    logarithms of lengths are added, and error-controlled values of runs to an accuracy."""
     least = 1e-13 if scene == "to an accuracy" else 1e-17
     for name, values in SCENES[scene](Units(*POWERS_OF_TWO)).items():
         if scene in SLIDING:

@@ -53,7 +53,7 @@ WRONG = {
 
 
 def check(name, function, arguments, argument):
-    """Each wrong value is taken for what it is, or refused by name."""
+    """A value of a wrong kind is accepted as an equivalent valid one, or refused by name."""
     problems = []
     for kind, wrong in WRONG.items():
         if argument in PLACES and isinstance(wrong, str):

@@ -38,12 +38,12 @@ def prose(page):
 
 @pytest.mark.parametrize("block", EXAMPLES)
 def test_example_runs(block, tmp_path, monkeypatch, capsys):
-    """And prints what it says beside a `print`, to the digits given."""
+    """An example runs and prints the numbers in the comments after its `print`, to their digits."""
     monkeypatch.chdir(tmp_path)
     exec(compile(block, "example", "exec"), {"__name__": "example"})
     printed = capsys.readouterr().out.split()
-    beside = r"^print\(.*\)  # (\d[\d.]*)(e-?\d+)?\b"
-    for digits, power in re.findall(beside, block, re.MULTILINE):
+    commented = r"^print\(.*\)  # (\d[\d.]*)(e-?\d+)?\b"
+    for digits, power in re.findall(commented, block, re.MULTILINE):
         last = 0.5001 * float(f"1{power or 'e0'}") * 10.0 ** -len(digits.partition(".")[2])
         numbers = [float(word) for word in printed if re.fullmatch(r"[\d.]+(?:e-?\d+)?", word)]
         assert any(abs(number - float(digits + power)) <= last for number in numbers), digits

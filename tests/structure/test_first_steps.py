@@ -38,7 +38,7 @@ def command(folder, *words):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """After `samcontact run` of the tutorial's case, and of one with another ball and load."""
+    """Folder after runs of the case of the tutorial, and of one with another ball and load."""
     folder = tmp_path_factory.mktemp("user")
     (folder / "ball.toml").write_text(CASE)
     own = CASE.replace("Rx = 7.5e-3", 'Rx = "6.35 mm"').replace("load = 1500.0", 'load = "1.2 kN"')

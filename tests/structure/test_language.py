@@ -21,7 +21,7 @@ INSTEAD = {
     r"\b(?:told|tells?|telling)\b": "state, warn, report, show",
     r"\banew\b": "again, new",
     r"\bfor ever\b": "without end",
-    r"\bstick and slip\b(?! (?:zone|condition|cell|map))": "partial slip; stick zone, slip zone",
+    r"\bstick and slip\b(?! (?:zone|condition|cell|map|residual))": "partial slip",
     r"\bgross sliding\b": "full sliding",
     r"\brise of (?:the )?temperature\b": "temperature rise",
     r"\b(?:un)?like bodies\b|\bbodies (?:un)?a?like\b": "dissimilar (identical) materials",

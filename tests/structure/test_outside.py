@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What reproduces and measures stands outside the package: public names, data that exist once."""
+"""Gallery and benchmarks are outside the package: they use public names and unique data."""
 
 import ast
 import graphlib
@@ -58,7 +58,7 @@ def test_scripts_use_public_names():
 
 
 def taken(file):
-    """Modules beside it that a script imports, anywhere in it."""
+    """Neighbouring modules that a script imports, at any place in the file."""
     package = [*file.relative_to(ROOT).parts[:-1]]
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):

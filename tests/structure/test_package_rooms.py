@@ -79,7 +79,10 @@ def test_scipy_is_loaded_by_one_module():
 
 
 def test_cached_properties_have_no_lock():
-    """That of the standard library before Python 3.12, which hangs a child forked meanwhile."""
+    """Only the own cached_property is used.
+
+    Before Python 3.12, the lock of that in functools can block a process forked meanwhile.
+    """
     loads = re.compile(
         r"^\s*from functools import .*cached_property|functools\.cached", re.MULTILINE
     )
@@ -195,7 +198,7 @@ def test_no_module_reaches_into_the_privates_of_another():
 
 
 def test_no_test_file_imports_another():
-    """What several share is a module."""
+    """Code shared by several test files is a module of its own."""
     pattern = re.compile(r"^\s*(?:from|import) test_\w+", re.MULTILINE)
     files = (ROOT / "tests").rglob("*.py")
     assert [file.name for file in files if pattern.search(file.read_text())] == []

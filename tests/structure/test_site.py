@@ -101,7 +101,7 @@ def test_long_signatures_have_a_line_for_each_parameter(site):
 
 
 def test_parameters_are_none_of_the_words_between(site):
-    """As are words of a sentence that stands among them, taken for names."""
+    """Words of a sentence between parameters must not be taken for parameter names."""
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
     types = re.findall(r"<strong>[^<]*</strong> \(<em>([^<]*)</em>", text)
     assert types
@@ -110,7 +110,7 @@ def test_parameters_are_none_of_the_words_between(site):
 
 
 def test_what_a_property_says_is_not_taken_for_its_type(site):
-    """As is what stands before a colon in its first line."""
+    """Text before a colon in the first line of a property must not be taken for its type."""
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
     types = re.findall(r'Type<span class="colon">:</span></dt>\s*<dd[^>]*><p>(.*?)</p>', text)
     assert types

@@ -6,7 +6,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 UNIT = ROOT / "tests" / "unit"
 OUTSIDE = {"benchmarks", "gallery", "reference"}
-"""Folders beside the package."""
+"""Folders next to the package."""
 
 
 def rooms():

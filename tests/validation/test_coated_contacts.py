@@ -107,7 +107,7 @@ def test_substrate_that_yields_below_a_coating():
 
 
 def hertz_pressure(grid, a, p0, parts=10):
-    """Its means over cells, with the right force."""
+    """Return cell means of the Hertz pressure [Pa], scaled to the exact force."""
     offsets = (np.arange(parts) + 0.5) / parts - 0.5
     x, y = ((c[:, None] + offsets * d).ravel() for c, d in ((grid.x, grid.dx), (grid.y, grid.dy)))
     p = p0 * np.sqrt(np.maximum(0.0, 1 - (x[:, None] ** 2 + y**2) / a**2))

@@ -191,14 +191,14 @@ def test_unloading_is_elastic(run):
 
 
 class Shallow(Run):
-    """With few layers to show; plastic flow goes deeper."""
+    """Few output layers; plastic flow extends below them."""
 
     def _grid(self, radius, cells, width, depth):
         return super()._grid(radius, cells, width, 0.5)
 
 
 class Open(Run):
-    """Without layers given."""
+    """No number of layers given."""
 
     def _grid(self, radius, cells, width, depth):
         grid = super()._grid(radius, cells, width, depth)
@@ -206,7 +206,7 @@ class Open(Run):
 
 
 class Growing(Open):
-    """In a window that is too small at first."""
+    """Initial grid too small; it is enlarged automatically."""
 
     def _grid(self, radius, cells, width, depth):
         return super()._grid(radius, cells, 0.3, depth)
@@ -256,7 +256,7 @@ def test_differences_fall_with_refinement(name, measured):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_exact_and_fast_residual_stress(name, measured):
-    """They differ by less than either does from the finite elements on this mesh."""
+    """Both methods differ less from each other than from the finite elements on this mesh."""
     runs = [Run(name, 12, 12, residual_stress=method) for method in ("exact", "fast")]
     exact, fast = (run.scalars() for run in runs)
     largest = max(abs(exact[quantity][0] / fast[quantity][0] - 1) for quantity in PLASTIC)
@@ -265,7 +265,7 @@ def test_exact_and_fast_residual_stress(name, measured):
 
 
 class TestPerfectPlasticity:
-    """Case 2d: a rigid paraboloid pressed to ten critical interferences and taken away."""
+    """Case 2d: a rigid paraboloid loaded to ten critical interferences and unloaded."""
 
     CRITICAL, RADIUS = 1.10909e-6, 10e-3
     TABLE = "Perfect plasticity"

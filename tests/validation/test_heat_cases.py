@@ -25,7 +25,7 @@ def grid_of(cells, width=1.3, **volume):
 
 
 def von_mises(grid, factor, load, z):
-    """Of the elastic contact, at the depths z."""
+    """Von Mises stress [Pa] of the elastic contact at the depths z [m]."""
     solver = sc.ContactSolver(grid, COLD, WARM, heat=sc.Heat(factor))
     pressure = solver.solve(sc.surfaces.paraboloid(grid, RADIUS), load=load).pressure
     s = solver.stress(pressure, z)

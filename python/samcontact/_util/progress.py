@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Any, TextIO
 
 MAX_LINES = 10
-"""Maximum number of lines of a call whose messages go to a file or a pipe."""
+"""Maximum number of progress lines per call if they are written to a file or a pipe."""
 
 
 def progress_bar(

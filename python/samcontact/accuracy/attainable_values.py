@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
 
 _ESTIMATE_MARGIN = 3.0
-"""Safety factor of the estimates: gaps within 3 % of a paraboloid, plastic contacts by the yield
-stress."""
+"""Safety factor on the estimates: Hertz theory for gaps within 3 % of a paraboloid, and the yield
+stress for elastic-plastic contacts."""
 _UNIT_ERROR_FACTORS = {
     "m": {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9},
     "m²": {"mm²": 1e-6, "µm²": 1e-12},

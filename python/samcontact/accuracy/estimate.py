@@ -29,11 +29,12 @@ MIN_EXTRAPOLATION_ERROR = 0.5
 MIN_CORRECTION_CHANGE = 0.03
 """Minimum relative change, on a finer grid, of a correction found on a coarse grid."""
 CORRECTION_CHANGE_PER_GRID = 3.0
-"""Relative change of such a correction, divided by the relative difference between the grids."""
+"""Relative change of a correction on a finer grid, divided by the relative difference between the
+grids."""
 
 FIRST_ORDER_RATIOS = 1.4, 3.0
 """Range of the ratio of corrections for n and 2 n increments that counts as first order. Outside
-this range, the excess over twice the latter may differ on a finer grid."""
+this range, the excess over twice the correction for 2 n may differ on a finer grid."""
 
 MIN_AREA_CORRECTION_CHANGE = 0.3
 """Minimum change of the correction of the contact area, relative to the correction of the maximum

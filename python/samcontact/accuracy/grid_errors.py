@@ -52,8 +52,8 @@ _MIN_ERROR_OF_KIND = 0.2
 """Minimum error of a quantity, relative to the largest relative difference of its kind: two grids
 may agree by chance."""
 _AREA_ERROR_FACTOR = 0.7
-"""Bound of the relative error of the area of round spots, over (cells per radius)^-1.5. It applies
-to wavy surfaces; the error for balls is half of it."""
+"""Factor C of the bound C (cells per radius)^-1.5 on the relative error of the area of round spots.
+It applies to wavy surfaces; the error for balls is half of it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -248,7 +248,7 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
 
 
 def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
-    """Return the increments for comparing volume quantities: maximum stress, and the last."""
+    """Return the increments at which volume quantities are compared: maximum stress, and last."""
     from ..results.zones import max_von_mises
 
     bodies = {int(name[-1]) for name in names if name.startswith("max_von_mises")}

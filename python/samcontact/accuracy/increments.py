@@ -13,7 +13,7 @@ from .estimate import by_grid, irregular, of_doublings
 from .refinable_case import GridRun
 
 Runs = Mapping[tuple[int, int], GridRun]
-"""Runs by grid and increments."""
+"""Runs, keyed by grid and number of increments."""
 TRIAL_LEVEL = 1
 """Grid on which all numbers of increments are solved."""
 

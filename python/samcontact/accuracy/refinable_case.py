@@ -36,7 +36,8 @@ HERTZ_MARGIN = 1.35
 HERTZ_MARGIN_ALONG_TRAVEL = 2.0
 """Half-width along x for moving bodies, to keep plastic strain in the grid for this distance."""
 TOL_SHARE = 0.01
-"""Tolerance of the iteration, relative to the accuracy; values have a tenth of this error."""
+"""Tolerance of the iteration, relative to the accuracy; the error of the values is about a tenth of
+the tolerance."""
 _FRESH_START_FACTOR = 8
 """Factor on the increments of a segment with a `start`. The start may be beyond the value reached
 before; with few increments, the first increment would not be."""

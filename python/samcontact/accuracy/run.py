@@ -36,7 +36,8 @@ MAX_CORRECTION_CHANGE = 0.5
 """Possible change of the correction on a finer grid, relative to the accuracy, above which the
 correction is determined on a finer grid."""
 NEXT_GRID_TIME_SHARE = 0.5
-"""Limit of the time for this, relative to the time of the next grid."""
+"""Time limit of a run with more increments on a finer grid, relative to the expected time of the
+next grid."""
 MAX_CORRECTED_ERROR = 10.0
 """Error of the increments used, relative to the accuracy, up to which it is corrected."""
 MAX_GRIDS = 24
@@ -104,7 +105,7 @@ class AccuracySearch:
             report_progress(self._errors_above_target(found), shown=self.progress and enough)
             if enough and worst <= 1.0:
                 break
-            if enough and self._is_increment_error_known(grids):
+            if enough and self._reduce_increment_error(grids):
                 continue
             if not self._affordable(grids, worst):
                 break
@@ -161,6 +162,7 @@ class AccuracySearch:
         return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
+        """Solve with twice the increments if limits allow; return whether it was done."""
         series = trial_runs(self.runs)
         count = 2 * series[-1].increments if series else MIN_INCREMENTS
         costs = self.seconds + 2 * series[-1].seconds if len(series) >= 3 else 0.0
@@ -214,8 +216,11 @@ class AccuracySearch:
         """Return the maximum ratio of some errors alone to the prescribed accuracy."""
         return float(np.max(self._relative(self._join(grids[-1].values, errors)) / self.wanted))
 
-    def _is_increment_error_known(self, grids: list[GridRun]) -> bool:
-        """Solve with more increments, or on a finer grid, if their errors alone are too large."""
+    def _reduce_increment_error(self, grids: list[GridRun]) -> bool:
+        """Make a run that reduces the increment error, if too large; return whether it was made.
+
+        The run has more increments, or is on a finer grid.
+        """
         if not self.scene.has_history:
             return False
         found = correction(self.runs, self.used, grids[-1].values)

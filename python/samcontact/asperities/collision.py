@@ -99,14 +99,14 @@ class Collision:
         increments : int
             Number of increments from first contact to separation, >= 4.
         cells_per_increment : int
-            Cells that the contact moves over body 2 per increment, >= 1.
+            Displacement of the contact over body 2 per increment, in cells of dx, >= 1.
         width : float
-            Half-width of the grid over sqrt(2 R interference), the radius of the disc in which the
-            undeformed spheres overlap.
+            Half-width of the grid, as a multiple of sqrt(2 R interference), the radius of the disc
+            in which the undeformed spheres overlap.
         depth : float
-            Depth of the grid over this radius.
+            Depth of the grid, as a multiple of the radius of this disc.
         dy, dz : float
-            Cell sizes along y and z over the cell size along x.
+            Cell sizes along y and z, as multiples of the cell size along x.
         """
         count = integer("increments", increments, 4)
         parts = integer("cells_per_increment", cells_per_increment, 1)

@@ -100,7 +100,7 @@ class Section(BaseModel):
 
 
 def changed(section: Section, names: Iterable[str]) -> set[str]:
-    """Return the fields whose values differ from the defaults, as a copy may set all of them."""
+    """Return the fields that differ from their defaults; in a copy, all fields may count as set."""
     fields = type(section).model_fields
     return {name for name in names if getattr(section, name) != fields[name].default}
 

@@ -51,7 +51,7 @@ if TYPE_CHECKING:
 
 
 MAX_CHARACTERS = 100_000_000
-"""Of a case file."""
+"""Size limit of a case file."""
 
 
 def _accuracy(given: Any) -> Any:

@@ -56,9 +56,9 @@ def written_names(case: CaseFile, main: str, figures: bool, animate: bool) -> re
 def publish(dataset: xr.Dataset, file: Path) -> Path:
     """Write the results of a run, and remove the files of earlier runs from the folder.
 
-    Files are not removed earlier, so that a failed run loses nothing. They are not removed later,
-    so that no figure or report in the folder shows other results. Files that were not written by
-    this package are kept.
+    Old files are removed only when the results are complete, so that a failed run loses nothing,
+    and before new figures are drawn, so that no figure or report shows other results. Files that
+    were not written by this package are kept.
     """
     with undisturbed(), recording(file.parent) as record:
         results.save(dataset, file)

@@ -150,7 +150,7 @@ def _require_page(target: Path) -> None:
     """Raise ValueError, before the work begins, if the page cannot be written or is no page."""
     if target.exists() and not target.is_file():  # a device would become a file
         kind = "directory" if target.is_dir() else "device or pipe"
-        raise ValueError(f"--output must be a file, and {target} is a {kind}")
+        raise ValueError(f"--output must be a file, got {target}, a {kind}")
     if not target.parent.is_dir():
         raise ValueError(f"--output must be in an existing folder: there is no {target.parent}")
     if target.is_file() and target.suffix.lower() not in (".html", ".htm"):

@@ -15,7 +15,7 @@ MAX_ENLARGEMENT, MAX_CELLS_UNFITTED = 64, 1 << 22
 """Maximum number of cells as a multiple of the initial grid; number of cells always allowed while
 the grid is smaller than the Hertz estimate."""
 HERTZ_MARGIN = 1.25
-"""Sides of an enlarged grid over those of the Hertz contact: plastic flow widens the contact."""
+"""Side of an enlarged grid / width of the Hertz contact: plastic flow widens the contact."""
 _SIDE_GROWTH, _MIN_SIDE_GROWTH = (
     1.5,
     1.25,

@@ -110,7 +110,7 @@ class ContactSetup:
 
     @cached_property
     def _paraboloid(self) -> tuple[float, float, float] | None:
-        """Radii of the paraboloid [m], and cosine of the angle from the larger one's plane to x."""
+        """Larger and smaller radius [m], and cosine of the angle of the larger one's plane to x."""
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None
@@ -207,7 +207,7 @@ class ContactSetup:
         return [doubt for doubt in found if not doubt.check.passed]
 
     def _checked(self, heat: Heat) -> tuple[FailedChecks, FailedChecks, tuple[float, float]]:
-        """Failed checks of bodies and heat; loads between which those of the contact pass."""
+        """Failed checks of bodies and heat; load range in which the checks of the contact pass."""
         if self._of_heat is None or self._of_heat[0] is not heat:
             before, after = plausibility.failed_of_bodies(self.bodies, heat)
             self._of_heat = heat, (before, after, self.passing_loads(heat))
@@ -303,7 +303,7 @@ def _extent_of(
 
 
 def _shares_of_grid(expected: ExpectedContact, grid: Grid) -> tuple[float, float]:
-    """Widths of a contact over sides of the grid, for any orientation of an ellipse."""
+    """Widths of a contact relative to the sides of the grid, for any orientation of an ellipse."""
     long, short = expected.semi_axes
     sides = grid.nx * grid.dx, grid.ny * grid.dy
     return 2 * short / min(sides), 2 * long / max(sides)

@@ -23,7 +23,7 @@ MAX_SMALL_STRAIN = 0.05
 
 @dataclass
 class Monitor:
-    """Issued warnings of a simulation, and the checks that are on."""
+    """Warnings issued by a simulation, and the enabled checks."""
 
     strain_warned: bool = False
     pressure_warned: bool = False

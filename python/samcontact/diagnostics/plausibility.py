@@ -24,11 +24,11 @@ if TYPE_CHECKING:
     from .expected_contact import ExpectedContact
 
 MAX_HALF_WIDTH_RATIO = 0.55
-"""Maximum half-width of a contact over its radius: there, a sphere is 15 % stiffer than a
+"""Maximum ratio of half-width to radius of curvature: there, a sphere is 15 % stiffer than a
 paraboloid."""
 MAX_GRID_WIDTHS, MIN_CELLS_ACROSS, MAX_LAYERS = 4.0, 2.0, 1e3
-"""Limits of the Hertz contact: maximum width over a side of the grid, minimum width in cells,
-maximum half-width in layers."""
+"""Limits of the Hertz contact: maximum width relative to a side of the grid, minimum width in
+cells, maximum half-width in layers."""
 MIN_SOLVABLE_CELLS = 1e-3
 """Minimum width of a Hertz contact in cells: a narrower contact is one cell at any load."""
 MIN_YIELD_STRAIN = 1e-6
@@ -46,7 +46,7 @@ MAX_BACKSTRESS_MODULUS_RATIO = 1e4
 MAX_SPEED = 1e3
 """Maximum speed of a surface through a contact [m/s]: no bearing reaches 300."""
 MAX_WEAR_COEFFICIENT = 1e-9
-"""Maximum wear volume over work, or over load and distance [1/Pa]: rubber on abrasive paper."""
+"""Maximum wear volume per work, or per load and distance [1/Pa]: rubber on abrasive paper."""
 MIN_STRESS_LIMIT = 1e4
 """Minimum fatigue limit or yield stress of a solid [Pa]: gels have some 1e4."""
 HEAT_CAPACITY_RANGE = 1e5, 1e7
@@ -67,7 +67,7 @@ class PlausibilityCheck(NamedTuple):
 
     check: Check
     remedy: Callable[[], str]
-    """Function that makes the remedy, called only for a warning."""
+    """Function that returns the remedy, called only if a warning is issued."""
     of_contact: bool = False
     """Whether the check is of a contact; checks after the solve then replace it."""
 
@@ -331,7 +331,7 @@ def _in_layers(
 
 
 def _flattened(contact: ExpectedExtent, body: Material) -> float:
-    """Width of a contact with a mean pressure of three yield stresses, over its elastic width."""
+    """Ratio of the fully plastic width (mean pressure of three yield stresses) to the elastic."""
     stress = 3.0 * body.min_yield_stress if body.is_plastic else math.inf
     mean = contact.expected.contact.p0 / 1.5
     return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
@@ -370,7 +370,7 @@ def _is_unusual(name: str, value: float) -> bool:
 
 
 def _fits(contact: ExpectedExtent, grid: Grid, wider: float, steeper: float, cells: float) -> bool:
-    """Whether a contact fits the grid if it is wider, over its radius, or on larger cells."""
+    """Whether a contact fits the grid if its width, width/radius or cell size is multiplied."""
     sides = zip(contact.extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     across = [(2 * wider * e / (cells * d), n) for e, n, d in sides]
     part = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))

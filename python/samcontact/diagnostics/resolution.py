@@ -34,7 +34,7 @@ MINIMUM_CELLS = 4
 ROUND_SPOT_AREA_ERROR = 16 / math.pi * AREA_PER_SIDE
 """Area uncertainty of a round spot, times its diameter in cells."""
 AREA_ERROR_WARNING, AREA_ERROR_LIMIT = 0.1, 0.2
-"""Area uncertainty of a contact of several spots, for a warning and for a failed check."""
+"""Limits of the area uncertainty of a contact of several spots: warning, and failed check."""
 MAX_ELASTIC_STRAIN = 0.5
 """Maximum pressure over E*: that of a Hertz contact with a/R = 0.8."""
 _MAX_STRESS_DEPTH = 0.8
@@ -125,10 +125,10 @@ def cells_across(pressure: ArrayLike, periodic: str = "") -> float:
 def area_uncertainty(pressure: ArrayLike, periodic: str = "") -> float:
     """Relative uncertainty of a contact area with coarsely resolved spots.
 
-    (pi - 1 + ln 2)/24 of the sides between cells in contact and open cells, over the cells in
-    contact: the error of counting cells, averaged over directions, for spots with smooth outlines
-    (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). For a round spot it
-    is 0.6 over its diameter in cells.
+    (pi - 1 + ln 2)/24 times the number of sides between contact cells and open cells, divided by
+    the number of contact cells: the error of counting cells, averaged over directions, for spots
+    with smooth outlines (Yastrebov, Anciaux and Molinari 2017,
+    doi:10.1016/j.triboint.2017.04.023). For a round spot of n cells diameter it is 0.6/n.
 
     Parameters
     ----------
@@ -150,9 +150,9 @@ def _uncertainty(outline: Outline) -> float:
 
 
 def _is_wide(pressure: FloatArray) -> bool:
-    """Whether `RECOMMENDED_CELLS` contact cells along x and y contain the maximum pressure; cheap.
+    """Whether the cell of maximum pressure lies in `RECOMMENDED_CELLS` contact cells along x and y.
 
-    If so, the spot is at least as wide; if not, it may still be.
+    This cheap check is sufficient for a wide contact spot, but not necessary.
     """
     i, j = divmod(int(pressure.argmax()), pressure.shape[1])
     around = (

@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from .hertz_estimate import ContactSetup
 
 MIN_STEP_RATIO = 0.25
-"""Minimum height of a step over p d/E*: elastic deflection between two cells of size d is
-smaller."""
+"""Minimum height of a step relative to p d/E*: the elastic deflection between two cells of size d
+is smaller."""
 MIN_EDGE_CELLS = 3
 """Minimum number of cells of an edge: single cells of a rough surface are no edge."""
 MIN_CELLS_OF_ROUNDING = 4

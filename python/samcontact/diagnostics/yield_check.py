@@ -25,9 +25,10 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 _DEPTHS = np.concatenate(([0.0], np.geomspace(0.02, 10.0, 200)))
-"""Depths over the half-width of the contact at which stress is compared with yield stress."""
+"""Depths, relative to the half-width of the contact, at which von Mises and yield stress are
+compared."""
 _MIN_LINE_CONTACT_RATIO = 4.0
-"""Length over width of a spot above which its stress is taken as that of a line contact."""
+"""Ratio of length to width above which a spot is treated as a line contact."""
 _MAX_FRICTION = 10.0
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Identification of files written by this package: other files are replaced only if named.
+"""Identification of files written by this package; others are replaced only if the user names them.
 
 HDF5 files have a mark in their content. Files of other formats, if written under names chosen by
 this package, are listed with their digests in a record in their folder.

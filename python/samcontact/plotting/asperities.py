@@ -58,7 +58,7 @@ def force(
     number: int = 1,
     critical: CriticalSphere | None = None,
 ) -> Axes:
-    """Draw the force of the upper on the lower sphere versus the offset of their centres over R.
+    """Draw the force of the upper on the lower sphere versus the offset of the centres / R.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def load_ratio(
     number: int = 1,
     critical: CriticalSphere | None = None,
 ) -> Axes:
-    """Draw the ratio of tangential to normal force versus the offset of the centres over R.
+    """Draw the ratio of tangential to normal force versus the offset of the centres / R.
 
     Arguments as in `force`; `critical` affects the labels only.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A grid with the surfaces of both bodies over it."""
+"""Grid with the surfaces of both bodies."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _SAME_HEIGHT_TOLERANCE = 1e-9  # relative to the heights
 
 @dataclass(frozen=True, eq=False)
 class Domain:
-    """A grid with the initial gap and the reliefs of both bodies over it."""
+    """Grid with the initial gap and the reliefs of both bodies."""
 
     grid: Grid
     initial_gap: FloatArray

@@ -19,7 +19,7 @@ from .grid import Grid
 NO_HEAT = Heat(0.0)
 """Absence of heating."""
 MAX_PECLET_NUMBER = 1e7
-"""Maximum of speed times grid length over diffusivity [-]: the work is proportional to it."""
+"""Maximum of speed times grid length divided by diffusivity [-]: the work is proportional to it."""
 MIN_DIFFUSION_LENGTH = 0.02
 """Minimum diffusion length in the shortest step of a history, in cells; it bounds the time and
 memory of transient heating."""

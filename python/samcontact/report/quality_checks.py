@@ -126,8 +126,8 @@ def _resolution(dataset: xr.Dataset, case: Case | None) -> Iterator[Check]:
         load = float(dataset["load"].values[peak])
         hertz = case.hertz(load) if case is not None and load > 0 else None
         if np.isfinite(cells[peak]):
-            beside = "" if hertz is None else f" ({ExpectedContact(hertz)})"
-            yield cells_across_contact(float(cells[peak]), beside, RECOMMENDED_CELLS)
+            suffix = "" if hertz is None else f" ({ExpectedContact(hertz)})"
+            yield cells_across_contact(float(cells[peak]), suffix, RECOMMENDED_CELLS)
         uncertain = dataset.get("area_uncertainty")
         if "sharp_edge_cells" in dataset:
             name = "contact cells at sharp edges, where the pressure does not converge"
@@ -154,12 +154,12 @@ def _plausibility(dataset: xr.Dataset, case: Case) -> Iterator[Check]:
         yield replace(doubt.check, of_input=True)
 
 
-def cells_across_contact(cells: float, beside: str = "", few: int = MINIMUM_CELLS) -> Check:
+def cells_across_contact(cells: float, suffix: str = "", few: int = MINIMUM_CELLS) -> Check:
     """Return the check whether the grid resolves the contact.
 
-    beside: addition to the name, such as the Hertz estimate.
+    suffix: addition to the name of the check, such as the Hertz estimate.
     """
-    name = f"cells across the contact at maximum load{beside}"
+    name = f"cells across the contact at maximum load{suffix}"
     return Check(name, cells, few, at_least=True)
 
 

@@ -27,7 +27,7 @@ from .plastic import FIELDS, PlasticChange, at_common_depth, max_equivalent, pro
 MAX_JUMP_CYCLES = 20
 """Maximum number of cycles in one jump."""
 _MAX_PREDICTION_ERROR = 0.3
-"""Maximum error of the sum over a jump and of the next cycle, over the change per cycle."""
+"""Maximum error of the sum over a jump and of the next cycle, relative to the change per cycle."""
 _MIN_REMAINING_FRACTION = 0.1
 """Fraction of decaying changes that is left to solved cycles."""
 _MAX_DECAY_RATIO = 0.98

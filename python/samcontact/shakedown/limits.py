@@ -26,7 +26,7 @@ _PATH_POSITIONS = np.concatenate(
         [1e4],
     ]
 )
-"""Positions of a material point relative to the contact, over its half-width; denser at edges."""
+"""Positions of a material point relative to the contact, in half-widths; denser at edges."""
 _MAX_FRICTION = 10.0
 EXACT, UPPER, LOWER = "exact", "upper", "lower"
 
@@ -70,7 +70,7 @@ def _coefficient(friction: float) -> float:
 
 
 def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
-    """Maximum over depth of the required k over p0, and its depth."""
+    """Maximum of the required k/p0 over all depths, and its depth."""
     asked = [strength(depth) for depth in _DEPTHS]
     worst = int(np.argmax(asked))
     if worst == 0:

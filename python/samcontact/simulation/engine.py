@@ -84,8 +84,8 @@ class Engine:
             contact_law=setup.contact_law.to_core(),
         )
 
-    def _checked_domain(self, grid: Grid, beside: Domain | None = None) -> Domain:
-        """Return the domain of a grid; its surfaces must agree with those of domain `beside`."""
+    def _checked_domain(self, grid: Grid, current: Domain | None = None) -> Domain:
+        """Return the domain of a grid; its surfaces must agree with the `current` ones."""
         setup = self.setup
         scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
         cell = memory_of_contact(setup.friction, setup.bodies, self.heat)
@@ -97,8 +97,8 @@ class Engine:
         cell += memory.YIELD_SCAN_BYTES if scanned else 0.0
         memory.require_for_grid("a simulation", grid, memory.surface(grid, cell))
         domain = setup.surfaces.over(grid)
-        if beside is not None:
-            larger, smaller = sorted((domain, beside), key=lambda d: d.cells, reverse=True)
+        if current is not None:
+            larger, smaller = sorted((domain, current), key=lambda d: d.cells, reverse=True)
             require_consistent_overlap(larger, smaller)
         return domain
 
@@ -242,7 +242,7 @@ class Engine:
     def restore(self, kept: Snapshot) -> None:
         """Restore the state and domain of a snapshot of the same setup.
 
-        Raises ForeignCheckpointError if its surfaces differ.
+        Raises ForeignCheckpointError if the surfaces of the snapshot differ.
         """
         self.history.forget()
         heat, state = kept.arguments["heat"], kept.state

@@ -31,7 +31,8 @@ BODY_QUANTITIES = (
     "max_residual_von_mises",
     "imprint_depth",
 )
-"""Quantities of a body, followed by `_body1` or `_body2`; all but the first require yielding."""
+"""Quantities of a body, followed by `_body1` or `_body2`; all but the first require an
+elastic-plastic body."""
 _FIELDS = {
     "max_von_mises": "stress",
     "max_equivalent_plastic_strain": "equivalent_plastic_strain",

@@ -38,11 +38,11 @@ _MIN_CELLS = {True: 6.0, False: 16.0}
 flow, increments affect only few cells, between stick and slip zones."""
 _MIN_INCREMENTS = 3
 _DOUBLING_FACTORS = 2.0, 2.0
-"""Error of n increments over the difference of n and 2n, for plastic strain and for other fields;
-exact for first-order convergence."""
+"""Ratio of the error of n increments to the difference between n and 2n, for plastic strain and for
+other fields; exact for first-order convergence."""
 _HALVING_FACTORS = 2.0, 1.5
-"""Error of n increments over the difference of n/2 and n: 1 for order 1, 2.4 for order 1/2, which
-single cells may have; calibrated, see docs/theory/accuracy.md."""
+"""Ratio of the error of n increments to the difference between n/2 and n: 1 for order 1, 2.4 for
+order 1/2, which single cells may have; calibrated, see docs/theory/accuracy.md."""
 
 _logger = logging.getLogger("samcontact")
 

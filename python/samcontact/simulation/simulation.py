@@ -211,10 +211,10 @@ class Simulation(Configured, HtmlTable):
             positive along +x [m]. Equal: rolling towards -x; different: sliding by the difference,
             or creepage with `Coulomb`. Plastic strain moves with its body; the grid stays with the
             contact. Whole cells are exact; for fractions of a cell see `State.origin`.
-        shift : pair of float, optional
+        shift : pair of floats, optional
             With `Coulomb`: tangential rigid-body displacement of body 1 relative to body 2 in this
             increment [m]. None for a component leaves that direction to `tangential_load`.
-        tangential_load : pair of float, optional
+        tangential_load : pair of floats, optional
             With `Coulomb`: force on body 2 at the end of the increment [N]. A direction without
             prescribed force or displacement is held fixed.
         twist : float, optional

@@ -28,7 +28,8 @@ from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
-"""Maximum pressure relieved by the wear of one part, over the pressure, for the shortest wave.
+"""Maximum pressure relieved by the wear of one part, relative to the pressure, for the shortest
+wave.
 
 From 2 on, the shortest waves would grow from part to part.
 """
@@ -131,7 +132,7 @@ class _Repeat:
     worn: FloatArray
     """Wear depth for a coefficient of 1 [m Pa]."""
     per_pressure: FloatArray
-    """Wear depth for a coefficient of 1, over the pressure [m]."""
+    """Wear depth for a coefficient of 1, per unit pressure [m]."""
 
 
 def _gone_through(scene: FrettingSetup, heights: Mapping[int, list[FloatArray]]) -> _Repeat:

@@ -30,7 +30,7 @@ from .results import FrettingCycle
 
 _ALLOWED_ARGUMENTS = ("load", "approach", "shift", "tangential_load", "twist", "torque")
 _ROUNDING_ERROR = 1e-9
-"""Relative difference, over the maximum of a cycle, below which drives are equal."""
+"""Difference of drives, relative to the maximum of a cycle, below which they are equal."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class FrettingSetup:
         return FrettingCycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """First row and number of rows of a body that can wear: the grid, as bodies do not move."""
+        """First row and number of rows that can wear: the whole grid, as bodies do not move."""
         return 0, self.grid.nx
 
 

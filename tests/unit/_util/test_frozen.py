@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a solver was made of cannot change afterwards, by any way that an object offers."""
+"""Arguments of a solver cannot be changed afterwards through any attribute or method."""
 
 import copy
 import pickle

@@ -19,7 +19,7 @@ STRESSES = ("stress", "residual_stress", "residual_stress_in")
 
 @pytest.fixture
 def computed(monkeypatch):
-    """How often the core computes each stress of each state and body."""
+    """Number of times the core computes each stress, by state and body."""
     counts = Counter()
 
     def counting(name):

@@ -25,7 +25,7 @@ def small(body=STEEL, nz=10, **settings):
 
 
 class TestArrays:
-    """What NumPy would turn into numbers without a word."""
+    """Arrays that NumPy would silently convert to numbers are refused."""
 
     GRID = sc.Grid(15, 15, 72e-6, 72e-6)
 

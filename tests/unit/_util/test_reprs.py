@@ -240,7 +240,7 @@ ASPERITIES = "[asperities]\nR1 = 1.0\nR2 = 1.0\ninterference = 1e-3"
 
 
 def public_objects():
-    """One of each class that the public modules name."""
+    """Return one object of each public class."""
     grid = sc.Grid(40, 30, 60e-6, 60e-6, 3, 60e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
     heights = np.array(gap)

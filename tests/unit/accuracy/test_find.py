@@ -58,7 +58,7 @@ def test_a_run_with_the_load_reaches_the_strain():
 
 
 def test_permanent_deformation_is_of_both_bodies_after_the_load():
-    """As ISO 76 asks for it: of two bodies alike it is twice the print of one."""
+    """The sum of both imprint depths, as in ISO 76: twice one depth for identical materials."""
 
     def alike(load):
         size = 24e-6
@@ -150,7 +150,7 @@ def test_the_yield_stress_bounds_the_stress_of_a_body_that_flows():
 
 
 def test_a_case_is_given_in_any_form(tmp_path):
-    """And each load is told once."""
+    """All forms of a case give the same load."""
     file = tmp_path / "case.toml"
     file.write_text(MINIMAL, encoding="utf-8")
     given = (parse_case(MINIMAL), file, str(file), tomllib.loads(MINIMAL))

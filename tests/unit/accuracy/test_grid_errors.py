@@ -133,7 +133,8 @@ def test_errors_that_nobody_wants_or_that_cannot_be_estimated(tmp_path):
 
 @pytest.mark.parametrize(("ends", "deeper"), [((2,), 2), ((3,), 3), ((5, 15), 2.5), ((3, 4), 1)])
 def test_layers_that_yield_end_between_the_coarser_cells_too(ends, deeper):
-    """Where they have a whole number of deeper ones; else the errors tell nothing of depth."""
+    """Layer boundaries fit the coarser cells only if they are multiples of a deeper cell; otherwise
+    the errors exclude the depth."""
     soft, dz = sc.Material.perfect_plastic(210e9, 0.3, 1.5e9), 10e-6
     thicknesses = np.diff([0, *ends]) * dz
     body = sc.Layered([(soft, thickness) for thickness in thicknesses], soft)

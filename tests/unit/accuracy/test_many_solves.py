@@ -36,7 +36,7 @@ OPTIONS = ("--no-figures", "--quiet")
 
 @pytest.fixture
 def steps(monkeypatch):
-    """How many increments were made; where `at` is one, `error` is raised instead of it."""
+    """Counter of increments; at the increment with number `at`, `error` is raised instead."""
     step = sc.Simulation.step
 
     class Steps:

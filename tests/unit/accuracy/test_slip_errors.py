@@ -17,7 +17,7 @@ E = 210e9
 
 
 def run(nu, cells, path):
-    """On cells of the contact radius over a number."""
+    """Run a path with `cells` cells per contact radius; return states, errors and the radius."""
     body = sc.Material.elastic(E, nu)
     radius = sc.hertz.point(R, sc.hertz.effective_modulus(body, body), load=LOAD).a
     grid = sc.Grid(2 * cells + 9, 2 * cells + 9, radius / cells, radius / cells)
@@ -71,7 +71,7 @@ def test_rolling_against_finer_cells():
 
 
 def test_friction_work_of_rolling_that_is_missing():
-    """As the theory states it: of the first order in the cell."""
+    """The missing work is that stated on the theory page, of first order in the cell size."""
     stated = re.search(
         r"is ([\d, ]+) and \d+ % below force times creepage with ([\d, ]+) and",
         THEORY,

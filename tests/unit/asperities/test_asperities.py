@@ -134,7 +134,7 @@ def test_identical_spheres_are_turned_images_of_each_other(plastic):
     [(STEEL, HARD, 1.0, 2.0, 32), (ELASTIC, STEEL, 2.0, 1.0, 24), (STEEL, ELASTIC, 1.3, 1.0, 20)],
 )
 def test_unequal_spheres(body1, body2, R1, R2, increments):
-    """Both surfaces say the same of the tangential force, each with its own curvature."""
+    """The tangential force follows equally from both surfaces, each with its own curvature."""
     which = collision(6, R1, R2)
     result = quick(which, body1, body2, increments)
     series = result.series

@@ -116,7 +116,8 @@ def test_threads_are_told_by_the_worst():
     ]
     rows += [{"case": "zones", "method": threads.BASE, "cells": 1e3, "time_ratio": 1.0}]
     (text,) = threads.notes(rows)
-    assert text.startswith("- zones: efficiency of two at least 0.80; small ones take 1.02 times")
+    expected = "- zones: efficiency of two threads at least 0.80; small cases take up to 1.02 times"
+    assert text.startswith(expected)
 
 
 def test_sampled_strain_is_axisymmetric():
@@ -236,7 +237,7 @@ def test_tables_of_some_parts_replace_only_theirs():
 
 
 class TestSlip:
-    """Work of the shear: the bounds that its page tells of, on small grids."""
+    """Work of the tangential problem: bounds stated on the page hold on small grids."""
 
     @pytest.fixture(scope="class")
     @classmethod

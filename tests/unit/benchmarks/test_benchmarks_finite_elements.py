@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Decks for CalculiX, what is read of what it prints, and the page beside finite elements."""
+"""Input decks and output of CalculiX, and the page of comparison with finite elements."""
 
 from typing import NamedTuple
 
@@ -150,7 +150,7 @@ class TestWave:
             wave.numbers_of(tmp_path / "deck.dat")
 
     def printed(self, left):
-        """What CalculiX prints, with this load after release."""
+        """Output of CalculiX with the load `left` after release."""
         stress = " stresses (elem, integ.pnt.,sxx,syy,szz,sxy,sxz,syz) for set ZONE and time "
         strain = " equivalent plastic strain (elem, integ.pnt.,pe)for set ZONE and time "
         text = ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Indentation beside what experiments found, in small: first yield, Tabor's factor, the cavity."""
+"""Indentation against experiments, on small grids: first yield, Tabor's factor, cavity model."""
 
 import math
 
@@ -20,7 +20,7 @@ def test_first_yield_is_at_the_mean_pressure_of_experiments():
 
 
 def test_perfect_plasticity_ends_at_the_hardness_of_tabor():
-    """And on its way there is beside the cavity that expands; strains are small all along."""
+    """Before that, the constraint factor follows the expanding cavity; strains remain small."""
     half, full = (indentation.perfect(x, 10) for x in (9.0, 35.0))
     assert half.constraint == pytest.approx(indentation.cavity(half.stiffness), rel=0.1)
     assert TABOR[0] < full.constraint < TABOR[1]

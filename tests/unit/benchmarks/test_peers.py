@@ -296,7 +296,7 @@ def test_tamaas_finds_the_same_periodic_contacts():
 
 
 def test_tamaas_has_the_same_mean_stress():
-    """Of what does not vary along the surface: sides that do not move, no stress from below."""
+    """Fields uniform along the surface: no lateral strain, no normal stress from below."""
     tm = pytest.importorskip("tamaas")
     grid = problems.plastic(12, periodic="xy").grid
     deviator = np.array([1e-3, -0.5e-3, -0.5e-3, 0, 0, 0])

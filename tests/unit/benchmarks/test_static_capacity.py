@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Static capacity: the case of a ball in a groove, and the page that tells more of it."""
+"""Static capacity: the case of a ball in a groove, and the page on static capacity."""
 
 from pathlib import Path
 
@@ -36,7 +36,7 @@ def test_the_load_that_is_found_is_the_pressure_of_the_page():
 
 
 def test_prints_grow_with_the_ball():
-    """Twice as large in all lengths under the same pressure: twice the print."""
+    """Doubling all lengths at equal pressure doubles the imprint depth."""
     small = setups.CONTACTS[setups.FLAT]
     race = setups.bearings.RaceContact(2 * small.race.Rx, 2 * small.race.Ry)
     large = setups.Contact(race, 2 * small.diameter, small.pressure)

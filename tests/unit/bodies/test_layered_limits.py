@@ -154,7 +154,7 @@ def test_below_layers_on_a_rigid_substrate_no_stress_is_told():
 @pytest.mark.parametrize("stiff", [1 / 20, 20.0])
 @pytest.mark.parametrize("periodic", ["x", "y"])
 def test_displacement_counts_from_as_far_as_the_grid_is_long(stiff, periodic):
-    """Also where layers bend over more than the grid; else a shift would pull at its bodies."""
+    """The reference distance is the grid length, even if layers bend over longer distances."""
     along, across = (20, 1.0), (1, 3.0)
     (nx, dx), (ny, dy) = (along, across) if periodic == "y" else (across, along)
     grid = sc.Grid(nx, ny, dx, dy, periodic=periodic)

@@ -68,7 +68,7 @@ UNSET = {
 
 @pytest.fixture
 def computed(tmp_path, monkeypatch):
-    """What reaches the computation: all arguments as text, arrays by their bytes."""
+    """Arguments that reach the computation, as text; arrays as bytes."""
     np.save(tmp_path / "h.npy", np.random.default_rng(5).standard_normal((24, 20)))
     seen = {}
 
@@ -253,7 +253,7 @@ def test_what_has_no_effect_is_refused_by_name(change, message):
 
 
 def test_a_source_that_is_off_may_have_all_of_heat():
-    """As in a sweep of the heat factor from 0."""
+    """A sweep of the heat factor may start from 0."""
     Case.model_validate(BASE | {"heat": HEAT | {"factor": 0.0}, "path": [{"load": 1.0}]})
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files of bodies that stick and slip: their paths, and what is refused in which words."""
+"""Case files with partial slip: paths and error messages."""
 
 import math
 from pathlib import Path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What used to end in raw messages: numbers beyond the core, odd texts and names of files."""
+"""Clear messages for numbers beyond the range of the core, odd texts and odd file names."""
 
 import json
 import math

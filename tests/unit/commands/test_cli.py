@@ -52,7 +52,7 @@ def test_run_writes_results_figures_and_tables(case_file, tmp_path):
 
 @pytest.mark.parametrize("text", [MINIMAL, ASPERITIES], ids=["contact", "asperities"])
 def test_figures_for_print(text, tmp_path):
-    """In the format and width that [output] asks for; a run without leaves none of them behind."""
+    """Figures have the format and width of [output]; a later run without them removes them."""
     file = tmp_path / "scene.toml"
     file.write_text(text + '[output]\nformat = "svg"\ncolumn = "single"\n')
     assert invoke("run", file, "--output", tmp_path / "out", "--quiet").exit_code == 0

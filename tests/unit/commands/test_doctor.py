@@ -71,7 +71,7 @@ def test_threads_are_those_of_the_environment():
 
 
 def test_threads_are_never_thousands():
-    """They would only wait for each other, and no run would end."""
+    """The number of threads is limited: thousands would wait for each other without end."""
     code = """
 import os, samcontact as sc
 from samcontact.commands import self_check

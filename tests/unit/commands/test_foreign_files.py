@@ -156,7 +156,7 @@ class TestCommands:
 
 
 def test_a_changed_figure_is_not_replaced(tmp_path):
-    """It may have cost somebody an hour; the same run is silent where nothing was changed."""
+    """A figure edited by the user is kept; unchanged figures are replaced without a message."""
     data = dataset()
     written = plotting.summary_figures(data, tmp_path)
     assert plotting.summary_figures(data, tmp_path) == written
@@ -182,7 +182,7 @@ def test_files_of_a_second_run_that_are_the_same_are_listed_again(tmp_path):
 
 
 def test_a_figure_is_listed_before_it_has_its_name(tmp_path, monkeypatch):
-    """So that one that a killed run has left is not taken for a foreign one."""
+    """A figure left by a killed run must not be regarded as a foreign file."""
     data = dataset()
 
     def killed(*_):

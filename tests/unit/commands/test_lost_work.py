@@ -36,7 +36,7 @@ def expected(case_file, tmp_path_factory):
 
 
 def after(function, action):
-    """The function, and then what ends the command."""
+    """Return a function that calls `function`, then `action`, which ends the command."""
 
     def called(*arguments, **named):
         value = function(*arguments, **named)
@@ -172,7 +172,7 @@ def test_results_that_cannot_be_written_leave_checkpoints(
 
 
 def test_no_room_for_anything(case_file, tmp_path, monkeypatch):
-    """Of two errors the first is told, and what could not be kept."""
+    """The command reports the first of two errors, and the results that could not be stored."""
     full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
     monkeypatch.setattr(sc.Simulation, "step", stop_at(3, ERRORS[0]))
     monkeypatch.setattr(results, "save", fails(full))
@@ -301,7 +301,7 @@ class TestOneRunAtATime:
 
 
 def test_a_run_replaces_the_files_of_the_one_before(case_file, tmp_path, monkeypatch):
-    """Its figures, report and exports, when the new results are there; none of anyone else."""
+    """A run removes old figures, reports and exports once new results exist, but no other files."""
     command = ("run", case_file, "--output", tmp_path, "--quiet")
     assert invoke(*command).exit_code == 0
     assert invoke("report", tmp_path).exit_code == 0

@@ -31,7 +31,7 @@ def test_figures_and_animation(case_file, tmp_path, monkeypatch):
     draw = Figure.savefig
 
     def savefig(self, file, **options):
-        """Only the frames of the animation; what figures show is tested elsewhere."""
+        """Draw only the frames of the animation; contents of figures are tested elsewhere."""
         return file.touch() if isinstance(file, Path) else draw(self, file, **options)
 
     monkeypatch.setattr(Figure, "savefig", savefig)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the command prints never costs results: ASCII terminals, pipes whose reader has left."""
+"""Failures of the output stream never lose results: ASCII terminals, closed pipes."""
 
 import os
 import signal

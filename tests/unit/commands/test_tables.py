@@ -24,7 +24,7 @@ CASE = SimpleNamespace(output=SimpleNamespace(body=2))
 
 
 def values(count, generator):
-    """Of either sign, and as large or small as other systems of units make them."""
+    """Random values of either sign, from 1e-12 to 1e12 as other systems of units give."""
     return generator.choice(SIZES, count) * generator.normal(size=count)
 
 

@@ -39,7 +39,7 @@ def solver(grid, law, friction=0.0, bodies=(STEEL, SOFT), **more):
 
 
 def same(found, expected, rtol=1e-7):
-    """Equal to the tolerance of both."""
+    """Assert that fields are equal within the tolerance of both solutions."""
     np.testing.assert_allclose(found, expected, rtol=0, atol=rtol * np.abs(expected).max())
 
 

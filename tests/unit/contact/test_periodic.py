@@ -222,7 +222,7 @@ def test_near_full_contact_costs_no_more_than_half_of_it(hurst):
 @pytest.mark.parametrize("away", [0.0, 3e-6])
 @pytest.mark.parametrize("shape", [(4, 14), (6, 22), (16, 16), (20, 22)])
 def test_flat_surfaces_carry_a_uniform_pressure(shape, away, unevenness, body1, friction):
-    """Their displacement is rounding, or little more: no measure of an error."""
+    """Displacements are close to rounding, so errors must not be measured relative to them."""
     grid = sc.Grid(*shape, 1e-6, 1e-6, periodic="xy")
     if away:
         unevenness = min(unevenness, 1e-17)  # else its digits are lost

@@ -58,10 +58,11 @@ def test_force_grows_with_the_limit_from_none_to_that_without_slip():
 
 
 def test_partial_slip_of_a_cylinder():
-    """As a crack with a cohesive zone (Bilby, Cottrell & Swinden 1963), of the contact |x| < a.
+    """The stick zone follows the crack model with a cohesive zone (Bilby, Cottrell & Swinden 1963).
 
-    Uniform displacement of |x| < c under the shear 2 k/pi atan(sqrt((a^2 - c^2)/(c^2 - x^2))), and
-    k beyond: c^2 = a^2 - (Q/(2 k))^2 for a force Q per length. The cells in contact give a.
+    Contact |x| < a: uniform displacement of |x| < c under the shear
+    2 k/pi atan(sqrt((a^2 - c^2)/(c^2 - x^2))), and k beyond: c^2 = a^2 - (Q/(2 k))^2 for a force Q
+    per length. The cells in contact give a.
     """
     errors = []
     for cells in (51, 201):

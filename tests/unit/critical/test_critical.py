@@ -136,7 +136,7 @@ def test_a_hardened_case_yields_first_where_finite_elements_do():
     ],
 )
 def test_first_yield_is_that_of_the_stress_along_fine_lines(z, factor, stress, depth):
-    """Below the critical load nothing yields on ten thousand points, above it one does."""
+    """No point of ten thousand yields below the critical load; at least one yields above it."""
     body = PLAIN.with_yield_profile(z, factor).with_residual_stress([0.0], [stress])
     found = critical.onset_over_depth(**FLAT, body=body)
     assert depth[0] <= found.z <= depth[1]

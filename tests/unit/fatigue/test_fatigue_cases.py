@@ -63,7 +63,7 @@ def test_the_path_is_the_cycle(run):
 
 
 def test_material_that_passes(run):
-    """Through the increment of the largest load, whatever else the path has."""
+    """Passing material uses the increment of maximum load, independent of the rest of the path."""
     outcome, folder = run(PASSING)
     assert outcome.exit_code == 0, outcome.output
     loaded = states_of(PASSING)[1]

@@ -172,7 +172,7 @@ class TestHeights:
 
 
 class TestResults:
-    """Of a variable with other dimensions, and of a file that cannot be used."""
+    """Results with a variable of other dimensions, and files that cannot be used."""
 
     @pytest.fixture
     def dataset(self):

@@ -77,7 +77,7 @@ def test_moves_are_those_of_the_page_where_they_were_computed():
 
 
 def test_every_row_of_the_table_is_stated_once():
-    """With a field for each in its texts; in the order of the page."""
+    """Each computed value has one field in the texts, in the order of the page."""
     for name, rows in stated.table().items():
         files = [
             file

@@ -122,7 +122,7 @@ def test_before_the_shortest_time_the_newest_flux_comes_from_tables():
     [((1.0, 0.0), [3, 0.3, 1, 2]), ((4.0, 3.0), [9, 1, 4, 1, 6, 2]), ((0.0, -5.0), [40, 1, 1])],
 )
 def test_moving_body(peclet, durations):
-    """Up to paths of several grids: nothing comes back around."""
+    """Heat carried several grid lengths away does not return by periodicity."""
     grid = grid_of(12, 10, dy=DX)
     speed = peclet[0] * KAPPA / DX, peclet[1] * KAPPA / DX
     steps = random_steps(grid, [UNIT * d for d in durations])

@@ -141,9 +141,11 @@ def test_parts_add_up_to_the_whole():
 
 @pytest.mark.parametrize("speed", [(100.0, 40.0), (-1000.0, 0.0)])
 def test_fast_sources_keep_the_tolerance(speed):
-    """Up to a thousand cells in one diffusion time of a cell, on a lattice of cells; temperature
-    against the point source, the others against a tighter tolerance, by which they are within that
-    of the oracles at moderate speeds."""
+    """Speeds up to a thousand cells per diffusion time of a cell keep the tolerance.
+
+    Temperature is compared with the point source, other quantities with a tighter tolerance, which
+    agrees with the oracles at moderate speeds.
+    """
     half = (0.5, 0.5)
     x, y = np.arange(-20.0, 21.0), np.arange(-3.0, 4.0)
     rise = temperature(x, y, 0.3, half, INF, speed)

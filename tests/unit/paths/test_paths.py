@@ -276,7 +276,7 @@ def test_examples_of_the_docstrings():
 
 
 def test_a_fretting_loop_closes():
-    """Under constant load the shear is periodic (Mindlin and Deresiewicz), exactly for nu = 0."""
+    """Shear under constant load is periodic (Mindlin and Deresiewicz), exactly for nu = 0."""
     grid = sc.Grid(24, 24, 40e-6, 40e-6)
     body = sc.Material.elastic(210e9, 0.0)
     run = sc.Simulation(grid, body, body, sc.surfaces.paraboloid(grid, 7.5e-3), sc.Coulomb(0.3))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a smooth picture of a field shows at places: the values that its colours stand for."""
+"""Values that the colours of a smooth field picture represent at given points."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from matplotlib.contour import QuadContourSet
 
 
 def drawn_values(ax, x, y):
-    """Of the field of axes at all x and y [m], in the units of its colours; NaN where it is white.
+    """Return the drawn field at all x and y [m], in the units of the colour bar; NaN where white.
 
-    Lines and texts are hidden, and stay so.
+    Lines and texts are hidden and remain hidden.
     """
     (filled,) = (c for c in ax.collections if isinstance(c, QuadContourSet) and c.filled)
     for artist in [*ax.collections, *ax.lines, *ax.texts]:

@@ -33,7 +33,7 @@ def overlaps(figure):
 
 
 def texts(ax):
-    """What can be read of axes: labels, title, legend, texts, and ticks that are within."""
+    """Readable texts of axes: labels, title, legend, annotations, and ticks within the limits."""
     legend = ax.get_legend()
     found = [ax.xaxis.label, ax.yaxis.label, ax.title, *ax.texts]
     found += [ax.xaxis.get_offset_text(), ax.yaxis.get_offset_text()]

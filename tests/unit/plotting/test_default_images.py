@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every figure that a run writes by default looks as it was stored after it had been looked at.
+"""Every figure that a run writes by default looks like its stored, inspected image.
 
-`python tests/unit/plotting/test_default_images.py` stores them anew: look at each before
-it is kept.
+`python tests/unit/plotting/test_default_images.py` replaces the stored images: inspect
+each before you commit it.
 """
 
 import sys
@@ -163,11 +163,11 @@ def drawn(case, folder):
 
 
 def difference(image, other):
-    """Of two images, 0 to 1: the largest of means over squares of 10 pixels.
+    """Return the difference of two images, 0 to 1: the maximum of means over 10-pixel squares.
 
-    Each square of one is compared where it is and up to a pixel beside, and the nearest counts:
-    fonts, and with them the room of panels, differ between versions of matplotlib, and a frame that
-    moves by a pixel is no flaw. A line that is missing or elsewhere changes more.
+    Each square is compared at its place and shifted by one pixel, and the smallest difference
+    counts: fonts, and with them the size of panels, differ between versions of matplotlib, and a
+    frame that moves by a pixel is no flaw. A missing or displaced line changes more.
     """
     assert abs(image.height - other.height) <= 0.04 * other.height
     image = image.resize(other.size)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is drawn of the interfaces of a layered body is what they bear."""
+"""Profiles along interfaces of a layered body show the stresses above and below them."""
 
 import numpy as np
 import pytest
@@ -76,7 +76,7 @@ def pressed(body):
 
 
 def test_both_sides_of_what_is_one_material_coincide():
-    """On a rigid base, of which no stress is known, one side is drawn."""
+    """Both sides coincide inside one material; at a rigid base without stress one side is drawn."""
     state, _ = pressed(sc.Layered([(STEEL, 4e-6), (STEEL, 4e-6)], RIGID))
     stress = state.interface_stress()
     drawn = lines(plotting.interface_profile(stress, state.grid))

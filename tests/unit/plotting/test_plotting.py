@@ -36,7 +36,7 @@ def ax():
 
 
 def shown_label(ax):
-    """Beside the colours, or above where the section is flat."""
+    """Label of the colour bar, or title where the section is flat."""
     return ax.get_title() or ax.figure.axes[1].get_ylabel()
 
 
@@ -288,7 +288,7 @@ def test_stresses_are_not_joined_across_an_interface(ax):
 
 @pytest.mark.parametrize("quantity", ["von_mises", "hydrostatic", "equivalent_plastic_strain"])
 def test_smooth_colours_are_those_of_the_values(quantity):
-    """At the centres of the cells, of which there is one beside the other at the border too."""
+    """At the cell centres, including those at the border, colours represent the field values."""
     grid = make_grid(nx=21, ny=9, nz=16, dz=1e-4)
     x, z = grid.x[:, None, None] * 1e4, grid.z * 1e4
     field = np.exp(-(x**2) / 40 - (z - 5) ** 2 / 20) * np.ones((1, 9, 1))
@@ -300,7 +300,7 @@ def test_smooth_colours_are_those_of_the_values(quantity):
 
 
 def test_colours_of_a_print_span_what_there_is():
-    """Of both signs, with white for zero, and no half of the scale for what does not occur."""
+    """The scale covers the values of both signs, with white for zero, and is not symmetric."""
     grid = make_grid(nx=31, ny=29)
     x, y = grid.x[:, None] * 1e4, grid.y * 1e4
     field = 1e-6 * np.exp(-(x**2 + y**2) / 20) - 3e-8
@@ -356,7 +356,7 @@ def test_a_section_tells_where_the_bodies_touch(state, simulation, ax):
 
 
 def test_the_line_of_unloading_is_that_of_smaller_increments():
-    """Out of a print the approach is about linear in load^(2/3), as of elastic bodies."""
+    """Unloading from an imprint: approach about linear in load^(2/3), as for elastic bodies."""
     grid = Grid(31, 31, 40e-6, 40e-6, 20, 40e-6)
     simulation = Simulation(grid, ELASTIC, SWIFT, surfaces.paraboloid(grid, 7.5e-3))
     loads = [1500.0, 1000.0, 500.0, 200.0, 0.0]

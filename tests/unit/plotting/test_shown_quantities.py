@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What figures say a field is: nothing that they were not told, and nothing that cannot be."""
+"""Labels of fields in figures: no quantity that was not given, none that is impossible."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def state(simulation):
 
 
 def shown_label(ax):
-    """Beside the colours, or above where the section is flat."""
+    """Label of the colour bar, or title where the section is flat."""
     return ax.get_title() or ax.figure.axes[1].get_ylabel()
 
 
@@ -99,7 +99,7 @@ def test_rounding_below_zero_is_none_of_another_quantity(state, simulation):
 
 
 def test_given_tractions_that_pull_are_shown(tmp_path):
-    """Also where the bodies overlap: neither is white."""
+    """Prescribed tension and overlap of the bodies are drawn in colour, not white."""
     grid = Grid(21, 21, 1e-6, 1e-6)
     gap = surfaces.paraboloid(grid, 1e-3)
     simulation = Simulation(grid, ELASTIC, ELASTIC, gap)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of stick and slip: what they show, and which a run writes."""
+"""Figures of partial slip: contents, and the figures that a run writes."""
 
 import math
 
@@ -65,7 +65,7 @@ def test_the_map_shows_each_cell_and_the_directions_of_slip(fretting):
 
 
 def test_a_map_that_lies_is_the_same_turned(fretting):
-    """By a quarter clockwise, in cells, arrows and labels."""
+    """A horizontal map is rotated by 90 degrees clockwise in cells, arrows and labels."""
     state = fretting[0][8]
     stands, lies = (
         plotting.partial_slip_map(state.pressure, state.slip, GRID, across=across)
@@ -101,7 +101,7 @@ def test_shear_lies_between_its_bounds(fretting):
 
 
 def test_the_loop_encloses_the_work_of_friction(fretting):
-    """Between two states of the same force what the forces did was friction."""
+    """Between two states of equal force, the work of the forces is dissipated by friction."""
     states, data = fretting
     area = 0.0
     for direction in "xy":

@@ -83,7 +83,7 @@ def test_without_a_volume(tmp_path, undrawn):
 
 
 def test_profiles_run_where_there_is_something(tmp_path, drawn, undrawn):
-    """On a rough surface nothing may touch in the middle."""
+    """Profiles run through the maximum: the middle of a rough surface may be out of contact."""
     simulation = make_simulation()
     grid = simulation.grid
     state = FakeState(grid, 1500.0)
@@ -175,7 +175,7 @@ def test_figures_as_wide_as_a_column(width, mm, tmp_path, drawn):
 
 @pytest.mark.parametrize("ending", ["pdf", "svg"])
 def test_vectors_are_the_same_again(ending, tmp_path):
-    """With letters that stay letters in a PDF, and pixels for the colours of a field only."""
+    """Files repeat bit by bit; letters in a PDF remain letters, only field colours are pixels."""
     simulation = make_simulation()
     state = FakeState(simulation.grid, 1500.0)
     state.gap = 1e-3 * np.abs(simulation.grid.x)[:, None] + 1e-3 * np.abs(simulation.grid.y)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies in three dimensions: what the scene holds, and the page in a browser without a network."""
+"""Bodies in three dimensions: meshes of the view, and its page in a browser without network."""
 
 import io
 import re
@@ -25,7 +25,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
 
 
 def dataset():
-    """Of a von Mises stress that is largest at the origin, 100 µm deep."""
+    """Results with a von Mises stress that is largest at x = y = 0, 100 µm deep."""
     simulation = make_simulation(4, SWIFT, SWIFT)
     grid = simulation.grid = make_grid(nx=21, ny=17, dx=5e-5, dy=5e-5, nz=12, dz=4e-5)
     simulation.initial_gap = np.zeros((21, 17))
@@ -36,7 +36,7 @@ def dataset():
 
 
 def meshes(plotter):
-    """What the scene holds, in the order in which it was added."""
+    """Meshes of the view, in the order in which they were added."""
     mappers = [getattr(actor, "mapper", None) for actor in plotter.actors.values()]
     return [mapper.dataset for mapper in mappers if hasattr(mapper, "dataset")]
 
@@ -122,7 +122,7 @@ def test_command_refuses(tmp_path):
 
 @needs_pyvista
 def test_a_folder_of_a_run_is_exported_in_both_formats(tmp_path):
-    """Of body 1, since body 2 is rigid and nothing else is asked for."""
+    """Body 1 is exported, since body 2 is rigid and no body is selected."""
     rigid = make_simulation(4, SWIFT, sc.Material.rigid())
     grid = rigid.grid = make_grid(nx=9, ny=7, dx=5e-5, dy=5e-5, nz=4, dz=4e-5)
     rigid.initial_gap = np.zeros((9, 7))

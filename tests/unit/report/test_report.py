@@ -36,7 +36,7 @@ def data():
 
 @pytest.fixture(scope="module")
 def folder(data, tmp_path_factory):
-    """As the command leaves it."""
+    """Folder of a run after the command `report`."""
     folder = tmp_path_factory.mktemp("run")
     results.save(data, folder / "results.nc")
     outcome = CliRunner().invoke(main, ["report", str(folder)])

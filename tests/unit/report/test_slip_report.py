@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The energy of stick and slip, and what a report tells of it."""
+"""Energy balance in partial slip, and its section in a report."""
 
 import math
 import re
@@ -37,7 +37,7 @@ def data():
 
 
 def balances(body2, friction, counts, force):
-    """Pressed, shaken and released under half of the force, in more and more increments."""
+    """Energy balances of a ball pressed, fretted and unloaded, for increasing increment counts."""
     grid = sc.Grid(21, 21, 34e-6, 34e-6, dz=34e-6)
     body1 = sc.Material.elastic(210e9, 0.3)
     for count in counts:
@@ -72,7 +72,7 @@ def test_what_is_missing_of_the_energy_falls_with_the_increments(body2, friction
 
 
 def test_pressing_elastic_balls_has_no_error():
-    """In one increment: the load grows as the power 3/2 of the approach, and 2/5 of it is work."""
+    """One increment has the exact work 2/5 load times approach, as load ~ approach^(3/2)."""
     grid = sc.Grid(61, 61, 10e-6, 10e-6)
     body = sc.Material.elastic(210e9, 0.3)
     simulation = sc.Simulation(

@@ -110,8 +110,10 @@ def test_cells_and_layers_that_resolve_nothing_are_told(study, name, request):
 
 
 def test_energy_of_passes_that_take_next_to_none():
-    """As in the case of three passes that is shipped, [J]: what is missing is measured by what is
-    exchanged, not by a net energy that happens to be about zero."""
+    """The imbalance is relative to the exchanged energy, not to a net energy close to zero.
+
+    Energies [J] are similar to those of the shipped case of three passes.
+    """
     series = xr.Dataset(
         {
             "work": (("pass", "increment"), [[-7558.0, 5032.0], [-2860.0, 43.9], [-2816.0, -12.5]]),

@@ -135,7 +135,7 @@ def test_in_another_process(path, tmp_path):
 
 @contextlib.contextmanager
 def edited(path):
-    """The checkpoint to change on purpose, so that not its digest tells."""
+    """Open a checkpoint for changes and renew its digest, so that only other checks can fail."""
     with h5py.File(path, "a") as file:
         yield file
     seal(path)
@@ -228,7 +228,7 @@ class TestDamage:
 
     @pytest.mark.parametrize("group", ["state", "state/history2"])
     def test_a_part_that_nothing_asks_for(self, saved, group):
-        """What this version would leave out was needed where it was written."""
+        """A part unknown to this version was needed by the version that wrote it."""
         with edited(saved) as file:
             file[group].attrs["later"] = 1.0
         with pytest.raises(sc.CheckpointError, match="is damaged: unknown part: later"):

@@ -20,7 +20,7 @@ WAYS = {
 
 
 def moving():
-    """Two inelastic bodies with roughness, friction, heat in time, and a law that no file holds."""
+    """Two elastic-plastic bodies with a dent, friction, transient heat and an unstorable law."""
     steel = MATERIALS["swift"].with_thermal(50.0, 1e-5, 1.4e-5).with_softening(halved)
     velocity = [[0.0, 0.0], [GRID.dx / 1e-3, 0.0]]
     heat = sc.Heat([0.0, 1e-4], velocity, history=(1e-3, 0.1))

@@ -155,7 +155,7 @@ def by_global(c):
 
 
 def by_module(c):
-    """What a script does that has its constants in a file of its own."""
+    """Return a law whose constants are in a separate module of the user."""
     module = ModuleType("of_the_user")
     module.inner = ModuleType("of_the_user.inner")
     module.inner.C = c

@@ -146,7 +146,7 @@ def test_a_ball_pressed_again_stays_elastic():
 
 
 def test_a_substrate_below_a_coating():
-    """The yield strain is that of what yields."""
+    """The yield strain is that of the substrate, which is elastic-plastic."""
     simulation, cycle = ball(sc.Layered([(STEEL, 20e-6)], SOFT))
     result = shakedown.run(simulation, cycle, progress=False)
     assert result.yield_strain == pytest.approx(np.sqrt(3.0) * K / E)

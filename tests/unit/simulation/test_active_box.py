@@ -30,7 +30,7 @@ def mirrors(state, body=2):
 
 
 def middle(field, like):
-    """The part of a wide field over a smaller grid."""
+    """Return the part of a wide field that lies on a smaller grid."""
     i, j = ((w - n) // 2 for w, n in zip(field.shape[-3:-1], like.shape[-3:-1], strict=True))
     return field[..., i : i + like.shape[-3], j : j + like.shape[-2], : like.shape[-1]]
 
@@ -50,7 +50,7 @@ class TestBox:
         assert plastic.any(axis=(0, 1)).sum() < nz < 30
 
     def test_a_larger_grid_changes_nothing(self):
-        """But for what the fast operator's images leave."""
+        """A larger grid changes fields only by the periodic images of the fast operator."""
         loads = (500.0, 1500.0, 700.0)
         near, wide = simulation(), simulation(65, 61, 40)
         for load in loads:
@@ -251,7 +251,7 @@ class TestFewLongCells:
         return sim.step(load=5.3e5 * rows * length * self.HALF).max_equivalent_plastic_strain()
 
     def test_one_row_is_two_rows_of_half_the_length(self):
-        """Within what the ends of a row of ever longer cells leave: towards plane strain."""
+        """Rows of increasingly long cells approach plane strain, but for their ends."""
         plane = self.largest(1, 10, periodic="y")
         assert plane > 5e-4
         ends = [self.largest(1, length) / plane - 1 for length in (10, 100, 1000)]

@@ -33,7 +33,7 @@ def silent(sim):
 
 @pytest.mark.parametrize("name", SCENES)
 def test_stated_errors_are_the_true_ones(name):
-    """Within a factor of about two, rather too large; both are small where one is."""
+    """Estimated errors agree within a factor of two, rather too large, or both are small."""
     scene = SCENES[name]
     for field, pairs in errors(scene, scene.counts[1:2], scene.many // 2).items():
         ((true, stated),) = pairs

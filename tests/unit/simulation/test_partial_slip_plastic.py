@@ -22,7 +22,7 @@ def simulation(body1=BALL, body2=STEEL, friction=LAW, **settings):
 
 
 def by_parts(path, parts):
-    """Each step of loads and forces in equal parts."""
+    """Yield the steps of a path of loads and forces, each divided into equal parts."""
     load, force = 0.0, np.zeros(2)
     for end, to in path:
         for part in np.arange(1, parts + 1) / parts:

@@ -192,7 +192,7 @@ NUMBERS = {
 
 
 def parts(annotation):
-    """What an annotation is made of: types and the markers of Annotated."""
+    """Parts of an annotation: types and the markers of Annotated."""
     yield annotation
     for inner in typing.get_args(annotation):
         yield from parts(inner)

@@ -23,7 +23,7 @@ BALL_LOAD = 8.0
 
 
 def to_and_fro(load, amplitude):
-    """Pressed, pulled, and then to and fro."""
+    """Return a path that loads, applies the force amplitude, reverses it and returns to it."""
     return [{"load": load, "tangential_load": (q * amplitude, 0.0)} for q in (0, 1, -1, 1)]
 
 
@@ -97,7 +97,7 @@ def test_the_scar_ends_where_all_is_carried_by_what_sticks():
 
 
 def test_error_of_the_parts_is_in_proportion(monkeypatch):
-    """And small: of first order, below 2 % of the depth."""
+    """The error due to the parts is of first order, and below 2 % of the depth."""
     scars = []
     for part in (1.0, 0.5, 0.25):
         monkeypatch.setattr("samcontact.wear.by_slip._MAX_PRESSURE_CHANGE", part)

@@ -40,7 +40,7 @@ def test_a_light_load_wears_nothing():
 
 @pytest.mark.filterwarnings("error::samcontact.ElasticStrainWarning")
 def test_plastic_flow_below_the_threshold_wears_nothing():
-    """Nor is there a warning of the elastic pressure, of which only the contact's size is used."""
+    """No wear, and no warning of the elastic pressure, of which only the contact size is used."""
     result = wearing(threshold=0.04, cycle=[{"load": 6.0}, {"load": 0.0}])
     assert result.stopped
     assert 1e-3 < result.cycles[0].surface_strain[0] <= 0.04
@@ -102,7 +102,7 @@ def test_next_cycle_starts_from_the_worn_surface_and_what_is_left(worn):
 
 
 def test_strain_may_move_up_by_the_smoothed_depth(worn):
-    """Then some of what exceeds the threshold stays, and wears without any new flow."""
+    """Some strain above the threshold then remains, and causes wear without further flow."""
     exact, smoothed = (wearing(order=1, cycles=2, strain_depth=s) for s in ("exact", "smoothed"))
     left = wear.below_worn_surface(
         worn.first[1].equivalent_plastic_strain(), -smoothed.profile(1)[11:-11], GRID.dz
