@@ -36,8 +36,7 @@ def _vickers(HV: ArrayLike) -> FloatArray:
     if wrong.size:
         raise ValueError(
             f"HV must be Vickers numbers (kgf/mm^2) from {PLAUSIBLE_RANGE[0]:g} to "
-            f"{PLAUSIBLE_RANGE[1]:g}, "
-            f"got {wrong.flat[0]:g}; 7 GPa is 714"
+            f"{PLAUSIBLE_RANGE[1]:g}, got {wrong.flat[0]:g}; 7 GPa is 714"
         )
     return hardness
 

@@ -147,8 +147,7 @@ def in_cells(name: str, length: float, step: float) -> float:
     if not abs(length) <= MAX_CELLS_ALONG_AXIS * step:
         raise ValueError(
             f"{name} must be <= {MAX_CELLS_ALONG_AXIS * step:.6g} m ({MAX_CELLS_ALONG_AXIS} cells "
-            f"of {step!r} m), "
-            f"got {length!r} m"
+            f"of {step!r} m), got {length!r} m"
         )
     return length / step
 
@@ -381,8 +380,7 @@ def file_path(name: str, value: Any) -> Path:
     if len(os.fsencode(longest)) > MAX_FILE_NAME_BYTES:
         raise ValueError(
             f"{name} must have parts of at most {MAX_FILE_NAME_BYTES} bytes, the limit of file "
-            "systems, "
-            f"got {in_short(longest)}"
+            f"systems, got {in_short(longest)}"
         )
     return Path(text)
 

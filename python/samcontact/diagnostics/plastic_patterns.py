@@ -55,9 +55,8 @@ def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool
     text = (
         f"mean pressure exceeds the fully plastic limit: it is {mean:.3g} times the yield stress "
         f"of body {number} at maximum plastic strain (about {LIMIT_PRESSURE_RATIO:g} expected). "
-        "With "
-        f"{across:.0f} cells across the contact, the pressure is about {over:.0f} % too high and "
-        "the contact area too small by as much: use smaller cells, or thinner layers (dz)"
+        f"With {across:.0f} cells across the contact, the pressure is about {over:.0f} % too high "
+        "and the contact area too small by as much: use smaller cells, or thinner layers (dz)"
     )
     warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     return True

@@ -208,8 +208,7 @@ def warn_of_contact(
         text = (
             f"area is uncertain by about {100 * share:.0f} %, and so is the mean pressure: {count} "
             f"spots are {ROUND_SPOT_AREA_ERROR / share:.1f} cells across ({cell}). Use smaller "
-            "cells; with "
-            "round spots of 8 cells the uncertainty would be "
+            "cells; with round spots of 8 cells the uncertainty would be "
             f"{100 * ROUND_SPOT_AREA_ERROR / RECOMMENDED_CELLS:.0f} %"
         )
     elif not _is_wide(pressure) and (cells := cells_across(pressure, grid.periodic)) < few:
@@ -252,8 +251,7 @@ def warn_of_zone(
     text = (
         f"under-resolved plastic zone of body {body}: {layers:.0f} layers of "
         f"{quantity(states[0].grid.dz or 0.0, 'm')} (at least {RECOMMENDED_CELLS} recommended), "
-        "so that plastic "
-        "strain and residual stress depend on the grid. Reduce dz"
+        "so that plastic strain and residual stress depend on the grid. Reduce dz"
     )
     warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     return True

@@ -165,8 +165,7 @@ def _tried(io: Any, call: Any) -> Any:
     except Exception as error:
         raise _ReaderError(
             f"its reader failed ({type(error).__name__}: {error_text(error)}): the file is "
-            "damaged, or "
-            "a variant that SurfaceTopography does not support"
+            "damaged, or a variant that SurfaceTopography does not support"
         ) from error
 
 

@@ -105,8 +105,7 @@ def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float
         raise ValueError(
             f"heat.history must have a shortest step >= {least:.4g} s for body {body}, got "
             f"{shortest:.4g} s: heat must diffuse over {MIN_DIFFUSION_LENGTH:g} of a cell of "
-            f"{cell:.4g} "
-            f"m (diffusivity {diffusivity:.4g} m^2/s)"
+            f"{cell:.4g} m (diffusivity {diffusivity:.4g} m^2/s)"
         )
 
 

@@ -99,8 +99,7 @@ def make_setup(
     if not YIELD_STRAIN < limit < MAX_SMALL_STRAIN:
         raise ValueError(
             f"threshold must be > {YIELD_STRAIN!r} (yield) and < {MAX_SMALL_STRAIN!r} (limit of "
-            "small "
-            f"strains), got {limit!r}"
+            f"small strains), got {limit!r}"
         )
     numbers = tuple(worn) if isinstance(worn, (list, tuple)) else ()
     if not numbers or any(numbers.count(one) > 1 for one in numbers):
