@@ -213,7 +213,7 @@ def test_a_plastic_zone_is_refused_and_the_state_stays(monkeypatch):
     with monkeypatch.context() as patch:
         patch.setattr(memory, "_MAX_UNCHECKED_BYTES", 0.0)
         patch.setattr(memory, "available", lambda: 20e6)
-        told = r"the plastic zone, \d+ x \d+ x \d+ cells, needs about"
+        told = r"the plastic zone, \d+ x \d+ x \d+ cells, requires about"
         with pytest.raises(MemoryError, match=told):
             simulation.step(load=1500.0)
     np.testing.assert_array_equal(simulation.state.pressure, before)

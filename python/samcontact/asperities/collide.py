@@ -113,9 +113,8 @@ def collide(
     require_type("grid", grid, Grid)
     for name in ("friction", "heat"):
         if settings.get(name):
-            raise ValueError(
-                f"{name} is not supported in asperity collisions, got {settings[name]!r}"
-            )
+            given = f"got {settings[name]!r}"
+            raise ValueError(f"{name} is not supported in asperity collisions, {given}")
     step = integer("cells_per_increment", cells_per_increment, 1) * grid.dx / collision.R2
     if step > 0.5 * collision.half_angle:
         raise ValueError(
@@ -147,9 +146,8 @@ def collide(
                 unloaded.append(run.state)
         except Exception as error:
             if done := [one for one in rows if one]:
-                found = CollisionResult(
-                    collision, simulation, to_dataset(collision, done), unloaded
-                )
+                series = to_dataset(collision, done)
+                found = CollisionResult(collision, simulation, series, unloaded)
                 error.result = found  # type: ignore[attr-defined]
             raise
     resolution.warn_of_run([run.peak, run.state], simulation.engine.estimate, stacklevel=2)

@@ -20,7 +20,7 @@ orthogonal_shear = "y"
 yield_stress = "2 GPa"
 limit = {dang_van = "300 MPa", fatemi_socie = 0.004}
 """
-PASSING = '[fatigue]\npassing = "x"\nfatemi_socie = 0.5\n'
+PASSING = '[fatigue]\nsteady_axis = "x"\nfatemi_socie = 0.5\n'
 
 
 @pytest.fixture
@@ -41,7 +41,7 @@ def states_of(more):
 def test_the_path_is_the_cycle(run):
     outcome, folder = run(FATIGUE)
     assert outcome.exit_code == 0, outcome.output
-    assert "Fatigue of body 2 over 3 moments" in outcome.stdout
+    assert "Fatigue of body 2 over 3 instants" in outcome.stdout
     with results.open_results(folder / "fatigue.nc") as stored:
         found = stored.load()
     seen = sc.fatigue.cycle(states_of(FATIGUE))
@@ -102,7 +102,7 @@ SINGLE = MINIMAL.replace("increments = 2", "increments = 1").split("[[path]]")
             f"{MINIMAL}\n{WEAR}[fatigue]\ndang_van = 0.3",
             r"fatigue cannot be combined with \[wear\]",
         ),
-        (f"{MINIMAL}\n[fatigue]\npassing = 'x'", "at least one of dang_van, crossland"),
+        (f"{MINIMAL}\n[fatigue]\nsteady_axis = 'x'", "at least one of dang_van, crossland"),
         (f"{MINIMAL}\n[fatigue]\ndang_van = 0.3\nyield_stress = 1e9", "to fatemi_socie only"),
         (
             f"{MINIMAL}\n[fatigue]\ndang_van = 0.3\nlimit = {{findley = 1e8}}",

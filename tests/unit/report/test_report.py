@@ -126,23 +126,18 @@ def test_convergence_equals_the_dataset(page, data):
     headings, *rows = cells(page, "convergence-table")
     assert headings[1:4] == ["plastic iterations", "plastic-strain residual", "yield violation"]
     names = [
-        "iterations",
-        "plastic_strain_residual",
-        "yield_violation",
-        "contact_iterations",
+        "iterations", "plastic_strain_residual", "yield_violation", "contact_iterations",
         "substeps",
-    ]
+    ]  # fmt: skip
     behind = exact(page, "convergence-table")
     for index, name in enumerate(names):
         found = np.array([row[index] for row in behind], dtype=float)
         np.testing.assert_array_equal(found, data[name])
     assert rows[-1][6:8] == ["none", "none"]  # unloaded: there is no contact
     names = [
-        "contact_edge_distance",
-        "cells_across_contact",
-        "layers_across_plastic_zone_body2",
+        "contact_edge_distance", "cells_across_contact", "layers_across_plastic_zone_body2",
         "plastic_edge_distance_body2",
-    ]
+    ]  # fmt: skip
     assert [float(value) for value in behind[1][5:]] == [float(data[name][1]) for name in names]
 
 
@@ -267,12 +262,7 @@ SPOILERS = [
     ("minimum distance between contact", "contact_edge_distance", lambda x: x * 0, 0.0),
     ("minimum distance between plastic", "plastic_edge_distance_body2", lambda x: x * 0, 0.0),
     ("cells across", "cells_across_contact", lambda x: x * 0 + 3, 3.0),
-    (
-        "layers across the plastic zone",
-        "layers_across_plastic_zone_body2",
-        lambda x: x * 0 + 3,
-        3.0,
-    ),
+    ("layers across", "layers_across_plastic_zone_body2", lambda x: x * 0 + 3, 3.0),
     (
         "maximum plastic strain magnitude",
         "max_plastic_strain_magnitude_body2",
