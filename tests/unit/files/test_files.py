@@ -100,7 +100,7 @@ class TestReplacing:
 
 
 class TestExtremes:
-    """Refused at once: most would fill the memory, some were errors of other kinds."""
+    """Extreme sizes are refused at once, with a clear error: most would exhaust the memory."""
 
     @pytest.mark.parametrize(
         "make",
