@@ -58,7 +58,7 @@ void bind_errors(py::module_& m) {
   convergence_error.call_once_and_store_result([&] {
     const py::exception<ConvergenceError> type(m, "ConvergenceError", PyExc_RuntimeError);
     type.attr("__doc__") =
-        "Error of an iteration that did not reach its tolerance; see `iterations` and `residual`. "
+        "Error of an iteration that did not reach its tolerance; see `iterations` and `residual`.\n"
         "The previous state is kept.";
     type.attr("iterations") = 0;
     type.attr("residual") = 0.0;
@@ -68,8 +68,8 @@ void bind_errors(py::module_& m) {
   too_small_error.call_once_and_store_result([&] {
     const py::exception<GridTooSmallError> type(m, "GridTooSmallError", PyExc_ValueError);
     type.attr("__doc__") =
-        "Error of a contact that reaches the edge of the grid; `axes` names the directions to "
-        "enlarge: x, y or xy.";
+        "Error of a contact that reaches the edge of the grid.\n"
+        "`axes` names the directions to enlarge: x, y or xy.";
     type.attr("axes") = "";
     return py::object(type);
   });

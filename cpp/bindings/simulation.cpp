@@ -31,8 +31,9 @@ using ReliefTuple = std::tuple<Array, int, bool, MaybeArray>;
 simulation::Reliefs to_reliefs(const std::array<std::optional<ReliefTuple>, 2>& given) {
   simulation::Reliefs reliefs;
   for (int b = 0; b < 2; ++b) {
-    if (!given[b]) continue;
-    const auto& [heights, first_row, periodic, worn] = *given[b];
+    const std::optional<ReliefTuple>& relief = given[b];
+    if (!relief) continue;
+    const auto& [heights, first_row, periodic, worn] = *relief;
     reliefs[b] = {to_field(heights), static_cast<int>(heights.shape(0)), first_row, periodic,
                   to_field_or_empty(worn)};
   }

@@ -122,8 +122,10 @@ def assert_energy(simulation, states):
         return None
     energy = sc.energy.balance(simulation, states[1:])  # the bodies need not touch at the start
     scale = max(energy.work_input, abs(energy.net_external_work))
-    assert_finite(**{name: getattr(energy, name) for name in ("work_input", "net", "missing")})
-    for name in ("elastic", "friction"):
+    assert_finite(
+        **{name: getattr(energy, name) for name in ("work_input", "net_external_work", "imbalance")}
+    )
+    for name in ("elastic_energy", "friction_work"):
         assert getattr(energy, name) >= -1e-6 * scale, name
     # without slip edges that open let go what they hold; surfaces without ends may touch everywhere
     if math.isfinite(simulation.friction.coefficient) and not simulation.grid.periodic:

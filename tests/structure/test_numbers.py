@@ -45,7 +45,7 @@ SET = {
         "python/samcontact/_util/load_core.py", "MIN_STACK_BYTES = 2**20"),
     ("docs/developer/data_layout.md", "16 MB"): ("cpp/src/base/aligned.cpp", "1} << 24"),
     ("docs/developer/states.md", "512 MB"): ("python/samcontact/_util/field_cache.py", "512e6"),
-    ("docs/peers.md", "3 s"): ("benchmarks/peers/schedule.py", "LONG = 3.0"),
+    ("docs/peers.md", "3 s"): ("benchmarks/peers/schedule.py", "MAX_REPEATED_SECONDS = 3.0"),
     ("docs/theory/zones.md", "0.7 of the work"): (
         "cpp/src/simulation/increment/split_choice.cpp", "max_work_ratio = 0.7"),
     ("docs/theory/zones.md", "0.45 of its work"): (

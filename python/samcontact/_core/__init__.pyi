@@ -44,7 +44,8 @@ __all__: list[str] = [
 
 class ConvergenceError(RuntimeError):
     """
-    An iteration did not reach its tolerance: .iterations, .residual; the state before stays.
+    Error of an iteration that did not reach its tolerance; see `iterations` and `residual`.
+    The previous state is kept.
     """
 
     iterations: int
@@ -52,7 +53,8 @@ class ConvergenceError(RuntimeError):
 
 class GridTooSmallError(ValueError):
     """
-    The contact reaches the border of the grid, across .axes: x, y or xy.
+    Error of a contact that reaches the edge of the grid.
+    `axes` names the directions to enlarge: x, y or xy.
     """
 
     axes: str

@@ -212,7 +212,7 @@ class RefinableCase:
         return float(CELLS_OF_FIRST_GRID * self._finer * REFINEMENT_RATIO**level)
 
     def __repr__(self) -> str:
-        return f"Refinable({self.case!r})"
+        return f"RefinableCase({self.case!r})"
 
     def on(self, level: int, increments: int) -> Case:
         """Return the case on a grid with a cell in the middle, as on all grids."""

@@ -47,7 +47,9 @@ def profile(kind: str, given: Any) -> Profile:
                 f"{part.shape}"
             )
         if part.shape != values[0].shape:
-            raise ValueError(f"{name} must have {values[0].size} values like z, got {part.size}")
+            raise ValueError(
+                f"{name} must have as many values as z, {values[0].size}, got {part.size}"
+            )
         if not np.isfinite(part).all():
             raise ValueError(f"{name} must be finite everywhere")
     return tuple(tuple((part + 0.0).tolist()) for part in values)

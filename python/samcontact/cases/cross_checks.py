@@ -62,8 +62,7 @@ def _require_cycle(case: Any) -> None:
         raise ValueError(
             "fatigue requires a path of at least 2 increments, which form one cycle: add "
             'increments, or set fatigue.steady_axis = "x" for material that passes through a '
-            "steady "
-            "contact"
+            "steady contact"
         )
 
 

@@ -101,7 +101,7 @@ def hertz(
         _warn_of_slips(contact, {"R": radius, "Ry": radius_y, "E_star": modulus, "length": length,
                                  "load_per_length": per_length, **given})  # fmt: skip
         for label, value in rows:
-            click.echo(f"{label:<32}{value:.9g}")
+            click.echo(f"{label:<40}{value:.9g}")
 
 
 def _warn_of_slips(contact: HertzContact, given: dict[str, float | None]) -> None:

@@ -50,5 +50,5 @@ def effective_modulus(body1: Body, body2: Body) -> float:
         if not math.isinf(modulus):
             compliance += (1.0 - poisson_ratio(f"{name}.nu", body.nu) ** 2) / modulus
     if compliance == 0.0:
-        raise ValueError("body1 or body2 must be deformable, got two rigid bodies")
+        raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
     return 1.0 / compliance

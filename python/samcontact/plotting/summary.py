@@ -70,12 +70,12 @@ def summary_figures(
 
         - pressure, pressure_map, gap_map, load_approach;
         - with layers of the grid: axis_stress, sections and, for a layered body, interface;
-        - with partial slip: stick_slip (increment of maximum force), and fretting_loop or, for
+        - with partial slip: partial_slip (increment of maximum force), and fretting_loop or, for
           rolling, rolling_force and, with varying creepage, creep_curve;
         - with heating: flash_temperature and, with layers of the grid, temperature (hottest
           increment);
-        - for an elastic-plastic body: print, imprint_map and residual (last increment, or the whole
-          track of a moving body) and, for a moving body, track_imprint and track_sections.
+        - for an elastic-plastic body: imprint, imprint_map and residual (last increment, or the
+          whole track of a moving body) and, for a moving body, track_imprint and track_sections.
 
     Raises
     ------

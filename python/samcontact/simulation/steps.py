@@ -138,7 +138,7 @@ def _ways(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
     first, second = (in_cells("advance", float(way), grid.dx) for way in given)
     if grid.along_x and (first, second) != AT_REST:
         raise ValueError(
-            f"advance must be (0, 0) on a grid periodic along {grid.periodic!r}, got "
+            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got "
             f"{(first, second)!r}"
         )
     return first, second

@@ -90,7 +90,7 @@ def test_material():
         "n": "0.121",
         "backstress 1": "modulus 2 GPa, recovery 30",
         "conductivity": "50.2 W/(m K)",
-        "expansion": "11.7 µm/(m K)",
+        "thermal expansion": "11.7 µm/(m K)",
         "diffusivity": "13.7 mm²/s",
     }
     assert parsed(sc.Material.rigid()) == ("Material", {"law": "rigid"})

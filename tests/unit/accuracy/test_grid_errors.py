@@ -153,6 +153,6 @@ def test_what_a_rough_surface_has_beyond_its_grid_is_told(tmp_path):
     rough = '[surface.roughness]\nkind = "self_affine"\nrms_height = 1e-7\nhurst = 0.5\nseed = 1\n'
     elastic = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3')
     told, dataset = run(tmp_path, elastic.replace("[[path]]", f"{rough}[[path]]", 1))
-    assert "of the mean square slope of the surface is in waves shorter than" in told
-    (check,) = [c for c in report.checks(dataset) if "mean square slope" in c.name]
+    assert "of the mean-square slope of the surface is at wavelengths below" in told
+    (check,) = [c for c in report.checks(dataset) if "mean-square slope" in c.name]
     assert check.value == dataset.attrs["slope_beyond"] > check.limit

@@ -147,7 +147,7 @@ def test_the_command_leaves_the_best_values_and_goes_on(expected, steps, tmp_pat
     assert left["max_pressure_error"][-1] > expected.errors["max_pressure"]
     failed = [check.name for check in report.checks(left) if not check.passed]
     assert failed == [
-        "increments: the whole path (1) or a part (0)",
+        "increments: complete path (1) or part of it (0)",
         "estimated relative error, contact area",
     ]
     steps.stop(0)

@@ -64,7 +64,9 @@ def test_first_yield_below_the_grid_is_refused():
     def built(load):
         return sc.Simulation(grid, RIGID, body, gap), [{"load": load}]
 
-    with pytest.raises(ValueError, match=r"body2 yields in the last layer .* more layers"):
+    with pytest.raises(
+        ValueError, match=r"body2 yields in or below the deepest layer .*: increase nz"
+    ):
         sc.find_load(built, "yield", largest_load=100.0)
 
 

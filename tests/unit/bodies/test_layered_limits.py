@@ -131,7 +131,7 @@ def test_a_nanometre_on_a_millimetre_is_a_membrane():
         membrane += nu / (1 - nu) * s[2]
         assert inside[inside_of_it][c] == pytest.approx(membrane, abs=1e-3 * np.abs(s).max())
     volume = sc.Grid(41, 41, 1e-6, 1e-6, dz=1e-6)
-    with pytest.raises(ValueError, match=r"the bottom of layers\[0\] of body2, 1e-09 m deep"):
+    with pytest.raises(ValueError, match=r"the bottom of layers\[0\] of body2, at 1e-09 m"):
         sc.Simulation(volume, RIGID, sc.Layered([(NITRIDE, 1e-9)], CASE[1]), gap)
 
 

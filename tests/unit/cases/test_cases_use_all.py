@@ -86,7 +86,7 @@ def computed(tmp_path, monkeypatch):
     def record(*arguments, **named):
         seen["arguments"] = told([list(arguments), named])
 
-    for name in ("cycle", "steady_axis"):
+    for name in ("cycle", "steady_cycle"):
         monkeypatch.setattr(fatigue, name, lambda states, *given, name=name: (name, *given))
     for name in fatigue.CRITERIA:
         monkeypatch.setattr(fatigue._criteria, name, lambda *seen, **given: repr((seen, given)))

@@ -128,20 +128,20 @@ def test_hertz_point_and_elliptic():
     common = ("hertz", "--R", "7.5e-3", "--E-star", "115384615384.6154")
     outcome = invoke(*common, "--load", 1500, "--nu", 0.3)
     assert outcome.exit_code == 0, outcome.output
-    values = {line[:32].strip(): float(line[32:]) for line in outcome.stdout.splitlines()}
+    values = {line[:40].strip(): float(line[40:]) for line in outcome.stdout.splitlines()}
     assert values["maximum pressure p0 [Pa]"] == pytest.approx(4095642673.4, rel=1e-8)
     assert values["maximum von Mises stress [Pa]"] == pytest.approx(
         0.62004 * 4095642673.4, rel=1e-5
     )
     outcome = invoke(*common, "--Ry", "37.5e-3", "--p0", "1e9")
-    values = {line[:32].strip(): float(line[32:]) for line in outcome.stdout.splitlines()}
+    values = {line[:40].strip(): float(line[40:]) for line in outcome.stdout.splitlines()}
     assert values["ellipticity a_y/a_x [-]"] == pytest.approx(2.890181, abs=1e-6)
 
 
 def hertz_values(*arguments):
     outcome = invoke("hertz", "--R", "7.5e-3", "--E-star", "115e9", *arguments)
     assert outcome.exit_code == 0, outcome.output
-    return {line[:32].strip(): float(line[32:]) for line in outcome.stdout.splitlines()}
+    return {line[:40].strip(): float(line[40:]) for line in outcome.stdout.splitlines()}
 
 
 def test_hertz_line():

@@ -140,7 +140,7 @@ class TestCommands:
         case = tmp_path / "wear.csv"
         case.write_text(SCAR)
         outcome = invoke("run", case, "--output", tmp_path)
-        check_failure(outcome, 2, f"the case file {case} has the name of a file that its run may")
+        check_failure(outcome, 2, f"the case file {case} has the name of a file that the run may")
         assert case.read_text() == SCAR
 
     @pytest.mark.parametrize("name", ["sweep.nc", "cases"])

@@ -132,9 +132,9 @@ def test_an_error_leaves_what_was_computed(
     if not isinstance(error, OSError):
         return
     checks = {check.name: check for check in report.checks(found)}
-    assert not checks["increments: the whole path (1) or a part (0)"].passed
+    assert not checks["increments: complete path (1) or part of it (0)"].passed
     outcome = invoke("report", tmp_path)
-    assert "check failed: increments: the whole path" in outcome.stderr
+    assert "check failed: increments: complete path" in outcome.stderr
     assert str(error) in html.unescape((tmp_path / "report.html").read_text())
     # with what was missing
     outcome = invoke("resume", tmp_path / "results.nc", *OPTIONS)

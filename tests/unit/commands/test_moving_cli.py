@@ -153,7 +153,9 @@ class TestForeignCheckpoints:
         assert (aside / "increment_00001.h5").exists()
         outcome = invoke(*plain)  # of the same run: none is lost
         assert outcome.exit_code == 0
-        assert outcome.stderr == f"going on from the checkpoints of an interrupted run: {folder}\n"
+        assert (
+            outcome.stderr == f"continuing from the checkpoints of an interrupted run: {folder}\n"
+        )
         assert [path.name for path in folder.parent.iterdir()] == ["results.nc"]
 
 

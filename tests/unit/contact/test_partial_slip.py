@@ -247,10 +247,15 @@ def test_periodic_surfaces():
             sc.Coulomb(0.3),
             {"torque": 1.0},
             ValueError,
-            r"torque must be smaller than [0-9.e-]{7,12} N m,",
+            r"torque must be less in magnitude than [0-9.e-]{7,12} N m,",
         ),
         (sc.Coulomb(0.0), {"tangential_load": (1e-3, 0.0)}, ValueError, "tangential_load"),
-        (sc.Coulomb(0.3), {"previous": 3}, TypeError, "previous must be a samcontact.Stick"),
+        (
+            sc.Coulomb(0.3),
+            {"previous": 3},
+            TypeError,
+            "previous must be a samcontact.PartialSlipSolution",
+        ),
     ],
 )
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")

@@ -40,7 +40,7 @@ class TestLimitLoad:
         n = int(2.4 * cells) | 1
         gap = lambda grid: sc.surfaces.paraboloid(grid, self.R)  # noqa: E731
         sim = sc.Simulation(sc.Grid(n, n, size, size, dz=size), RIGID, soft, gap)
-        texts = warned(sim, "the mean pressure", approach=[depth])
+        texts = warned(sim, "mean pressure exceeds", approach=[depth])
         return texts, sim.state.mean_pressure / self.YIELD
 
     def test_is_exceeded_on_few_cells_which_is_told(self):

@@ -161,7 +161,7 @@ def test_rough_contacts_of_small_spots_are_told():
         fine = cells == 64
         assert checks["relative uncertainty of the contact area at maximum load"] is fine
         assert (share < resolution.AREA_ERROR_WARNING) is fine
-        expected = [] if fine else [f"uncertain by about {100 * share:.0f} %.* its 16 spots"]
+        expected = [] if fine else [f"uncertain by about {100 * share:.0f} %.*: 16 spots"]
         assert len(texts) == len(expected)
         assert all(re.search(*pair) for pair in zip(expected, texts, strict=True))
         counts[cells] = area, share

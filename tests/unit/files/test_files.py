@@ -114,7 +114,7 @@ class TestExtremes:
         ],
     )
     def test_paths(self, make):
-        with pytest.raises(ValueError, match=r"must be at (most|least)"):
+        with pytest.raises(ValueError, match=r"must be (at most|>=) "):
             make()
 
     def test_grid(self):
@@ -134,7 +134,7 @@ class TestExtremes:
     def test_a_pressure_that_no_number_holds_is_not_converged(self):
         elastic = sc.Material.elastic(210e9, 0.3)
         solver = sc.ContactSolver(GRID, elastic, elastic, on_border="warn")
-        with pytest.raises(sc.ConvergenceError, match="beyond the range of numbers"):
+        with pytest.raises(sc.ConvergenceError, match="the solution is not finite"):
             solver.solve(sc.surfaces.paraboloid(GRID, 1e-3), approach=3.4e145)
 
     @pytest.mark.parametrize("value", [5e-324, 1e-76, 2e75, 1e300])
@@ -185,7 +185,7 @@ class TestResults:
         report.write(dataset, tmp_path / "report.html")
         broken = dataset.drop_vars("pressure").assign(pressure=xr.Variable((), 1.0))
         for use in (report.checks, lambda data: report.write(data, tmp_path / "other.html")):
-            with pytest.raises(ValueError, match="some part of it is missing or of another kind"):
+            with pytest.raises(ValueError, match="a part of it is missing or has another type"):
                 use(broken)
         assert not (tmp_path / "other.html").exists()
 

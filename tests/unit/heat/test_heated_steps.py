@@ -232,7 +232,7 @@ class TestSoftening:
         assert hash(soft) == hash(STEEL.with_softening(self.LAW))
         with pytest.raises(TypeError, match="law must be a function of the temperature"):
             STEEL.with_softening(0.5)
-        with pytest.raises(ValueError, match="needs a body that yields"):
+        with pytest.raises(ValueError, match="softening requires an elastic-plastic material"):
             WARM.with_softening(self.LAW)
 
     def test_checkpoint(self, tmp_path):

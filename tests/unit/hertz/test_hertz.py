@@ -339,10 +339,16 @@ def test_effective_modulus():
         (lambda: hertz.point(1.0, 1.0, load=math.nan), "load must be a finite number > 0, got nan"),
         (lambda: hertz.point(0.0, 1.0, load=1.0), "R must be a finite number > 0, got 0.0"),
         (lambda: hertz.point(1.0, math.inf, p0=1.0), "E_star must be a finite number > 0, got inf"),
-        (lambda: hertz.point(1.0, 1.0), "exactly one of load, approach, p0; got none"),
+        (
+            lambda: hertz.point(1.0, 1.0),
+            "exactly one of load, approach, p0 must be given, got none",
+        ),
         (lambda: hertz.point(1.0, 1.0, load=1.0, p0=1.0), "exactly one .* got load, p0"),
         (lambda: hertz.elliptic(1.0, math.inf, 1.0, load=1.0), "Ry must be a finite number > 0"),
-        (lambda: hertz.line(1.0, 1.0), "exactly one of load_per_length, p0; got none"),
+        (
+            lambda: hertz.line(1.0, 1.0),
+            "exactly one of load_per_length, p0 must be given, got none",
+        ),
         (
             lambda: hertz.point(1.0, 1.0, p0=1.0).max_von_mises(0.6),
             r"nu must be in \[0, 0\.5\], got 0\.6",

@@ -56,8 +56,11 @@ def test_load_unload_mirrors():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: paths.ramp(), "exactly one of load, approach; got none"),
-        (lambda: paths.ramp(load=1.0, approach=1.0), "exactly one .*; got load, approach"),
+        (lambda: paths.ramp(), "exactly one of load, approach must be given, got none"),
+        (
+            lambda: paths.ramp(load=1.0, approach=1.0),
+            "exactly one .* must be given, got load, approach",
+        ),
         (lambda: paths.ramp(load=float("inf")), "load must be a finite number, got inf"),
         (lambda: paths.ramp(approach=float("inf")), "approach must be a finite number, got inf"),
         (lambda: paths.ramp(load=1.0, increments=0), "increments must be an integer >= 1, got 0"),
@@ -238,7 +241,7 @@ def test_ramp_and_hold_while_the_bodies_move():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"load": None}, "exactly one of load, approach; got none"),
+        ({"load": None}, "exactly one of load, approach must be given, got none"),
         ({"load": 0.0}, r"load must be > 0, got 0\.0"),
         ({"load": None, "approach": -1.0}, r"approach must be > 0, got -1\.0"),
         ({"distance": 0.0}, "distance must not be 0"),

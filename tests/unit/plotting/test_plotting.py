@@ -187,7 +187,7 @@ def test_temperature_profile(simulation, ax):
     np.testing.assert_allclose(drawn["along x"][:, 0], simulation.grid.x * 1e6)
     np.testing.assert_allclose(drawn["along x"][:, 1], field[:, 4])
     np.testing.assert_allclose(drawn["along y"][:, 1], field[5])
-    assert ax.get_ylabel() == "rise of temperature [K]"
+    assert ax.get_ylabel() == "temperature rise [K]"
 
 
 def test_temperature_of_the_wrong_shape(simulation, ax):
@@ -200,7 +200,7 @@ def test_section_of_temperature(simulation, ax):
     field = np.arange(float(grid.nx * grid.ny * grid.nz)).reshape(grid.nx, grid.ny, grid.nz)
     plotting.section(field, grid, ax, quantity="temperature", cells=True)
     np.testing.assert_allclose(ax.collections[0].get_array(), field[:, 4, :].T)
-    assert shown_label(ax) == "rise of temperature [K]"
+    assert shown_label(ax) == "temperature rise [K]"
 
 
 def test_axis_profile(state, simulation, ax):
@@ -251,7 +251,7 @@ def test_bad_input_is_named(state, simulation, ax):
         plotting.imprint_profile(state.gap, grid, ax, axis="z")
     with pytest.raises(ValueError, match=r"quantity must be one of 'von_mises', .* got 'heat'"):
         plotting.section(state.von_mises(), grid, ax, quantity="heat")
-    with pytest.raises(ValueError, match="grid must have a volume"):
+    with pytest.raises(ValueError, match="grid must have layers, got a grid without dz"):
         plotting.section(state.von_mises(), make_grid(), ax)
     with pytest.raises(ValueError, match=r"components must be one of .* got 'rr'"):
         plotting.axis_profile(state.stress(), grid, ax, components=("rr",))

@@ -171,7 +171,7 @@ def test_summary_runs_where_there_is_something(states, shown):
 def test_bad_input_is_named(states, shown, ax):
     with pytest.raises(ValueError, match="axis must be one of 'x', 'y', got 'z'"):
         plotting.track_imprint(shown, ax, axis="z")
-    with pytest.raises(ValueError, match="positions must hold at least one value"):
+    with pytest.raises(ValueError, match="positions must contain at least one value"):
         plotting.track_imprint(shown, ax, positions=())
     with pytest.raises(ValueError, match="positions must be a finite number, got nan"):
         plotting.track_imprint(shown, ax, positions=(np.nan,))
@@ -189,7 +189,7 @@ def test_bad_input_is_named(states, shown, ax):
     grid = sc.Grid(15, 13, STEP, STEP)
     flat = sc.Simulation(grid, steel, steel, sc.surfaces.paraboloid(grid, 7.5e-3)).step(load=100.0)
     for call in (plotting.loaded_section, lambda s: plotting.rolling_animation([s])):
-        with pytest.raises(ValueError, match="grid must have a volume"):
+        with pytest.raises(ValueError, match="grid must have layers, got a grid without dz"):
             call(flat)
 
 
@@ -278,7 +278,7 @@ class TestAnimation:
         assert not list(tmp_path.iterdir())
 
     def test_bad_input_is_named(self, states):
-        with pytest.raises(ValueError, match="states must hold at least one state"):
+        with pytest.raises(ValueError, match="states must contain at least one state"):
             plotting.rolling_animation([])
         with pytest.raises(ValueError, match=r"quantity must be one of 'von_mises', .* got 'heat'"):
             plotting.rolling_animation(states, quantity="heat")

@@ -151,4 +151,4 @@ def test_an_empty_folder_has_nothing_to_export(tmp_path):
     file = results.save(dataset()[["load"]], tmp_path / "wear.nc")
     outcome = CliRunner().invoke(main, ["export", str(file), "--html"])
     assert outcome.exit_code == 2
-    assert "has no fields of a contact to export" in outcome.stderr
+    assert "contains no contact fields to export" in outcome.stderr

@@ -96,17 +96,17 @@ def test_too_few_increments_are_told(collision):
     assert not report.checks(held)[2].passed
 
 
-@pytest.mark.parametrize("study", ["asperities", "wear"])
+@pytest.mark.parametrize("study", ["collision", "wear"])
 @pytest.mark.parametrize("name", ["cells_across_contact", "layers_across_plastic_zone"])
 def test_cells_and_layers_that_resolve_nothing_are_told(study, name, request):
     folder, _ = request.getfixturevalue(study)
     with results.open_results(
-        folder / ("series.nc" if study == "asperities" else "wear.nc")
+        folder / ("series.nc" if study == "collision" else "wear.nc")
     ) as data:
         fine, coarse = (data.load().assign({name: data[name] * 0 + n}) for n in (4, 3))
     failed = [[v.name for v in report.checks(one) if not v.passed] for one in (fine, coarse)]
     (told,) = set(failed[1]) - set(failed[0])
-    assert told.split()[0] == name.split("_")[1]
+    assert told.split()[0] == name.split("_")[0]
 
 
 def test_energy_of_passes_that_take_next_to_none():

@@ -57,7 +57,7 @@ def test_different(one, other):
 def test_what_differs_is_named():
     before = identity(friction=0.1, gap=np.zeros(3), grid="same")
     now = identity(friction=0.2, gap=np.ones(3), grid="same", heat=0.0)
-    told = "friction 0.2 instead of 0.1, another gap, heat 0.0 instead of nothing"
+    told = "friction 0.2 instead of 0.1, different gap, heat 0.0 instead of nothing"
     assert differences(now, before) == told
 
 
@@ -248,7 +248,7 @@ def test_a_run_is_not_continued_with_another_law(tmp_path):
 
     for _ in range(2):
         run(by_closure(1e-4), tmp_path / "known")
-    with pytest.raises(sc.CheckpointError, match="another softening law of body 2"):
+    with pytest.raises(sc.CheckpointError, match="different softening law of body 2"):
         run(by_closure(3e-4), tmp_path / "known")
     lock = threading.Lock()
 
@@ -272,7 +272,7 @@ def test_checkpoints_of_another_version_are_refused(tmp_path, monkeypatch):
     with monkeypatch.context() as older:
         older.setattr(file._core, "version", "0.0.9")
         run()
-    with pytest.raises(sc.CheckpointError, match=r"written by samcontact 0\.0\.9, and this is"):
+    with pytest.raises(sc.CheckpointError, match=r"was written by samcontact 0\.0\.9, not "):
         run()
-    with pytest.warns(UserWarning, match=r"written by samcontact 0\.0\.9, and this is"):
+    with pytest.warns(UserWarning, match=r"was written by samcontact 0\.0\.9, not "):
         sc.Simulation.load(tmp_path / "increment_00001.h5")

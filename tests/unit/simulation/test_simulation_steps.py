@@ -256,14 +256,22 @@ class TestBadInput:
         ("arguments", "error", "text"),
         [
             ({}, ValueError, "one of load, approach, pressure must be given"),
-            ({"load": 1.0, "approach": 0.0}, ValueError, "pressure; got load, approach"),
-            ({"load": 1.0, "pressure": BALL}, ValueError, "pressure; got load, pressure"),
+            (
+                {"load": 1.0, "approach": 0.0},
+                ValueError,
+                "pressure must be given, got load, approach",
+            ),
+            (
+                {"load": 1.0, "pressure": BALL},
+                ValueError,
+                "pressure must be given, got load, pressure",
+            ),
             ({"load": -1.0}, ValueError, "load must be a finite number >= 0 [N], got -1"),
             ({"load": math.nan}, ValueError, "load must be a finite number >= 0 [N], got nan"),
             ({"load": math.inf}, ValueError, "load must be a finite number >= 0 [N], got inf"),
             ({"load": "1 kN"}, TypeError, "load must be a number, got '1 kN'"),
             ({"approach": math.inf}, ValueError, "approach must be a finite number [m], got inf"),
-            ({"approach": None, "load": None}, ValueError, "pressure; got none"),
+            ({"approach": None, "load": None}, ValueError, "pressure must be given, got none"),
             ({"pressure": BALL.T}, ValueError, "pressure must have shape (19, 21), got (21, 19)"),
             (
                 {"pressure": BALL + np.inf},

@@ -48,7 +48,7 @@ def none_solved(monkeypatch):
         ({"body1.E": []}, "product", r"body1\.E must be given at least one value"),
         ({"body1.E": "1e9"}, "product", r"body1\.E must be given a sequence of values, got '1e9'"),
         ({"body1.E": 1e9}, "product", r"body1\.E must be given a sequence of values"),
-        ({"body1 E": [1e9]}, "product", r"names of parameters must be like .*got 'body1 E'"),
+        ({"body1 E": [1e9]}, "product", r"parameter names must be like .*got 'body1 E'"),
         ({}, "product", "parameters must map at least one field to values"),
     ],
 )
