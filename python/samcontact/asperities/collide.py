@@ -112,10 +112,8 @@ def collide(
     require_homogeneous("asperity collision does not support layered bodies", body1, body2)
     require_type("grid", grid, Grid)
     for name in ("friction", "heat"):
-        if settings.get(name):
-            raise ValueError(
-                f"{name} is not supported in asperity collisions, got {settings[name]!r}"
-            )
+        if given := settings.get(name):
+            raise ValueError(f"{name} is not supported in asperity collisions, got {given!r}")
     step = integer("cells_per_increment", cells_per_increment, 1) * grid.dx / collision.R2
     if step > 0.5 * collision.half_angle:
         raise ValueError(
@@ -147,10 +145,8 @@ def collide(
                 unloaded.append(run.state)
         except Exception as error:
             if done := [one for one in rows if one]:
-                found = CollisionResult(
-                    collision, simulation, to_dataset(collision, done), unloaded
-                )
-                error.result = found  # type: ignore[attr-defined]
+                part = CollisionResult(collision, simulation, to_dataset(collision, done), unloaded)
+                error.result = part  # type: ignore[attr-defined]
             raise
     resolution.warn_of_run([run.peak, run.state], simulation.engine.estimate, stacklevel=2)
     return CollisionResult(collision, simulation, to_dataset(collision, rows), unloaded)
