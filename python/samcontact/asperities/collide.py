@@ -117,8 +117,8 @@ def collide(
     step = integer("cells_per_increment", cells_per_increment, 1) * grid.dx / collision.R2
     if step > 0.5 * collision.half_angle:
         raise ValueError(
-            f"dx must be <= {0.5 * collision.half_angle * collision.R2:.6g} m over "
-            f"cells_per_increment, a quarter of the contact path, got {grid.dx!r}"
+            f"dx must be <= {0.5 * collision.half_angle * collision.R2:.6g} m / "
+            f"cells_per_increment (a quarter of the contact path), got {grid.dx!r}"
         )
     count = integer("passes", passes, 1)
     gap = surfaces.paraboloid(grid, collision.R)
