@@ -104,7 +104,7 @@ def models_below(annotation):
     ("old", "new", "message"),
     [
         ("nx = 16", f"nx = {'1' * 400}", ">= 1, got <int of about 400 digits>"),
-        ("dx = 5e-6", 'dx = "1e9999999999999999999 m"', "dx: must be within the range of numbers"),
+        ("dx = 5e-6", 'dx = "1e9999999999999999999 m"', "must be within the range of floating"),
         ("dx = 5e-6", "dx = 1e305", "grid.dx: magnitude must be <= 1e+300, got 1e+305"),
         ("[[path]]", "[output]\nbody = true\n[[path]]", "output.body: must be 1 or 2, got True"),
         ("[[path]]", "[output]\nfigures = 'no'\n[[path]]", "output.figures: must be true or false"),

@@ -42,7 +42,7 @@ def follow(kind, seed):
             failed += 1
             continue
         except ValueError as error:
-            assert "friction holds" in str(error)  # noqa: PT017 (most forces are held)
+            assert "friction limit" in str(error)  # noqa: PT017 (most forces are held)
             continue
         require_law(law, now, before)
         before, solved = now, solved + 1

@@ -326,7 +326,7 @@ def together(**given: ArrayLike) -> list[FloatArray]:
         return list(np.broadcast_arrays(*arrays.values()))
     except ValueError:
         shapes = ", ".join(str(array.shape) for array in arrays.values())
-        allowed = "one shape, or shapes that broadcast to it"
+        allowed = "one shape, or shapes that extend to it"
         raise ValueError(f"{', '.join(arrays)} must have {allowed}, got {shapes}") from None
 
 

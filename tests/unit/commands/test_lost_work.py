@@ -227,7 +227,7 @@ class TestStudies:
         with monkeypatch.context() as patch:
             patch.setattr(sc.Simulation, "step", stop_at(failing, ERRORS[0]))
             outcome = invoke("run", case, "--output", out, *OPTIONS)
-        what = "1 of up to 2 cycles" if "wear" in name else "1 of 1 passes, the last in part,"
+        what = "1 of up to 2 cycles" if "wear" in name else "1 of 1 passes (the last incomplete)"
         check_failure(outcome, 1, "did not converge: residual 0.1", f"{what} are in {out}")
         with results.open_results(out / name) as found:
             assert found.attrs["complete"] == 0

@@ -202,7 +202,7 @@ def test_ctrl_c_says_how_to_go_on(case_file, tmp_path):
     assert outcome.exit_code == 0, outcome.output
     assert [path.name for path in stopped.iterdir()] == ["results.nc"]
     xr.testing.assert_identical(fields(stopped), fields(plain))
-    check_failure(invoke("resume", stopped), 2, "has no interrupted run")
+    check_failure(invoke("resume", stopped), 2, "no interrupted run found in")
 
 
 def test_resume_refuses_a_case_that_changed(case_file, tmp_path):
