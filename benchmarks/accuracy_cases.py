@@ -28,7 +28,7 @@ Case = dict[str, Any]
 
 
 def pressed(body1: Case, body2: Case, load: float, surface: Case = BALL, **more: Any) -> Case:
-    """Loaded, and unloaded where a body yields."""
+    """Return a case with one load, and unloading if a body is elastic-plastic."""
     path = [{"load": load}]
     if not {body1["law"], body2["law"]} <= {"elastic", "rigid"}:
         path.append({"load": 0.0})
@@ -42,7 +42,7 @@ def rolled(body1: Case, load: float, distance: float, surface: Case, passes: int
 
 
 def elliptic(ratio: float) -> Case:
-    """Principal radii of this ratio."""
+    """Return a surface with this ratio of the principal radii."""
     return BALL | {"Ry": ratio * R}
 
 

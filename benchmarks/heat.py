@@ -57,7 +57,7 @@ def solve(meter: Meter, n: int, method: str) -> dict[str, Any]:
 
 
 def press(meter: Meter, cells: int, method: str) -> dict[str, Any]:
-    """`cells` per contact radius, 1500 N in 12 increments, operators included."""
+    """Load to 1500 N in 12 increments, with `cells` per contact radius; includes the operators."""
     d = hertz().a / cells
     n = 2 * int(1.5 * cells) + 1
     grid = sc.Grid(n, n, d, d, int(1.7 * cells), d)

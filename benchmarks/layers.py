@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies with depth: an iteration on a body with a coating, with five, with a yield profile.
+"""Bodies with properties that vary with depth: one coating, five layers, a yield profile.
 
-Layers are so like the substrate that all bodies deform alike; times are of the process, of bodies
-that take turns, and of increments after the first, which makes tables.
+Layers differ so little from the substrate that all bodies deform equally. Times are processor
+times, of bodies solved alternately, without the first increment, which computes tables.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def march(body: sc.Material | sc.Layered, grid: sc.Grid) -> dict[str, float]:
 
 
 def press(meter: Meter, n: int) -> dict[str, Any]:
-    """`n` cells across the radius of the elastic contact at the last load."""
+    """Load bodies with `n` cells across the radius of the elastic contact at the last load."""
     a = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(sc.Material.rigid(), STEEL),
                        load=LOADS[-1]).a  # fmt: skip
     cell = a / n

@@ -56,7 +56,7 @@ def gap(grid: sc.Grid) -> np.ndarray:
 def run(
     meter: Meter, n: int, percent: float, zones: str, parts: Sequence[float] = LOADING
 ) -> tuple[sc.Simulation, list[sc.State]]:
-    """The states under parts of the load that brings about so much into contact."""
+    """Return states under parts of the load for a contact area of about `percent`."""
     grid = sc.Grid(n, n, CELL, CELL, dz=CELL)
     surface, area = gap(grid), (n * CELL) ** 2
 

@@ -124,9 +124,9 @@ def gap(grid: sc.Grid) -> np.ndarray:
 
 
 def run(of: str, fine: int, parts: int) -> list[Record]:
-    """A row for each load, on a grid of so many cells for each of the shortest waves.
+    """Return a row for each load, on a grid with `fine` cells per shortest wavelength.
 
-    Each load is reached from the one before in so many increments; memory is that of all.
+    Each load is reached from the previous one in `parts` increments; memory is that of all loads.
     """
     n, cell = WAVES * fine, MIN_WAVELENGTH / fine
     grid = sc.Grid(n, n, cell, cell, dz=cell)

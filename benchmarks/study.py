@@ -112,7 +112,7 @@ def find(name: str) -> Study:
 
 
 def save(figures: dict[str, Any], folder: str = DRAWN) -> None:
-    """Write figures by the name of their file, each whole for whoever reads it meanwhile."""
+    """Write figures by file name, each atomically, so that no reader sees a part."""
     (ROOT / folder).mkdir(parents=True, exist_ok=True)
     for name, figure in figures.items():
         part = ROOT / folder / f"{name}.{os.getpid()}"

@@ -73,7 +73,7 @@ def report(table: pd.DataFrame, parts: list[ModuleType], *, times: bool = True) 
 
 
 def rows_of(section: str) -> list[dict[str, Any]]:
-    """Rows of the table of a section, numbers as they are written, without what is missing."""
+    """Rows of the table of a section: numbers as written, without missing cells."""
     lines = [line for line in section.splitlines() if line.startswith("|")]
     head, _, *rest = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
     return [

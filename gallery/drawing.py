@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The looks of the figures of several parts."""
+"""Style of the figures of several parts."""
 
 from __future__ import annotations
 

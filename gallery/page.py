@@ -42,7 +42,7 @@ class Picture:
 
 
 class Part(Protocol):
-    """A module of the gallery; what `compute` returns is its own affair."""
+    """Module of the gallery; the result of `compute` has a type of its own."""
 
     TITLE: str
     INTRODUCTION: str

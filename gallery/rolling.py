@@ -40,9 +40,9 @@ BODIES = (CERAMIC, STEEL_52100)
 class Results:
     bearing: dict[str, Run]
     rolled: Run
-    """4 mm, two cycles."""
+    """Result of two cycles of 4 mm."""
     repeated: Run
-    """2 mm, three cycles."""
+    """Result of three cycles of 2 mm."""
     strains: dict[float, float]
     """Largest plastic strain after two cycles of 2 mm [-], by cells (and steps) per radius."""
     mesh: str

@@ -36,13 +36,13 @@ class Number:
     tolerance: float = 0.05
     """Largest relative difference."""
     remark: str = ""
-    """E.g. what a converged mesh gives where the two differ."""
+    """Remark, e.g. the value on a converged mesh if it differs from that of the thesis."""
     converged: float | None = None
     """Value of a mesh study that contradicts the thesis; `holds` then compares with it."""
 
     @property
     def difference(self) -> float:
-        """Relative to the thesis."""
+        """Difference relative to the thesis [-]."""
         return self.ours / self.thesis - 1
 
     @property

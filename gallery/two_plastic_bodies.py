@@ -128,7 +128,7 @@ def compute(quick: bool) -> Results:
 
 
 def difference(results: Results, other: str) -> tuple[np.ndarray, np.ndarray]:
-    """Loads, and by how much p_max of E_EP exceeds that of a pair [%], (2.168)."""
+    """Loads, and excess of p_max of E_EP over that of a pair [%], (2.168)."""
     one, two = results.cases["E_EP"], results.cases[other]
     return one.load, 100 * np.abs(one.p_max / two.p_max - 1)
 

@@ -48,7 +48,7 @@ class Indentation(NamedTuple):
 def press(material: sc.Material, radius: float, mean_pressure: float, cells: int) -> Indentation:
     """Load until about this contact radius [m], at about this mean pressure [Pa].
 
-    The contact's area is that of the cells that bear pressure.
+    The contact area is that of the cells under pressure.
     """
     size, half = radius / cells, int(1.3 * cells)
     grid = sc.Grid(2 * half + 1, 2 * half + 1, size, size, dz=size)

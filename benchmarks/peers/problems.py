@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The problems every code is given: arrays and numbers, in SI units, of no code in particular."""
+"""Problems solved by every code: arrays and numbers in SI units, independent of the codes."""
 
 from __future__ import annotations
 

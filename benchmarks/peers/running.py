@@ -295,8 +295,11 @@ class Server:
 
 
 def own_memory() -> None:
-    """Copy what is shared with the parent, as a process that a user starts has it: the system would
-    do so page by page while it is measured, for a third of a short solve."""
+    """Copy the memory shared with the parent process, as a process started by a user has it.
+
+    The system would otherwise copy it page by page during the measurement, which takes a third of a
+    short solve.
+    """
     gc.collect()
     page = os.sysconf("SC_PAGE_SIZE")
     with open("/proc/self/pagemap", "rb") as pagemap:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.scale: what the main jobs cost against their size."""
+"""python -m benchmarks.scale: cost of the main jobs versus their size."""
 
 from .page import STUDY
 

@@ -26,7 +26,7 @@ FLAT = {
 
 
 def long_cells(row: str) -> dict[str, Any]:
-    """Elastic, and pulled by half of the friction."""
+    """Elastic contact on long cells, without friction and under half the friction limit."""
     x, y = map(int, row.split(":"))
     nx, ny = ACROSS * y, ACROSS * x
     grid = sc.Grid(nx, ny, 2.6 * EXACT.a / nx, 2.6 * EXACT.a / ny)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A thousand cycles of load: what drifts after a few of them."""
+"""A thousand load cycles: drift after the first few."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def ball() -> tuple[sc.Grid, Any, float]:
 
 
 def asperities() -> tuple[sc.Grid, Any, float]:
-    """Four, of heights that differ, each with a zone of its own."""
+    """Four asperities of different height, each with its own plastic zone."""
     x, y, away = ZONES.x[:, None], ZONES.y, 22 * SIZE
     corners = itertools.product((-away, away), repeat=2)
     spheres = [np.hypot(x - a, y - b) ** 2 / 60e-6 + n * 1e-8 for n, (a, b) in enumerate(corners)]

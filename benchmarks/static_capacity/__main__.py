@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.static_capacity: which load leaves 1e-4 of the diameter, as a page."""
+"""python -m benchmarks.static_capacity: page of the loads for imprints of 1e-4 D."""
 
 from .page import STUDY
 

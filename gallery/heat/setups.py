@@ -87,7 +87,7 @@ class Onset:
 class Results:
     elastic: dict[float, Elastic]
     plastic: dict[float, list[Plastic]]
-    """Per heat factor, with thinner and thinner layers; the last counts."""
+    """Results by heat factor, on increasingly thin layers; the last is used."""
     onset: Onset
     curves: dict[str, tuple[float, list[tuple[str, np.ndarray, np.ndarray]]]]
     """Figure 2.21: heat factor, and name, x and pressure."""

@@ -19,11 +19,9 @@ def _cap(r: FloatArray, depth: float, width: str, radius: float) -> FloatArray:
     """Heights of a circular arc of a given depth between -radius and radius; 0 beyond."""
     d, a = finite("depth", depth), positive(width, radius)
     if d == 0.0 or abs(d) > a:
-        raise ValueError(
-            f"depth must not be 0, and must be at most {width} = {a!r} deep, got {d!r}"
-        )
+        raise ValueError(f"depth must be nonzero, of magnitude <= {width} = {a!r}, got {d!r}")
     if a / abs(d) > 1e12:
-        raise ValueError(f"depth must be >= 1e-12 {width}, {1e-12 * a!r}, got {d!r}")
+        raise ValueError(f"depth must be of magnitude >= 1e-12 {width} = {1e-12 * a!r}, got {d!r}")
     R2 = (0.5 * (a**2 + d**2) / abs(d)) ** 2
     inside = np.maximum(a**2 - r**2, 0.0)
     # sqrt(R^2 - r^2) - sqrt(R^2 - a^2) without cancellation

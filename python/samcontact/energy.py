@@ -263,7 +263,7 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
     if not all(_have_equal_eigenstrain(states[0], state) for state in states):
         return "states must have equal eigenstrain: adding eigenstrain does work too"
     if not all(np.isfinite(state.approach) for state in states):
-        return "states must be of load or approach control, got prescribed tractions"
+        return "states must be from load or approach control, got prescribed tractions"
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if body.thermal is not None and any(np.any(s.surface_temperature(number)) for s in states):
             return (

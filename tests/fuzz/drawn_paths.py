@@ -91,7 +91,7 @@ class Driven:
         return step
 
     def passing(self, load):
-        """Rolls or slides, from unloaded to unloaded; friction pulls body 2 towards +x."""
+        """Return rolling or sliding with unloaded ends; friction pulls body 2 towards +x."""
         draw, size = self.draw, self.scene.size
         distance = size * uniform(draw, 1, 4)
         over = {"distance": distance, "step": size * float(draw.choice([0.5, 1.0, 1.3]))}

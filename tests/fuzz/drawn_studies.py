@@ -55,7 +55,7 @@ def rolls(seed):
 
 
 def wears(seed):
-    """Wear by slip: what is lost is the work of friction times the wear of each."""
+    """Wear by slip: the lost volume is the friction work times the coefficient of each body."""
     scene, grid, body1, body2, gap = drawn_ball(seed)
     draw = scene.draw
     mu, load = uniform(draw, 0.1, 1.0), scene.load * uniform(draw, 0.2, 0.8)
@@ -75,7 +75,7 @@ def wears(seed):
 
 
 def repeats(seed):
-    """Cycles until something is clear, or a warning that nothing is."""
+    """Load cycles until a response is established, or a warning that none is."""
     scene, grid, body1, body2, gap = drawn_ball(seed, inelastic=True)
     simulation = sc.Simulation(grid, body1, body2, gap, on_border="warn")
     load = scene.load * uniform(scene.draw, 0.2, 0.8)

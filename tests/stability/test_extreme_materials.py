@@ -35,7 +35,7 @@ def simulate(body2, friction=0.0, gap=None, body1=STEEL, **settings):
 
 
 def assert_at_yield(simulation, state):
-    """Nothing is beyond yield, what flowed lately is at it, and the load is carried."""
+    """Assert that no cell is beyond yield, flowing cells are at yield, and the load is carried."""
     assert state.converged
     area = simulation.grid.cell_area
     assert state.pressure.sum() * area == pytest.approx(state.load, rel=1e-9)
@@ -50,7 +50,7 @@ def assert_at_yield(simulation, state):
 @pytest.mark.parametrize("friction", [0.0, 0.5])
 @pytest.mark.parametrize("make", [law, kinematic])
 def test_flow_falls_with_the_hardening(make, friction):
-    """From zero to 0.9 E without a jump: less flow and more pressure at each step."""
+    """Hardening from zero to 0.9 E: less flow and more pressure at each step, without a jump."""
     flows, peaks = [], []
     for share in HARDENING if make is law else HARDENING[1:]:
         simulation = simulate(make(share), friction)
@@ -111,7 +111,7 @@ def test_yield_begins_at_the_surface(friction, share):
 @pytest.mark.parametrize("share", [0.0, 0.1])
 @pytest.mark.parametrize("nu", [0.0, 0.499])
 def test_friction_up_to_one_between_unlike_bodies(nu, share, friction):
-    """Coupled, plastic and perfectly plastic at once."""
+    """Contacts with normal-tangential coupling, with hardening and perfectly plastic."""
     simulation = simulate(law(share), friction, body1=sc.Material.elastic(E, nu))
     for load in (0.1, 0.2, 0.05):
         state = simulation.step(load=load * EXACT.load)

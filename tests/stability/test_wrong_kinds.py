@@ -22,7 +22,7 @@ PLACES = {"path", "checkpoint", "output"}
 
 
 class Broken:
-    """Has no text."""
+    """Object whose conversion to text fails."""
 
     def __repr__(self):
         raise RuntimeError("no text")

@@ -12,7 +12,9 @@ FOLDERS = ("python", "tests", "benchmarks", "gallery", "scripts", "docs")
 SOURCES = {folder: sorted((ROOT / folder).rglob("*.py")) for folder in FOLDERS}
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 
-OPENING = re.compile(r"\s*(?:What|Of|How|Where|Those|The same|Since|As|With)\b")
+OPENING = re.compile(
+    r"\s*(?:What|Of|How|Where|Those|The same|Since|As|With|And|But|Nor|So|Also|Else|Pressed)\b"
+)
 """First words of a docstring without a subject; "Whether" is right for a boolean."""
 
 INSTEAD = {

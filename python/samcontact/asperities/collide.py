@@ -112,14 +112,13 @@ def collide(
     require_homogeneous("asperity collision does not support layered bodies", body1, body2)
     require_type("grid", grid, Grid)
     for name in ("friction", "heat"):
-        if settings.get(name):
-            given = f"got {settings[name]!r}"
-            raise ValueError(f"{name} is not supported in asperity collisions, {given}")
+        if given := settings.get(name):
+            raise ValueError(f"{name} is not supported in asperity collisions, got {given!r}")
     step = integer("cells_per_increment", cells_per_increment, 1) * grid.dx / collision.R2
     if step > 0.5 * collision.half_angle:
         raise ValueError(
-            f"dx must be <= {0.5 * collision.half_angle * collision.R2:.6g} m over "
-            f"cells_per_increment, a quarter of the contact path, got {grid.dx!r}"
+            f"dx must be <= {0.5 * collision.half_angle * collision.R2:.6g} m / "
+            f"cells_per_increment (a quarter of the contact path), got {grid.dx!r}"
         )
     count = integer("passes", passes, 1)
     gap = surfaces.paraboloid(grid, collision.R)
@@ -146,9 +145,8 @@ def collide(
                 unloaded.append(run.state)
         except Exception as error:
             if done := [one for one in rows if one]:
-                series = to_dataset(collision, done)
-                found = CollisionResult(collision, simulation, series, unloaded)
-                error.result = found  # type: ignore[attr-defined]
+                part = CollisionResult(collision, simulation, to_dataset(collision, done), unloaded)
+                error.result = part  # type: ignore[attr-defined]
             raise
     resolution.warn_of_run([run.peak, run.state], simulation.engine.estimate, stacklevel=2)
     return CollisionResult(collision, simulation, to_dataset(collision, rows), unloaded)

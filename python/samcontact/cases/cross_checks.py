@@ -74,7 +74,9 @@ def _require_repeatable(case: Any) -> None:
         if getattr(case, name) is not None:
             raise ValueError(f"shakedown cannot be combined with {name}: omit one of them")
     if not (case.body1.is_plastic or case.body2.is_plastic):
-        raise ValueError("shakedown requires an elastic-plastic body: set a law, or omit it")
+        raise ValueError(
+            "shakedown requires an elastic-plastic body: set a law, or remove [shakedown]"
+        )
     ways = [math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)]
     if max(map(abs, ways)) > 1e-12:
         raise ValueError(

@@ -135,7 +135,7 @@ def _require_numbers(R: float, E_star: float, p0: float) -> None:
     if not all(abs(sum(powers[: n + 1])) < 300 for n in range(3)):
         raise ValueError(
             "R, E_star and yield_stress must give finite critical values, got "
-            f"R = {R!r}, E_star = {E_star!r}, yield_stress of {p0:.4g} over C"
+            f"R = {R!r}, E_star = {E_star!r}, yield_stress = {p0:.4g}/C"
         )
 
 

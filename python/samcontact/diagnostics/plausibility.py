@@ -308,7 +308,7 @@ def _of_contact(
         2 * e / (n * d)
         for e, n, d in zip(extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     )
-    name = "width of the Hertz contact over that of the grid"
+    name = "width of the Hertz contact relative to the grid"
     yield PlausibilityCheck(Check(name, windows, MAX_GRID_WIDTHS), said, True)
     wider = max(_flattened(contact, body) for body in bodies)
     cells = wider * min(2 * e / d for e, d in zip(extent, (grid.dx, grid.dy), strict=True))

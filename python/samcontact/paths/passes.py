@@ -127,9 +127,8 @@ def _lengths(distance: float, step: float) -> list[float]:
         raise ValueError(f"step must be <= the distance, {abs(total)!r}, got {whole!r}")
     if abs(total) > MAX_INCREMENTS_OF_PATH * whole:
         raise ValueError(
-            f"step must be >= the distance over {MAX_INCREMENTS_OF_PATH}, "
-            f"{abs(total) / MAX_INCREMENTS_OF_PATH!r}, "
-            f"got {whole!r}"
+            f"step must be >= distance/{MAX_INCREMENTS_OF_PATH} = "
+            f"{abs(total) / MAX_INCREMENTS_OF_PATH!r}, got {whole!r}"
         )
     count = math.floor(abs(total) / whole + _ROUNDING_ERROR)
     rest = abs(total) - count * whole

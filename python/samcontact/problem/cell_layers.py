@@ -16,8 +16,8 @@ def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bo
         flows = True
         if body.substrate.is_rigid:
             raise ValueError(
-                f"layers of body{n} must not yield on a rigid substrate, got {body!r}: use a "
-                "substrate a few times stiffer instead"
+                f"layers of body{n} must be elastic on a rigid substrate, got {body!r}: use an "
+                "elastic substrate, a few times stiffer than the layers"
             )
         if residual_stress == "exact":
             raise ValueError(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Asking for an accuracy: errors are stated and larger than the true ones, or a remedy is named."""
+"""Prescribed accuracy: estimated errors exceed the true ones, or a remedy is named."""
 
 import json
 import math

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loads that are found are those of closed forms, and a run with them gives what was asked for."""
+"""Found loads agree with closed forms, and a run at a found load reaches the target value."""
 
 import re
 import sys

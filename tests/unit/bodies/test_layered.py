@@ -285,7 +285,7 @@ SOFT = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
 @pytest.mark.parametrize(
     ("body", "more", "text"),
     [
-        (sc.Layered([(SOFT, 1e-6)], RIGID), {}, "layers of body2 must not yield on a rigid"),
+        (sc.Layered([(SOFT, 1e-6)], RIGID), {}, "layers of body2 must be elastic on a rigid"),
         (
             sc.Layered([(STEEL, 1e-6)], SOFT),
             {"residual_stress": "exact"},

@@ -15,7 +15,7 @@ UM = 1e-6
 
 
 def ended(grid, gap, radius):
-    """No body beyond a radius."""
+    """Return the gap, infinite beyond a radius."""
     return np.where(np.hypot(grid.x[:, None], grid.y) > radius, np.inf, gap)
 
 

@@ -76,16 +76,16 @@ def test_a_dent_is_met_where_it_lies():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: dents.spherical(GRID, 0.0, 1e-4), r"depth must not be 0, .* got 0\.0"),
+        (lambda: dents.spherical(GRID, 0.0, 1e-4), r"depth must be nonzero, .* got 0\.0"),
         (
             lambda: dents.spherical(GRID, 2e-4, 1e-4),
-            "must be at most radius = 0.0001 deep, got",
+            "must be nonzero, of magnitude <= radius = 0.0001, got",
         ),
         (lambda: dents.spherical(GRID, 1e-6, 0.0), "radius must be a finite number > 0, got 0"),
         (lambda: dents.spherical(GRID, 1e-6, 1e-4, x=np.inf), "x must be a finite number, got inf"),
         (
             lambda: dents.furrow(GRID, 1e-3, 1e-4),
-            "must be at most half_width = 0.0001 deep",
+            "must be nonzero, of magnitude <= half_width = 0.0001",
         ),
         (lambda: dents.furrow(GRID, 1e-6, 1e-4, "z"), "along must be one of 'y', 'x', got 'z'"),
         (lambda: dents.furrow(GRID, 1e-6, -1.0), "half_width must be a finite number > 0, got -1"),

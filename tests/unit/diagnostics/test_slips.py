@@ -48,7 +48,7 @@ increments = 2
 """
 FITS = "It would be plausible with"
 HERTZ = "Hertz: radius 244.5 µm, p0 = 2.395 GPa"
-CELLS_ACROSS, GRID_WIDTHS = "width of the Hertz contact in cells", "over that of the grid"
+CELLS_ACROSS, GRID_WIDTHS = "width of the Hertz contact in cells", "relative to the grid"
 RADIUS_RATIO, YIELD = (
     "half-width of the Hertz contact over its radius",
     "yield stress over E of body 2",

@@ -100,7 +100,7 @@ class TestReplacing:
 
 
 class TestExtremes:
-    """Refused at once: most would fill the memory, some were errors of other kinds."""
+    """Extreme sizes are refused at once, with a clear error: most would exhaust the memory."""
 
     @pytest.mark.parametrize(
         "make",
@@ -124,7 +124,7 @@ class TestExtremes:
     def test_dents(self):
         with pytest.raises(ValueError, match="must be within 1048576 cells"):
             dents.furrow(GRID, 1e-6, 1e3)
-        with pytest.raises(ValueError, match="depth must be >= 1e-12 radius"):
+        with pytest.raises(ValueError, match="depth must be of magnitude >= 1e-12 radius"):
             dents.spherical(GRID, 1e-200, 1e-5)
 
     def test_circles(self):

@@ -96,7 +96,7 @@ def test_the_power_of_friction_enters_the_bodies(source):
 
 
 def test_heat_of_slip_raises_the_surfaces():
-    """The gap that is left is what elastic and thermal displacement make of the undeformed one."""
+    """The gap under load is the initial gap plus elastic and thermal displacements."""
     run = simulation(BALL, tol=1e-9)
     run.step(load=100.0, duration=1.0)
     state = run.step(load=100.0, shift=(2e-6, 0.0), duration=1e-7)

@@ -188,7 +188,7 @@ def zone_strain(grid, fields):
 
 
 def zone_errors(law, cells, refinement):
-    """rms errors of the exact and of the fast one, against a finer grid."""
+    """Return rms errors of the exact and the fast method, relative to a finer grid."""
     radius, depth, fields = plastic_zone(law)
     h = radius / cells
     n, nz = 2 * int(np.ceil(cells + 1)) + 1, int(np.ceil(depth / h + 1))

@@ -209,7 +209,7 @@ def test_every_figure_of_a_run_is_stored():
 
 
 def test_a_flaw_is_seen():
-    """A line less, or cells instead of what is smooth, are more than fonts make."""
+    """A missing line, or cells instead of smooth colours, differ by more than fonts do."""
     with Image.open(STORED / "heated" / "pressure.jpg") as image:
         shown = image.convert("RGB")
     without = np.array(shown)

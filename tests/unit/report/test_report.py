@@ -16,10 +16,8 @@ from core_fakes import ELASTIC, SWIFT, FakeState, make_simulation
 from samcontact import report, results
 from samcontact.cases import parse_case
 from samcontact.commands.main import main
-from samcontact.report.tables import parameters
 
 MARGINS = ("contact_edge_distance", "plastic_edge_distance_body2")
-
 
 # with layers that resolve the plastic zone
 CASE = MINIMAL.replace("nz = 12\ndz = 60e-6", "nz = 36\ndz = 20e-6")
@@ -328,8 +326,7 @@ def test_elastic_surface_run_without_case(tmp_path, undrawn):
     assert 'id="hertz-table"' not in text
     assert "Case file" not in text
     # only what was computed is drawn
-    captions = re.findall(r"<figcaption>(.*?)</figcaption>", text)
-    assert captions == [
+    assert re.findall(r"<figcaption>(.*?)</figcaption>", text) == [
         "Pressure along x, increment 1, 300 N",
         "Pressure along y, increment 1, 300 N",
         "Map of the pressure, increment 1, 300 N",
@@ -391,10 +388,3 @@ def test_refuses_what_is_no_run(data, tmp_path):
     outcome = CliRunner().invoke(main, ["report", str(tmp_path / "results.nc")])
     assert outcome.exit_code == 1
     assert "no results file at" in outcome.stderr
-
-
-def test_parameters_of_nested_sections():
-    text = MINIMAL + "\n[body2.kinematic]\nmodulus = [2e9, 1e9]\nrecovery = 30\n"
-    rows = parameters(SimpleNamespace(attrs={"case": text}))
-    assert ("body2, kinematic", "modulus", "2 GPa, 1 GPa") in rows
-    assert ("body2, kinematic", "recovery", "30") in rows

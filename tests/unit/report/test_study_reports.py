@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reports of tugging and wear: the page's numbers are those of the dataset, checks can fail."""
+"""Reports of asperity collisions and wear: numbers equal the dataset, and checks can fail."""
 
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import xarray as xr
 
-from case_texts import ASPERITIES, WEAR
+from case_texts import ASPERITIES, MINIMAL, WEAR
 from command import invoke
 from samcontact import report, results
 from samcontact.report.asperities import checks
+from samcontact.report.tables import parameters
 
 
 def run_and_report(text, folder):
@@ -187,3 +189,10 @@ def test_which_file_of_a_folder(tmp_path, collision, wear, undrawn):
     assert outcome.exit_code == 2
     assert "got series.nc, wear.nc: specify the file" in outcome.stderr
     assert invoke("report", tmp_path / "wear.nc").exit_code == 0
+
+
+def test_parameters_of_nested_sections():
+    text = MINIMAL + "\n[body2.kinematic]\nmodulus = [2e9, 1e9]\nrecovery = 30\n"
+    rows = parameters(SimpleNamespace(attrs={"case": text}))
+    assert ("body2, kinematic", "modulus", "2 GPa, 1 GPa") in rows
+    assert ("body2, kinematic", "recovery", "30") in rows

@@ -52,7 +52,7 @@ def test_an_empty_file_is_damaged(tmp_path, expected):
 
 
 def test_states_that_are_kept_later_go_on_with_their_own_heat(tmp_path):
-    """Neither the last increment's source, nor another description of the run."""
+    """Stored states keep their own heat source and run description, not those of the last state."""
     steel = sc.Material.elastic(210e9, 0.3).with_thermal(50.0, 1e-5, 1.4e-5)
     heat = {"heat": sc.Heat(1e-3, time=1e-3)}
 
