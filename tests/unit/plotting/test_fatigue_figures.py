@@ -76,7 +76,7 @@ def test_section_across_the_way_of_material(states, ax):
     assert ax.get_title() == "Fatemi-Socie (k = 0.3) [%]"
     with pytest.raises(ValueError, match="plane must be 'x'"):
         plotting.fatigue_section(field, plane="y")
-    with pytest.raises(ValueError, match="axes x, y, z is needed"):
+    with pytest.raises(ValueError, match="field must have the axes x, y, z, got y, z"):
         plotting.fatigue_map(field)
 
 

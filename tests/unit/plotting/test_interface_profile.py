@@ -59,7 +59,7 @@ def test_a_bar_is_above_what_touches_and_no_tension_is_marked():
 def test_what_is_wrong_is_named():
     for wrong, text in (
         ({"stress": STRESS[..., 0]}, r"stress must have shape \(2, 6, 7, 5, 5\)"),
-        ({"interface": 2}, "interface must be an integer of a size up to 1, got 2"),
+        ({"interface": 2}, "interface must be an integer of magnitude <= 1, got 2"),
         ({"interfaces": [1e-6]}, r"interfaces must have shape \(2,\), got \(1,\)"),
         ({"axis": "z"}, "axis must be one of 'x', 'y', got 'z'"),
         ({"contact": [1.0]}, r"contact must have shape \(7, 5\)"),

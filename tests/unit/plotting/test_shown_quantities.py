@@ -64,10 +64,16 @@ def test_what_a_quantity_cannot_be_is_an_error(state, simulation):
     stress, strain = state.hydrostatic(), np.full((grid.nx, grid.ny, grid.nz), 1e9)
     print_ = state.residual_displacement(body=2) - 5e-7
     volume = {
-        "von_mises": (stress, "field must be >= 0 to be shown as von Mises stress, got .* Pa: is"),
+        "von_mises": (
+            stress,
+            "field must be >= 0 to be shown as von Mises stress, got .* Pa: check",
+        ),
         "residual_von_mises": (stress, "field must be >= 0 to be shown as residual von Mises"),
-        "equivalent_plastic_strain": (strain, "field must be at most 100 to be .* got 1e.09: is"),
-        "temperature": (strain, "field must be at most 1e.06 K to be shown as rise of temperature"),
+        "equivalent_plastic_strain": (
+            strain,
+            "field must be at most 100 to be .* got 1e.09: check",
+        ),
+        "temperature": (strain, "field must be at most 1e.06 K to be shown as temperature rise"),
     }
     for quantity, (field, message) in volume.items():
         with pytest.raises(ValueError, match=message):
@@ -75,7 +81,9 @@ def test_what_a_quantity_cannot_be_is_an_error(state, simulation):
     for quantity in ("pressure", "gap", "temperature"):
         with pytest.raises(ValueError, match=f"{quantity} must be >= 0 to be shown as .* -5e-07"):
             plotting.surface_map(print_, grid, quantity=quantity)
-    with pytest.raises(ValueError, match=r"print must be at most .* m to be shown as residual dis"):
+    with pytest.raises(
+        ValueError, match=r"imprint must be at most .* m to be shown as residual dis"
+    ):
         plotting.surface_map(state.pressure, grid, quantity="imprint")
     shear = np.zeros((2, grid.nx, grid.ny))
     for draw, message in (
@@ -84,7 +92,7 @@ def test_what_a_quantity_cannot_be_is_an_error(state, simulation):
             lambda: plotting.imprint_profile(state.pressure, grid),
             "residual displacement must be at",
         ),
-        (lambda: plotting.temperature_profile(print_, grid), "rise of temperature must be >= 0"),
+        (lambda: plotting.temperature_profile(print_, grid), "temperature rise must be >= 0"),
         (lambda: plotting.shear_profile(print_, shear, grid, 0.3), "pressure must be >= 0"),
     ):
         with pytest.raises(ValueError, match=message):
