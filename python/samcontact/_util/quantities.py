@@ -370,7 +370,7 @@ WEAR = {
     "parts": Q("1", "number of parts into which the repeats of the cycle were divided"),
     "friction_work": Q("J", "frictional work in the cycle", "J", "frictional work"),
     "slip_distance": Q(
-        "m", "maximum sliding distance in one repeat", "µm", "maximum sliding distance per cycle",
+        "m", "maximum sliding distance in one repeat", "µm", "maximum sliding distance per repeat",
         "sliding\ndistance",
     ),
     "stick_area": Q(

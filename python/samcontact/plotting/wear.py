@@ -210,7 +210,7 @@ def wear_rate(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 def fretting_panels(
     first: Sequence[State], last: Sequence[State], *, position: float | None = None
 ) -> Figure:
-    """Draw pressure and sliding distance along x, for the first and the last cycle.
+    """Draw pressure and sliding distance per repeat along x, for the first and the last cycle.
 
     Parameters
     ----------
@@ -245,7 +245,7 @@ def fretting_panels(
     above.set_ylabel("pressure [GPa]")
     above.set_title(place("y", float(grid.y[j])), fontsize="medium")
     above.legend(frameon=False, fontsize="small")
-    below.set_ylabel("sliding distance per cycle [µm]")
+    below.set_ylabel("sliding distance per repeat [µm]")
     below.set_xlabel("x [µm]")
     for ax in (above, below):
         ax.set_ylim(bottom=0)

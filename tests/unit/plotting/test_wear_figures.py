@@ -117,7 +117,7 @@ def test_fretting_panels_show_pressure_and_slip():
     )  # fmt: skip
     above, below = wear_figures.fretting_panels(scar.first, scar.last, position=0.0).axes
     for line, states in zip(above.get_lines(), (scar.first, scar.last), strict=True):
-        np.testing.assert_allclose(line.get_ydata(), states[-1].pressure[:, 7] * 1e-6)
+        np.testing.assert_allclose(line.get_ydata(), states[-1].pressure[:, 7] * 1e-9)
     way = sum(np.hypot(*state.slip) for state in scar.last)[:, 7]
     np.testing.assert_allclose(below.get_lines()[1].get_ydata(), way * 1e6)
     assert way[7] == 0.0 < way.max()
