@@ -162,7 +162,7 @@ def test_a_case_is_given_in_any_form(tmp_path):
 
 def test_each_load_is_told_once_in_a_sentence(capsys):
     sc.find_load(ball, "yield", 1.0, largest_load=1000.0)
-    lines = [line for line in capsys.readouterr().err.splitlines() if line.startswith("tried")]
+    lines = [line for line in capsys.readouterr().err.splitlines() if " grid, load " in line]
     assert len(lines) == len(set(lines)) > 2
     assert all(
         re.fullmatch(r"(coarse|fine) grid, load \S+ k?N: .* \S+ \(target 1\)", o) for o in lines
