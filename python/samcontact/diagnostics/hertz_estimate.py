@@ -179,7 +179,7 @@ class ContactSetup:
         """Warn of the first quantity that is probably in a wrong unit, and return its check.
 
         Raises ValueError if the Hertz contact is far smaller than a cell, unless the bodies have
-        been loaded before.
+        been loaded before or a filter ignores `UnitWarning`.
         """
         before, after, (least, most) = self._checked(heat)
         of_contact: list[plausibility.PlausibilityCheck] = []

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from .._util.check import Check
 from .._util.display import quantity
-from .._util.errors import UnitWarning
+from .._util.errors import UnitWarning, is_ignored
 from ..bodies.layered import Layered, materials_of, softest
 from ..hertz import EllipticContact
 
@@ -180,12 +180,13 @@ def warn_if_implausible(doubt: PlausibilityCheck, *, stacklevel: int) -> None:
 
 
 def require_solvable(doubt: PlausibilityCheck) -> None:
-    """Raise ValueError if a Hertz contact is far smaller than a cell."""
+    """Raise ValueError if a Hertz contact is far too small, unless UnitWarning is ignored."""
     check = doubt.check
-    if check.name == _CELLS_ACROSS and check.value < MIN_SOLVABLE_CELLS:
+    too_small = check.name == _CELLS_ACROSS and check.value < MIN_SOLVABLE_CELLS
+    if too_small and not is_ignored(UnitWarning):
         raise ValueError(
             f"{check.name} must be at least {MIN_SOLVABLE_CELLS:g}, got {check.value:.4g}: "
-            f"{doubt.remedy()}"
+            f"{doubt.remedy()}. If the units are right, ignore samcontact.UnitWarning"
         )
 
 
@@ -358,9 +359,8 @@ def likely_unit_errors(contact: ExpectedExtent, grid: Grid) -> str:
                 fits.append(f"{name} {quantity(factor * value, unit)}")
                 unusual += fits[-1:] if _is_unusual(name, value) else []
                 break
-    units = "use m, N and Pa"
     text = ", or ".join(unusual or fits)
-    return f"It would be plausible with {text}: {units}" if text else units.capitalize()
+    return f"It would be plausible with {text}: use m, N and Pa" if text else "Use m, N and Pa"
 
 
 def _is_unusual(name: str, value: float) -> bool:

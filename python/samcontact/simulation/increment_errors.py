@@ -14,7 +14,7 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from .._util.display import HtmlTable, Rows, percent
-from .._util.errors import IncrementWarning
+from .._util.errors import IncrementWarning, is_ignored
 from ..bodies.layered import materials_of
 from ..diagnostics.resolution import cells_across, spots
 from ..solutions.peak import peak
@@ -130,21 +130,13 @@ def check_errors(
     history = engine.history
     if not monitor.checks_increments or not states or not history.is_due(factor):
         return
-    if not is_path_dependent(engine.setup, states) or _is_ignored(IncrementWarning):
+    if not is_path_dependent(engine.setup, states) or is_ignored(IncrementWarning):
         return
     steps = history.steps or []
     found = estimated(engine, steps, states, history.heat, repeat)
     if found is not None:
         history.checked = len(steps)
         monitor.checks_increments = not warn_of_errors(found, stacklevel=stacklevel + 1)
-
-
-def _is_ignored(category: type[Warning]) -> bool:
-    """Whether Python's filters ignore all warnings of a category."""
-    for action, message, other, module, line in warnings.filters:
-        if issubclass(category, other) and not (message or module or line):
-            return action == "ignore"
-    return False
 
 
 def estimated(

@@ -221,7 +221,7 @@ def test_rough_relief_repeats_over_the_grid(write):
     [
         ('kind = "hole"', r"relief2\.kind: must be one of 'file', 'dent', 'furrow', 'self_affine'"),
         ('kind = "dent"\ndepth = 1e-6', r"relief2\.radius: required field is missing"),
-        ('kind = "dent"\ndepth = 1.0\nradius = 1e-4', r"\[relief2\] depth must not be 0, and"),
+        ('kind = "dent"\ndepth = 1.0\nradius = 1e-4', r"\[relief2\] depth must be nonzero, of"),
         ('kind = "file"\npath = "h.xlsx"', r"\[relief2\] path: cannot read heights from .*h\.xlsx"),
         (
             'kind = "furrow"\ndepth = 1.0\nlong = 1',

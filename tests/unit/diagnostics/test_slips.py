@@ -122,6 +122,7 @@ def test_a_slip_is_told_before_the_solve_and_fails_a_check(slip, solved):
     assert [name in check.name for check in checks if not check.passed].count(True) == 1
 
 
+@pytest.mark.filterwarnings("default::samcontact.UnitWarning")
 def test_a_contact_far_below_a_cell_is_refused_unless_it_was_loaded():
     grid = sc.Grid(15, 15, 30e-6, 30e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
@@ -132,6 +133,9 @@ def test_a_contact_far_below_a_cell_is_refused_unless_it_was_loaded():
     with pytest.raises(ValueError, match=refused):
         sc.ContactSolver(grid, ELASTIC, ELASTIC).solve(gap, load=1e-12)
     assert not simulation.state.pressure.any()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", sc.UnitWarning)
+        assert sc.ContactSolver(grid, ELASTIC, ELASTIC).solve(gap, load=1e-12).load > 0
     simulation.step(load=100.0)
     with pytest.warns(sc.UnitWarning, match="in cells is"):
         simulation.step(load=1e-12)
