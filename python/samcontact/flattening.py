@@ -22,7 +22,7 @@ from .critical import CriticalSphere
 __all__ = ["Flattening", "jackson_green", "kogut_etsion"]
 
 KOGUT_ETSION_LIMIT = 110.0
-"""Maximum interference of the fit, in critical interferences."""
+"""Maximum interference of the fit, relative to the critical interference."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -36,11 +36,11 @@ class Flattening(ShortRepr):
     area : float or ndarray
         Contact area [m2].
     mean_pressure : float or ndarray
-        Load over area [Pa]; 0 without contact.
+        Load divided by contact area [Pa]; 0 without contact.
     critical : CriticalSphere
         Critical values at the onset of yield used by the model.
     interference_ratio, load_ratio, area_ratio : float or ndarray
-        Interference, load and area over those at the onset of yield [-].
+        Interference, load and area, each relative to its value at the onset of yield [-].
     """
 
     load: float | FloatArray
@@ -81,7 +81,7 @@ def kogut_etsion(
     Raises
     ------
     ValueError
-        An argument is outside its range, or the interference exceeds 110 critical ones.
+        An argument is outside its range, or the interference exceeds 110 critical interferences.
     """
     onset = critical.kogut_etsion(R, E_star, nu, yield_stress)
     w = _interference(interference)
@@ -106,8 +106,8 @@ def jackson_green(
     Parameters
     ----------
     interference, R, E_star, nu, yield_stress
-        As for `kogut_etsion`, but without upper limit of the interference; the finite element
-        results of the fit extend to a contact radius of about 0.4 R.
+        As for `kogut_etsion`, but `interference` has no upper limit; the finite element results
+        behind the fit extend to a contact radius of about 0.4 R.
 
     Returns
     -------

@@ -87,7 +87,7 @@ def blas_threads() -> int:
 
 
 def require_address_space(what: str, needed: float) -> None:
-    """Raise MemoryError unless the process may allocate so many bytes more (``ulimit -v``).
+    """Raise MemoryError unless the process may allocate `needed` more bytes (``ulimit -v``).
 
     For libraries that do not survive a failed allocation: on loading, some versions of OpenBLAS
     retry indefinitely until SIGKILL, and HDF5 crashes.

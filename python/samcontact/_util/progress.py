@@ -16,9 +16,9 @@ def progress_bar(
 ) -> Any:
     """Return a context with ``update()`` and ``set_postfix(**values)``; silent if not `shown`.
 
-    A bar is redrawn in place, which is impossible in a log: there, one line is written per tenth.
-    Without `leave`, for parts that `report_progress` reports with one line each, the bar is removed
-    when complete, and nothing is written to a log.
+    A bar is redrawn in place, which is impossible in a log: there, one line is written per tenth of
+    the total. Without `leave`, the bar is removed when complete and nothing is written to a log;
+    this is for parts that `report_progress` reports with one line each.
     """
     stream = sys.stderr if shown else None
     if not _in_place(stream):

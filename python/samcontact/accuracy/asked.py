@@ -50,12 +50,13 @@ def to_accuracy(
     max_memory : float, optional
         Memory limit of the finest grid [bytes]. Default: available memory.
     max_time : float, optional
-        Limit of the total time [s]. Default: 3600. Three grids are always solved.
+        Limit of the total time [s]. Default: 3600. At least three grids are always solved.
     progress : bool, optional
         Print one line per grid to stderr.
     checkpoint : path, optional
-        Folder for the values of each grid and the increments of the last grids. Repeating the call
-        continues from it, with bit-identical results. Remove the folder when no longer needed.
+        Folder that stores the values of each grid and the increments of the last grids. Repeating
+        the call continues from it, with bit-identical results. Remove the folder when no longer
+        needed.
 
     Returns
     -------
@@ -75,7 +76,7 @@ def to_accuracy(
         The accuracy requires more memory or time than allowed; the message states how much. The
         best values so far are returned with their errors.
     """
-    search = searched(case, accuracy, quantities, max_memory, max_time, progress=progress)
+    search = prepare_search(case, accuracy, quantities, max_memory, max_time, progress=progress)
     try:
         with search.solves.kept_in(checkpoint):
             return search.search()
@@ -84,7 +85,7 @@ def to_accuracy(
         raise
 
 
-def searched(
+def prepare_search(
     case: Case | str | Path | Mapping[str, Any],
     accuracy: float | Mapping[str, float] | None = None,
     quantities: Sequence[str] | None = None,

@@ -153,7 +153,7 @@ def _of_hertz(kind: str, simulation: Simulation, expected: ExpectedContact) -> _
 
 
 def _least(kind: str, target: float, simulation: Simulation) -> str | None:
-    """Return why a value corresponds to less than one cell; None if it does not, or is unknown."""
+    """Return why a value is too small for the grid; None if it is not, or if this is unknown."""
     grid, scene = simulation.grid, simulation.engine.estimate
     if kind == "contact_area" and target < grid.cell_area:
         return f"one cell has {quantity(grid.cell_area, 'm²')}"

@@ -99,8 +99,8 @@ class GridErrors(HtmlTable):
     def add_to(self, dataset: xr.Dataset) -> None:
         """Add ``X_error`` of each X, and X itself if the dataset has none.
 
-        The error is relative to the X of the dataset: its difference from the value interpolated
-        between cells is added. The relative error due to increments is the attribute
+        The error refers to X in the dataset: the difference between X and the value interpolated
+        between cells is added to it. The relative error due to increments is the attribute
         ``by_increments`` of ``X_error``; for whole fields it is the attribute
         ``increment_error_FIELD`` of the dataset.
         """
@@ -162,10 +162,11 @@ def estimate_errors(
     Warns
     -----
     ResolutionWarning
-        Elastic-plastic layers have no whole number of deeper cells: the errors do not include the
-        effect of dz.
+        The elastic-plastic layers cannot be divided into a whole number of deeper cells: the errors
+        do not include the effect of dz.
     IncrementWarning
-        More increments would change fields by more than 5 %; unless issued by the simulation.
+        More increments would change fields by more than 5 %. Not issued again if the simulation has
+        issued it.
     """
     from ..cases import Case
     from ..simulation.simulation import Simulation
@@ -241,7 +242,7 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
     if grid.dz is not None and coarse.dz == grid.dz:
         warnings.warn(
             f"estimated errors exclude the effect of dz = {quantity(grid.dz, 'm')}: the "
-            "elastic-plastic layers have no whole number of deeper cells; halve dz",
+            "elastic-plastic layers cannot be divided into deeper cells; halve dz",
             ResolutionWarning,
             stacklevel=3,
         )

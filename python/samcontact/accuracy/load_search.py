@@ -226,10 +226,11 @@ def find_load(
         factor; or a function of the maximum load [N] that returns simulation and path.
     quantity : str
         Quantity with an error in results files, e.g. "max_pressure" or "imprint_depth_body2";
-        without a body, the larger value of both. It is the larger of its values at maximum load and
-        at the end of the path. Special names: "permanent_deformation", the sum of the residual
+        without a body, the larger value of both. The larger of its values at maximum load and at
+        the end of the path counts. Special names: "permanent_deformation", the sum of the residual
         imprint depths of both bodies at the end of the path; "yield", the maximum ratio of von
-        Mises stress to yield stress in an elastic solution (1 at first yield), with depth profiles.
+        Mises stress to yield stress in an elastic solution (1 at first yield), including depth
+        profiles.
     value : float, optional
         Target value in SI units, > 0. Default: 1.
     tolerance : float, optional
@@ -239,8 +240,9 @@ def find_load(
     progress : bool, optional
         Print one line per trial load to stderr.
     checkpoint : path, optional
-        Folder for the values of all loads and the increments of the last. Repeating the call
-        continues from it, with bit-identical results. Remove the folder when no longer needed.
+        Folder that stores the values of all loads and the increments of the last load. Repeating
+        the call continues from it, with bit-identical results. Remove the folder when no longer
+        needed.
 
     Returns
     -------
@@ -254,7 +256,7 @@ def find_load(
         wear, or `checkpoint` belongs to another call. With "yield": bodies are not elastic-plastic,
         have layers, soften, or yield in the deepest layer of the grid.
     """
-    search = searched(
+    search = prepare_search(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
     )
     if checkpoint is not None and callable(case):  # its results at other loads are unknown
@@ -263,7 +265,7 @@ def find_load(
         return search.find()
 
 
-def searched(
+def prepare_search(
     case: Case | str | Path | Mapping[str, Any] | Callable[[float], Built],
     quantity: str,
     value: float,

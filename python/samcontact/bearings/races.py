@@ -84,7 +84,7 @@ def ball_on_race(
     contact_angle : float, optional
         Angle between the contact normal and the radial plane [rad], 0 to pi/2.
     race : {"inner", "outer"}
-        Ring.
+        Ring of the raceway.
 
     Returns
     -------
@@ -97,10 +97,10 @@ def ball_on_race(
 
     Notes
     -----
-    The radii are exact for a sphere in a torus. Half-space contact theory (Hertz and this
-    package) also requires a contact that is small compared with them. In the transverse
-    direction the contact ellipse of a loaded ball is often a tenth to a third of the ball
-    diameter, and its ends are less accurate than its centre.
+    The radii are exact for a sphere in a torus. Half-space contact theory (Hertz and this package)
+    also requires a contact that is small compared with these radii. In the transverse direction the
+    contact ellipse of a loaded ball is often a tenth to a third of the ball diameter, and its ends
+    are less accurate than its centre.
     """
     D, pitch = positive("ball_diameter", ball_diameter), positive("pitch_diameter", pitch_diameter)
     if (groove_radius is None) == (conformity is None):
@@ -139,7 +139,7 @@ def roller_on_race(
     contact_angle : float, optional
         Angle between the contact normal and the radial plane [rad], 0 to pi/2.
     race : {"inner", "outer"}
-        Ring.
+        Ring of the raceway.
 
     Returns
     -------

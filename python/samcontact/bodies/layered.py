@@ -36,7 +36,7 @@ def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
         layers.append((material, positive(f"thickness of layers[{n}]", thickness)))
     if not layers:
         raise ValueError(
-            "layers must contain at least one layer: for none, use the substrate material as body"
+            "layers must contain at least one layer: otherwise use the substrate material as body"
         )
     return tuple(layers)
 
@@ -125,7 +125,7 @@ class Layered(HtmlTable):
 
     @property
     def is_rigid(self) -> bool:
-        """False: layers are elastic."""
+        """Always False, because the layers are deformable."""
         return False
 
     @property
@@ -171,7 +171,7 @@ class Layered(HtmlTable):
         Parameters
         ----------
         wavenumber : array_like
-            q = 2 pi over the wavelength [1/m], > 0.
+            Wavenumber q = 2 pi/wavelength [1/m], > 0.
 
         Returns
         -------

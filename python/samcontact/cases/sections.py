@@ -281,7 +281,7 @@ else:
 
 
 def settings_of(section: ContactSection) -> dict[str, Any]:
-    """Return the arguments of `Simulation`."""
+    """Return the settings of [contact] as arguments of `Simulation`."""
     laws = {"friction": friction_of(section.friction), "contact_law": contact_law_of(section)}
     return section.model_dump() | laws
 

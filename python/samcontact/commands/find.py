@@ -42,13 +42,13 @@ def find(
     continue it.
     """
     with short_errors(files=True):
-        from ..accuracy.load_search import searched
+        from ..accuracy.load_search import prepare_search
         from ..cases.given import case_of_contact
         from .tables import Sheet, new_console
 
         case = case_of_contact("CASE.toml", case_file)
         name, value = _wanted(target)
-        search = searched(
+        search = prepare_search(
             case, name, value, tolerance=tolerance, largest_load=largest_load,
             progress=not quiet,
         )  # fmt: skip

@@ -15,7 +15,7 @@ from rich.console import Console
 
 from .. import hertz, results
 from ..accuracy import AccuracyResult
-from ..accuracy.asked import searched
+from ..accuracy.asked import prepare_search
 from ..accuracy.grid_errors import (
     GridErrors,
     error_rows,
@@ -102,7 +102,7 @@ def solve_to_accuracy(
 
     After an error or an interruption, the best values so far are written as results.
     """
-    search = searched(case, progress=not console.quiet)
+    search = prepare_search(case, progress=not console.quiet)
     written = written_names(case, "results", figures, False)
     with checkpoints_of(directory, case, written) as checkpoints:
         journal = checkpoints.claim(resume)

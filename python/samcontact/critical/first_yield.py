@@ -107,7 +107,10 @@ def _unit_stress(
 def _largest(
     body: Material, stress: FloatArray, a: float, angle: FloatArray, r: FloatArray, z: FloatArray
 ) -> YieldPosition:
-    """Maximum excess. stress: contact stress [Pa], (6, angles, r, z); r, z in contact radii."""
+    """Maximum excess over the yield stress.
+
+    stress: contact stress [Pa], shape (6, angles, r, z), with r, z in contact radii.
+    """
     sxx, syy, sxy = body.residual_stress_at(a * z)
     total = stress.copy()
     for component, start in ((0, sxx), (1, syy), (5, sxy)):

@@ -120,7 +120,7 @@ def _of_bodies(bodies: tuple[Body, Body], heat: Heat) -> Iterator[PlausibilityCh
 
 
 def _of_strengths(bodies: tuple[Body, Body]) -> Iterator[PlausibilityCheck]:
-    """Failed checks of bodies that a check of the contact may have explained better."""
+    """Failed checks of bodies that a check of the contact may explain better."""
     for number, whole in enumerate(bodies, 1):
         plastic = [material for material in materials_of(whole) if material.is_plastic]
         yield from _failed(_of_strength(number, material) for material in plastic)
@@ -140,8 +140,8 @@ def passing_loads(
 ) -> tuple[float, float]:
     """Range of loads [N] for which all checks of a contact pass, estimated from one load.
 
-    Contact size and pressure grow as the cube root of the load. The temperature rise and flattened
-    contacts grow faster, at most with its powers 2/3 and 1/2.
+    Contact size and pressure grow as the cube root of the load. The temperature rise and the size
+    of flattened contacts grow faster, at most as the powers 2/3 and 1/2 of the load.
     """
     load = contact.expected.contact.load
     checks = [doubt.check for doubt in contact_plausibility_checks(contact, grid, bodies, heat)]
@@ -165,7 +165,7 @@ def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, Material]]
 
 
 def _failed(doubts: Iterable[PlausibilityCheck]) -> Iterator[PlausibilityCheck]:
-    """Failed checks; a report does not list the others, which most materials do not have."""
+    """Failed checks; reports do not list the others, most of which do not apply to the material."""
     return (doubt for doubt in doubts if not doubt.check.passed)
 
 
@@ -331,7 +331,7 @@ def _in_layers(
 
 
 def _flattened(contact: ExpectedExtent, body: Material) -> float:
-    """Ratio of the fully plastic width (mean pressure of three yield stresses) to the elastic."""
+    """Fully plastic width (mean pressure of three yield stresses) over elastic width."""
     stress = 3.0 * body.min_yield_stress if body.is_plastic else math.inf
     mean = contact.expected.contact.p0 / 1.5
     return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0

@@ -80,7 +80,7 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
 
 
 def spots(pressure: ArrayLike, periodic: str = "") -> int:
-    """Number of spots of connected cells, corners included; arguments as for `main_spot`."""
+    """Number of spots of cells connected by sides or corners; arguments as for `main_spot`."""
     return int(_labelled(pressure, periodic)[0].max())
 
 
@@ -150,7 +150,7 @@ def _uncertainty(outline: Outline) -> float:
 
 
 def _is_wide(pressure: FloatArray) -> bool:
-    """Whether the cell of maximum pressure lies in `RECOMMENDED_CELLS` contact cells along x and y.
+    """Whether the cell of maximum pressure lies in runs of `RECOMMENDED_CELLS` cells along x and y.
 
     This cheap check is sufficient for a wide contact spot, but not necessary.
     """
@@ -242,7 +242,7 @@ def warn_of_zone(
 ) -> bool:
     """Warn if fewer than `few` layers span the plastic zone of a body; return whether it did.
 
-    It considers the state with the deepest zone: strain of a moving body leaves the grid.
+    The state with the deepest zone counts, because the strain of a moving body leaves the grid.
     """
     heights = [layers_across_plastic_zone(strained_extent(state, body)) for state in states]
     layers = max((height for height in heights if height > 0), default=math.nan)

@@ -122,8 +122,8 @@ def cycle(
     Parameters
     ----------
     states : sequence of State, or array_like of shape (n, 6, ...)
-        At least two moments of one simulation: those of a pass or a loop in its steady state.
-        States that are not in the sequence, such as the unloaded body, are not in the cycle. Or
+        At least two states of one simulation, over a pass or a loop in its steady state. The cycle
+        consists of these states only: it does not add the unloaded body. Alternatively, an array of
         stress [Pa] from any source, components xx, yy, zz, yz, xz, xy, tension positive.
     body : {1, 2}, optional
         Body of the states. Default: 2.
@@ -187,9 +187,10 @@ def steady_cycle(
     Returns
     -------
     Cycle
-        Its points are lines: fields have the axes y and z (x and z). Moments are the cells along a
-        line, without interpolation, and for a state also the initial stress far ahead of the
-        contact. This is not added to a stress array, nor along a periodic direction.
+        Its points are lines: fields have the axes y and z (x and z with `axis="y"`). Moments are
+        the cells along a line, without interpolation, and for a state also the initial stress far
+        ahead of the contact. The initial stress is not added to a stress array, nor along a
+        periodic direction.
 
     Raises
     ------

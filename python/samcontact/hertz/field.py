@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Dimensionless stress at any point below a sliding point contact: over p0, at x, y, z over a.
 
-The potential of a Hertz pressure is that of point forces on an imaginary line,
+The potential of a Hertz pressure equals the potential of point forces on an imaginary line,
 
     integral of sqrt(1 - s^2)/distance over the disc = pi/2 integral of (1 - t^2)/R(z + i t) dt
 
