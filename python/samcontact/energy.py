@@ -213,7 +213,7 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
 
 
 def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
-    """Energies of the last state, by the names of `EnergyBalance`."""
+    """Energies of the last state, by their names in `EnergyBalance`."""
     residual = plastic = given = 0.0
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if states[-1].has_eigenstrain(number):
@@ -254,24 +254,27 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
     if not friction_law(simulation.friction).sticks:
         return (
             f"friction must be samcontact.Coulomb(mu), got {simulation.friction!r}: full sliding "
-            "has no tangential motion"
+            "leaves the tangential motion undefined"
         )
     if simulation.contact_law.attracts:
         return (
-            "contact_law must not attract, because attraction stores energy too, got "
-            f"{simulation.contact_law!r}"
+            f"contact_law must not attract, got {simulation.contact_law!r}: the energy stored by "
+            "attraction is not included in the balance"
         )
     if any(any(state.travel) for state in states):
         return "states must have no travel: the energy balance does not support rolling"
     if not all(_have_equal_eigenstrain(states[0], state) for state in states):
-        return "states must have equal eigenstrain: adding eigenstrain does work too"
+        return (
+            "states must have equal eigenstrain: the work of adding eigenstrain is not included in "
+            "the balance"
+        )
     if not all(np.isfinite(state.approach) for state in states):
         return "states must be from load or approach control, got prescribed tractions"
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if body.thermal is not None and any(np.any(s.surface_temperature(number)) for s in states):
             return (
-                f"states must have no heating, but body {number} is heated: thermal expansion does "
-                "work too"
+                f"states must have no heating, but body {number} is heated: the work of thermal "
+                "expansion is not included in the balance"
             )
         if body.softening is not None:
             return f"bodies must have no thermal softening, got {body!r}"

@@ -55,7 +55,7 @@ class Flattening(ShortRepr):
 def kogut_etsion(
     interference: ArrayLike, R: float, E_star: float, nu: float, yield_stress: float
 ) -> Flattening:
-    """Model of Kogut and Etsion (2002), for up to 110 critical interferences.
+    """Model of Kogut and Etsion (2002), up to 110 times the critical interference.
 
     Parameters
     ----------
@@ -73,15 +73,16 @@ def kogut_etsion(
     Returns
     -------
     Flattening
-        Hertz up to the critical interference of `critical.kogut_etsion`, above it two power laws
-        that meet at 6 critical interferences. As published, the load jumps by 3 % at 1 and 1.7 % at
-        6 critical interferences, the area by -7 % and 2.9 %. Kogut and Etsion, J. Appl. Mech. 69
-        (2002) 657-662, doi:10.1115/1.1490373.
+        Hertz theory up to the critical interference of `critical.kogut_etsion`; above it, two power
+        laws that meet at 6 times the critical interference. As published, load and area are
+        discontinuous: at the critical interference they jump by 3 % and -7 %, at 6 times its value
+        by 1.7 % and 2.9 %. Kogut and Etsion, J. Appl. Mech. 69 (2002) 657-662,
+        doi:10.1115/1.1490373.
 
     Raises
     ------
     ValueError
-        An argument is outside its range, or the interference exceeds 110 critical interferences.
+        An argument is outside its range, or the interference exceeds 110 times its critical value.
     """
     onset = critical.kogut_etsion(R, E_star, nu, yield_stress)
     w = _interference(interference)
@@ -90,7 +91,7 @@ def kogut_etsion(
     if above.any():
         raise ValueError(
             f"interference must be <= {KOGUT_ETSION_LIMIT * onset.interference!r} "
-            f"({KOGUT_ETSION_LIMIT:g} times critical), got {float(w[above].flat[0])!r}"
+            f"({KOGUT_ETSION_LIMIT:g} times the critical value), got {float(w[above].flat[0])!r}"
         )
     stages = [ratio <= 1.0, ratio <= 6.0]
     load = np.select(stages, [ratio**1.5, 1.03 * ratio**1.425], 1.40 * ratio**1.263)
@@ -112,8 +113,9 @@ def jackson_green(
     Returns
     -------
     Flattening
-        Hertz up to 1.9 critical interferences of `critical.jackson_green`, where the load jumps by
-        less than 1 %. Jackson and Green, J. Tribol. 127 (2005) 343-354, doi:10.1115/1.1866166.
+        Hertz theory up to 1.9 times the critical interference of `critical.jackson_green`, where
+        the load jumps by less than 1 %. Jackson and Green, J. Tribol. 127 (2005) 343-354,
+        doi:10.1115/1.1866166.
 
     Raises
     ------

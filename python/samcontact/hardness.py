@@ -36,7 +36,7 @@ def _vickers(HV: ArrayLike) -> FloatArray:
     if wrong.size:
         raise ValueError(
             f"HV must be Vickers numbers (kgf/mm^2) from {PLAUSIBLE_RANGE[0]:g} to "
-            f"{PLAUSIBLE_RANGE[1]:g}, got {wrong.flat[0]:g}; 7 GPa is 714"
+            f"{PLAUSIBLE_RANGE[1]:g}, got {wrong.flat[0]:g}: convert GPa, e.g. 7 GPa is HV 714"
         )
     return hardness
 
@@ -72,8 +72,8 @@ def yield_from_vickers(HV: ArrayLike) -> FloatArray:
     beyond = hardness[(hardness < FITTED_RANGE[0]) | (hardness > FITTED_RANGE[1])]
     if beyond.size:
         warnings.warn(
-            f"HV = {beyond.flat[0]:g} is outside the data of the relation, {FITTED_RANGE[0]:g} to "
-            f"{FITTED_RANGE[1]:g}: extrapolated linearly",
+            f"HV = {beyond.flat[0]:g} is outside the range of the data, {FITTED_RANGE[0]:g} to "
+            f"{FITTED_RANGE[1]:g}: the linear relation is extrapolated",
             HardnessRangeWarning,
             stacklevel=2,
         )

@@ -75,8 +75,8 @@ def steady(
     start : RollingSolution, optional
         Solution for similar creepages or forces, as initial guess of the iteration.
     tol, on_border, max_iterations
-        As in `ContactSolver`; tol also bounds the error of the shear, and that of prescribed forces
-        relative to the maximum forces.
+        As in `ContactSolver`; `tol` also bounds the error of the shear traction, and the error of
+        prescribed forces relative to the maximum forces.
 
     Returns
     -------
@@ -163,7 +163,7 @@ class _Rolling:
         *creepage, spin = found.pop("motion")
         *force, torque = found.pop("force")
         del found["fallbacks"], found["energy_gap"]
-        told = {
+        fields = {
             "creepage": np.array(creepage),
             "spin": spin,
             "friction": self.friction,
@@ -171,4 +171,4 @@ class _Rolling:
             "tangential_load": np.array(force),
             "torque": torque,
         }
-        return RollingSolution(grid=grid, **told, **found), complaint
+        return RollingSolution(grid=grid, **fields, **found), complaint

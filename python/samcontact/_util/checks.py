@@ -325,7 +325,7 @@ def together(**given: ArrayLike) -> list[FloatArray]:
         return list(np.broadcast_arrays(*arrays.values()))
     except ValueError:
         shapes = ", ".join(str(array.shape) for array in arrays.values())
-        allowed = "one shape, or shapes that extend to it"
+        allowed = "equal shapes, or shapes that broadcast together"
         raise ValueError(f"{', '.join(arrays)} must have {allowed}, got {shapes}") from None
 
 
@@ -347,7 +347,9 @@ def gap_array(
             f"{array[index]} at index {index}"
         )
     if not np.isfinite(array).any():
-        raise ValueError(f"{name} must be finite somewhere, got {nobody:+} (no body) everywhere")
+        raise ValueError(
+            f"{name} must be finite in at least one cell, got {nobody:+} (no body) everywhere"
+        )
     return array
 
 

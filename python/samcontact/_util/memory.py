@@ -40,7 +40,8 @@ LIBRARY_BYTES, BLAS_BUFFER_BYTES, HDF5_FILE_BYTES = 400e6, 45e6, 64e6
 """Address space [bytes]: all libraries of a run with one thread of linear algebra, including the
 first block of the core (128 MB); each further thread, per library; a file while it is written."""
 VOLUME_FIELD_BYTES = 300.0
-"""Bytes per volume cell: field of a state; with exact residual stress as `EXACT_RESIDUAL_BYTES`."""
+"""Bytes per volume cell: field of a state; `EXACT_RESIDUAL_BYTES` applies to exact residual
+stress."""
 
 
 class CellCounts(Protocol):

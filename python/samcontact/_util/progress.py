@@ -50,7 +50,7 @@ class _LineProgress:
 
     def __init__(self, total: int, unit: str, initial: int, stream: TextIO | None) -> None:
         self.total, self.unit, self.count, self.stream = total, unit, initial, stream
-        self.told = initial * MAX_LINES // max(total, 1)
+        self.reported = initial * MAX_LINES // max(total, 1)
 
     def __enter__(self) -> _LineProgress:
         return self
@@ -61,8 +61,8 @@ class _LineProgress:
     def update(self, count: int = 1) -> None:
         self.count += count
         part = self.count * MAX_LINES // max(self.total, 1)
-        if part > self.told and self.told < MAX_LINES and self.stream is not None:
-            self.told = part
+        if part > self.reported and self.reported < MAX_LINES and self.stream is not None:
+            self.reported = part
             report_progress(f"{self.unit} {self.count} of {self.total}", shown=True)
 
     def set_postfix(self, **_: object) -> None:

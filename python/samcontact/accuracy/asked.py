@@ -130,7 +130,9 @@ def _asked(
         asked = dict(given)
         for name in chosen or ():
             if name not in asked:
-                raise ValueError(f"accuracy has no value for {in_short(name)} of quantities")
+                raise ValueError(
+                    f"accuracy must have a value for all quantities, got none for {in_short(name)}"
+                )
     else:
         asked = dict.fromkeys(scene.names if chosen is None else chosen, given)
     if not asked:
@@ -138,7 +140,7 @@ def _asked(
     for name, value in asked.items():
         if name not in scene.names:
             raise ValueError(
-                f"quantities must be of this case, {', '.join(scene.names)}, got {in_short(name)}"
+                f"quantities must be of this case ({', '.join(scene.names)}), got {in_short(name)}"
             )
         positive("accuracy", value)
         if not value < 1:

@@ -156,7 +156,7 @@ def _least(kind: str, target: float, simulation: Simulation) -> str | None:
     """Return why a value is too small for the grid; None if it is not, or if this is unknown."""
     grid, scene = simulation.grid, simulation.engine.estimate
     if kind == "contact_area" and target < grid.cell_area:
-        return f"one cell has {quantity(grid.cell_area, 'm²')}"
+        return f"one cell has an area of {quantity(grid.cell_area, 'm²')}"
     radii = scene.radii
     if kind not in ("max_pressure", "max_von_mises", "approach") or radii is None:
         return None
@@ -171,4 +171,4 @@ def _least(kind: str, target: float, simulation: Simulation) -> str | None:
     if expected is None or 2 * expected.semi_axes[0] >= max(grid.dx, grid.dy):
         return None
     across = quantity(2 * expected.semi_axes[0], "m")
-    return f"the Hertz contact is {across} across, less than one cell"
+    return f"the Hertz contact is {across} wide, less than one cell"

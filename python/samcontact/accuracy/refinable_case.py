@@ -63,7 +63,7 @@ class GridSolution(NamedTuple):
     case: Case
     simulation: Simulation
     states: list[State]
-    told: list[warnings.WarningMessage]
+    issued: list[warnings.WarningMessage]
 
     @property
     def half(self) -> tuple[float, float]:
@@ -284,11 +284,11 @@ class RefinableCase:
         """Solve the case on a grid, continuing stored increments."""
         solves = Solves(self.who) if solves is None else solves
         name, case = name_of(level, increments), self.on(level, increments)
-        with warnings.catch_warnings(record=True) as told:
+        with warnings.catch_warnings(record=True) as issued:
             warnings.simplefilter("always")
             simulation, path = case.build()
             states = solves.run(name, simulation, path, progress=progress)
-        return GridSolution(case, simulation, states, told)
+        return GridSolution(case, simulation, states, issued)
 
     def run(
         self, level: int, increments: int, solves: Solves | None = None, *, progress: bool = False

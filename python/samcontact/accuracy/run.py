@@ -117,8 +117,8 @@ class AccuracySearch:
 
     def _leave_out_singular(self, run: GridRun) -> None:
         """Exclude quantities that do not converge with finer grids."""
-        told = () if run.solved is None else run.solved.told
-        if any(issubclass(warning.category, SingularPressureWarning) for warning in told):
+        issued = () if run.solved is None else run.solved.issued
+        if any(issubclass(warning.category, SingularPressureWarning) for warning in issued):
             endless = [is_singular(name) for name in self.asked]
             self.wanted = np.where(endless, np.inf, self.wanted)
             if any(endless):
@@ -287,7 +287,7 @@ class AccuracySearch:
 
 def _warn_of(outcome: AccuracyResult, last: GridSolution) -> None:
     """Repeat the warnings of the last grid, and warn if the accuracy is not reached."""
-    for warning in last.told:
+    for warning in last.issued:
         warnings.warn(warning.message, stacklevel=4)
     if not outcome.reached:
         relative, asked = outcome.relative_errors, outcome.accuracy

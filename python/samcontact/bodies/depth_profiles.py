@@ -32,7 +32,7 @@ MAX_PROFILE_POINTS = 4096
 
 def profile(kind: str, given: Any) -> Profile:
     """Convert a profile to equally many depths and values; the core checks their ranges."""
-    holds = f"{kind} must contain {', '.join(PROFILE_ARGUMENTS[kind])}, a list of numbers each"
+    holds = f"{kind} must contain {', '.join(PROFILE_ARGUMENTS[kind])}, each a list of numbers"
     if not isinstance(given, (list, tuple)):
         raise TypeError(f"{holds}, got {in_short(given)}")
     parts = tuple(given)

@@ -54,12 +54,12 @@ class Checkpoints:
         if not self.folder.exists() or resume:
             return resume
         if _read(self.folder / CASE_FILE).key == self.key:
-            told = f"continuing from the checkpoints of an interrupted run: {self.folder}"
+            text = f"continuing from the checkpoints of an interrupted run: {self.folder}"
         else:
             remove_checkpoints(self.directory / FOREIGN_FOLDER)
             self.folder.rename(self.directory / FOREIGN_FOLDER)
-            told = f"checkpoints of a different run were moved to {self.directory / FOREIGN_FOLDER}"
-        click.echo(told, err=True)
+            text = f"checkpoints of a different run were moved to {self.directory / FOREIGN_FOLDER}"
+        click.echo(text, err=True)
         return self.folder.exists()
 
     def remember(self) -> Path:

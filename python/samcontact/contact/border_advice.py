@@ -37,7 +37,7 @@ def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
         return text
     if tilt := _tilt(scene.gap):
         return (
-            f'{before}. The gap is tilted, {tilt}: level a measured surface with detrend="height"'
+            f'{before}. The gap is tilted {tilt}: level a measured surface with detrend="height"'
             f"{ask}"
         )
     if "covers" in before:
@@ -69,4 +69,4 @@ def _tilt(gap: FloatArray) -> str:
         for rise, axis in zip(rises, "xy", strict=True)
         if rise > 0.1 * max(rises)
     )
-    return f"by {along} with other heights of {quantity(others, 'm')}"
+    return f"by {along} against other heights of {quantity(others, 'm')}"

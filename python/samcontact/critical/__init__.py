@@ -221,7 +221,8 @@ def onset_sliding(
     CriticalSlidingSphere
         From the maximum von Mises stress in the half-space, including its surface, under a Hertz
         pressure p with the shear mu p (`hertz.PointContact.stress`). With nu = 0.3 the body yields
-        below the surface, ahead of the centre, up to mu = 0.304, and at the trailing edge above.
+        below the surface, ahead of the centre, up to mu = 0.304, and at the trailing edge for
+        higher friction.
 
     Raises
     ------

@@ -173,10 +173,10 @@ def warn_if_implausible(doubt: PlausibilityCheck, *, stacklevel: int) -> None:
     """Warn of an implausible quantity."""
     verdict = doubt.check
     if not verdict.passed:
-        told = (
+        text = (
             f"likely unit error: {verdict.name} is {verdict.shown} ({verdict.condition} expected)"
         )
-        warnings.warn(f"{told}. {doubt.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
+        warnings.warn(f"{text}. {doubt.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
 
 
 def require_solvable(doubt: PlausibilityCheck) -> None:
@@ -217,9 +217,9 @@ def _of_body(name: str, body: Body) -> Iterator[PlausibilityCheck]:
 
 def _of_material(name: str, body: Material) -> Iterator[PlausibilityCheck]:
     for modulus, _ in body.kinematic:
-        told = f"modulus of kinematic hardening over E of {name}"
+        label = f"modulus of kinematic hardening over E of {name}"
         for limit, least in ((MIN_STRESS_RATIO, True), (MAX_BACKSTRESS_MODULUS_RATIO, False)):
-            verdict = Check(told, modulus / body.E, limit, least)
+            verdict = Check(label, modulus / body.E, limit, least)
             yield PlausibilityCheck(verdict, lambda: "Use Pa for both")
     if body.yield_profile is not None:
         most_of_law = max(body.yield_profile[1])
@@ -231,8 +231,8 @@ def _of_material(name: str, body: Material) -> Iterator[PlausibilityCheck]:
     if body.residual_stress is not None:
         largest = max(abs(v) for values in body.residual_stress[1:] for v in values)
         if largest > 0:
-            told = f"maximum residual stress over E of {name}"
-            verdict = Check(told, largest / body.E, MIN_STRESS_RATIO, at_least=True)
+            label = f"maximum residual stress over E of {name}"
+            verdict = Check(label, largest / body.E, MIN_STRESS_RATIO, at_least=True)
             yield PlausibilityCheck(verdict, lambda: "Use Pa for both: -800 MPa is -800e6")
         yield _of_depth(f"depth of the residual stress of {name}", body.residual_stress)
 

@@ -224,8 +224,8 @@ def warn_of_contact(
         )
     else:
         return False
-    told = f"under-resolved contact: at load {solution.load:.6g} N the contact {text}"
-    warnings.warn(told, ResolutionWarning, stacklevel=stacklevel + 1)
+    message = f"under-resolved contact: at load {solution.load:.6g} N the contact {text}"
+    warnings.warn(message, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
 
 
@@ -347,7 +347,7 @@ def warn_of_sweep(dataset: xr.Dataset, *, stacklevel: int) -> None:
             found.append(f"{count} with {what}")
     if found:
         text = (
-            f"under-resolved cases: of {dataset['status'].size}, {', '.join(found)}; see "
+            f"under-resolved cases: {', '.join(found)}, of {dataset['status'].size} in all; see "
             "cells_across_contact and layers_across_plastic_zone_bodyN"
         )
         warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)

@@ -312,11 +312,11 @@ def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
     return np.asarray(E / (2 * (1 + nu)), dtype=np.float64)
 
 
-def _yield_stress(given: Cycle, material: Material | None, told: float | None) -> float:
-    if told is not None:
-        given_stress = positive("yield_stress", told)
-        warn_if_implausible(strength("yield_stress", given_stress), stacklevel=4)
-        return given_stress
+def _yield_stress(given: Cycle, material: Material | None, given_stress: float | None) -> float:
+    if given_stress is not None:
+        checked = positive("yield_stress", given_stress)
+        warn_if_implausible(strength("yield_stress", checked), stacklevel=4)
+        return checked
     body = material if material is not None else given.body
     assert body is not None  # checked by _elasticity
     if not body.is_plastic:

@@ -42,7 +42,7 @@ class Cycle(HtmlTable):
 
     @property
     def moments(self) -> int:
-        """Number of moments."""
+        """Number of moments (instants) of the cycle."""
         return self._paths.moments
 
     @property
@@ -88,7 +88,7 @@ def blocks(of: Cycle, fields: int) -> Iterator[slice]:
         memory.require(
             "one layer of a cycle",
             _COPIES_OF_BLOCK * one / _MAX_MEMORY_FRACTION,
-            "use fewer moments",
+            "use fewer states (moments)",
         )
     size = max(min(fit, last), 1)
     for first in range(0, last, size):

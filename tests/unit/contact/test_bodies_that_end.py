@@ -188,7 +188,7 @@ class TestFixedGapAtTheBorder:
     @pytest.mark.parametrize("simulated", [False, True])
     def test_a_tilted_map(self, simulated):
         text = self.message(self.rough + 4e-3 * self.grid.x[:, None], 1e-3, simulated)
-        assert "The gap is tilted, by 18" in text
+        assert "The gap is tilted by 18" in text
         assert 'detrend="height"' in text
         assert 'on_border="warn"' in text
         assert "enlarge n" not in text
