@@ -205,14 +205,14 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     why = no_balance(simulation, states)
     if why:
         raise ValueError(why)
-    first, last = (_found(simulation, states[:n]) for n in (1, len(states)))
+    first, last = (_energies(simulation, states[:n]) for n in (1, len(states)))
     before, work = sum(first.values()) - first["eigenstrain_energy"], _work(states)
     given_back = float(work[work < 0].sum())
     net = before + float(work.sum())
     return EnergyBalance(work_input=net - given_back, net_external_work=net, **last)
 
 
-def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
+def _energies(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
     """Energies of the last state, by their names in `EnergyBalance`."""
     residual = plastic = given = 0.0
     for number, body in enumerate((simulation.body1, simulation.body2), 1):

@@ -7,7 +7,7 @@ and displacement (quasi-static, uncoupled).
 
 x, y (X, Y) [m] are the coordinates of the field point relative to the centre of the rectangle,
 whose HALF sizes are a and b [m]. The axes are fixed to the source; z >= 0 [m] points into the body.
-The `velocity` (Vx, Vy) [m/s] is that of the body relative to the source: the hot wake lies
+The `velocity` (Vx, Vy) [m/s] is the velocity of the body relative to the source: the hot wake lies
 downstream. Stress is positive in tension, components xx, yy, zz, yz, xz, xy; u_z is positive into
 the body, so heated surfaces bulge to negative u_z.
 

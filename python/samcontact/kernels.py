@@ -163,8 +163,8 @@ def eigenstrain_stress(
 ) -> FloatArray:
     """Stress [Pa] per unit eigenstrain of a cuboid, shape (6, 6, ...): [stress, strain] component.
 
-    Inside the cuboid the stress of the eigenstrain itself is subtracted. Mindlin's half-space
-    solution integrated in closed form; docs/theory/half_space.md.
+    Inside the cuboid, the stress follows from the elastic strain: total strain minus eigenstrain.
+    Mindlin's half-space solution integrated in closed form; docs/theory/half_space.md.
     """
     (x, y, depth), shape = _points(X, Y, z)
     a, b, c = _sizes(a=a, b=b, c=c)

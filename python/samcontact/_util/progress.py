@@ -21,7 +21,7 @@ def progress_bar(
     this is for parts that `report_progress` reports with one line each.
     """
     stream = sys.stderr if shown else None
-    if not _in_place(stream):
+    if not _can_overwrite(stream):
         return _LineProgress(total, unit, initial, stream if leave else None)
     from tqdm.auto import tqdm  # a widget in a notebook
 
@@ -35,7 +35,7 @@ def report_progress(text: str, *, shown: bool) -> None:
             print(text, file=sys.stderr, flush=True)
 
 
-def _in_place(stream: TextIO | None) -> bool:
+def _can_overwrite(stream: TextIO | None) -> bool:
     """Whether output can be overwritten, as on a terminal or in a notebook."""
     if stream is None:
         return False

@@ -101,7 +101,7 @@ def prepare_search(
     own = isinstance(case, Mapping) and "grid" not in case and accuracy is not None
     known = case_of_contact("case", case, **({"accuracy": accuracy} if own else {}))
     scene = RefinableCase(known)
-    asked = _asked(scene, known, accuracy, quantities)
+    asked = _prescribed_accuracy(scene, known, accuracy, quantities)
     scene.accept(min(asked.values()))
     scene.names = [name for name in scene.names if name in asked or name in INCREMENT_QUANTITIES]
     most = known.max_memory if max_memory is None else positive("max_memory", max_memory)
@@ -111,7 +111,7 @@ def prepare_search(
     return AccuracySearch(scene, asked, most, HOUR if limit is None else limit, progress)
 
 
-def _asked(
+def _prescribed_accuracy(
     scene: RefinableCase,
     case: Case,
     accuracy: float | Mapping[str, float] | None,

@@ -229,7 +229,7 @@ def estimated(
         for name in known:
             values[name][at], errors[name][at] = fine[name], difference[name]
     if friction_law(run.friction).sticks:
-        for name, (value, error) in _of_slip(states, [found[n] for n in which]).items():
+        for name, (value, error) in _slip_errors(states, [found[n] for n in which]).items():
             values[name], errors[name] = value, error
     beyond = np.nan
     if not callable(run.engine.setup.surfaces.gap) and np.isfinite(run.initial_gap).all():
@@ -288,7 +288,7 @@ def _differences(
     return found | dict.fromkeys(endless, np.inf)
 
 
-def _of_slip(
+def _slip_errors(
     states: Sequence[State], coarse: Sequence[State]
 ) -> dict[str, tuple[FloatArray, FloatArray]]:
     """Return tangential forces, motions and frictional work with errors, unless prescribed.

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 @dataclass(repr=False)
 class CollisionResult(ShortRepr):
-    """Result of `collide`."""
+    """Result of an asperity collision, returned by `collide`."""
 
     collision: Collision
     simulation: Simulation

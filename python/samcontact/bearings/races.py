@@ -54,7 +54,7 @@ def _rolling_radius(diameter: float, pitch: float, contact_angle: float, race: s
 
 
 def angle_of(contact_angle: float) -> float:
-    """Check a contact angle [rad]."""
+    """Return a contact angle [rad] after checking that it is in [0, pi/2]."""
     angle = finite("contact_angle", contact_angle)
     if not 0.0 <= angle <= 0.5 * math.pi:
         raise ValueError(f"contact_angle must be in [0, pi/2] rad, got {contact_angle!r}")

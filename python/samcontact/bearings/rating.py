@@ -120,8 +120,8 @@ def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -
 
     Notes
     -----
-    This formula and the pressures of `static_load_rating` summarise the same experience: that both
-    give about 1e-4 of the diameter does not validate either of them.
+    This formula and the pressures of `static_load_rating` summarise the same experience. Their
+    agreement on about 1e-4 of the diameter therefore validates neither of them.
     """
     require_type("race", race, RaceContact)
     Q, D = non_negative("load", load), positive("ball_diameter", ball_diameter)

@@ -134,7 +134,7 @@ class Layered(HtmlTable):
         return any(material.is_plastic for _, material in self._named_materials())
 
     def material_at(self, z: float) -> Material:
-        """Return the material at a depth z >= 0 [m]; at an interface, the lower one."""
+        """Return the material at a depth z >= 0 [m]; at an interface, the material below it."""
         depth = finite("z", z)
         if not depth >= 0:
             raise ValueError(f"z must be >= 0, got {z!r}")
@@ -176,8 +176,8 @@ class Layered(HtmlTable):
         Returns
         -------
         ndarray
-            Compliance of the same shape: (1 - nu^2) 2/(E q) of the substrate for long waves, and of
-            the top layer for short waves.
+            Compliance, in the shape of `wavenumber`. Its limit is 2 (1 - nu^2)/(E q), with the
+            constants of the substrate for long waves and of the top layer for short waves.
         """
         q = real_array("wavenumber", wavenumber)
         bad = ~(np.isfinite(q) & (q > 0))
@@ -217,7 +217,7 @@ def require_bodies(*bodies: Any) -> None:
 
 
 def require_homogeneous(why: str, *bodies: Any) -> None:
-    """Raise TypeError for an object that is no body, ValueError with a reason for a layered one."""
+    """Raise TypeError unless each object is a body; ValueError with a reason for a layered body."""
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Layered):
             raise ValueError(f"body{n} must be a Material, got {len(body.layers)} layer(s): {why}")

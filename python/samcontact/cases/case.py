@@ -215,7 +215,7 @@ class Case(CaseFile):
             return _hertz.point(radii[0], E_star, load=load)
         return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
 
-    def _on(self, grid: Grid, section: Any) -> Any:
+    def _surface_on(self, grid: Grid, section: Any) -> Any:
         """Return a surface or relief, checked on the grid.
 
         The result is a function of a grid if the surface is defined on every grid.
@@ -254,11 +254,11 @@ class Case(CaseFile):
             section = "body2"
             body2 = self.body2.build()
             section = "surface"
-            lies_between = {"gap": self._on(grid, self.surface)}
+            lies_between = {"gap": self._surface_on(grid, self.surface)}
             for section in ("relief1", "relief2"):
                 given = getattr(self, section)
                 if given is not None:
-                    relief = lies_between[section] = self._on(grid, given)
+                    relief = lies_between[section] = self._surface_on(grid, given)
                     relief_rows(section, relief(grid) if callable(relief) else relief, grid)
             section = "heat"
             heat = None if self.heat is None else self.heat.build()

@@ -80,7 +80,7 @@ def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
     if kind == "value_error":
         message = str(item["ctx"]["error"])
         return f"{where}: {message}" if where else message
-    given = _at(content, place.names, item["input"])
+    given = _value_at(content, place.names, item["input"])
     if kind in ("union_tag_not_found", "union_tag_invalid") and isinstance(given, Mapping):
         key = item["ctx"]["discriminator"].strip("'")
         if key not in given:
@@ -123,7 +123,7 @@ def _remedy(allowed: str, given: Any) -> str:
     return ""
 
 
-def _at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
+def _value_at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
     """Return the value in the file at a location, before unit conversion."""
     for name in names:
         try:

@@ -256,7 +256,7 @@ def settings_section(name: str, module: str, without: tuple[str, ...] = (), **de
 
     module: module that defines the section under this name, for pickling.
     without: settings to omit.
-    defaults: defaults that differ from those of a simulation.
+    defaults: defaults that differ from the defaults of a simulation.
     """
     found: dict[str, Any] = {}
     for setting, allowed in allowed_of(Settings).items():

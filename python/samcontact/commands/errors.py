@@ -101,7 +101,7 @@ def _message_and_code(error: Exception) -> tuple[str, int]:
     if _is_short_of_memory(error):
         return _no_memory(error), EXIT_FAILED
     if isinstance(error, OSError):
-        return _of_system(error), EXIT_FAILED
+        return _system_message(error), EXIT_FAILED
     if isinstance(error, ModuleNotFoundError):
         return str(error), EXIT_FAILED
     return "", EXIT_FAILED
@@ -116,7 +116,7 @@ _REMEDIES = {
 }
 
 
-def _of_system(error: OSError) -> str:
+def _system_message(error: OSError) -> str:
     """Message of an operating-system error: file, reason and remedy, without the errno."""
     parts = [error.filename, error.strerror or str(error), _REMEDIES.get(error.errno or 0)]
     return ": ".join(str(part) for part in parts if part)

@@ -52,7 +52,7 @@ def find(
             case, name, value, tolerance=tolerance, largest_load=largest_load,
             progress=not quiet,
         )  # fmt: skip
-        found = _found(case, search)
+        found = _run_search(case, search)
         if quiet:
             click.echo(repr(found.load))
             return
@@ -63,7 +63,7 @@ def find(
         new_console().print(sheet)
 
 
-def _found(case: Case, search: LoadSearch) -> FoundLoad:
+def _run_search(case: Case, search: LoadSearch) -> FoundLoad:
     """Run the search, continuing an interrupted one; save its progress on interruption."""
     from ..files.atomic import undisturbed
     from ..restart.checkpoint_files import remove_checkpoints

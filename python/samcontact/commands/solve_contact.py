@@ -186,7 +186,7 @@ class _ContactRun:
 
             with journal_column(case.output.column):
                 written += summary_figures(
-                    self._shown(dataset),
+                    self._with_figure_fields(dataset),
                     self.directory,
                     body=body,
                     hertz=reference,
@@ -223,7 +223,7 @@ class _ContactRun:
             self.console.print(text, markup=False, highlight=False)
             return None
 
-    def _shown(self, dataset: xr.Dataset) -> xr.Dataset:
+    def _with_figure_fields(self, dataset: xr.Dataset) -> xr.Dataset:
         """Return the results with the volume fields that figures require, stored or not."""
         from ..plotting.summary import increments_shown
 

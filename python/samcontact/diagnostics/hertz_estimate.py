@@ -110,7 +110,7 @@ class ContactSetup:
 
     @cached_property
     def _paraboloid(self) -> tuple[float, float, float] | None:
-        """Larger and smaller radius [m], and cosine of the angle of the larger one's plane to x."""
+        """Larger and smaller radius [m]; cosine of the angle between x and the larger's plane."""
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None

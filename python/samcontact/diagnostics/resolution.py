@@ -36,7 +36,7 @@ ROUND_SPOT_AREA_ERROR = 16 / math.pi * AREA_PER_SIDE
 AREA_ERROR_WARNING, AREA_ERROR_LIMIT = 0.1, 0.2
 """Limits of the area uncertainty of a contact of several spots: warning, and failed check."""
 MAX_ELASTIC_STRAIN = 0.5
-"""Maximum pressure over E*: that of a Hertz contact with a/R = 0.8."""
+"""Limit of the maximum pressure over E*: a Hertz contact with a/R = 0.8 reaches it."""
 _MAX_STRESS_DEPTH = 0.8
 """Depth of maximum von Mises stress over half-width: 0.48 (point contact) to 0.79 (line)."""
 
@@ -66,7 +66,8 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
     pressure : array_like, shape (nx, ny)
         Contact pressure [Pa], >= 0.
     periodic : {"", "x", "y", "xy"}, optional
-        As for Grid: along these directions the maximum pressure is moved to the centre first.
+        Periodic directions, as for Grid; along them the maximum pressure is first moved to the
+        centre.
 
     Returns
     -------
@@ -106,7 +107,8 @@ def cells_across(pressure: ArrayLike, periodic: str = "") -> float:
     pressure : array_like, shape (nx, ny)
         Contact pressure [Pa], >= 0.
     periodic : {"", "x", "y", "xy"}, optional
-        As for Grid: along these directions the maximum pressure is moved to the centre first.
+        Periodic directions, as for Grid; along them the maximum pressure is first moved to the
+        centre.
 
     Returns
     -------

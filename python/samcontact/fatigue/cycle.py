@@ -133,7 +133,7 @@ def cycle(
     Returns
     -------
     Cycle
-        If the contact moves over the body, the points are those of the body: the cells inside the
+        If the contact moves over the body, the points are the cells of the body that lie inside the
         grids of all states.
 
     Raises
@@ -153,9 +153,9 @@ def cycle(
     if any(isinstance(one, State) for one in given):
         if plastic_strain is not None:
             raise ValueError("plastic_strain cannot be combined with states, which have their own")
-        return _of_states(given, 2 if body is None else choice("body", body, (1, 2)))
+        return _cycle_from_states(given, 2 if body is None else choice("body", body, (1, 2)))
     stress = _tensors("states", states, "(moments, 6, ...)", 1)
-    _of_no_body(body)
+    _require_no_body(body)
     if stress.shape[0] < 2:
         raise ValueError(f"states must have at least 2 moments, got shape {stress.shape}")
     strain = _strain_like(plastic_strain, stress)
@@ -170,8 +170,8 @@ def steady_cycle(
 ) -> Cycle:
     """Stress cycle of material that moves through a steady stress field along x or y.
 
-    For steady rolling or sliding one state suffices: every point undergoes the stress along its
-    line.
+    For steady rolling or sliding one state suffices: every point undergoes the stresses along its
+    line in turn.
 
     Parameters
     ----------
@@ -211,7 +211,7 @@ def steady_cycle(
         places = {across: getattr(state.grid, across), "z": state.depths}
         return Cycle(paths, _body_of(state, which), FrozenDict(places))
     stress = _tensors("state", state, "(6, nx, ny, nz)", 0)
-    _of_no_body(body)
+    _require_no_body(body)
     if stress.ndim != 4 or stress.shape[1 + number] < 2:
         raise ValueError(
             f"state must have shape (6, nx, ny, nz) with at least 2 cells along {axis}, "
@@ -222,7 +222,7 @@ def steady_cycle(
     return Cycle(GivenPaths(lines[0], lines[1] if len(lines) > 1 else None), None, FrozenDict({}))
 
 
-def _of_no_body(body: Any) -> None:
+def _require_no_body(body: Any) -> None:
     if body is not None:
         raise ValueError(f"body cannot be combined with a stress array, got {in_short(body)}")
 
@@ -255,7 +255,7 @@ def _body_of(state: State, body: int) -> Body:
     return state.setup.bodies[body - 1]
 
 
-def _of_states(given: list[Any], body: int) -> Cycle:
+def _cycle_from_states(given: list[Any], body: int) -> Cycle:
     wrong = [one for one in given if not isinstance(one, State)]
     if wrong:
         raise TypeError(f"states must all be samcontact.State, got {type(wrong[0]).__name__}")
