@@ -113,7 +113,7 @@ CONTACT = {
     "y": Q("m", "y coordinate of cell centres"),
     "z": Q("m", "depth of layer centres, positive into the body"),
     "increment": Q("1", "increment number"),
-    "cell": Q("1", "numbers of cells with plastic strain, counted along z, y, x"),
+    "cell": Q("1", "indices of cells with plastic strain, counted along z, y, x"),
     "output_increment": Q("1", "increments with stored volume fields"),
     "body": Q("1", "number of the body"),
     "component": Q("", "tensor component"),

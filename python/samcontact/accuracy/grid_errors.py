@@ -97,7 +97,7 @@ class GridErrors(HtmlTable):
         return f"GridErrors({len(self.errors)} quantities of {len(self.states)} increments)"
 
     def add_to(self, dataset: xr.Dataset) -> None:
-        """Add ``X_error`` of each X, and X itself if the dataset has none.
+        """Add ``X_error`` for each quantity X, and X itself if the dataset does not have it.
 
         The error refers to X in the dataset: the difference between X and the value interpolated
         between cells is added to it. The relative error due to increments is the attribute
@@ -294,7 +294,7 @@ def _slip_errors(
     """Return tangential forces, motions and frictional work with errors, unless prescribed.
 
     The error of each increment is at least a fraction of the largest error so far: where a quantity
-    reverses, both grids agree by chance.
+    reverses, both grids may agree by chance.
     """
     found = {}
     mine, other = along_surface(states), along_surface(coarse)

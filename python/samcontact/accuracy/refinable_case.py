@@ -168,7 +168,7 @@ class RefinableCase:
 
     @property
     def parts(self) -> list[int]:
-        """Number of values of a run for each quantity, which is their maximum."""
+        """Number of values of a run behind each quantity, which is the maximum of these values."""
         return [error_controlled_quantities.has_parts(name, self.bodies) for name in self.names]
 
     @cached_property
@@ -326,7 +326,7 @@ class RefinableCase:
             self.elastic = set(run.elastic)
 
     def accept(self, accuracy: float) -> None:
-        """Relax the tolerance of the iteration to a relative accuracy of the values."""
+        """Relax the tolerance of the iteration to suit a relative accuracy of the values."""
         if "tol" not in self.case.contact.model_fields_set:
             self.tol = max(self.tol, TOL_SHARE * accuracy)
 

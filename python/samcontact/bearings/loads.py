@@ -149,7 +149,7 @@ class LoadZone:
 
     @property
     def half_angle(self) -> float:
-        """Half the angle of the load zone [rad]."""
+        """Half-angle of the load zone [rad]."""
         return math.acos(max(-1.0, 1.0 - 2.0 * self.epsilon))
 
     def load(self, psi: float) -> float:

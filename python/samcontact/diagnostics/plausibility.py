@@ -48,7 +48,7 @@ MAX_SPEED = 1e3
 MAX_WEAR_COEFFICIENT = 1e-9
 """Maximum wear volume per work, or per load and distance [1/Pa]: rubber on abrasive paper."""
 MIN_STRESS_LIMIT = 1e4
-"""Minimum fatigue limit or yield stress of a solid [Pa]: gels have some 1e4."""
+"""Minimum fatigue limit or yield stress of a solid [Pa]: gels have about 1e4."""
 HEAT_CAPACITY_RANGE = 1e5, 1e7
 """Range of volumetric heat capacity of solids [J/(m^3 K)]: 1e6 to 4e6 without pores."""
 MAX_EXPANSION = 2e-3

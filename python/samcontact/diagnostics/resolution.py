@@ -296,7 +296,7 @@ def warn_if_yield_unresolved(
 
 
 def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn, after any increment, of what later increments cannot correct; return whether it did."""
+    """Warn after an increment of faults that later ones cannot correct; return whether it did."""
     if math.isfinite(state.approach):
         if warn_of_contact(state, scene, MINIMUM_CELLS, stacklevel=stacklevel + 1):
             return True

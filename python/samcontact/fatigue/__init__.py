@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fatigue criteria over a stress cycle, for the location of crack initiation.
+"""Fatigue criteria over a stress cycle, to locate crack initiation.
 
 Each criterion takes a sequence of states of a simulation (of a rolling pass or a fretting loop), a
 `Cycle`, or a stress array from any source. It returns a `FatigueField`: a value for each cell of

@@ -23,7 +23,8 @@ from .field import FatigueField
 __all__ = ["crossland", "dang_van", "fatemi_socie", "findley", "orthogonal_shear"]
 
 _MAX_SLOPE = 10.0
-"""Maximum slope: slopes are pure numbers below 1 for metals; a larger value is a stress."""
+"""Maximum slope: slopes are pure numbers below 1 for metals; a larger value is probably a
+stress."""
 
 Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
 
