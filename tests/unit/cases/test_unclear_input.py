@@ -295,7 +295,7 @@ def test_a_report_that_cannot_be_written_is_refused_first(tmp_path):
     (tmp_path / "results.nc").write_text("not read")
     missing = tmp_path / "nowhere" / "report.html"
     check_failure(invoke("report", tmp_path, "--output", missing), 2, "existing folder")
-    check_failure(invoke("report", tmp_path, "--output", tmp_path), 2, "is a directory")
+    check_failure(invoke("report", tmp_path, "--output", tmp_path), 2, ", a directory")
     check_failure(invoke("report", tmp_path / "nowhere"), 1, "no results file", "nowhere")
 
 
@@ -312,7 +312,7 @@ def test_a_report_replaces_no_pipe_or_device(tmp_path):
     (tmp_path / "results.nc").write_text("not read")
     pipe = tmp_path / "report.html"
     os.mkfifo(pipe)
-    check_failure(invoke("report", tmp_path), 2, "is a device or pipe")
+    check_failure(invoke("report", tmp_path), 2, ", a device or pipe")
     assert pipe.is_fifo()
 
 
