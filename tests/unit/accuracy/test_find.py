@@ -131,7 +131,7 @@ def test_bad_targets_are_refused(arguments, message):
         ("max_pressure", 2.0, "less than one cell; values are in SI units: 2 GPa is 2e.09 Pa"),
         ("max_pressure", 2e12, "cannot be reached: up to 1000 N it is below"),
         ("contact_area", 0.1, "0.1 mm² is 1e-07 m²"),
-        ("contact_area", 1e-12, "one cell has 400 µm²"),
+        ("contact_area", 1e-12, "one cell has an area of 400 µm²"),
         ("max_von_mises", 1e12, "cannot be reached"),
         ("max_equivalent_plastic_strain", 2.0, "values are in SI units: 2 % is 0.02"),
         ("yield", 1e3, "cannot be reached"),

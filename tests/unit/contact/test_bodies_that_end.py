@@ -188,7 +188,7 @@ class TestFixedGapAtTheBorder:
     @pytest.mark.parametrize("simulated", [False, True])
     def test_a_tilted_map(self, simulated):
         text = self.message(self.rough + 4e-3 * self.grid.x[:, None], 1e-3, simulated)
-        assert "The gap is tilted, by 18" in text
+        assert "The gap is tilted by 18" in text
         assert 'detrend="height"' in text
         assert 'on_border="warn"' in text
         assert "enlarge n" not in text
@@ -212,7 +212,7 @@ class TestFixedGapAtTheBorder:
         assert 'detrend="curvature", or make the surface periodic' in text
 
     @pytest.mark.parametrize(
-        ("slope", "load", "text"), [(4e-3, 1e-3, "is tilted, by 18"), (0.0, 100.0, "everywhere")]
+        ("slope", "load", "text"), [(4e-3, 1e-3, "is tilted by 18"), (0.0, 100.0, "everywhere")]
     )
     def test_warnings_say_the_same(self, slope, load, text):
         gap = self.rough + slope * self.grid.x[:, None]

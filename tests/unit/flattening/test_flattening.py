@@ -112,7 +112,7 @@ def test_the_models_agree_with_each_other():
 def test_kogut_etsion_ends_at_110():
     limit = 110 * MODELS[flattening.kogut_etsion].interference
     assert flattening.kogut_etsion(limit, **SPHERE).load > 0
-    with pytest.raises(ValueError, match=r"interference must be <= .* \(110 times critical\), got"):
+    with pytest.raises(ValueError, match=r"must be <= .* \(110 times the critical value\), got"):
         flattening.kogut_etsion([0.0, 1.01 * limit], **SPHERE)
     assert flattening.jackson_green(1.01 * limit, **SPHERE).load > 0
 
