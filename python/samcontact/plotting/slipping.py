@@ -159,7 +159,7 @@ def shear_profile(
     grid : Grid
         Grid of both fields.
     friction : float or Coulomb
-        Coefficient of friction >= 0 [-], or a friction law; `math.inf`: no limits.
+        Coefficient of friction >= 0 [-], or a friction law; with `math.inf`, no limits are drawn.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     component : {"x", "y"}
@@ -260,8 +260,8 @@ def creep_curve(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     largest : float, optional
-        Force at full sliding, coefficient of friction times load [N]: a dashed line, for each sign
-        that occurs.
+        Force at full sliding, coefficient of friction times load [N]; drawn as a dashed line for
+        each sign of the force that occurs.
     label : str, optional
         Label of the curve.
 
@@ -291,7 +291,7 @@ def creep_curve(
 
 
 def _bounds(ax: Axes, forces: FloatArray, largest: float) -> None:
-    """Draw lines of the maximum force, for each sign that occurs."""
+    """Draw a line of the maximum force for each sign of the force that occurs."""
     small = 1e-6 * np.abs(forces).max(initial=0.0)
     sides = [side for side in (-1, 1) if np.any(side * forces > small)]
     for side in sides:
