@@ -61,7 +61,8 @@ def to_vtk(
     Returns
     -------
     list of Path
-        Files of the volume (if volume fields are stored), of the surface, and of a track.
+        Files of the volume (if volume fields are stored), of the surface, and of the track (if
+        any).
 
     Raises
     ------
