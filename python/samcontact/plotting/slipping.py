@@ -324,7 +324,7 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
     require_slip(dataset)
     choice("direction", direction, ("x", "y"))
     if "travel_body1" not in dataset:
-        raise ValueError("dataset must be of rolling bodies, but has no travel")
+        raise ValueError("dataset must be from rolling bodies, got one without travel")
     force = CONTACT[FORCE_AND_MOTION[direction][0]]
     way = -0.5 * sum(dataset[f"travel_body{body}"].values for body in (1, 2))
     pull = np.where(
@@ -343,7 +343,10 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
 def require_slip(dataset: xr.Dataset) -> None:
     """Raise ValueError for results without partial slip."""
     if "friction_work" not in dataset:
-        raise ValueError("dataset must be of a contact with partial slip: use friction=Coulomb(mu)")
+        raise ValueError(
+            "dataset must be from a contact with partial slip, got one with full sliding: use "
+            "friction=Coulomb(mu)"
+        )
 
 
 def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArray]:

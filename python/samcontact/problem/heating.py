@@ -45,7 +45,7 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     reference = 1.0 if heat.reference is None else heat.reference
     entries = []
     of_slip = heat.partition is not None
-    name = "fraction of the heat" if of_slip else "heat.factor"
+    name = "heat.partition: fraction of the heat" if of_slip else "heat.factor"
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
         if isinstance(body, Layered):
             if factor > 0:

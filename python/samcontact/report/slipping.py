@@ -44,7 +44,10 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
     steps = case.steps() if case is not None else []
     pulled = any("tangential_load" in step for step in steps)
     if pulled and len(steps) == dataset.sizes["increment"] and most:
-        name = "tangential force balance: difference from the prescribed force, relative to maximum"
+        name = (
+            "tangential force balance: difference from the prescribed force, relative to the "
+            "maximum force"
+        )
         yield Check(name, _force_difference(dataset, shear, steps) / most, tol)
     work = np.diff(dataset["friction_work"].values, prepend=0.0)
     yield Check("minimum frictional work in an increment", float(work.min()), 0.0, True, "J")

@@ -99,7 +99,7 @@ def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
 def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
     """Whether some states depend on the number of increments.
 
-    They do if a body has yielded, unless `increment_tol` controls the error, or with partial slip.
+    They do with partial slip, and if a body has yielded, unless `increment_tol` controls the error.
     """
     last = states[-1]
     if setup.friction.sticks:

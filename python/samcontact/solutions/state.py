@@ -117,9 +117,9 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def origin(self) -> float:
         """Position of the contact origin (x = 0) relative to the grid centre [m].
 
-        It is at most half a cell. The cells of the grid are those of the body whose plastic strain
-        is tracked (body 2 if it is elastic-plastic), so the contact moves in the grid by the
-        fraction of a cell.
+        It is at most half a cell. Grid cells coincide with cells of the body whose plastic strain
+        is tracked (body 2 if it is elastic-plastic), so the contact is displaced in the grid by the
+        remaining fraction of a cell.
         """
         return float(self._core.origin) * self.grid.dx
 
