@@ -349,7 +349,7 @@ ASPERITIES = {
 WEAR = {
     "cycle": Q("1", "cycle number"),
     "body": Q("1", "number of the worn body"),
-    "state": Q("1", "number of cycles after which the surface is stored"),
+    "state": Q("1", "number of completed cycles"),
     "y": CONTACT["y"],
     # scalars of each cycle and body
     "volume": Q("m3", "volume of the removed material", "µm³", "removed volume", "removed\nvolume"),

@@ -188,7 +188,7 @@ class TestColumns:
         assert found.is_profile
         np.testing.assert_allclose(found.heights[:, 0], self.z, atol=1e-18)
         assert found.dx == pytest.approx(1e-3 / 199)
-        with pytest.raises(ValueError, match=r"dx must be None: .* a profile, columns x and"):
+        with pytest.raises(ValueError, match=r"dx must be None, got .* a profile, columns x and"):
             measured.read(path, dx=5e-6)
         with pytest.raises(ValueError, match="unit is required"):
             measured.read(path)

@@ -142,9 +142,9 @@ def test_without_volume_there_is_the_surface_only(tmp_path):
 
 
 def test_increments_that_are_not_stored(tmp_path):
-    with pytest.raises(ValueError, match="one of those with volume fields, 2, 3, got 1"):
+    with pytest.raises(ValueError, match="one of the increments with volume fields, 2, 3, got 1"):
         results.to_vtk(dataset(), tmp_path / "out.vtr", increment=1)
-    with pytest.raises(ValueError, match="one of those with volume fields, 2, 3, got -3"):
+    with pytest.raises(ValueError, match="one of the increments with volume fields, 2, 3, got -3"):
         results.to_vtk(dataset(), tmp_path / "out.vtr", increment=-3)
     with pytest.raises(ValueError, match="body must be one of 1, 2, got 3"):
         results.to_vtk(dataset(), tmp_path / "out.vtr", body=3)
