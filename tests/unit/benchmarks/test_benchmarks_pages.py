@@ -40,7 +40,7 @@ GIVEN = {
     "accuracy": {"values", "quantity", "finite elements", "reference", "difference [%]",
                  "accuracy of finite elements [%]"},
     "accuracy_cost": {"prescribed [%]"},
-    "experiments": {"Y/E\\*", "a/R of 30"},
+    "experiments": {"Y/E\\*", "a/R at E\\* a/(Y R) = 30"},
     "finite_elements": {"cells on the radius", "cells on half a period, on a period"},
     "scale": {"limit", "n", "processes", "sent per displacement and process [GB]",
               "size of a message [MB]"},
