@@ -97,7 +97,7 @@ def there_and_back(
         "pressure": loaded.pressure,
         "plastic strain": unloaded.equivalent_plastic_strain(),
         "residual von Mises": von_mises(unloaded.residual_stress()),
-        "print": unloaded.residual_displacement(),
+        "imprint": unloaded.residual_displacement(),
     }
     control = "increment_tol" if automatic else "given increments"
     return fields, {"control": control, **columns(simulation, 2 * half, substeps)}

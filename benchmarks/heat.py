@@ -39,7 +39,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
     plastic = [
         Task(NAME, "12 increments", method, "press", {"cells": c, "method": method}, "cold")
         for c in cells
-        for method in (*HEAT_CASES, "marched in time")
+        for method in (*HEAT_CASES, "transient")
     ]
     return contact + plastic
 
@@ -62,7 +62,7 @@ def press(meter: Meter, cells: int, method: str) -> dict[str, Any]:
     n = 2 * int(1.5 * cells) + 1
     grid = sc.Grid(n, n, d, d, int(1.7 * cells), d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    marched = method == "marched in time"
+    marched = method == "transient"
     heat = TRANSIENT_HEAT if marched else HEAT_CASES[method]
     extra = {"duration": STEP} if marched else {}
 

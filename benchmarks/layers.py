@@ -18,7 +18,7 @@ import samcontact as sc
 from .harness import Meter, Task
 
 NAME = "layers"
-TITLE = "Bodies with depth"
+TITLE = "Yield-stress profiles and layers"
 STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 RADIUS = 10e-3  # m
 LOADS = (900.0, 904.0, 908.0, 912.0)  # N; the first makes tables

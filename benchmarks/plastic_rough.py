@@ -91,7 +91,7 @@ def solve(meter: Meter, n: int, method: str, file: str) -> dict[str, Any]:
             "largest plastic strain": relative_error(
                 loaded.equivalent_plastic_strain().max(), fine["strain"]
             ),
-            "print, rms": rms_error(
+            "imprint, rms": rms_error(
                 unloaded.residual_displacement(), block_means(fine["print"], n)
             ),
         }

@@ -63,6 +63,6 @@ def solve(meter: Meter, across: int, increments: int, method: str) -> dict[str, 
         ),
     }
     errors = {quantity: relative_error(*pair) for quantity, pair in computed.items()}
-    errors["print"] = float(print_error)
+    errors["imprint depth"] = float(print_error)
     cells = grid.nx * grid.ny * grid.nz
     return {"cells": cells, "across": across, "errors": errors, **work_of(simulation)}

@@ -104,7 +104,7 @@ def solve(
     with np.load(file) as whole:
         errors = {
             "pressure, rms": rms_error(ours["pressure"], whole["pressure"]),
-            "print, rms": rms_error(ours["print"], whole["print"]),
+            "imprint, rms": rms_error(ours["print"], whole["print"]),
             "mean gap": relative_error(ours["gap"], whole["gap"]),
             "largest plastic strain": relative_error(ours["strain"], whole["strain"]),
         }

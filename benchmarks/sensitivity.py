@@ -35,13 +35,14 @@ HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 This page states by how much [%] each number on a page of the [gallery](gallery.md) changes when the
 mesh is changed: cells halved in both directions, layers halved, load increments halved, or the grid
 made a quarter wider and deeper (column "grid size"), one at a time. Each section states whether the
-mesh is that of the page or the coarse one of the tests, about half as fine. The changes on the
-coarse mesh are about the improvement from the coarse mesh to that of the page, and about an upper
-bound of the remaining error of the page.
+mesh is that of the page or the coarse one of the tests, about half as fine. A change on the
+coarse mesh is approximately the improvement from the coarse mesh to the mesh of the page, and
+approximately an upper bound of the remaining error of the page.
 
-For several numbers the largest change relative to the largest number is given. Numbers in a text
-are used as printed: a small difference changes by a large percentage in its last digit. A dash
-means that the change does not apply to this contact, or that it alters the number of values.
+If a value consists of several numbers, the largest change relative to the largest number is given.
+Numbers in a text are used as printed: a small difference changes by a large percentage in its last
+digit. A dash means that the change does not apply to this contact, or that it alters the number of
+values.
 Rolling advances by one cell per step, so halved cells also halve its steps. Asperity collisions
 can have smaller increments only on smaller cells, and are compared with these.
 """

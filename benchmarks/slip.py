@@ -30,7 +30,7 @@ NU = 0.3
 WHEEL_ON_RAIL = 287, 323  # cells of the finest of CONTACT's wheel-on-rail examples
 WIDE_RADIUS = 0.4175  # as many of them touch as there
 STEPS = 56
-ENTRY = "pulled, then rolling"
+ENTRY = "loaded tangentially, then rolling"
 CONTACT_STATES = {"shifted": 22.6, "rolling": 2210.0}  # s; its own times of 2016, on one core
 
 
@@ -43,7 +43,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
         for method in METHODS
     ]
     unlike = [
-        Task(NAME, f"unlike, {k} of 8", "tol 1e-8", "press_unlike", {"n": n, "last": k})
+        Task(NAME, f"dissimilar, {k} of 8", "tol 1e-8", "press_unlike", {"n": n, "last": k})
         for n in sizes[:2]
         for k in (1, 8)
     ]

@@ -65,7 +65,8 @@ def report(table: pd.DataFrame, parts: list[ModuleType], *, times: bool = True) 
         rows = table[table["part"] == part.NAME]
         if rows.empty:
             continue
-        hidden = ["part", "options", *(() if times else TIMES)]
+        hidden = ["part", "options", *getattr(part, "HIDDEN_COLUMNS", ())]
+        hidden += () if times else TIMES
         lines = [f"### {part.TITLE}", markdown(rows.drop(columns=hidden, errors="ignore"))]
         lines += part.notes(rows.to_dict("records")) if hasattr(part, "notes") else []
         sections.append("\n\n".join(lines))

@@ -21,6 +21,12 @@ TITLE = "Threads"
 SERIES = ("case", "method")
 AXES = (("cells",), ("time_ratio",))
 BASE = "1 thread"
+HIDDEN_COLUMNS = (
+    "contact_iterations", "surface_applications", "volume_applications", "cells_in_contact", "work",
+    "shear_iterations", "shear_applications", "shear_work", "sticking_cells", "contact_fraction",
+    "plastic_cells",
+)  # fmt: skip
+"""Counts that do not depend on the number of threads; other parts have them."""
 SIZES = {
     "contact": (64, 256, 1024),
     "partial slip": (64, 256, 1024),

@@ -27,8 +27,8 @@ GPa, pass each other at constant height, without friction and rotation. Forces, 
 interference are divided by their values at the onset of yield (Green 2005). X is the offset of the
 centres, negative before they are aligned, R = 0.5 m. A positive tangential force resists the
 motion; the figures of the thesis show both forces of the first pass. The kinematics are derived
-independently, see [theory](../theory/moving_contacts.md#tugging), because equations (4.2), (4.13)
-and (4.15) of the thesis contain errors.
+independently, because equations (4.2), (4.13) and (4.15) of the thesis contain errors
+([theory](../theory/moving_contacts.md#collision-of-two-asperities)).
 """
 
 STEEL = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)

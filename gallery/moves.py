@@ -11,18 +11,20 @@ from typing import Any
 TABLE = Path(__file__).parents[1] / "benchmarks" / "sensitivity.json"
 CHANGES = ("cells", "layers", "increments", "grid size")
 OWN_MESH_NOTE = """\
-Moves: maximum change of the numbers if the cells, layers or increments of the page's mesh are
-halved, or its grid is enlarged ([sensitivity](../sensitivity.md)).
+Sensitivity: maximum change of the numbers if the cells, layers or increments of the page's mesh
+are halved, or its grid is enlarged ([sensitivity of the gallery to the mesh](../sensitivity.md)).
 """
 COARSE_MESH_NOTE = """\
-Moves: maximum change of the numbers if the cells, layers or increments of a mesh about half as
-fine as that of the page are halved, or its grid is enlarged ([sensitivity](../sensitivity.md)).
-This is approximately an upper bound of their error.
+Sensitivity: maximum change of the numbers if the cells, layers or increments of a mesh about half
+as fine as the mesh of the page are halved, or its grid is enlarged
+([sensitivity of the gallery to the mesh](../sensitivity.md)). This is approximately an upper bound
+of the error.
 """
 BOTH_MESHES_NOTE = """\
-Moves: maximum change of the numbers if the cells, layers or increments of the page's mesh are
-halved, or its grid is enlarged ([sensitivity](../sensitivity.md)). Values in brackets are changes
-of a mesh about half as fine and are approximately upper bounds of the error.
+Sensitivity: maximum change of the numbers if the cells, layers or increments of the page's mesh
+are halved, or its grid is enlarged ([sensitivity of the gallery to the mesh](../sensitivity.md)).
+Values in brackets are changes on a mesh about half as fine, and approximately upper bounds of the
+error.
 """
 
 

@@ -62,7 +62,8 @@ def digits(value: float) -> str:
 def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
     """Markdown table of stated values, and how much they move."""
     largest = moves.column(moved)
-    heads = ["quantity", "thesis", "samcontact", "difference", "mesh"] + ["moves"] * bool(moved)
+    heads = ["quantity", "thesis", "samcontact", "difference", "mesh"]
+    heads += ["sensitivity"] * bool(moved)
     lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
     remarks = []
     for entry in entries:

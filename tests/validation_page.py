@@ -20,6 +20,14 @@ PAGE = DOCS / "validation.md"
 # Processors round differently, and an iteration may end one step earlier: this part of the
 # allowed difference is left to them.
 REPEATS = 0.05
+SYMBOLS = {
+    "sqrt(R ω)": r"$\sqrt{R \omega}$",
+    "ω/ω_c": r"$\omega/\omega_c$",
+    "p_max": r"$p_{\max}$",
+    "u_z": "$u_z$",
+    "Q_f": "$Q_f$",
+}
+"""Symbols in quantities and meshes, as the page typesets them."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -72,8 +80,8 @@ class Row:
             reference += f" ({self.source})"
         measured_by = self.test.partition("::")[2].partition("[")[0]
         return [
-            self.quantity,
-            self.mesh,
+            typeset(self.quantity),
+            typeset(self.mesh),
             ours,
             reference,
             f"{difference:+.2g}{of}",
@@ -117,6 +125,13 @@ class Measured:
         gone = [key for key, row in (self.stored or {}).items()
                 if row.test == self.test and key not in keys]  # fmt: skip
         assert not gone, f"on docs/validation.md, but no longer measured: {gone}"
+
+
+def typeset(text: str) -> str:
+    """Text with its symbols as inline mathematics."""
+    for plain, mathematics in SYMBOLS.items():
+        text = text.replace(plain, mathematics)
+    return text
 
 
 def load() -> dict[tuple[str, str, str, str], Row]:

@@ -64,8 +64,8 @@ in {down}:
 - CalculiX, axisymmetric: quadratic elements with reduced integration. The table states the number
   of elements on the contact radius. Elements are uniform to {fine} contact radii in depth and
   width; each further element is {growth} times as large as the previous one, out to {far:.0f}
-  radii. The contact is face to face, with a stiffness that permits 4 nm of interpenetration. Two
-  dimensions are an advantage of this model: samcontact makes no use of the axis.
+  radii. The contact is face to face, with a stiffness that permits 4 nm of interpenetration. Being
+  two-dimensional is an advantage of this model: samcontact does not use the axisymmetry.
 - samcontact, three-dimensional: cubic cells, their number on the contact radius as in the table,
   without `nz` and with default settings; mirror planes are detected.
 - samcontact with a prescribed accuracy of 5, 1 and 0.2 % (`sc.to_accuracy`), which chooses cells

@@ -62,9 +62,9 @@ def _steels() -> dict[str, sc.Material]:
         "M50": swift(1280e6, 4.0, 0.095),
         "52100, all stresses 10 % lower": swift(0.9 * 945e6, 20.0, 0.121),
         "52100, all stresses 10 % higher": swift(1.1 * 945e6, 20.0, 0.121),
-        "52100, half its exponent": swift(first / 20.0**0.0605, 20.0, 0.0605),
-        "perfectly plastic, its first yield": sc.Material.perfect_plastic(210e9, 0.3, first),
-        "perfectly plastic, its 0.2 % stress": sc.Material.perfect_plastic(
+        "52100, half the exponent n": swift(first / 20.0**0.0605, 20.0, 0.0605),
+        "perfectly plastic, stress at first yield": sc.Material.perfect_plastic(210e9, 0.3, first),
+        "perfectly plastic, 0.2 % proof stress": sc.Material.perfect_plastic(
             210e9, 0.3, conventional
         ),
     }

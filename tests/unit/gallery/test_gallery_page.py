@@ -113,7 +113,7 @@ def test_the_column_of_a_page_is_that_of_the_kept_table(name):
     found = moves.of_part(name, moves.kept())
     rows = (PAGES / f"{name}.md").read_text().splitlines()
     shown = {row.split(" | ")[-1].rstrip(" |") for row in rows if row.startswith("| ")}
-    assert shown - {"", "moves"} == set(moves.column(found).values())
+    assert shown - {"", "sensitivity"} == set(moves.column(found).values())
 
 
 def test_a_page_has_its_table_and_figures(tmp_path):
