@@ -79,12 +79,12 @@ def printed(script, threads):
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="forks")
 @pytest.mark.parametrize("script", [FORK, POOL], ids=["os.fork", "multiprocessing"])
 @pytest.mark.parametrize("threads", [1, 2])
-def test_a_forked_child_computes_the_same_digits(script, threads):
+def test_a_forked_child_computes_equal_digits(script, threads):
     digests = printed(script, threads)
     assert len(digests) >= 2
     assert len(set(digests)) == 1
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="forks")
-def test_a_fork_in_the_middle_of_another_thread_leaves_no_lock():
+def test_a_fork_during_work_of_another_thread_leaves_no_lock():
     assert printed(WHILE_OTHERS_WORK, 1) == ["done"]

@@ -55,7 +55,7 @@ print("survived", failed)
 
 @tried("full disk")
 @pytest.mark.parametrize("kind", ["checkpoint", "results", "report"])
-def test_the_old_file_stays(tmp_path, count, kind):
+def test_a_failed_write_keeps_the_old_file(tmp_path, count, kind):
     with start(SCRIPT, tmp_path, kind, count) as process:
         output, errors = process.communicate()
     assert (process.returncode, errors) == (0, "")
@@ -95,7 +95,7 @@ print("survived")
 """
 
 
-def test_a_run_goes_on_when_there_is_room_again(tmp_path):
+def test_a_run_resumes_when_disk_space_is_available_again(tmp_path):
     with start(JOURNAL, tmp_path / "kept") as process:
         output, errors = process.communicate()
     assert (process.returncode, errors, output) == (0, "", "survived\n")

@@ -140,7 +140,7 @@ print("whole")
 """
 
 
-def test_a_file_is_written_to_its_end(tmp_path):
+def test_an_interrupt_does_not_truncate_a_file(tmp_path):
     with start(WRITING, tmp_path / "state.h5") as process:
         output, errors = process.communicate()
     assert (process.returncode, output, errors) == (0, "whole\n", "")

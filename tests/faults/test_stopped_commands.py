@@ -141,7 +141,7 @@ class Stopped:
 
 @tried("stop: command")
 @pytest.mark.parametrize("kind", KINDS)
-def test_goes_on_to_the_same_bits(kind, nursery, tmp_path, count):
+def test_a_stopped_command_resumes_with_identical_bits(kind, nursery, tmp_path, count):
     whole = Stopped(nursery, kind, tmp_path / "whole")
     code, output, errors, steps, ends = whole.run()
     assert code == 0, errors

@@ -124,7 +124,7 @@ def test_wild_cases_are_built_or_refused(count):
 
 
 @pytest.mark.parametrize("content", [b"\xff\xfe\x00", b"\x00" * 100, b"title = '\xc3('"])
-def test_no_text_at_all(tmp_path, content):
+def test_an_empty_text(tmp_path, content):
     path = tmp_path / "scene.toml"
     path.write_bytes(content)
     with pytest.raises(CaseError, match=r"scene\.toml: "):

@@ -227,6 +227,6 @@ def test_edited_wear(worn, tmp_path, count):
     try_all(check, count, change=edit())
 
 
-def test_what_the_libraries_raise_is_refused():
+def test_errors_of_libraries_become_refusals():
     """READ_ERRORS contain CheckpointError, so that a refusal in a helper remains a refusal."""
     assert issubclass(CheckpointError, READ_ERRORS)

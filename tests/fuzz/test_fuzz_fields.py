@@ -114,7 +114,7 @@ def models_below(annotation):
         ("nx = 16", "nx = 16.0", "got 16.0: write it without a decimal point"),
     ],
 )  # fmt: skip
-def test_what_is_said(old, new, message):
+def test_messages_of_wrong_kinds(old, new, message):
     text = SCENE.replace(old, new, 1)
     with pytest.raises(CaseError) as error:
         parse_case(text, "scene.toml")

@@ -138,7 +138,7 @@ def test_files_of_heights(tmp_path, count):
     )
 
 
-def test_a_whole_file_of_heights_is_read(tmp_path):
+def test_an_undamaged_file_of_heights_is_read(tmp_path):
     whole = np.round(np.sin(np.arange(20.0)).reshape(4, 5), 3)
     for suffix in (".txt", ".csv"):
         file = tmp_path / f"heights{suffix}"

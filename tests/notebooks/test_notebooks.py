@@ -49,7 +49,7 @@ def test_stored_without_outputs(path):
 
 
 @notebooks
-def test_cells_have_names(path):
+def test_cells_have_named_ids(path):
     """Names instead of random ids: a change of one cell is a change of that cell alone."""
     names = [cell.id for cell in read(path).cells]
     assert len(set(names)) == len(names)
@@ -66,7 +66,7 @@ def test_uses_the_public_interface_only(path):
 
 
 @notebooks
-def test_links_lead_somewhere(path):
+def test_link_targets_exist(path):
     for target in re.findall(r"\]\(([^)\s]+)\)", text(read(path), "markdown")):
         assert target.startswith("https://") or (path.parent / target).exists(), target
 

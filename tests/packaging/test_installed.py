@@ -24,7 +24,7 @@ FILES = {str(path) for path in DISTRIBUTION.files or ()}
 LIBRARIES = {"fftw3", "gomp", "omp", "stdc++", "gcc_s", "m", "c", "pthread"}
 
 
-def test_it_holds_the_package_and_nothing_else():
+def test_the_installation_contains_only_the_package():
     listing = ["--cached", "--others", "--exclude-standard", "python/samcontact"]
     command = ["git", "-C", str(ROOT), "ls-files", *listing]
     listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
@@ -35,14 +35,14 @@ def test_it_holds_the_package_and_nothing_else():
     assert any(name.endswith("dist-info/licenses/LICENSE") for name in FILES)
 
 
-def test_its_tag_is_of_this_python_and_platform():
+def test_the_wheel_tag_matches_python_and_platform():
     tag = re.search(r"^Tag: (\S+)$", DISTRIBUTION.read_text("WHEEL"), re.MULTILINE)[1]
     version = f"cp{sys.version_info.major}{sys.version_info.minor}"
     platform = re.sub(r"\W", "_", sysconfig.get_platform())
     assert tag == f"{version}-{version}-{platform}"
 
 
-def test_its_core_needs_known_libraries_and_no_folder_of_this_machine():
+def test_the_core_links_known_libraries_without_local_paths():
     core = Path(CORE.locate())
     head = subprocess.run(["readelf", "-d", core], capture_output=True, text=True, check=True)
     needed = set(re.findall(r"\(NEEDED\).*\[lib([\w+]+)\.so", head.stdout))

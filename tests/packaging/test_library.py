@@ -64,12 +64,12 @@ def test_library_headers_and_cmake_package_are_installed(prefix):
     }
 
 
-def test_its_package_names_no_folder_of_the_build(prefix):
+def test_the_cmake_package_contains_no_build_path(prefix):
     for file in (prefix / "lib" / "cmake").rglob("*.cmake"):
         assert str(ROOT) not in file.read_text(), file
 
 
-def test_the_example_finds_it_and_agrees_with_hertz(prefix, tmp_path):
+def test_the_example_program_finds_the_library_and_agrees_with_hertz(prefix, tmp_path):
     configure(EXAMPLE, tmp_path, CMAKE_PREFIX_PATH=prefix)
     call("cmake", "--build", tmp_path)
     assert f"samcontact_DIR:PATH={prefix}" in (tmp_path / "CMakeCache.txt").read_text()
@@ -79,7 +79,7 @@ def test_the_example_finds_it_and_agrees_with_hertz(prefix, tmp_path):
     assert max(errors) < 0.01
 
 
-def test_its_version_is_that_of_the_project(prefix, tmp_path):
+def test_the_library_version_is_the_project_version(prefix, tmp_path):
     wanted = {VERSION: "1", "0.99": "0", "1.0": "0"}
     lines = ["cmake_minimum_required(VERSION 3.22)", "project(user LANGUAGES CXX)"]
     for version in wanted:

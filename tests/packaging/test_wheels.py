@@ -47,7 +47,7 @@ def wheel(wheels, tmp_path_factory):
     return wheels.repaired(raw, folder / "repaired")
 
 
-def test_it_holds_its_libraries_and_its_tag_says_for_which_systems(wheel):
+def test_the_wheel_contains_its_libraries_and_has_the_right_tag(wheel):
     names = zipfile.ZipFile(wheel).namelist()
     held = [name.removeprefix("samcontact.libs/") for name in names if "samcontact.libs/" in name]
     assert {name.partition("-")[0] for name in held} >= {"libfftw3", "libgomp"}
@@ -55,7 +55,7 @@ def test_it_holds_its_libraries_and_its_tag_says_for_which_systems(wheel):
     assert re.search(rf"-{python}-{python}-manylinux_\d+_\d+_\w+\.whl$", wheel.name)
 
 
-def test_it_computes_with_the_libraries_that_it_holds(wheels, wheel, tmp_path):
+def test_the_wheel_computes_with_its_own_libraries(wheels, wheel, tmp_path):
     with zipfile.ZipFile(wheel) as file:
         file.extractall(tmp_path)
     folder = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
@@ -70,7 +70,7 @@ def test_it_computes_with_the_libraries_that_it_holds(wheels, wheel, tmp_path):
     assert samcontact.__version__ in wheels.call("/bin/sh", "-c", command, **settings)
 
 
-def test_the_quick_tests_are_those_of_the_inner_loop(wheels):
+def test_quick_tests_of_wheels_are_those_of_test_quick(wheels):
     chosen = wheels.quick_tests()
     left_out = [word.partition("=")[2] for word in chosen if word.startswith("--ignore-glob=")]
     assert len(left_out) > 10
@@ -80,7 +80,7 @@ def test_the_quick_tests_are_those_of_the_inner_loop(wheels):
     assert 'quick) lint && python_tests -q tests/unit "${LONG[@]' in script
 
 
-def test_what_is_missing_is_named_before_anything_is_compiled(wheels):
+def test_missing_tools_are_named_before_compilation(wheels):
     with pytest.raises(SystemExit, match="missing: no-such-python"):
         wheels.require_tools(["no-such-python"])
     command = [sys.executable, str(ROOT / "scripts" / "wheels.py"), "no-such-python"]

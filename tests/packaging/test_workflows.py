@@ -61,7 +61,7 @@ def test_jobs_are_limited_and_start_by_events(workflow):
 
 
 @pytest.mark.parametrize(("job", "step"), STEPS)
-def test_steps_run_what_there_is(job, step):
+def test_steps_run_existing_files(job, step):
     assert len({"uses", "run"} & set(step)) == 1
     if "uses" in step:
         assert re.fullmatch(r"actions/[\w-]+@v\d+", step["uses"])
@@ -90,7 +90,7 @@ def installed(job, module):
 
 
 @pytest.mark.parametrize(("job", "step"), STEPS)
-def test_expressions_name_what_is_defined(job, step):
+def test_expressions_use_defined_names(job, step):
     matrix = job.get("strategy", {}).get("matrix", {})
     defined = {key for entry in matrix.get("include", [matrix]) for key in entry}
     used = re.findall(r"\$\{\{ matrix\.(\w+) \}\}", f"{job['runs-on']} {job['name']} {step}")
@@ -100,7 +100,7 @@ def test_expressions_name_what_is_defined(job, step):
         assert version == "${{ matrix.python }}" or version in versions()
 
 
-def test_only_artifacts_that_a_step_makes_are_passed_on():
+def test_only_artifacts_made_by_a_step_are_uploaded():
     for job in WORKFLOWS["wheels"]["jobs"].values():
         folder = job["steps"][-1]["with"]["path"].split("/")[0]
         assert any(

@@ -112,7 +112,7 @@ def test_scaling_laws(given_scene, load, factor):
 @border
 @few
 @given(given_scene=scenes, load=loads)
-def test_mirrors(given_scene, load):
+def test_mirror_symmetry(given_scene, load):
     """Reversed along y nothing else changes; along x when the bodies change places as well."""
     scene = Scene(**given_scene)
     found = scene.solver().solve(scene.gap, load=load)
@@ -125,7 +125,7 @@ def test_mirrors(given_scene, load):
 @border
 @few
 @given(given_scene=scenes, load=loads, seed=seeds)
-def test_the_start_does_not_matter(given_scene, load, seed):
+def test_the_initial_pressure_does_not_matter(given_scene, load, seed):
     scene = Scene(**given_scene)
     solver = scene.solver()
     found = solver.solve(scene.gap, load=load)
@@ -138,7 +138,7 @@ def test_the_start_does_not_matter(given_scene, load, seed):
 @border
 @few
 @given(given_scene=scenes, load=loads, more=st.floats(1.01, 100.0))
-def test_more_load_goes_deeper(given_scene, load, more):
+def test_approach_grows_with_load(given_scene, load, more):
     """Monotone: (P2 - P1)(d2 - d1) > 0 and, for a convex energy, its slope is the approach."""
     scene = Scene(**{**given_scene, "friction": 0.0})
     one, other = (scene.solver().solve(scene.gap, load=part) for part in (load, more * load))

@@ -65,7 +65,7 @@ def require_law(law, now, before):
 
 
 @pytest.mark.parametrize("kind", BOUNDED, ids=lambda kind: kind.law)
-def test_random_contacts_keep_to_the_law(kind):
+def test_random_contacts_satisfy_the_friction_law(kind):
     """All contacts have a solution, except where the shear bound jumps at the contact edge of
     dissimilar materials: a cell there may neither close, because of its shear, nor open."""
     solved, alike, unlike = np.sum([follow(kind, seed) for seed in range(40)], axis=0)

@@ -66,11 +66,11 @@ def follow(seed):
 
 
 @pytest.mark.parametrize("seed", QUICK_SEEDS)
-def test_a_path_with_flow_keeps_to_the_law(seed):
+def test_a_path_with_plastic_flow_satisfies_coulombs_law(seed):
     follow(seed)
 
 
 @pytest.mark.slow
-def test_hundreds_of_paths_with_flow_keep_to_the_law():
+def test_hundreds_of_paths_with_plastic_flow_satisfy_coulombs_law():
     for seed in ALL:
         follow(seed)

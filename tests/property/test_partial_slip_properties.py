@@ -59,11 +59,11 @@ def walk(seeds):
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-def test_paths_keep_to_the_law():
+def test_paths_satisfy_coulombs_law():
     walk(QUICK_SEEDS)
 
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-def test_a_thousand_paths_keep_to_the_law():
+def test_a_thousand_paths_satisfy_coulombs_law():
     walk(ALL)

@@ -62,7 +62,7 @@ def test_load_balance_flow_rule_and_dissipation(law, load):
     length=st.sampled_from([1e3, 1 / 60e-6, 0.37]),
     stress=st.sampled_from([1e-6, 1 / 210e9, 12.3]),
 )
-def test_units_do_not_matter(law, length, stress):
+def test_results_are_independent_of_units(law, length, stress):
     """Metres and pascals, millimetres and megapascals, or dimensionless: the same digits."""
     reference = scene(hardening(law), tol=1e-10).step(load=700.0)
     scaled = scene(
@@ -98,7 +98,7 @@ def test_exchange_of_x_and_y(law, seed):
 
 @few
 @given(law=laws, friction=st.floats(0.0, 0.4))
-def test_a_scene_symmetric_in_y_stays_symmetric(law, friction):
+def test_symmetry_in_y_is_kept(law, friction):
     state = scene(hardening(law), friction=friction).step(load=500.0)
     g = state.equivalent_plastic_strain()
     assert np.abs(g - g[:, ::-1]).max() < 1e-7 * max(g.max(), 1e-12)

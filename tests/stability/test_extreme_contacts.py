@@ -188,7 +188,7 @@ def test_friction_up_to_one(pair, friction):
 
 @border
 @pytest.mark.parametrize(("seed", "load"), [(20, 1e70), (40, 1e-3), (53, 1.0)])
-def test_an_error_beyond_numbers_ends(seed, load):
+def test_an_infinite_complementarity_error_ends_the_iteration(seed, load):
     """The complementarity error of such gaps is infinite, and does not become less."""
     rng = np.random.default_rng(seed)
     gap = np.zeros((7, 6))

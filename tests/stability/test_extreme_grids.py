@@ -70,7 +70,7 @@ def test_prime_numbers_of_cells(nx, ny):
 
 
 @pytest.mark.parametrize("shape", [(1, 1), (1, 13), (13, 1), (2, 2), (2, 5), (3, 2)])
-def test_hardly_any_cells(shape):
+def test_grids_of_few_cells(shape):
     """Whatever their number, the gap of the loaded cells is closed."""
     grid = sc.Grid(*shape, 5e-5, 7e-5)
     gap = sc.surfaces.paraboloid(grid, RADIUS)

@@ -49,7 +49,7 @@ def assert_at_yield(simulation, state):
 
 @pytest.mark.parametrize("friction", [0.0, 0.5])
 @pytest.mark.parametrize("make", [law, kinematic])
-def test_flow_falls_with_the_hardening(make, friction):
+def test_plastic_flow_decreases_with_hardening(make, friction):
     """Hardening from zero to 0.9 E: less flow and more pressure at each step, without a jump."""
     flows, peaks = [], []
     for share in HARDENING if make is law else HARDENING[1:]:
@@ -65,7 +65,7 @@ def test_flow_falls_with_the_hardening(make, friction):
     assert 0 < flows[-1] < 0.1 * flows[0]
 
 
-def test_almost_no_hardening_is_none():
+def test_vanishing_hardening_tends_to_perfect_plasticity():
     """The limit is reached as the modulus: 1e-6 E is within 1e-4 of perfect plasticity."""
     perfect, almost = (simulate(law(s)).step(load=0.7 * EXACT.load) for s in (0.0, 1e-6))
     strain = perfect.plastic_strain()
@@ -110,7 +110,7 @@ def test_yield_begins_at_the_surface(friction, share):
 @pytest.mark.parametrize("friction", [0.0, 0.3, 0.6, 1.0])
 @pytest.mark.parametrize("share", [0.0, 0.1])
 @pytest.mark.parametrize("nu", [0.0, 0.499])
-def test_friction_up_to_one_between_unlike_bodies(nu, share, friction):
+def test_friction_up_to_one_between_dissimilar_bodies(nu, share, friction):
     """Contacts with normal-tangential coupling, with hardening and perfectly plastic."""
     simulation = simulate(law(share), friction, body1=sc.Material.elastic(E, nu))
     for load in (0.1, 0.2, 0.05):
@@ -168,7 +168,7 @@ def test_sharp_edges_and_full_contact_flow(gap, peak, friction, share):
 
 
 @pytest.mark.parametrize("yield_stress", [1.0, 1e3, 1e6])
-def test_a_body_hardly_stronger_than_nothing(yield_stress):
+def test_a_body_of_vanishing_strength(yield_stress):
     """Self-similar in the stress: a soft body in a soft world is as hard to solve as steel."""
     scale = yield_stress / 1e9
     soft = sc.Material.linear_hardening(E * scale, NU, yield_stress, 0.1 * E * scale)

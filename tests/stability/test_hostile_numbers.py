@@ -105,12 +105,12 @@ VALID = [pytest.param(f, a, id=f"{name}-{n}") for n, (name, f, a) in enumerate(C
 
 
 @pytest.mark.parametrize(("function", "arguments"), VALID)
-def test_the_call_itself_is_valid(function, arguments):
+def test_each_listed_call_is_valid(function, arguments):
     function(**arguments)
 
 
 @pytest.mark.parametrize(("function", "arguments", "names"), hostile_calls(meant=False))
-def test_is_refused_by_name(function, arguments, names):
+def test_a_bad_argument_is_refused_by_name(function, arguments, names):
     with pytest.raises((ValueError, TypeError)) as error:
         function(**arguments)
     text = str(error.value)
@@ -118,7 +118,7 @@ def test_is_refused_by_name(function, arguments, names):
 
 
 @pytest.mark.parametrize(("function", "arguments", "names"), hostile_calls(meant=True))
-def test_what_is_meant_is_taken(function, arguments, names):
+def test_values_with_a_meaning_are_accepted(function, arguments, names):
     function(**arguments)
 
 

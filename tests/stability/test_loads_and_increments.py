@@ -127,7 +127,7 @@ def test_smaller_increments_converge(law, friction):
     assert sixteen < 0.35 * four
 
 
-def test_one_divided_increment_is_as_good_as_many():
+def test_automatic_subincrements_are_as_accurate_as_many_increments():
     reference = loaded(256).equivalent_plastic_strain()
     for tol in (1e-2, 1e-3):
         strain = loaded(1, increment_tol=tol).equivalent_plastic_strain()

@@ -70,7 +70,7 @@ def test_shakedown_to_the_last_bits(law, friction, cycles, method):
     assert largest(state.plastic_strain() - strain) < 1e-5 * largest(strain)
 
 
-def test_alternating_flow_settles():
+def test_alternating_plastic_flow_becomes_periodic():
     """Alternating shear causes flow in every cycle: loops close, are equal and do not drift.
 
     Pressure and shear are prescribed, kinematic hardening is linear. Neighbouring cells adapt to

@@ -80,7 +80,7 @@ def test_asperities_shake_down(law, friction, cycles):
 @pytest.mark.parametrize(
     ("friction", "cycles"), [(0.0, 20), *long(*((friction,) for friction in FRICTIONS))]
 )
-def test_zones_that_flow_to_and_fro_settle(friction, cycles):
+def test_subdomains_with_alternating_flow_become_periodic(friction, cycles):
     """Sharp spots yield again on unloading; the change per cycle decreases as 1/cycles."""
     bodies = simulation(ELASTIC, LAWS["kinematic"], friction=friction)
     before = bodies.step(load=PERCENT).plastic_strain()

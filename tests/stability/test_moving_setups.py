@@ -48,7 +48,7 @@ def draw(seed):
 @pytest.mark.filterwarnings(
     "ignore::samcontact.PlasticStrainWarning", "ignore::samcontact.GridTooSmallWarning"
 )
-def test_every_scene_is_solved(seeds):
+def test_random_moving_contacts_are_solved(seeds):
     for seed in seeds:
         body, other, grid, radius, load, way = draw(seed)
         gap = sc.surfaces.paraboloid(grid, radius)

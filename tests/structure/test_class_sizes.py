@@ -131,5 +131,5 @@ def test_classes_have_few_methods():
 
 
 @pytest.mark.parametrize("name", FACADES)
-def test_facades_are_there_and_need_it(name):
+def test_classes_with_many_methods_are_listed_and_need_it(name):
     assert MAX_METHODS < len(dict(classes())[name]) <= FACADES[name]

@@ -65,7 +65,7 @@ def test_clocks_are_found(line, tmp_path, monkeypatch):
     assert len(looks(tmp_path / "file.py")) == 1
 
 
-def test_no_test_looks_at_a_clock():
+def test_no_test_uses_a_clock():
     others = [f for f in FILES if f != Path(__file__)]
     assert len(others) > 100
     found = {str(path.relative_to(ROOT)): looks(path) for path in others}

@@ -64,18 +64,18 @@ def questions_in(text):
         "a = np.count_nonzero(state.pressure)",
     ],
 )
-def test_a_question_is_found(text):
+def test_a_comparison_with_zero_pressure_is_found(text):
     assert list(questions_in(text)) == [1]
 
 
 @pytest.mark.parametrize(
     "text", ["if (p[i] > 0) {", "return pressure[at] > 0 || x;", "p_[i] <= 0;"]
 )
-def test_a_question_is_found_in_the_core(text):
+def test_a_comparison_with_zero_pressure_is_found_in_the_core(text):
     assert IN_CPP.search(text)
 
 
-def test_python_asks_the_contact_law():
+def test_python_uses_the_contact_law():
     found = [
         f"{file.relative_to(ROOT)}:{line}" for file in MODULES
         for line in questions_in(file.read_text())
@@ -83,7 +83,7 @@ def test_python_asks_the_contact_law():
     assert not found, f"use problem.contact_law.in_contact, or in_contact of a state: {found}"
 
 
-def test_the_core_asks_the_contact_law():
+def test_the_core_uses_the_contact_law():
     found = [
         f"{file.relative_to(ROOT)}:{number}" for file in CORE
         for number, line in enumerate(file.read_text().splitlines(), 1)

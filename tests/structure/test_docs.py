@@ -94,7 +94,7 @@ def anchors(page):
 
 
 @pages
-def test_links_lead_somewhere(page):
+def test_link_targets_exist(page):
     for target in re.findall(r"\]\(([^)\s]+)\)", prose(page)):
         if target.startswith(("https://", "http://", "../build/")):  # the last are the site's
             continue
@@ -162,7 +162,7 @@ def test_newest_change_is_this_version():
     assert re.fullmatch(r"\d{4}-\d\d-\d\d", date)
 
 
-def test_every_version_tells_whether_numbers_changed():
+def test_every_version_states_whether_numbers_changed():
     for release in re.split(r"^## \[", TEXTS["CHANGELOG.md"], flags=re.MULTILINE)[1:]:
         assert "### Numerical results changed" in release
 
@@ -216,7 +216,7 @@ def test_every_field_of_a_case_file_has_a_meaning_and_no_other(monkeypatch):
     assert unused == set()
 
 
-def test_every_error_and_warning_is_on_the_page_of_troubles():
+def test_every_error_and_warning_is_on_the_troubleshooting_page():
     classes = {name for name in sc.__all__ if name.endswith(("Error", "Warning", "Interrupted"))}
     assert len(classes) > 8
     text = TEXTS["docs/troubles.md"]

@@ -70,7 +70,7 @@ def test_another_ball_and_load_give_other_numbers_and_figures(folder):
         assert images[0] != images[1], name
 
 
-def test_the_report_of_it(folder):
+def test_the_report_has_the_values_of_the_run(folder):
     outcome = command(folder, "report", "results/own")
     assert (outcome.returncode, outcome.stderr) == (0, "")
     page = (folder / "results" / "own" / "report.html").read_text()
@@ -94,7 +94,7 @@ def test_mistakes_are_named(folder, old, new, told):
     check_failure(invoke("run", folder / "wrong.toml"), 2, *told)
 
 
-def test_the_doctor_is_content():
+def test_the_doctor_passes():
     outcome = command(ROOT, "doctor")
     assert outcome.returncode == 0, outcome.stdout
     assert "failed" not in outcome.stdout

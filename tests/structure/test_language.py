@@ -153,7 +153,7 @@ def test_constants_name_a_quantity(folder):
     assert listed(folder, finding) == []
 
 
-def test_it_finds_what_is_forbidden():
+def test_forbidden_words_are_found():
     tree = ast.parse(
         '"""What a body does."""\nMOST = 1\n_LEAST_CELLS: int = 2\nMAX_CELLS, RAW = 3, 4\n'
         'def f():\n    """Whether it sticks."""\n    raise ValueError("the user is told anew")\n'

@@ -43,6 +43,6 @@ def test_values_are_shortened():
     assert sorted(raw) == []
 
 
-def test_the_search_finds_one():
+def test_an_unshortened_value_is_found():
     source = 'def f(x: Any, n: int):\n    raise ValueError(f"x must be 1, got {x!r} and {n!r}")\n'
     assert raw_values(source) == [(2, "x")]

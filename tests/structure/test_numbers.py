@@ -93,7 +93,7 @@ def typed(text):
     [("3.982 GPa", True), ("5e-3", True), ("0.8 %", True), ("27 %", True), ("3 · 10⁻⁴", True),
      ("1", False), ("≤ 0.05", False), ("2 x 2", False), ("> 0", False), ("10⁵ to 10⁷", False)],
 )  # fmt: skip
-def test_what_is_a_measured_number(cell, number):
+def test_measured_numbers_are_recognised(cell, number):
     table = f"| name | value |\n|---|---|\n| a | {cell} |\n"
     assert typed(table) == (["name"] if number else [])
     assert typed(f"<!-- table: made -->\n\n{table}\n<!-- end of table -->") == []
@@ -108,7 +108,7 @@ def test_what_is_a_measured_number(cell, number):
      ("5 to 6 times faster", ["6 times faster"]), ("{ratio} times as long", []),
      ("at 3 m/s, 0.12 m/s", []), ("for a long time", []), ("`sleep 3 s` in\n```\n3 s\n```", [])],
 )  # fmt: skip
-def test_what_is_a_cost(words, found):
+def test_costs_are_recognised(words, found):
     assert costs(words) == found
     assert costs(f"<!-- table: made -->\n{words}\n<!-- end of table -->") == []
 
@@ -122,14 +122,14 @@ def test_no_cost_is_typed():
         assert place[1] in (ROOT / place[0]).read_text(encoding="utf-8")
 
 
-def test_every_table_of_numbers_is_made():
+def test_every_table_of_numbers_is_generated():
     found = {(page, head) for page, text in TEXTS.items() for head in typed(text)}
     assert found == set(OTHERS)
     for (page, head), test in OTHERS.items():
         assert test is None or Path(page).name in (ROOT / test).read_text(encoding="utf-8"), head
 
 
-def test_what_makes_a_page_exists():
+def test_generators_of_pages_exist():
     commands = {command for text in TEXTS.values() for command in BY.findall(text)}
     assert len(commands) > 10
     for command in commands:
@@ -142,7 +142,7 @@ def kept(text, name):
     return re.search(rf"<!-- table: {name} -->\n\n(.*?)\n\n<!-- end", text, re.DOTALL)[1]
 
 
-def test_tables_of_the_theory_are_made():
+def test_tables_of_the_theory_are_generated():
     text = "\n".join(TEXTS[name] for name in sorted(TEXTS) if name.startswith("docs/theory/"))
     assert set(re.findall(r"<!-- table: (\w+) -->", text)) == set(theory.TABLES)
     page = theory.page(text, {"contact_counts": "other"})
@@ -158,7 +158,7 @@ def test_limits_of_shakedown_are_those_of_the_theory():
     assert [*map(float, found)] == pytest.approx([*map(float, told)], abs=1.01e-3)  # a digit
 
 
-def test_counts_of_drawn_scenes_are_those_of_a_run(monkeypatch):
+def test_counts_of_random_problems_are_those_of_a_run(monkeypatch):
     monkeypatch.syspath_prepend(ROOT / "tests" / "fuzz")
     counter = importlib.import_module("setup_counts")
     counts = json.loads(counter.COUNTS.read_text(encoding="utf-8"))

@@ -81,7 +81,7 @@ def taken(file):
                     break
 
 
-def test_scripts_import_in_no_circle():
+def test_scripts_have_no_import_cycle():
     graph = {file: set(taken(file)) for file in SCRIPTS}
     order = [*graphlib.TopologicalSorter(graph).static_order()]
     assert order.index(ROOT / "benchmarks" / "study.py") < order.index(
@@ -92,13 +92,13 @@ def test_scripts_import_in_no_circle():
         graphlib.TopologicalSorter(graph | {page: graph[page] | {start}}).prepare()
 
 
-def test_the_wheel_holds_the_package_alone():
+def test_the_wheel_contains_the_package_alone():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     assert project["tool"]["scikit-build"]["wheel"]["packages"] == ["python/samcontact"]
     assert [f for f in (ROOT / "python").rglob("*") if f.suffix in (".csv", ".json", ".npz")] == []
 
 
-def test_no_file_is_there_twice():
+def test_no_file_is_duplicated():
     command = ["git", "-C", str(ROOT), "ls-files"]
     names = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split("\n")
     found = {}

@@ -65,7 +65,7 @@ CORE_USERS = {
 }
 
 
-def test_the_repository_holds_the_whole_package():
+def test_the_repository_contains_the_whole_package():
     """A pattern of .gitignore must not leave out a part of it."""
     command = ["git", "-C", str(ROOT), "check-ignore", "--no-index", *map(str, MODULES)]
     ignored = subprocess.run(command, capture_output=True, text=True).stdout.splitlines()
@@ -131,7 +131,7 @@ def test_modules_have_no_cycle():
     graphlib.TopologicalSorter(graph).prepare()  # raises CycleError, which names the cycle
 
 
-def test_rooms_import_from_floors_below_only():
+def test_rooms_import_from_lower_floors_only():
     floor = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
     top = {path.stem for path in PACKAGE.iterdir() if path.suffix == ".py" or path.is_dir()}
     assert top - {"__init__", "__main__", "__pycache__", "_core"} == set(floor)

@@ -52,7 +52,7 @@ RECIPES = list(recipes())
 
 
 @pytest.mark.parametrize(("names", "files"), RECIPES)
-def test_the_example_of_a_recipe_lies_in_its_files(names, files):
+def test_the_example_of_a_recipe_occurs_in_its_files(names, files):
     found = {source for source, there in WORDS.items() if there & set(names)}
     stems = {source for source in SOURCES if Path(source).stem in names}
     assert found | stems == set(files)

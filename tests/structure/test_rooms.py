@@ -132,7 +132,7 @@ def test_the_core_knows_neither_python_nor_printing():
         assert not re.search(r"\bstd::(cout|cerr|clog|printf)\b|\bprintf\s*\(", file.read_text())
 
 
-def test_fftw_has_one_door():
+def test_fftw_is_used_by_one_file():
     users = {str(f.relative_to(ROOT)) for f in HEADERS + SOURCES if "fftw3.h" in includes(f)}
     assert users == {"cpp/include/samcontact/fft/plan.hpp"}
 
@@ -164,7 +164,7 @@ def test_headers_without_a_source_compile_alone(header):
     assert done.returncode == 0, done.stderr
 
 
-def test_headers_open_with_their_purpose():
+def test_headers_start_with_their_purpose():
     for file in HEADERS:
         lines = file.read_text().splitlines()
         assert re.match(r"// [A-Z].{15,}", lines[1]), file
@@ -214,7 +214,7 @@ def test_files_begin_with_the_licence(folder):
         assert "SPDX-License-Identifier: GPL-3.0-or-later" in start or not start, file
 
 
-def test_every_documented_module_is_there_when_it_is_asked_for():
+def test_every_documented_module_is_available_as_an_attribute():
     pages = [file.read_text(encoding="utf-8") for file in (ROOT / "docs" / "api").glob("*.md")]
     modules = sorted(re.findall(r"automodule:: samcontact\.(\S+)", "\n".join(pages)))
     assert {"cases", "plotting", "plotting.wear", "report", "results"} <= set(modules)

@@ -55,7 +55,7 @@ def test_the_fields_of_case_files_come_from_the_models(site):
     assert re.search(rf">dx</span></code></p></td>\s*{meaning}\s*<td><p>m</p></td>", text)
 
 
-def test_functions_that_answer_questions_are_links(site):
+def test_functions_on_the_questions_page_are_links(site):
     text = (site / "questions.html").read_text().partition("<h1>")[2]
     named = re.findall(r'(<a [^>]*>)?<code [^>]*><span class="pre">sc\.[\w.]+</span></code>', text)
     assert len(named) > 60
@@ -84,7 +84,7 @@ def test_sections_of_case_files_are_titled_as_there(site):
     assert [title for title in titles if re.search(r"[a-z][A-Z]|^[A-Z]\w+[A-Z]", title)] == []
 
 
-def test_signatures_name_their_types_in_one_word(site):
+def test_signatures_have_short_type_names(site):
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
     plain = re.sub(r"<[^>]*>", "", text)
     assert "gap: ArrayLike" in plain
@@ -100,7 +100,7 @@ def test_long_signatures_have_a_line_for_each_parameter(site):
     assert not re.search(r"Bases: <code[^>]*><span[^>]*>object<", text)
 
 
-def test_parameters_are_none_of_the_words_between(site):
+def test_words_between_parameters_are_not_parameters(site):
     """Words of a sentence between parameters must not be taken for parameter names."""
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
     types = re.findall(r"<strong>[^<]*</strong> \(<em>([^<]*)</em>", text)
@@ -109,7 +109,7 @@ def test_parameters_are_none_of_the_words_between(site):
     assert "model_config" not in text
 
 
-def test_what_a_property_says_is_not_taken_for_its_type(site):
+def test_the_docstring_of_a_property_is_not_parsed_as_its_type(site):
     """Text before a colon in the first line of a property must not be taken for its type."""
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
     types = re.findall(r'Type<span class="colon">:</span></dt>\s*<dd[^>]*><p>(.*?)</p>', text)
@@ -117,7 +117,7 @@ def test_what_a_property_says_is_not_taken_for_its_type(site):
     assert [found for found in types if re.match(r"[A-Z][a-z]+ [a-z]", found)] == []
 
 
-def test_notebooks_and_tutorial_come_with_what_they_print_and_draw(site):
+def test_notebooks_and_tutorial_show_their_output_and_figures(site):
     for source in (DOCS.parent / "notebooks").glob("*.ipynb"):
         page = (site / "notebooks" / f"{source.stem}.html").read_text()
         assert page.count('<img alt="../_images/') >= 3, source
@@ -136,7 +136,7 @@ def test_every_notebook_has_its_picture(site):
     assert linked == sorted(path.stem for path in (DOCS.parent / "notebooks").glob("*.ipynb"))
 
 
-def test_words_of_types_are_no_links(site):
+def test_words_in_types_are_not_links(site):
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
     assert "(array_like, shape (nx, ny)" in re.sub(r"<[^>]*>", "", text)
     assert not re.search(r"<a [^>]*><em>[a-z_]+</em></a>", text)

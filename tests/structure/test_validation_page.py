@@ -17,11 +17,11 @@ STORED = validation_page.load()
 PRESSURE = Row("table", "p", "a/16", "", 1.01, 1.0, "GPa", 0.02, True, "file.py::test_p[16]")
 
 
-def test_the_page_is_made_of_the_stored_numbers():
+def test_the_page_is_generated_from_the_stored_numbers():
     assert validation_page.PAGE.read_text(encoding="utf-8") == validation_page.page(STORED.values())
 
 
-def test_the_stored_numbers_hold():
+def test_the_stored_numbers_are_within_their_limits():
     assert len(STORED) > 200
     assert [row for row in STORED.values() if not row.holds] == []
 

@@ -217,7 +217,7 @@ class Growing(Open):
 
 
 @pytest.mark.parametrize("name", CONTACT)
-def test_window_need_not_be_known(name):
+def test_grid_width_need_not_be_known(name):
     wide, small = (kind(name, cells=8, increments=6) for kind in (Open, Growing))
     assert small.first.nx < 6 < wide.grid.nx <= small.grid.nx
     expected = wide.scalars()

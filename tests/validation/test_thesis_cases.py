@@ -114,7 +114,7 @@ class TestTwoBallsAt1500N:
                            source=source, mesh="a/20")  # fmt: skip
 
 
-def test_the_load_may_come_at_once_or_in_many_increments():
+def test_one_increment_and_many_increments_agree():
     # Backward Euler with the consistent total increment: converges for any step.
     found = []
     for increments in (1, 6, 12):
@@ -183,17 +183,17 @@ class TestIncrementTolerance:
                    for f, e in zip(found, expected, strict=True)]  # fmt: skip
         return np.abs([loaded, *strains])
 
-    def test_is_met_in_few_parts(self, many):
+    def test_the_increment_tolerance_is_met_in_few_sub_increments(self, many):
         states = self.divided(increment_tol=self.TOL)
         assert (self.errors(states, many) < self.TOL).all()
         assert sum(state.substeps for state in states) <= 14
         for state in states:
             assert state.yield_violation <= 1e-6
 
-    def test_one_increment_is_far_off(self, many):
+    def test_one_increment_without_tolerance_is_inaccurate(self, many):
         assert (self.errors(self.divided(), many)[:1] > 0.02).all()
 
-    def test_a_looser_one_takes_fewer_parts(self):
+    def test_a_looser_tolerance_needs_fewer_sub_increments(self):
         parts = [sum(s.substeps for s in self.divided(increment_tol=tol)) for tol in (0.05, 2e-3)]
         assert parts[0] < parts[1]
 

@@ -58,7 +58,7 @@ def test_values_come_with_errors(case, tmp_path, undrawn):
     assert "Results with estimated errors" in (tmp_path / "report.html").read_text(encoding="utf-8")
 
 
-def test_what_is_no_accuracy_is_refused(case, tmp_path):
+def test_invalid_accuracies_are_refused(case, tmp_path):
     case.write_text(TEXT)
     outcome = invoke("run", case, "--output", tmp_path / "out")
     check_failure(outcome, 2, "accuracy: must be a relative error in (0, 1)", "got 'X'")

@@ -76,7 +76,9 @@ def assert_same(found, other):
 
 @pytest.mark.parametrize("at", [2, 6, 7, 11])
 @pytest.mark.usefixtures("steps_alone")
-def test_an_interrupted_search_goes_on_with_the_same_bits(expected, steps, tmp_path, at):
+def test_an_interrupted_run_to_an_accuracy_resumes_with_identical_bits(
+    expected, steps, tmp_path, at
+):
     assert len(expected.runs) == 5
     steps.stop(at)
     with pytest.raises(KeyboardInterrupt) as stop:
@@ -100,7 +102,7 @@ def test_an_interrupted_search_goes_on_with_the_same_bits(expected, steps, tmp_p
         solved(ELASTIC | {"path": [{"load": 501.0}]}, checkpoint=tmp_path)
 
 
-def test_increments_that_are_judged_are_kept(steps, tmp_path, monkeypatch):
+def test_increments_of_error_estimates_are_not_repeated(steps, tmp_path, monkeypatch):
     monkeypatch.setattr(
         refinable_case, "CELLS_OF_FIRST_GRID", 2.5
     )  # on few cells, which is enough to go on from
@@ -131,7 +133,7 @@ def test_a_damaged_file_is_solved_again(expected, tmp_path, steps):
     ("journal", "error"), [(False, None), (True, OSError(errno.ENOSPC, os.strerror(errno.ENOSPC)))]
 )
 @pytest.mark.usefixtures("steps_alone")
-def test_the_command_leaves_the_best_values_and_goes_on(expected, steps, tmp_path, journal, error):
+def test_the_command_stores_the_best_values_and_resumes(expected, steps, tmp_path, journal, error):
     file, out = tmp_path / "case.toml", tmp_path / "out"
     file.write_text(TEXT, encoding="utf-8")
     steps.stop(11, KeyboardInterrupt() if error is None else error)
@@ -161,7 +163,7 @@ def test_the_command_leaves_the_best_values_and_goes_on(expected, steps, tmp_pat
     assert not (out / "checkpoints").exists()
 
 
-def test_each_grid_is_told_with_the_errors_that_are_too_large(capsys):
+def test_each_grid_is_reported_with_the_errors_above_the_target(capsys):
     found = sc.to_accuracy(ELASTIC)
     out, err = capsys.readouterr()
     lines = err.splitlines()
@@ -186,7 +188,7 @@ def ball(load):
 
 
 @pytest.mark.parametrize("end", [0, 1, 2, 3])
-def test_an_interrupted_search_for_a_load_goes_on_with_the_same_bits(steps, tmp_path, end):
+def test_an_interrupted_load_search_resumes_with_identical_bits(steps, tmp_path, end):
     whole = found(ball)
     total = steps.made
     estimate = 2  # increments on half the cells, for the error of what was found
@@ -208,7 +210,7 @@ def test_an_interrupted_search_for_a_load_goes_on_with_the_same_bits(steps, tmp_
 
 
 @pytest.mark.usefixtures("steps_alone")
-def test_the_command_goes_on_looking_for_a_load(steps, tmp_path, monkeypatch):
+def test_the_command_resumes_a_load_search(steps, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     file = tmp_path / "case.toml"
     grid = "[grid]\nnx = 25\nny = 25\ndx = 25e-6\ndy = 25e-6\n"

@@ -70,7 +70,7 @@ def test_rolling_against_finer_cells():
     assert abs(states[-1].tangential_load[0] - exact) < 2 * error < 0.1 * exact
 
 
-def test_friction_work_of_rolling_that_is_missing():
+def test_missing_friction_work_of_rolling():
     """The missing work is that stated on the theory page, of first order in the cell size."""
     stated = re.search(
         r"is ([\d, ]+) and \d+ % below force times creepage with ([\d, ]+) and",
@@ -90,7 +90,7 @@ def test_friction_work_of_rolling_that_is_missing():
 
 
 @pytest.mark.parametrize("number", range(3), ids=["ellipse", "rough", "unlike"])
-def test_oblique_loading_where_cells_slip_before_touch_by_estimate(number):
+def test_errors_of_oblique_loading_are_those_of_the_theory(number):
     """The errors that the theory states, against 64 increments."""
     steel, R, load = sc.Material.elastic(210e9, 0.3), 10e-3, 100.0
     other = sc.Material.elastic(70e9, 0.33) if number == 2 else steel
@@ -117,7 +117,7 @@ def test_oblique_loading_where_cells_slip_before_touch_by_estimate(number):
         assert f"{found:.1f}" == stated
 
 
-def test_results_have_them():
+def test_results_contain_slip_errors():
     states, found, _ = run(0.3, 8, fretting)
     body = sc.Material.elastic(E, 0.3)
     simulation = sc.Simulation(
@@ -129,7 +129,7 @@ def test_results_have_them():
     assert dataset["friction_work_error"].attrs["units"] == "J"
 
 
-def test_gross_sliding_has_none():
+def test_full_sliding_has_no_slip_errors():
     body = sc.Material.elastic(E, 0.3)
     grid = sc.Grid(33, 33, 20e-6, 20e-6)
     simulation = sc.Simulation(grid, body, body, sc.surfaces.paraboloid(grid, R), MU)

@@ -135,7 +135,7 @@ def test_load_zone_is_in_equilibrium_with_many_balls(radial):
     assert zone.half_angle == pytest.approx(edge, rel=1e-4)
 
 
-def test_pure_thrust_loads_all_balls_alike():
+def test_pure_thrust_loads_all_balls_equally():
     zone = bearings.load_zone(0.0, 800.0, 16, math.pi / 6)
     assert (zone.max_load, zone.epsilon) == (pytest.approx(100.0, rel=1e-13), math.inf)
     assert zone.load(2.0) == zone.max_load
@@ -171,7 +171,7 @@ def test_static_rating_of_rollers_has_the_factor_of_the_standard():
     assert rating == pytest.approx(44 * (1 - gamma) * rollers * 12 * 10, rel=5e-3)
 
 
-def test_palmgren_and_the_rating_mean_the_same_deformation():
+def test_palmgren_and_the_rating_agree_in_the_deformation():
     # 12.3 was the factor of 1e-4 of the diameter before pressures took its place
     race = bearings.ball_on_race(D, PITCH, conformity=F)
     before = bearings.palmgren_deformation(race, 5 * 12.3 * (1e3 * D) ** 2, D)

@@ -60,7 +60,7 @@ AGAIN = [
 
 
 @by_study
-def test_a_page_is_made_of_the_records(study):
+def test_a_page_is_generated_from_the_records(study):
     records = study.records()
     assert records
     for record in records:  # of some point
@@ -147,7 +147,7 @@ class TestStudy:
         points = [{"of": "a", "n": 1}, {"of": "a", "n": 2}, {"of": "b", "m": 1}]
         return studies.Study("made", "", lambda quick: points, lambda **given: given)
 
-    def test_records_take_the_place_of_those_of_their_point(self, made):
+    def test_new_records_replace_those_of_the_same_point(self, made):
         last, first = {"of": "b", "m": 1, "x": 3}, {"of": "a", "n": 1, "x": 1}
         made.keep([last, {"of": "a", "n": 2, "x": 2}])
         made.keep([first])
@@ -162,7 +162,7 @@ class TestStudy:
         assert studies.chosen(points, (), "2") == points[1:2]
         assert studies.chosen(points, (), largest=1) == points[1:]
 
-    def test_the_command_solves_in_a_process_and_writes_when_told(self, tmp_path, monkeypatch):
+    def test_the_command_solves_in_a_process_and_writes_on_request(self, tmp_path, monkeypatch):
         study = STORED_RECORDS["static_capacity"]
         kept = study.file.read_bytes()
         page = tmp_path / "page.md"
@@ -196,7 +196,7 @@ def test_rows_are_read_from_a_table():
     ]
 
 
-def test_sentences_below_tables_are_made_of_them():
+def test_sentences_below_tables_follow_from_the_tables():
     assert tables.noted(PAGE, EVERY) == PAGE
     section = tables.section_of(PAGE, operators)
     assert section.splitlines()[-1] == operators.notes(rows_on_the_page(operators))[0]
@@ -214,7 +214,7 @@ def test_sentences_that_need_times_agree_in_the_rest(part):
     assert all(re.search(r": [\d.]+ s; CONTACT|time per application", line) for line in others)
 
 
-def test_the_command_makes_sentences_only(tmp_path, monkeypatch):
+def test_the_command_can_rewrite_only_the_sentences(tmp_path, monkeypatch):
     page = tmp_path / "benchmarks.md"
     monkeypatch.setattr("benchmarks.__main__.PAGE", page)
     section = tables.section_of(PAGE, images)

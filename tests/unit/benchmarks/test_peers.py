@@ -18,7 +18,7 @@ def stored():
     return json.loads(schedule.STORED.read_text(encoding="utf-8"))
 
 
-def test_the_page_is_what_the_measurements_say(stored):
+def test_the_page_follows_from_the_measurements(stored):
     text = page.PAGE.read_text(encoding="utf-8")
     assert between_markers(text, page.tables_of(stored)) == text
 
@@ -130,7 +130,7 @@ def made_up(times, error=1e-7):
     ]
 
 
-def test_ratios_are_of_least_times_and_wins_of_peers_are_said():
+def test_ratios_use_minimum_times_and_faster_codes_are_listed():
     rows = {
         "hertz||64|samcontact|1e-06": made_up([2.0, 4.0, 2.5]),
         "hertz||64|ASPHER|1e-06": made_up([0.5, 0.5, 0.5]),
@@ -177,7 +177,7 @@ def test_points_of_the_periodic_surface_are_shared_by_all_grids():
     np.testing.assert_allclose(fine[::3, ::3], coarse, atol=1e-9 * np.abs(coarse).max())
 
 
-def test_results_are_kept_and_found_again(tmp_path):
+def test_results_are_stored_and_read_back(tmp_path):
     task = running.Task("hertz", "", 64, "samcontact", 1e-6)
     results = schedule.Results(tmp_path / "kept.json")
     results.rounds(task).append({"with_setup_s": 0.123456789, "errors": {"pressure": 0.0}})
@@ -189,7 +189,7 @@ def test_results_are_kept_and_found_again(tmp_path):
     assert schedule.too_long(larger, again, limit=0.4)
 
 
-def test_more_time_is_another_chance(tmp_path):
+def test_a_longer_time_limit_repeats_timeouts(tmp_path):
     results = schedule.Results(tmp_path / "kept.json")
     task = running.Task("hertz", "", 64, "samcontact", 1e-6)
     results.rounds(task).append({"failed": "more than 5 s", "limit_s": 5.0})
@@ -260,7 +260,7 @@ def test_partial_slip_is_that_of_cattaneo_and_mindlin(case):
     assert pulled == pytest.approx([half, 0.0], rel=2e-3, abs=1e-6 * half)
 
 
-def test_aspher_comes_to_the_same_shear():
+def test_aspher_finds_the_same_shear():
     pytest.importorskip("aspher")
     peer = importlib.import_module("benchmarks.peers.code_aspher")
     given = problems.elastic("slip", "force given", 32)

@@ -295,7 +295,7 @@ def test_a_table_is_a_value():
         (np.linspace(0, 1, 4097), np.full(4097, 1e9), ValueError, "from 1 to 4096, got 4097"),
     ],
 )
-def test_a_table_that_is_no_curve_is_refused(strain, stress, error, text):
+def test_an_invalid_table_is_refused(strain, stress, error, text):
     with pytest.raises(error, match=re.escape(text)):
         sc.Material.tabulated(E, NU, strain, stress)
 

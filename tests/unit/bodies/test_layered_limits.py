@@ -51,7 +51,7 @@ GROWN = yielding(400e9, 0.25, 3e9)
     ],
 )
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_flow_begins_where_a_layer_first_comes_to_its_own_yield(layers, substrate, starts_in):
+def test_flow_begins_where_a_layer_first_reaches_its_yield_stress(layers, substrate, starts_in):
     body = sc.Layered(layers, substrate)
     grid = sc.Grid(33, 33, 2e-6, 2e-6, nz=24, dz=2e-6)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -70,7 +70,7 @@ def test_flow_begins_where_a_layer_first_comes_to_its_own_yield(layers, substrat
     assert strain[..., deep].max() == 0
 
 
-def test_growth_stress_moves_nothing_and_is_in_the_coating_alone():
+def test_growth_stress_causes_no_displacement_and_exists_only_in_the_coating():
     grid = sc.Grid(17, 17, 4e-6, 4e-6, nz=6, dz=2e-6)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     plain, grown = (
@@ -135,7 +135,7 @@ def test_a_nanometre_on_a_millimetre_is_a_membrane():
         sc.Simulation(volume, RIGID, sc.Layered([(NITRIDE, 1e-9)], CASE[1]), gap)
 
 
-def test_below_layers_on_a_rigid_substrate_no_stress_is_told():
+def test_a_rigid_substrate_has_no_stress():
     body = sc.Layered([(STEEL, 2e-6), (NITRIDE, 2e-6)], RIGID)
     for periodic in ("", "xy"):
         grid = sc.Grid(8, 8, 1e-6, 1e-6, nz=8, dz=1e-6, periodic=periodic)
@@ -153,7 +153,7 @@ def test_below_layers_on_a_rigid_substrate_no_stress_is_told():
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 @pytest.mark.parametrize("stiff", [1 / 20, 20.0])
 @pytest.mark.parametrize("periodic", ["x", "y"])
-def test_displacement_counts_from_as_far_as_the_grid_is_long(stiff, periodic):
+def test_the_reference_distance_of_displacement_is_the_grid_length(stiff, periodic):
     """The reference distance is the grid length, even if layers bend over longer distances."""
     along, across = (20, 1.0), (1, 3.0)
     (nx, dx), (ny, dy) = (along, across) if periodic == "y" else (across, along)

@@ -247,17 +247,17 @@ def test_every_field_of_every_section_is_tried():
         ({"path": [{"load": 1.0, "exponent": 3.0}]}, r"exponent requires spacing = \"power\""),
     ],
 )  # fmt: skip
-def test_what_has_no_effect_is_refused_by_name(change, message):
+def test_fields_without_effect_are_refused_by_name(change, message):
     with pytest.raises(CaseError, match=message):
         Case.model_validate(BASE | change)
 
 
-def test_a_source_that_is_off_may_have_all_of_heat():
+def test_a_zero_heat_factor_accepts_all_heat_fields():
     """A sweep of the heat factor may start from 0."""
     Case.model_validate(BASE | {"heat": HEAT | {"factor": 0.0}, "path": [{"load": 1.0}]})
 
 
-def test_asperities_knows_no_heat():
+def test_asperities_do_not_support_heat():
     for name in ("thermal", "softening"):
         body = COLD | {name: SWIFT[name]}
         with pytest.raises(

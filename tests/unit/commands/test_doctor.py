@@ -153,7 +153,7 @@ def test_wrong_pressures_fail(monkeypatch):
     }
 
 
-def test_ctrl_c_ends_it_as_any_command(monkeypatch):
+def test_ctrl_c_ends_the_doctor(monkeypatch):
     def stopped():
         raise KeyboardInterrupt
 
@@ -162,7 +162,7 @@ def test_ctrl_c_ends_it_as_any_command(monkeypatch):
     assert (outcome.exit_code, outcome.stderr) == (130, "interrupted\n")
 
 
-def test_an_error_is_told_and_the_others_go_on(monkeypatch):
+def test_an_error_is_reported_and_other_checks_continue(monkeypatch):
     def refuse(self, path):
         raise OSError("disk full")
 

@@ -115,7 +115,7 @@ class TestCommands:
             (RECORD_FILE, os.mkfifo),
         ],
     )
-    def test_what_is_in_the_way(self, tmp_path, name, make):
+    def test_foreign_files_in_the_way_are_refused(self, tmp_path, name, make):
         out, case = tmp_path / "out", tmp_path / "case.toml"
         out.mkdir()
         case.write_text(MINIMAL)
@@ -126,7 +126,7 @@ class TestCommands:
         assert snapshot(tmp_path) == before
 
     @pytest.mark.parametrize("make", [text, link, Path.mkdir, os.mkfifo])
-    def test_locks_of_others(self, tmp_path, make):
+    def test_foreign_locks(self, tmp_path, make):
         out, case = tmp_path / "out", tmp_path / "case.toml"
         out.mkdir()
         case.write_text(MINIMAL)
@@ -169,7 +169,7 @@ def test_a_changed_figure_is_not_replaced(tmp_path):
     assert written[0].read_bytes() == retouched
 
 
-def test_files_of_a_second_run_that_are_the_same_are_listed_again(tmp_path):
+def test_unchanged_files_of_a_second_run_are_listed_again(tmp_path):
     for _ in range(3):
         with recording(tmp_path):
             publish(dataset(), tmp_path / "wear.nc")
@@ -181,7 +181,7 @@ def test_files_of_a_second_run_that_are_the_same_are_listed_again(tmp_path):
             pass
 
 
-def test_a_figure_is_listed_before_it_has_its_name(tmp_path, monkeypatch):
+def test_a_figure_is_listed_before_it_gets_its_name(tmp_path, monkeypatch):
     """A figure left by a killed run must not be regarded as a foreign file."""
     data = dataset()
 
@@ -212,7 +212,7 @@ def test_a_figure_is_listed_before_it_has_its_name(tmp_path, monkeypatch):
     ids=["checkpoint", "results", "wear", "wear before"],
 )
 @pytest.mark.parametrize("make", [text, another_hdf5, Path.mkdir, os.mkfifo])
-def test_files_of_others_by_the_name_of_one_of_ours(tmp_path, write, make):
+def test_foreign_files_with_a_name_of_ours_are_kept(tmp_path, write, make):
     """A slip of the pen, such as the name of the script, costs no file."""
     path = tmp_path / "mine.before"
     make(path)
@@ -251,7 +251,7 @@ def test_behind_a_link(tmp_path):
     assert file.read_bytes() != before
 
 
-def test_what_others_have_put_among_checkpoints_stays(tmp_path):
+def test_foreign_files_among_checkpoints_are_kept(tmp_path):
     folder = tmp_path / "checkpoints"
     (folder / "inner").mkdir(parents=True)
     state_file(folder / "inner")
@@ -305,7 +305,7 @@ class TestLeftovers:
         results.save(dataset(), tmp_path / "results.nc")
         assert list(tmp_path.iterdir()) == [tmp_path / "results.nc"]
 
-    def test_a_file_that_is_taken_for_one_before_its_lock(self, tmp_path, monkeypatch):
+    def test_a_part_file_removed_before_its_lock_is_created_again(self, tmp_path, monkeypatch):
         lock, taken = fcntl.flock, []
 
         def late(handle, how):
@@ -331,14 +331,14 @@ class TestUnsealed:
             opened.attrs["more"] = 1
         return file
 
-    def test_are_read(self, edited, tmp_path):
+    def test_unsealed_results_are_read(self, edited, tmp_path):
         whole = results.save(dataset(), tmp_path / "whole.nc")
         with results.open_results(edited) as one, results.open_results(whole) as other:
             for changing in ("more", "created", "history"):
                 one.attrs.pop(changing), other.attrs.pop(changing, None)
             xr.testing.assert_identical(one.load(), other.load())
 
-    def test_that_never_end(self, edited):
+    def test_unsealed_results_that_would_never_end_are_refused(self, edited):
         """An object in a heap of HDF5 whose length, rounded up, is 0: it looks for the next one."""
         content = bytearray(edited.read_bytes())
         heap = content.index(b"GCOL\x01\0\0\0")
@@ -348,7 +348,7 @@ class TestUnsealed:
         with pytest.raises(ValueError, match="reading does not terminate"):
             try_to_read(edited, call=0.5)
 
-    def test_that_crash(self, edited, monkeypatch):
+    def test_unsealed_results_that_would_crash_are_refused(self, edited, monkeypatch):
         monkeypatch.setattr(
             "samcontact.results.isolated_read._READER_PROGRAM",
             "import os; os.kill(os.getpid(), 11)",

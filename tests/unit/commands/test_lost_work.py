@@ -113,7 +113,7 @@ ERRORS = [
 
 
 @pytest.mark.parametrize("error", ERRORS, ids=lambda error: type(error).__name__)
-def test_an_error_leaves_what_was_computed(
+def test_an_error_keeps_the_computed_results(
     case_file, expected, tmp_path, monkeypatch, error, undrawn
 ):
     with monkeypatch.context() as patch:
@@ -171,7 +171,7 @@ def test_results_that_cannot_be_written_leave_checkpoints(
     xr.testing.assert_identical(fields(tmp_path), expected)
 
 
-def test_no_room_for_anything(case_file, tmp_path, monkeypatch):
+def test_a_full_disk_reports_the_first_error(case_file, tmp_path, monkeypatch):
     """The command reports the first of two errors, and the results that could not be stored."""
     full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
     monkeypatch.setattr(sc.Simulation, "step", stop_at(3, ERRORS[0]))
@@ -221,7 +221,7 @@ class TestStudies:
         assert (out / name).exists()
         assert not (out / "checkpoints").exists()
 
-    def test_an_error_leaves_what_was_computed(self, study, tmp_path, monkeypatch, undrawn):
+    def test_an_error_keeps_the_computed_results(self, study, tmp_path, monkeypatch, undrawn):
         case, name, failing, _ = study
         out = tmp_path / "out"
         with monkeypatch.context() as patch:
@@ -245,7 +245,7 @@ class TestStudies:
 
 
 class TestOneRunAtATime:
-    def test_a_second_run_is_told_of_the_first(self, case_file, tmp_path):
+    def test_a_second_run_in_a_folder_is_refused(self, case_file, tmp_path):
         with locked(tmp_path):
             for command in (
                 ("run", case_file, "--output", tmp_path, *OPTIONS),
@@ -256,7 +256,7 @@ class TestOneRunAtATime:
                 check_failure(outcome, 1, words)
         assert list(tmp_path.iterdir()) == []
 
-    def test_runs_of_python_too(self, case_file, tmp_path):
+    def test_python_runs_are_locked_out_too(self, case_file, tmp_path):
         elastic, grid = sc.Material.elastic(210e9, 0.3), sc.Grid(9, 9, 5e-5, 5e-5, 4, 5e-5)
         steel, gap = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121), [[0.0] * 9] * 9
         steps = [{"load": 1.0}, {"load": 0.0}]
@@ -277,7 +277,7 @@ class TestOneRunAtATime:
             assert (tmp_path / LOCK_FILE).read_text() == f"{os.getpid()}\n"
         assert list(tmp_path.iterdir()) == []
 
-    def test_a_lock_that_was_removed_meanwhile_is_none(self, tmp_path, monkeypatch):
+    def test_a_lock_removed_meanwhile_does_not_count(self, tmp_path, monkeypatch):
         flock, calls = lock.fcntl.flock, []
 
         def late(handle, operation):
@@ -293,14 +293,14 @@ class TestOneRunAtATime:
             with pytest.raises(OSError, match="another run"), locked(tmp_path):
                 pass
 
-    def test_where_there_are_no_locks(self, tmp_path, monkeypatch):
+    def test_file_systems_without_locks(self, tmp_path, monkeypatch):
         monkeypatch.setattr(lock.fcntl, "flock", fails(OSError(errno.ENOLCK, "no locks")))
         with locked(tmp_path):
             pass
         assert list(tmp_path.iterdir()) == []
 
 
-def test_a_run_replaces_the_files_of_the_one_before(case_file, tmp_path, monkeypatch):
+def test_a_run_replaces_the_files_of_the_previous_run(case_file, tmp_path, monkeypatch):
     """A run removes old figures, reports and exports once new results exist, but no other files."""
     command = ("run", case_file, "--output", tmp_path, "--quiet")
     assert invoke(*command).exit_code == 0

@@ -51,7 +51,7 @@ def start(script, *arguments):
 
 
 @pytest.mark.parametrize("kind", TEXTS)
-def test_what_a_batch_system_or_a_closed_terminal_sends(tmp_path, kind):
+def test_signals_of_a_batch_system_or_a_closed_terminal(tmp_path, kind):
     case, out = tmp_path / "case.toml", tmp_path / "out"
     text, number = TEXTS[kind]
     case.write_text(text)
@@ -96,7 +96,7 @@ TWICE = AGAIN + COMMAND.replace(
 )
 
 
-def test_pressed_again_and_again(tmp_path):
+def test_repeated_ctrl_c(tmp_path):
     case, out = tmp_path / "case.toml", tmp_path / "out"
     case.write_text(MINIMAL)
     with start(TWICE, 3, int(signal.SIGTERM), "run", case, "--output", out, *OPTIONS) as process:
@@ -140,7 +140,7 @@ def test_ctrl_c_while_the_command_is_loaded(script, silent):
         ("samcontact.py", ["python", "samcontact.py"], False),
     ],
 )
-def test_what_is_the_command(script, words, expected):
+def test_calls_of_the_command_are_recognised(script, words, expected):
     assert is_command(script, words) == expected
 
 

@@ -117,7 +117,7 @@ def test_every_number_of_every_table_is_whole(seed, width):
                 assert cells(lines, name) == whole
 
 
-def test_a_wide_table_goes_on_below():
+def test_a_wide_table_continues_below():
     sheet = Sheet("Numbers")
     sheet.add("", ["1"])
     for column in range(12):
@@ -158,7 +158,7 @@ def test_digits_of_a_column(column, texts):
 
 
 @given(st.lists(st.floats(-1e300, 1e300), min_size=1))
-def test_a_column_tells_its_values(column):
+def test_a_column_distinguishes_its_values(column):
     for text, value in zip(numbers(column), column, strict=True):
         assert float(text) == pytest.approx(value, rel=0.051)
         assert len(text) <= 24

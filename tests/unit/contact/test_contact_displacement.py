@@ -83,7 +83,7 @@ def test_work_of_one_traction_on_the_displacement_of_another_is_mutual():
         assert np.sum(sign * first * move(first)) > 0
 
 
-def test_body_1_takes_the_shear_the_other_way_round():
+def test_shear_on_body_1_has_the_opposite_sign():
     grid = sc.Grid(9, 8, 1e-5, 1e-5)
     solver = sc.ContactSolver(grid, STEEL, STEEL)
     shear = np.zeros((2, *grid.surface_shape))
@@ -95,7 +95,7 @@ def test_body_1_takes_the_shear_the_other_way_round():
     assert lower[1, 5, 2] > 0
 
 
-def test_without_shear_there_is_that_of_friction():
+def test_default_shear_is_that_of_friction():
     grid = sc.Grid(9, 8, 1e-5, 1e-5)
     pressure = np.zeros(grid.surface_shape)
     pressure[4, 4] = 1e8
@@ -109,7 +109,7 @@ def test_without_shear_there_is_that_of_friction():
     np.testing.assert_array_equal(smooth.displacement(pressure), of_pressure)
 
 
-def test_a_rigid_body_stays_and_others_are_named():
+def test_a_rigid_body_has_zero_displacement_and_other_bodies_are_refused():
     grid = sc.Grid(9, 8, 1e-5, 1e-5)
     solver = sc.ContactSolver(grid, sc.Material.rigid(), STEEL)
     assert not solver.displacement(np.ones(grid.surface_shape), body=1).any()

@@ -23,7 +23,7 @@ class TestLimits:
         np.testing.assert_allclose(solution.gap, gap - gap.min(), rtol=0, atol=1e-20)
 
     @pytest.mark.parametrize("approach", [-3e-6, 0.0, 1e-6])
-    def test_approach_that_does_not_touch(self, approach):
+    def test_approach_without_contact(self, approach):
         grid, gap, _ = scene(RIGID, STEEL)
         solution = sc.ContactSolver(grid, RIGID, STEEL).solve(gap + 1e-6, approach=approach)
         assert not solution.pressure.any()

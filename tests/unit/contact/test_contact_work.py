@@ -118,7 +118,7 @@ class TestWork:
         # measured: 18 steps for all solves of the fixed point, 10 for the first alone
         assert rubbed.iterations <= 2.5 * free.iterations
 
-    def test_apart_costs_nothing(self):
+    def test_separated_bodies_cost_nothing(self):
         grid, gap, _ = scene(RIGID, STEEL)
         solution = sc.ContactSolver(grid, RIGID, STEEL).solve(gap, load=0.0)
         assert (solution.iterations, solution.operator_applications, solution.work) == (0, 0, 0.0)
@@ -174,7 +174,7 @@ class TestAgainstOtherSolvers:
         displacement = convolved(grid, solution.pressure, STEEL)
         np.testing.assert_allclose(gap + displacement, 1e-6, rtol=0, atol=TOL * 1e-6)
 
-    def test_full_contact_to_the_least_tol(self):
+    def test_full_contact_to_the_smallest_tol(self):
         """The mean gap of thousands of loaded cells must be rounded by less than tol."""
         grid = sc.Grid(100, 100, 1e-5, 1e-5)
         solver = sc.ContactSolver(grid, RIGID, STEEL, tol=1e-13, on_border="warn")
@@ -211,7 +211,7 @@ class TestBoundingBox:
         assert_complementary(grid, solution, gap, convolved(grid, solution.pressure, STEEL), TOL)
 
     @pytest.mark.parametrize("height", np.linspace(0.0, 20e-9, 6))
-    def test_extends_to_what_touches_later(self, height):
+    def test_the_box_is_extended_to_later_contact(self, height):
         """Fine roughness on the ball lets the approach grow after the first look at the grid."""
         grid = sc.Grid(256, 128, 1e-6, 1e-6)
         x, y = grid.x[:, None], grid.y[None, :]

@@ -116,7 +116,7 @@ def test_torsion_of_a_ball():
     assert np.abs(turned.shear - moved.shear).max() < 1e-6 * MU * peak
 
 
-def test_sliding_is_the_limit_of_a_large_shift():
+def test_full_sliding_is_the_limit_of_a_large_shift():
     for nu, tolerance in ((0.0, 1e-12), (0.3, 1e-3)):
         solver, gap, load, _ = two_balls(32, 0.4, nu)
         found = solver.solve(gap, load=load, shift=(3.0, 4.0))
@@ -141,7 +141,7 @@ def test_no_slip_is_infinite_friction():
     assert math.isnan(found.energy_gap)
 
 
-def test_ball_of_another_program():
+def test_ball_agrees_with_contact():
     """Cattaneo's problem of the examples of CONTACT, to its printed digits."""
     grid = sc.Grid(19, 19, 0.13333, 0.13333)
     body = sc.Material.elastic(2 * 200 * 1.42, 0.42)
@@ -165,7 +165,7 @@ def test_ball_of_another_program():
 
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 @pytest.mark.parametrize("share", [0.3, 0.64, 0.9])
-def test_line_of_another_program(share):
+def test_line_contact_agrees_with_contact(share):
     """Carter's cylinders of the examples of CONTACT, pressed and pulled; one row of long cells."""
     grid = sc.Grid(55, 1, 0.04, 200.0)
     body = sc.Material.elastic(2 * 82000 * 1.28, 0.28)
@@ -190,7 +190,7 @@ SMALL_GRID = sc.Grid(16, 16, 1 / 16, 1 / 16)
 BALL = sc.surfaces.paraboloid(SMALL_GRID, 1.0)
 
 
-def test_the_window_grows_with_the_contact():
+def test_the_grid_is_enlarged_with_the_contact():
     """A gap that is a function: the shear before is carried to the larger grid."""
 
     def gap(grid):
@@ -259,14 +259,14 @@ def test_periodic_surfaces():
     ],
 )
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_drives_that_cannot_be(friction, arguments, error, words):
+def test_invalid_drives_are_refused(friction, arguments, error, words):
     solver = sc.ContactSolver(SMALL_GRID, SOFT, SOFT, friction)
     with pytest.raises(error, match=words):
         solver.solve(BALL, load=0.01, **arguments)
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_what_friction_cannot_be():
+def test_invalid_friction_is_refused():
     with pytest.raises(ValueError, match="coefficient must be a number >= 0"):
         sc.Coulomb(-0.1)
     warm = SOFT.with_thermal(1.0, 1e-5, 1.0)
@@ -335,7 +335,7 @@ def test_shear_costs_few_exact_displacements(tol, work):
         assert found.tangential_work <= work
 
 
-def test_shear_on_fine_cells_goes_on_from_coarse_ones():
+def test_shear_on_fine_cells_starts_from_coarse_cells():
     """A rectangular box under a cylinder, 1600 cells across its contact."""
     grid = sc.Grid(2048, 32, 1 / 2048, 1 / 2048, periodic="y")
     body = sc.Material.elastic(2 * (1 - 0.3**2), 0.3)
@@ -349,7 +349,7 @@ def test_shear_on_fine_cells_goes_on_from_coarse_ones():
 
 @pytest.mark.parametrize("shift", [1e-7, 1e-4, 1e-2, 1.0])
 @pytest.mark.parametrize("roughness", [1e-3, 1e-2])
-def test_a_surface_without_ends_that_touches_everywhere_slips_by_its_shift(shift, roughness):
+def test_a_periodic_surface_in_full_contact_slips_by_its_shift(shift, roughness):
     """No uniform shear moves it: what it slips on the mean is the shift, and the law holds."""
     grid = sc.Grid(8, 12, 1 / 8, 1 / 8, periodic="xy")
     gap = roughness * np.random.default_rng(1).random(grid.surface_shape)

@@ -101,7 +101,7 @@ def spence(cells, largest):
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_pressing_unlike_bodies():
+def test_normal_loading_of_dissimilar_bodies():
     """Agreement with the digits printed by CONTACT; its 921 last cells barely touch."""
     solver, gap, path = spence(37, 35)
     for k, touching, sticking, approach, peak in (
@@ -208,7 +208,7 @@ def test_sweeps_are_few_whatever_the_tolerance(tol, nu):
 @pytest.mark.filterwarnings(
     "ignore::samcontact.GridTooSmallWarning", "ignore::samcontact.ResolutionWarning"
 )
-def test_without_slip_there_may_be_no_solution():
+def test_infinite_friction_may_have_no_solution():
     """Two cells of the edge are pulled where they stick and overlap where they are free."""
     body1, body2 = sc.Material.rigid(), sc.Material.elastic(210e9, 0.0)
     ball = sc.hertz.point(7.5e-3, sc.hertz.effective_modulus(body1, body2), load=300.0)

@@ -43,7 +43,7 @@ def rng():
 
 
 @pytest.mark.parametrize(("cells", "sides", "periodic", "tiles"), TILINGS)
-def test_a_surface_and_its_repetitions_are_the_same(cells, sides, periodic, tiles, rng):
+def test_a_surface_and_its_repetitions_agree(cells, sides, periodic, tiles, rng):
     """Tables are computed by different methods for different shapes of the period."""
     loads = rng.normal(size=(3, *cells)) * 1e9
     one, many = grids(cells, sides, periodic, tiles)
@@ -73,7 +73,7 @@ def test_work_of_one_traction_on_the_displacement_of_another_is_mutual(periodic,
 
 
 @pytest.mark.parametrize(("cells", "sides", "periodic", "tiles"), TILINGS)
-def test_strain_and_its_repetitions_are_the_same(cells, sides, periodic, tiles, rng):
+def test_strain_and_its_repetitions_agree(cells, sides, periodic, tiles, rng):
     one, many = grids(cells, sides, periodic, tiles, nz=4)
     strain = 1e-3 * rng.normal(size=(6, *one.volume_shape))
     for axis, name in enumerate("xy"):
@@ -165,7 +165,7 @@ SCENES = {
 
 
 @pytest.mark.parametrize("scene", SCENES)
-def test_plastic_contact_and_its_repetitions_are_the_same(scene):
+def test_plastic_contact_and_its_repetitions_agree(scene):
     periodic, tiles, material, friction, rel = SCENES[scene]
     upper = material if "two" in scene else RIGID
     results = []
@@ -183,7 +183,7 @@ def test_plastic_contact_and_its_repetitions_are_the_same(scene):
         np.testing.assert_allclose(found, part, atol=rel * np.abs(part).max())
 
 
-def test_a_plastic_line_rolls():
+def test_rolling_of_a_plastic_line_contact():
     """Strain stays behind along the free direction; one cell is as good as many."""
     prints = []
     for grid, gap in bumps("y", (1, 2), (48, 1)):
@@ -233,7 +233,7 @@ def test_flat_surfaces_carry_a_uniform_pressure(shape, away, unevenness, body1, 
     assert solution.approach == pytest.approx(gap.mean(), abs=1e-20, rel=1e-14)
 
 
-def test_what_flat_bodies_unlike_raise_each_other_is_rounding():
+def test_coupling_of_dissimilar_flat_bodies_is_rounding():
     grid = sc.Grid(16, 16, 1e-6, 1e-6, periodic="xy")
     gap = 1e-23 * np.random.default_rng(1).random((16, 16))
     solver = sc.ContactSolver(grid, RIGID, STEEL, sc.Coulomb(0.3), tol=1e-10)
@@ -254,7 +254,7 @@ def test_approach_is_between_mean_planes():
         solver.solve(gap, approach=1.01 * gap.mean())
 
 
-def test_a_contact_over_the_seam_is_one_in_the_middle():
+def test_a_contact_across_the_period_end_equals_one_in_the_middle():
     grid = sc.Grid(64, 64, 1e-6, 1e-6, periodic="xy")
     gap = surfaces.sphere(grid, 1e-4)
     solver = sc.ContactSolver(grid, STEEL, RIGID)
@@ -288,12 +288,12 @@ def test_the_grid_keeps_its_directions(tmp_path):
         ({"ny": 2, "dy": 1e-12, "periodic": "y"}, "dx must be at most 8 periods ny dy of the grid"),
     ],
 )
-def test_grids_that_cannot_be(arguments, words):
+def test_invalid_periodic_grids_are_refused(arguments, words):
     with pytest.raises(ValueError, match=words):
         sc.Grid(**({"nx": 16, "ny": 16, "dx": 1e-6, "dy": 1e-6} | arguments))
 
 
-def test_what_a_periodic_surface_cannot_do():
+def test_options_unsupported_on_periodic_surfaces_are_refused():
     grid = sc.Grid(16, 16, 1e-6, 1e-6, 4, 1e-6, periodic="xy")
     gap = np.zeros(grid.surface_shape)
     hot = STEEL.with_thermal(46.0, 11e-6, 13e-6)

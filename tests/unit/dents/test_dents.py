@@ -58,7 +58,7 @@ def test_furrow_along():
     assert made[0].min() == pytest.approx(-1e-6)
 
 
-def test_a_dent_is_met_where_it_lies():
+def test_a_dent_acts_at_its_position():
     """A contact that rolls to the place of a dent feels what a contact loaded there does."""
     gap = sc.surfaces.paraboloid(GRID, 5e-3)
     dent = dents.spherical(GRID, 5e-8, 6e-5, x=12 * GRID.dx)

@@ -47,7 +47,7 @@ def kinds(solve):
     return [str(w.message) for w in caught if w.category is sc.SingularPressureWarning]
 
 
-def test_the_end_of_a_roller_is_told_by_solver_and_simulation_and_once():
+def test_the_end_of_a_roller_causes_one_warning():
     load, largest = LINE_LOAD * LENGTH, []
     for cells in (64, 128):
         grid, gap = roller(cells)
@@ -63,7 +63,7 @@ def test_the_end_of_a_roller_is_told_by_solver_and_simulation_and_once():
     assert not kinds(lambda: sc.ContactSolver(grid, STEEL, STEEL).solve(crowned(grid), load=load))
 
 
-def test_punches_and_steps_are_told():
+def test_punches_and_steps_cause_a_warning():
     grid = sc.Grid(64, 64, 2e-5, 2e-5)
     x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
     ball = (x**2 + y**2) / (2 * 10e-3)
@@ -106,7 +106,7 @@ def smooth_scenes():
     yield "rough, in steps", joined, steps, 0.002 * E_STAR * side**2
 
 
-def test_smooth_and_rough_contacts_are_not():
+def test_smooth_and_rough_contacts_cause_no_edge_warning():
     for name, grid, gap, load in smooth_scenes():
         solver = sc.ContactSolver(grid, RIGID, STEEL)
         assert not kinds(lambda s=solver, g=gap, n=load: s.solve(g - g.min(), load=n)), name
@@ -125,7 +125,7 @@ def test_no_body_beyond_an_edge_is_an_edge():
     assert sharp_edges.sharp_edge(pressure, np.zeros((9, 9)), (1e-5, 1e-5), 1e11) is None
 
 
-def test_errors_say_that_the_largest_pressure_does_not_converge():
+def test_errors_state_that_the_largest_pressure_does_not_converge():
     grid, gap = roller(64)
     run, path = sc.Simulation(grid, STEEL, STEEL, gap), [{"load": LINE_LOAD * LENGTH}]
     with pytest.warns(sc.SingularPressureWarning):
@@ -145,7 +145,7 @@ def test_errors_say_that_the_largest_pressure_does_not_converge():
     )  # of what converges
 
 
-def test_a_search_for_an_accuracy_ends_where_nothing_converges():
+def test_a_run_to_an_accuracy_ends_if_nothing_converges():
     class Told:
         solved = type(
             "Solved", (), {"told": [type("W", (), {"category": sc.SingularPressureWarning})]}
@@ -160,7 +160,7 @@ def test_a_search_for_an_accuracy_ends_where_nothing_converges():
 
 
 @pytest.mark.parametrize("periodic", ["", "x", "y", "xy"])
-def test_a_contact_without_a_ridge_rises_nowhere(periodic):
+def test_the_quick_check_misses_no_edge(periodic):
     """The fast preliminary checks miss no edge."""
     rng = np.random.default_rng(5)
     found = 0

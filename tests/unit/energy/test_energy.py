@@ -68,7 +68,7 @@ def test_plastic_work_of_a_body_is_that_of_its_stress(material):
     assert errors[2] < 0.6 * errors[0]
 
 
-def test_it_depends_on_the_state_alone_without_kinematic_hardening():
+def test_plastic_work_depends_on_the_state_alone_without_kinematic_hardening():
     _, states = scene(SWIFT, 5)
     tracks = [state.track(margin=0) for state in states]
     steps = [

@@ -68,7 +68,7 @@ def test_bending_and_torsion_have_their_closed_forms():
     assert strain.unit == "-"
 
 
-def test_a_crank_turning_out_of_phase():
+def test_rotating_shear_has_the_amplitude_of_its_circle():
     """Shear that turns in its plane has the amplitude of its circle, not of its components."""
     stress = reversed_stress(xz=1.0)
     stress[:, 3, 0] = np.cos(PHASES)
@@ -76,7 +76,7 @@ def test_a_crank_turning_out_of_phase():
     assert crossland(stress, slope=0.0).max_value == pytest.approx(1.0, rel=1e-12)
 
 
-def test_tresca_is_about_the_centre_that_holds_the_path():
+def test_tresca_uses_the_smallest_ball_around_the_path():
     """The centre by a certificate: it is a mean of points at the radius, so no ball is smaller."""
     from scipy.optimize import nnls
 
@@ -171,7 +171,7 @@ def test_critical_planes_are_those_of_a_brute_search():
         assert expected * (1 - 1e-6) < strain.values[n] < expected * (1 + 1e-2)
 
 
-def test_no_criterion_knows_the_axes():
+def test_criteria_are_independent_of_the_axes():
     """A turned body has the same values; of planes to the error that is stated."""
     stress = random_paths(200, seed=5)
     turn = Rotation.from_rotvec([0.4, -1.1, 0.7]).as_matrix()

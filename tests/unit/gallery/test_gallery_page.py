@@ -52,7 +52,7 @@ def test_a_table_says_how_much_values_move_with_the_mesh():
     assert moves.COARSE_MESH_NOTE in text
 
 
-def test_moves_are_those_of_the_page_where_they_were_computed():
+def test_moves_are_those_of_the_page_if_computed():
     def of(mesh, change, found, part="one"):
         kind = "values" if change == "none" else "moves"
         return {"of": part, "mesh": mesh, "change": change, kind: found}
@@ -178,7 +178,7 @@ def test_the_command_fails_when_a_value_differs(tmp_path, monkeypatch):
     assert [main(given), main([*given, "--quick"])] == [1, 0]
 
 
-def test_every_part_says_its_figures_on_the_first_page():
+def test_every_part_has_its_figures_on_the_first_page():
     text = (Path(__file__).parents[3] / "docs" / "gallery.md").read_text()
     for name in parts.PARTS:
         assert re.search(rf"\(gallery/{name}\.md\) \| {parts.figures_of(name)} ", text), name

@@ -27,7 +27,7 @@ def test_a_third_of_the_mean_pressure_of_the_indent_is_the_flow_stress():
     assert found == pytest.approx(shadow * np.sin(np.radians(68.0)) / 3, rel=1e-12)
 
 
-def test_a_hardened_case_becomes_a_profile_and_says_that_it_is_beyond_the_data():
+def test_a_hardened_case_becomes_a_profile_with_a_warning_beyond_the_data():
     depth, indents = [0.1e-3, 0.5e-3, 1e-3, 2e-3], [720, 640, 550, 380]
     with pytest.warns(hardness.HardnessRangeWarning, match="HV = 720 is outside"):
         strength = hardness.yield_from_vickers(indents)
@@ -39,6 +39,6 @@ def test_a_hardened_case_becomes_a_profile_and_says_that_it_is_beyond_the_data()
 
 @pytest.mark.parametrize("wrong", [0.0, -300.0, np.nan, 7e9, [300.0, 6900.0]])
 @pytest.mark.parametrize("name", ["yield_from_vickers", "flow_stress_from_vickers"])
-def test_what_is_no_vickers_number_is_refused(name, wrong):
+def test_invalid_vickers_numbers_are_refused(name, wrong):
     with pytest.raises(ValueError, match=r"HV must be Vickers numbers .* got"):
         getattr(hardness, name)(wrong)

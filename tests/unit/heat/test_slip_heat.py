@@ -38,7 +38,7 @@ def power_of(state):
     ],
     ids=["steady", "softening", "elapsed", "moving", "both moving"],
 )
-def test_where_all_slips_it_is_the_heat_of_gross_sliding(body2, source):
+def test_heat_at_full_slip_equals_heat_of_full_sliding(body2, source):
     speed, duration = 0.2, 2.0
     heat = sc.Heat(sc.heat.factors(MU, speed, HEAT_FRACTION), **source)
     slides = simulation(body2, MU, heat)
@@ -66,7 +66,7 @@ def test_where_all_slips_it_is_the_heat_of_gross_sliding(body2, source):
 
 
 @pytest.mark.parametrize("source", [{}, {"time": 1e-3, "velocity": ((0, 0), (0.3, 0.2))}])
-def test_the_power_of_friction_enters_the_bodies(source):
+def test_the_friction_power_enters_the_bodies(source):
     run = simulation(BALL, heat=sc.Heat(partition=HEAT_FRACTION, **source), tol=1e-9)
     before = run.step(load=100.0, duration=1.0)
     assert not power_of(before).any()
@@ -156,6 +156,6 @@ def test_copies_and_parts_of_increments_keep_the_heat(tmp_path):
         ),
     ],
 )
-def test_what_cannot_be_heated_is_refused(make, text):
+def test_bodies_that_cannot_be_heated_are_refused(make, text):
     with pytest.raises(ValueError, match=text):
         make()

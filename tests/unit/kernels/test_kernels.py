@@ -265,7 +265,7 @@ def test_young_modulus_only_scales():
     assert_close(kernels.eigenstrain_stress(X, Y, 0.5, 0.6, *HALF, E, 0.3), E * stress, 1e-14)
 
 
-def test_parts_add_up_to_the_whole():
+def test_parts_sum_to_the_whole():
     """Eight octants of a cuboid, four quarters of a rectangle."""
     a, b, c = HALF
     signs = np.array([-0.5, 0.5])

@@ -54,7 +54,7 @@ def padded(grid, strain, factor):
     return wide, embedded, inside
 
 
-def test_tends_to_the_exact_one_with_second_order():
+def test_fast_stress_converges_to_exact_stress_with_second_order():
     differences = []
     for cells in (5, 10):
         grid, strain = blob(cells)
@@ -99,7 +99,7 @@ def test_images_are_below_their_tolerance(shape):
 
 
 @pytest.mark.parametrize(("cells", "limit"), [((16, 14), 3e-4), ((33, 31), 1e-5)])
-def test_the_box_does_not_matter_where_single_cells_are_strained(cells, limit):
+def test_strain_of_single_cells_is_independent_of_the_box(cells, limit):
     """Nothing rings from cell to cell: with a symbol that ends at the highest wavenumber a box of
     33 cells differs by 2 %. The rest falls with the fifth power of the cells."""
     draws = np.random.default_rng(3)
@@ -133,7 +133,7 @@ def test_is_symmetric():
     assert abs(there - back) < 1e-6 * scale
 
 
-def test_never_feeds_energy_into_a_strain():
+def test_elastic_energy_of_a_strain_is_not_negative():
     """-strain : stress is the elastic energy, never negative; the exact point values do not keep
     that (tests/unit/operators/test_operators.py)."""
     shape = (8, 8, 8)
@@ -213,7 +213,7 @@ def zone_errors(law, cells, refinement):
         pytest.param(32, 3, marks=pytest.mark.slow),
     ],
 )
-def test_not_less_accurate_than_the_exact_one(law, cells, refinement):
+def test_the_fast_method_is_as_accurate_as_the_exact_one(law, cells, refinement):
     of_exact, of_fast = zone_errors(law, cells, refinement)
     assert of_fast <= of_exact < 2.0 / cells**1.5
 

@@ -224,7 +224,7 @@ def test_memory_order_of_the_input_does_not_matter():
         np.testing.assert_array_equal(operators.residual_stress(grid, same, E, NU), stress)
 
 
-def test_inputs_are_left_alone():
+def test_inputs_are_not_changed():
     grid = make_grid(7, 6, 3)
     p, strain = random(7, 6), random(6, 7, 6, 3)
     p_before, strain_before = p.copy(), strain.copy()

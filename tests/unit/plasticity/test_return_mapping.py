@@ -51,7 +51,7 @@ def test_equation(law, excess, g):
 
 
 @laws
-def test_below_and_at_yield_nothing_flows(law):
+def test_no_flow_up_to_the_yield_stress(law):
     for g in (0.0, 1e-3):
         yield_stress = LAWS[law].yield_stress(g)
         for trial in (0.0, 0.5 * yield_stress, yield_stress):

@@ -54,7 +54,7 @@ def test_load_ratio(results):
     assert np.isnan(shown[0])
 
 
-def test_energy_and_print_against_the_interference(results):
+def test_energy_and_imprint_against_the_interference(results):
     ax = asperity_figures.net_energy(results, critical=CRITICAL)
     assert [line.get_label() for line in lines(ax)] == [
         "net energy", "pass 2", "energy of residual stress"

@@ -208,7 +208,7 @@ def test_every_figure_of_a_run_is_stored():
     assert there | of_body_1 == names | (there & of_body_1)
 
 
-def test_a_flaw_is_seen():
+def test_a_changed_image_is_detected():
     """A missing line, or cells instead of smooth colours, differ by more than fonts do."""
     with Image.open(STORED / "heated" / "pressure.jpg") as image:
         shown = image.convert("RGB")

@@ -108,7 +108,7 @@ def test_bad_input_is_named(tmp_path):
         plotting.save_view(None, tmp_path / "view.png")
 
 
-def test_without_pyvista_it_is_told_what_to_install(monkeypatch):
+def test_a_missing_pyvista_is_reported_with_its_extra(monkeypatch):
     monkeypatch.setitem(sys.modules, "pyvista", None)
     with pytest.raises(ModuleNotFoundError, match=re.escape("pip install samcontact[3d]")):
         plotting.view(dataset())

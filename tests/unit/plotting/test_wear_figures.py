@@ -42,7 +42,7 @@ def test_tresca():
     np.testing.assert_allclose(wear_figures.tresca(stress), [5.0, 0.0, 4.0], atol=1e-14)
 
 
-def test_tresca_does_not_depend_on_the_frame():
+def test_tresca_is_independent_of_the_axes():
     rng = np.random.default_rng(3)
     full = rng.normal(size=(3, 3))
     full += full.T

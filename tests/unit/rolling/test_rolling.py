@@ -57,7 +57,7 @@ def test_linear_coefficients_of_kalker():
     assert limit[4] == pytest.approx(1.19, rel=1e-2)
 
 
-def test_carter_as_another_program_prints_it():
+def test_carter_agrees_with_contact():
     """CONTACT's example of a line contact: 200 wide, 50 cells in contact."""
     grid = sc.Grid(55, 1, 0.04, 200.0)
     gap = 0.001 * (-1.05 + 0.04 * np.arange(55.0)[:, None]) ** 2
@@ -103,7 +103,7 @@ STEEL_ON_SOFT = (sc.Material.elastic(20.0, 0.3), sc.Material.elastic(2.0, 0.1))
 
 
 @pytest.mark.parametrize("bodies", [(BODY, BODY), STEEL_ON_SOFT], ids=["alike", "unlike"])
-def test_steady_rolling_is_what_steps_end_in(bodies):
+def test_steps_tend_to_steady_rolling(bodies):
     grid, gap = wheel(24)
     d, (xi, eta), spin = grid.dx, (2e-3, -1e-3), 3e-4
     steady = roll(grid, gap, bodies, creepage=(xi, eta), spin=spin, tol=1e-9)
@@ -171,7 +171,7 @@ RIGID = (sc.Material.rigid(), of_shear_modulus(23e9, 0.31))
 
 
 @pytest.mark.parametrize("part", [0.1, 0.5, -0.9, 0.999])
-def test_rollers_in_plane_strain_are_those_of_carter(part):
+def test_rollers_in_plane_strain_agree_with_carter(part):
     """Carter (1926): xi = mu a/R (1 - sqrt(1 - F/(mu P))); Johnson (1985), equation 8.50."""
     mu = 0.3
     E_star = STEEL.E / (2 * (1 - STEEL.nu**2))
@@ -193,7 +193,7 @@ def test_plane_strain_is_the_same_for_any_number_of_rows():
 
 
 @pytest.mark.parametrize("across", [None, 0.0])
-def test_rollers_of_unlike_bodies_as_another_program_prints_them(across):
+def test_dissimilar_rollers_agree_with_contact(across):
     """CONTACT's example of Bentall & Johnson's rollers, its cases 2, 4, 5 and 6; x is reversed."""
     grid = sc.Grid(216, 1, 1e-6, 1.0)
     gap, load = sc.surfaces.paraboloid(grid, 25e-3, math.inf), 16201.9
@@ -212,7 +212,7 @@ def test_rollers_of_unlike_bodies_as_another_program_prints_them(across):
 
 @pytest.mark.parametrize("pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "unlike", "rigid"])
 @pytest.mark.parametrize("mu", [1e-4, 0.05, 0.6])
-def test_forces_are_found_wherever_the_search_begins(pair, mu):
+def test_forces_are_found_from_any_start(pair, mu):
     """Starts from zero and from full sliding, for forces from the maximum to zero."""
     scene, most = rollers(mu, pair), mu * 16e3
     sliding = sc.rolling.steady(**scene, creepage=(0.01, 0.0))
@@ -230,7 +230,7 @@ def test_forces_are_found_wherever_the_search_begins(pair, mu):
 
 @pytest.mark.parametrize("pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "unlike", "rigid"])
 @pytest.mark.parametrize("mu", [1e-4, 0.05])
-def test_increments_find_forces_from_where_everything_slides(pair, mu):
+def test_increments_find_forces_from_full_sliding(pair, mu):
     scene, most = rollers(mu, pair), mu * 16e3
     grid = scene.pop("grid")
     solver = sc.ContactSolver(grid, scene["body1"], scene["body2"], scene["friction"])
@@ -247,7 +247,7 @@ def test_increments_find_forces_from_where_everything_slides(pair, mu):
             assert (np.hypot(*found.shear) <= mu * found.pressure * (1 + 1e-9)).all()
 
 
-def test_what_no_contact_can_do_is_told():
+def test_impossible_forces_are_refused():
     grid, gap = wheel(24)
     with pytest.raises(
         ValueError, match=r"tangential_load must be less than .*: prescribe creepage instead"

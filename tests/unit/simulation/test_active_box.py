@@ -81,7 +81,7 @@ class TestBox:
         rim[i0 + 1 : i0 + nx - 1, j0 + 1 : j0 + ny - 1, : nz - 1] = False
         assert not state.equivalent_plastic_strain()[rim].any()
 
-    def test_fields_outside_are_there_on_demand(self):
+    def test_fields_outside_the_box_are_computed_on_demand(self):
         state = simulation(65, 61, 60).step(load=600.0)
         stress = state.stress()
         assert stress.shape == (6, 65, 61, 60)
@@ -155,7 +155,7 @@ class TestMirrors:
         assert close(strain[5], -strain[5][:, ::-1], 1e-12)  # xy is odd in y
         assert close(strain[4], strain[4][:, ::-1], 1e-12)  # xz is even
 
-    def test_fewer_mirrors_later(self):
+    def test_mirror_planes_are_dropped_later(self):
         """A shear along x after a symmetric indentation: a quarter becomes a half, then a whole."""
         sim = simulation()
         grid = sim.grid
@@ -196,7 +196,7 @@ class TestMirrors:
             assert close(getattr(state, name)(1), getattr(state, name)(2), 1e-6)
 
 
-def test_no_size_chooses_the_operator():
+def test_the_operator_is_independent_of_the_grid_size():
     """The stress of one strained cell is that of the operator asked for, on any grid."""
     strain = [1e-3, -1e-3, 0.0, 5e-4, 0.0, 0.0]
     for cells in (8, 33):
@@ -259,7 +259,7 @@ class TestFewLongCells:
         assert ends[2] < 0.01
         assert self.largest(2, 500) == pytest.approx(plane, rel=0.01)
 
-    def test_a_column_is_a_row(self):
+    def test_a_column_equals_a_row(self):
         row = self.largest(1, 10)
         assert self.largest(1, 10, across="x") == pytest.approx(row, rel=1e-6)
 

@@ -102,7 +102,7 @@ def test_softening_scales_the_curve(law):
 
 
 @laws
-def test_goes_on_from_a_checkpoint(law, tmp_path):
+def test_a_run_continues_from_a_checkpoint(law, tmp_path):
     material = LAWS[law].with_kinematic_hardening(40e9, 30.0)
     simulation = pressed(material, loads=(0.6,))
     simulation.save(tmp_path / "saved.h5")
@@ -114,14 +114,14 @@ def test_goes_on_from_a_checkpoint(law, tmp_path):
         np.testing.assert_array_equal(*[getattr(state, field)() for state in states])
 
 
-def test_the_largest_table_goes_into_a_checkpoint(tmp_path):
+def test_the_largest_table_fits_into_a_checkpoint(tmp_path):
     g = np.linspace(0.0, 0.1, 4096)
     table = sc.Material.tabulated(E, NU, g, VOCE.yield_stress(g))
     pressed(table, loads=()).save(tmp_path / "saved.h5")
     assert sc.Simulation.load(tmp_path / "saved.h5").body2 == table
 
 
-def test_make_the_same_materials():
+def test_case_files_make_the_same_materials():
     assert read(VOCE_FILE).build() == VOCE
     assert read(TABLE_FILE).build() == TABLE
     moving = read(TABLE_FILE | {"kinematic": {"modulus": 1e9}}).build()
@@ -174,7 +174,7 @@ def test_to_results(law):
         np.testing.assert_array_equal(dataset.attrs[f"body2_{name}"], value)
 
 
-def test_strains_of_the_exact_residual_stress_without_hardening():
+def test_plastic_strain_of_the_exact_method_without_hardening():
     """The numbers of the theory: a pattern from cell to cell makes them larger."""
     file = Path(__file__).parents[3] / "docs" / "theory" / "accuracy.md"
     page = file.read_text(encoding="utf-8")

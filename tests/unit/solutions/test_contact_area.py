@@ -103,7 +103,7 @@ def test_rough_surfaces_of_few_cells_a_wave_come_close_to_fine_ones():
         assert areas[step][0] == pytest.approx(areas[1][0], rel=0.08)
 
 
-def test_what_is_exact_is_not_corrected():
+def test_exact_areas_are_not_corrected():
     # full contact has no outline, and a punch has its edge between two cells
     assert contact_area(np.ones((6, 4)), 2.0, "xy") == 48.0
     assert contact_area(np.zeros((6, 4)), 2.0) == 0.0

@@ -28,7 +28,7 @@ def test_choice(stress, pressure, load, expected):
     assert peak(stress, pressure, load) == expected
 
 
-def test_of_many_small_increments_the_last_is_the_peak():
+def test_the_last_of_many_small_increments_is_the_peak():
     load = np.linspace(1e-3, 1.0, 10_000)
     assert peak(load ** (1 / 3), load ** (1 / 3), load) == load.size - 1
 

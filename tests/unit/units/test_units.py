@@ -31,7 +31,7 @@ from samcontact.cases import AsperityCase, Case, CaseError, load_case
         ("3 N/mm^2", "Pa", 3e6),
     ],
 )
-def test_texts_are_the_numbers_one_would_write(text, unit, value):
+def test_texts_with_units_equal_numbers(text, unit, value):
     assert units.si(text, unit) == value  # to the last digit, as if given in SI
 
 
