@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command `samcontact` in this process, and what it leaves."""
+"""Calls of the command `samcontact` in this process, and checks of its files."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A script in processes with different numbers of OpenMP threads."""
+"""Runs of a script in processes with different numbers of OpenMP threads."""
 
 import os
 import subprocess
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 def own(count):
-    """Settings of exactly so many threads."""
+    """Return environment variables for exactly this number of threads."""
     return {"OMP_NUM_THREADS": str(count), "OMP_DYNAMIC": "false"}
 
 

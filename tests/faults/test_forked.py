@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A child that was forked after the core was used: OpenMP's threads do not survive a fork."""
+"""Processes forked after use of the core, in which OpenMP threads do not survive."""
 
 import os
 import subprocess

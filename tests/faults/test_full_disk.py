@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A disk that fills up while a file is written: the old file stays, and nothing else does.
+"""A disk that fills up during a write: only the old file is kept.
 
-The limit on the size of files makes the same system calls fail, at the byte that is wanted, for any
-user; in a process of its own, which would also show a crash at its end.
+A limit on the file size makes the same system calls fail at a chosen byte, for any
+user; in a separate process, which would also reveal a crash at its end.
 """
 
 import pytest

@@ -86,7 +86,7 @@ SCRIPTS = {"run": RUN, "wear": WEAR, "asperities": ASPERITIES, "sweep": SWEEP}
 
 
 def check(kind, count, tmp_path):
-    """Kill at times spread over the run, twice in the same folder, and then let it be."""
+    """Kill at times spread over the run, twice in the same folder, then let the run finish."""
     times = random.Random(f"killed {kind}")
     with contextlib.closing(Nursery(SCRIPTS[kind])) as nursery:
         expected, whole = nursery.run(tmp_path / "whole")

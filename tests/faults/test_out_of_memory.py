@@ -200,7 +200,7 @@ def test_fields_beyond_the_memory_are_refused(name, monkeypatch):
 
 
 def test_a_plastic_zone_beyond_the_memory_is_refused_and_the_state_is_kept(monkeypatch):
-    """Its size is known only during the solve; the core checks before allocation."""
+    """The size of the zone is known only during the solve; the core checks before allocation."""
 
     def scene():
         grid = sc.Grid(81, 81, 18e-6, 18e-6, 60, 18e-6)

@@ -97,7 +97,7 @@ def nursery():
 
 
 class Stopped:
-    """Commands of one case in one folder, which get a signal at a place."""
+    """Commands of one case in one folder, which get a signal at a given point."""
 
     def __init__(self, nursery, kind, folder):
         text, self.spare = KINDS[kind]
@@ -109,7 +109,7 @@ class Stopped:
         )
 
     def run(self, place="", number=0):
-        """Exit code, standard output and error; calls of step, and of what comes after the last."""
+        """Return exit code, standard output and error, and numbers of calls of step and output."""
         if self.searches:
             words = [
                 "find",
@@ -126,11 +126,11 @@ class Stopped:
         return json.loads(told)
 
     def left(self):
-        """Names of all files; of a search none."""
+        """Return the names of all files; empty for a load search."""
         return sorted(str(file.relative_to(self.out)) for file in self.out.rglob("*"))
 
     def contents(self):
-        """Digests of the numbers that are left."""
+        """Return digests of the stored numbers."""
         found = {}
         for file in sorted(self.out.glob("*.nc")):
             with xr.open_dataset(file) as data:

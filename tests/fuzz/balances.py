@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Conditions on any increment of any problem: finite, in balance, within the laws."""
+"""Conditions on any increment: finite fields, force and energy balance, contact and flow laws."""
 
 import math
 
@@ -14,7 +14,7 @@ def assert_finite(**fields):
 
 
 def assert_increment(simulation, before, state, step):
-    """One increment against the laws of contact and friction, from its public fields."""
+    """Check one increment against the laws of contact and friction, from its public fields."""
     tol = simulation.tol
     assert state.converged
     assert state.substeps >= 1
@@ -36,7 +36,7 @@ def assert_increment(simulation, before, state, step):
 
 
 def assert_contact(state, tol):
-    """No overlap, and no gap under pressure."""
+    """Assert that there is no overlap, and no gap under pressure."""
     p, gap = state.pressure, state.gap
     if p.max() == 0:
         assert gap.min() >= -1e-9 * np.abs(gap).max()
@@ -101,7 +101,7 @@ def assert_body(simulation, before, state, body, material):
 
 
 def assert_planes_in_balance(state, body, stress):
-    """Over a whole period each plane carries the surface tractions."""
+    """Assert that each horizontal plane of a period carries the surface tractions."""
     p = state.pressure
     mean, scale = stress.mean(axis=(1, 2)), p.mean() + np.abs(stress).max()
     pull = (-1 if body == 1 else 1) * state.shear.mean(axis=(1, 2))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Thousands of drawn cases: solved within the laws and in balance, or refused with a reason.
+"""Thousands of random cases are solved within the laws and in balance, or refused with a reason.
 
 `python tests/fuzz/test_fuzz_setups.py 2000 3000` solves the cases with these numbers and prints the
 outcome of each, which `setup_counts.py` counts.

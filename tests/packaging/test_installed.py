@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contents of the tested installation, and its requirements on the machine."""
+"""Contents of the tested installation, and its requirements."""
 
 import re
 import subprocess

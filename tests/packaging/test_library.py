@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The C++ library as it is installed without Python, and a program of its own that uses it."""
+"""The C++ library installed without Python, and a separate program that uses it."""
 
 import re
 import subprocess
@@ -39,7 +39,7 @@ def configure(source, build, **cache):
 
 @pytest.fixture(scope="module")
 def prefix(tmp_path_factory):
-    """Folder with the installed library."""
+    """Install the library; return its folder."""
     folder = tmp_path_factory.mktemp("prefix")
     configure(ROOT, BUILD, CMAKE_INSTALL_LIBDIR="lib", **CORE)
     call("cmake", "--build", BUILD, "--target", "samcontact")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wheels as `scripts/wheels.py` makes them, here of what is installed: nothing is compiled."""
+"""Wheels of `scripts/wheels.py`, made from the installed package without compilation."""
 
 import importlib.util
 import os
@@ -23,7 +23,7 @@ if DISTRIBUTION is None:
 
 @pytest.fixture(scope="module")
 def wheels():
-    """The script, as a module."""
+    """Return the script as a module."""
     spec = importlib.util.spec_from_file_location("wheels", ROOT / "scripts" / "wheels.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -32,7 +32,7 @@ def wheels():
 
 @pytest.fixture(scope="module")
 def wheel(wheels, tmp_path_factory):
-    """The installed files as a wheel, with the libraries that they need inside."""
+    """Pack the installed files into a wheel that includes their libraries."""
     wheels.require_tools([sys.executable])
     folder = tmp_path_factory.mktemp("wheel")
     tag = re.search(r"^Tag: (\S+)$", DISTRIBUTION.read_text("WHEEL"), re.MULTILINE)[1]

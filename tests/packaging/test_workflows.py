@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hosted tests and builds do what the repository has, on the Pythons that it supports."""
+"""Hosted workflows run existing files on all supported Python versions."""
 
 import re
 import shlex
@@ -30,7 +30,7 @@ MODULES = {"pip", "build", "cibuildwheel"}
 
 
 def versions():
-    """Python versions that the project claims."""
+    """Return the Python versions that the project supports."""
     named = [name.rpartition(" :: ")[2] for name in PROJECT["project"]["classifiers"]]
     return [name for name in named if re.fullmatch(r"3\.\d+", name)]
 
@@ -83,7 +83,7 @@ def test_steps_run_existing_files(job, step):
 
 
 def installed(job, module):
-    """Whether a step of the job installs a module by pip."""
+    """Return whether a step of the job installs a module by pip."""
     return any(
         re.search(rf'pip install "?{module}\b', step.get("run", "")) for step in job["steps"]
     )

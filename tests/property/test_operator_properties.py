@@ -185,7 +185,7 @@ def test_superposition(shape, factor, seed):
     seed=seeds,
 )
 def test_superposition_of_shear_and_of_sweeps(shape, factor, nu, seed):
-    """Linearity for tractions in both directions and for residual stress by layer sweeps."""
+    """Superposition holds for both shear tractions and for residual stress by layer sweeps."""
     grid = sc.Grid(*shape[:2], 1e-5, 2e-5, shape[2], 1.5e-5)
     s, t = random(seed, 2, 2, *shape[:2])
     e, f = random(seed + 1, 2, 6, *shape)
@@ -213,7 +213,7 @@ def test_superposition_of_shear_and_of_sweeps(shape, factor, nu, seed):
     seed=seeds,
 )
 def test_scaling_laws(shape, length, modulus, nu, seed):
-    """u goes with the length and against the modulus; stress with the modulus of an eigenstrain."""
+    """u scales with length over modulus; stress of an eigenstrain scales with the modulus."""
     p, shear = random(seed, *shape[:2]), random(seed + 1, 2, *shape[:2])
     strain = random(seed, 6, *shape)
     fields = []
@@ -305,7 +305,7 @@ HOT = sc.Material.elastic(E, 0.3).with_thermal(50.0, 12e-6, 1.4e-5)
     seed=seeds,
 )
 def test_heat_is_reciprocal_and_linear(shape, velocity, factor, seed):
-    """q1 heats where q2 flows as q2 does where q1 flows, against the motion."""
+    """Reciprocity: q2 times the temperature of q1 equals q1 times that of q2 in reversed motion."""
     grid = sc.Grid(*shape, 1e-5, 2e-5)
     q1, q2 = random(seed, 2, *shape)
 

@@ -27,7 +27,7 @@ def any_body(draw, least):
 
 
 def any_step(draw, mu, cell):
-    """A load with a shift, a force, a turn, or some cells of rolling with creepage."""
+    """Draw a load with a shift, a force, a rotation, or some cells of rolling with creepage."""
     load, kind = float(draw.uniform(20, 400)), draw.integers(4)
     if kind == 0:
         return {"load": load, "shift": (draw.normal(size=2) * 2e-6 * mu).tolist()}

@@ -18,7 +18,7 @@ pytestmark = [
 
 
 def follow(seed):
-    """Walks a path; how many increments were solved, and how many ended in a ConvergenceError."""
+    """Follow a path; count solved increments and increments with a ConvergenceError."""
     path, solved, failed = Path(seed), 0, 0
     solver = sc.ContactSolver(
         path.grid, *path.bodies, sc.Coulomb(path.mu), tol=TOL, on_border="warn"

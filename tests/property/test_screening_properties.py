@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cheap checks that come first miss no warning of the full checks."""
+"""Quick preliminary checks miss no warning of the full checks."""
 
 import math
 import warnings
@@ -19,7 +19,7 @@ SHAPES = st.tuples(st.integers(1, 14), st.integers(1, 14))
 
 
 def spots(seed, shape):
-    """A pressure of spots and single cells, or of noise."""
+    """Draw a pressure of spots and single cells, or of noise."""
     rng = np.random.default_rng(seed)
     noise = rng.random(shape)
     if seed % 3 == 0:

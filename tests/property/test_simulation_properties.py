@@ -63,7 +63,7 @@ def test_load_balance_flow_rule_and_dissipation(law, load):
     stress=st.sampled_from([1e-6, 1 / 210e9, 12.3]),
 )
 def test_results_are_independent_of_units(law, length, stress):
-    """Metres and pascals, millimetres and megapascals, or dimensionless: the same digits."""
+    """SI units, millimetres and megapascals, and dimensionless numbers give equal digits."""
     reference = scene(hardening(law), tol=1e-10).step(load=700.0)
     scaled = scene(
         hardening(law, stress=stress),
@@ -132,7 +132,7 @@ def test_equilibrium_and_complementarity_with_friction(law, friction, path):
 @few
 @given(law=laws, path=paths)
 def test_dissipation_is_never_negative(law, path):
-    """Each increment dissipates; the energy of a closed path is what it dissipated and stored."""
+    """Dissipation is not negative; the work of a closed path is dissipated or stored."""
     material = hardening(law)
     simulation = scene(material, tol=1e-8, on_border="warn")
     before, done, external = simulation.state, 0.0, 0.0
@@ -157,7 +157,7 @@ def test_dissipation_is_never_negative(law, path):
     law=laws, load=st.floats(300.0, 900.0), shift=st.tuples(st.integers(0, 4), st.integers(0, 4))
 )
 def test_translation_by_whole_cells(law, load, shift):
-    """A ball elsewhere in the grid leaves the same, elsewhere."""
+    """A shifted ball gives shifted fields."""
     i, j = shift
     base = sc.surfaces.paraboloid(sc.Grid(21, 19, 60e-6, 65e-6), RADIUS)
     fields = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""NaN and infinity in every number of every public call: an error that names the argument."""
+"""NaN and infinity in any number of any public call raise an error that names the argument."""
 
 import inspect
 import math
@@ -86,7 +86,7 @@ def spoiled(value, bad):
 
 
 def hostile_calls(meant):
-    """(function, arguments, allowed names) of each call with one number replaced."""
+    """Return (function, arguments, allowed names) of each call with one number replaced."""
     found = []
     for number, (name, function, arguments) in enumerate(CALLS):
         for argument, value in arguments.items():
@@ -123,7 +123,7 @@ def test_values_with_a_meaning_are_accepted(function, arguments, names):
 
 
 def public_calls():
-    """Every public function, class and method, by name."""
+    """Return every public function, class and method, by name."""
     for name in sc.__all__:
         thing = getattr(sc, name)
         members = {name: thing}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A thousand cycles do not drift: after a few the state repeats to the last bits."""
+"""A thousand cycles do not drift: after a few cycles the state repeats to the last bits."""
 
 import itertools
 
@@ -47,7 +47,7 @@ def largest(field):
 @pytest.mark.parametrize(("law", "friction", "cycles", "method"), SCENES)
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 def test_shakedown_to_the_last_bits(law, friction, cycles, method):
-    """Elastic shakedown: the first reloading differs by tol, later ones by nothing at all."""
+    """Elastic shakedown: the first reloading differs by tol, later reloadings not at all."""
     simulation = sc.Simulation(
         GRID, STEEL, LAWS[law], GAP, friction, on_border="warn", residual_stress=method
     )

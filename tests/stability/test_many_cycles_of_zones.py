@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A thousand cycles of many plastic zones do not drift: they settle, or change ever less."""
+"""A thousand cycles of many plastic subdomains do not drift: changes vanish or decrease."""
 
 import itertools
 
@@ -32,7 +32,7 @@ def long(*scenes):
 
 
 def asperities():
-    """Four, of heights that differ."""
+    """Return four asperities of different heights."""
     x, y, away = GRID.x[:, None], GRID.y, 22 * SIZE
     corners = itertools.product((-away, away), repeat=2)
     spheres = [

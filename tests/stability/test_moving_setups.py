@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random balls that roll or slide over materials with little hardening are all solved."""
+"""Random rolling and sliding contacts of materials with little hardening are all solved."""
 
 import math
 
@@ -12,7 +12,7 @@ E, NU = 210e9, 0.3
 
 
 def draw(seed):
-    """Bodies and a problem of 2000 to 8192 cells; p0 is 1.8 to 6 times the yield stress."""
+    """Draw bodies and a problem of 2000 to 8192 cells; p0 is 1.8 to 6 times the yield stress."""
     draws = np.random.default_rng(seed)
     yield_stress = draws.uniform(0.4e9, 2e9)
     law = draws.choice(["perfect", "weak", "kinematic"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values of a wrong kind for every argument of every public call: it is named, in plain words."""
+"""Values of a wrong type for any argument of any public call are refused by name."""
 
 import datetime
 import re

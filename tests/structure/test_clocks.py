@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests and their guards look at no clock: a busy machine makes none of them fail."""
+"""Tests use no clock, so that none fails on a busy machine."""
 
 import re
 from pathlib import Path
@@ -45,7 +45,7 @@ EXCEPTIONS = {
 
 
 def looks(path):
-    """Lines of a file that have a clock."""
+    """Return the lines of a file that use a clock."""
     found = []
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         if CLOCK.search(NO_LIMIT.sub("", line)):

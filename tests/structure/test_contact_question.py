@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether a cell is in contact is asked in one place: the contact law, in Python and in C++."""
+"""Whether a cell is in contact is decided only by the contact law, in Python and in C++."""
 
 import ast
 import re
@@ -24,7 +24,7 @@ IN_CPP = re.compile(
 
 
 def field_of(node):
-    """The field that an expression is of: itself, some of its cells, or its largest value."""
+    """Return the field of an expression: itself, some of its cells, or its maximum."""
     while True:
         if isinstance(node, ast.Subscript):
             node = node.value
@@ -43,7 +43,7 @@ def is_zero(node):
 
 
 def questions_in(text):
-    """Lines that compare a field of pressure with zero, or count its cells that are not."""
+    """Return lines that compare a pressure field with zero, or count its non-zero cells."""
     for node in ast.walk(ast.parse(text)):
         asked = None
         if isinstance(node, ast.Compare) and isinstance(node.ops[0], (ast.Gt, ast.LtE)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The documentation: its examples run, what it names exists, its links lead somewhere."""
+"""Documentation: examples run, named objects and link targets exist."""
 
 import importlib
 import re
@@ -32,7 +32,7 @@ INDEXES = [f"docs/{folder}/index.md" for folder in ("guides", "theory", "develop
 
 
 def prose(page):
-    """The page without its fenced blocks."""
+    """Return the page without its fenced blocks."""
     return FENCE.sub("", TEXTS[page])
 
 
@@ -61,7 +61,7 @@ def test_paths_exist(page):
 
 
 def resolve(name):
-    """The object a dotted name in the package stands for."""
+    """Return the object of a dotted name in the package."""
     first, *rest = name.split(".")
     # modules such as `results` are not attributes of the package before they are imported
     target = getattr(sc, first, None) or importlib.import_module(f"samcontact.{first}")
@@ -106,7 +106,7 @@ def test_link_targets_exist(page):
 
 
 def toctrees(page):
-    """Pages in the tables of contents of a page, in their order."""
+    """Return the pages in the tables of contents of a page, in order."""
     folder = page.rpartition("/")[0]
     for kind, block in BLOCKS.findall(TEXTS[page]):
         for name in block.split("\n") if kind == "{toctree}" else ():
@@ -168,7 +168,7 @@ def test_every_version_states_whether_numbers_changed():
 
 
 def pages_below(index):
-    """Pages in the order of the table of contents of an index page."""
+    """Return the pages in the order of the table of contents of an index page."""
     return list(toctrees(index))
 
 
@@ -258,7 +258,7 @@ def test_every_variable_of_a_results_file_is_documented():
 
 
 def test_the_tutorial_states_what_its_examples_compute(capsys):
-    """Numbers in its sentences are those that its first examples make, rounded."""
+    """Numbers in the text of the tutorial are the rounded results of its first examples."""
     page = "docs/tutorial.md"
     first, second = (block for language, block in FENCE.findall(TEXTS[page])[:2])
     made: dict[str, object] = {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A new user's way: the tutorial's case file, then one's own ball and load, as other processes."""
+"""First steps of a new user: the case file of the tutorial, then another ball and load."""
 
 import re
 import subprocess
@@ -38,7 +38,7 @@ def command(folder, *words):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Folder after runs of the case of the tutorial, and of one with another ball and load."""
+    """Run the case of the tutorial and one with another ball and load; return the folder."""
     folder = tmp_path_factory.mktemp("user")
     (folder / "ball.toml").write_text(CASE)
     own = CASE.replace("Rx = 7.5e-3", 'Rx = "6.35 mm"').replace("load = 1500.0", 'load = "1.2 kN"')

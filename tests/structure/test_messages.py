@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values that a user may give in any length reach messages through `in_short` only."""
+"""Values of arbitrary length reach messages only through `in_short`."""
 
 import ast
 from pathlib import Path
@@ -10,7 +10,7 @@ SHORT_TYPES = {"float", "int", "bool"}
 
 
 def raw_values(source):
-    """Lines of errors that show an argument of any kind by its repr: (line, argument)."""
+    """Return (line, argument) of errors that show an argument by its full repr."""
     found = []
 
     def visit(node, arguments):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gallery and benchmarks are outside the package: they use public names and unique data."""
+"""Gallery and benchmarks are outside the package: public names only, no duplicated files."""
 
 import ast
 import graphlib
@@ -23,7 +23,7 @@ SCRIPTS = sorted(file for name in ("gallery", "benchmarks") for file in (ROOT / 
 
 
 def private(text):
-    """Names that these lines take from the package, and that it does not offer."""
+    """Return the private names of the package used in these lines."""
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
             taken = [(alias.name, None) for alias in node.names]
@@ -58,7 +58,7 @@ def test_scripts_use_public_names():
 
 
 def taken(file):
-    """Neighbouring modules that a script imports, at any place in the file."""
+    """Return the neighbouring modules that a script imports anywhere in the file."""
     package = [*file.relative_to(ROOT).parts[:-1]]
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):

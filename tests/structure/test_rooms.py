@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The order of the rooms of the core, as data, and documentation of all that is public."""
+"""Order of the rooms of the core, as data, and documentation of all public objects."""
 
 import graphlib
 import inspect
@@ -71,7 +71,7 @@ DIVIDED = {
 
 
 def place(file):
-    """The room of a header or a source, and the part of it, "" where it is not divided."""
+    """Return the room of a header or source and its part, "" if the room is not divided."""
     parts = file.parts[max(n for n, part in enumerate(file.parts) if part in BELOW) : -1]
     return parts[0], "/".join(parts[1:])
 
@@ -85,7 +85,7 @@ def includes(file):
 
 
 def own(file):
-    """The headers of the core that a file includes, as paths below cpp/include."""
+    """Return the headers of the core included by a file, as paths below cpp/include."""
     return [name for name in includes(file) if name.startswith("samcontact/")]
 
 
@@ -233,7 +233,7 @@ def test_every_documented_module_is_available_as_an_attribute():
 
 
 def public(owner, prefix):
-    """Public functions, classes, methods and properties below a module or class, with names."""
+    """Yield public functions, classes, methods and properties of a module or class, with names."""
     own = inspect.isclass(owner) and [name for base in owner.__mro__[:-1] for name in vars(base)]
     names = getattr(owner, "__all__", None) or [n for n in own or vars(owner) if n[0] != "_"]
     for name in names:
@@ -262,7 +262,7 @@ def test_everything_public_has_a_docstring():
 
 
 def callables():
-    """Public classes and functions with documented parameters."""
+    """Return public classes and functions with documented parameters."""
     for name in sc.__all__:
         thing = getattr(sc, name)
         members = [thing]

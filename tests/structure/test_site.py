@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The documentation site builds without warnings, and shows what it should without a network."""
+"""The documentation site builds without warnings and is complete without a network."""
 
 import re
 import subprocess
@@ -70,7 +70,7 @@ def test_the_first_page_has_a_picture_for_each_kind_of_user(site):
 
 
 def headings(page):
-    """Texts of the headings of a page, plain."""
+    """Return the plain texts of the headings of a page."""
     found = re.findall(r"<h[123]>(.*?)<a class=\"headerlink\"", page.read_text(), re.DOTALL)
     return [re.sub(r"<[^>]*>", "", text).replace("&quot;", '"') for text in found]
 
@@ -195,7 +195,7 @@ return {
 
 
 def test_pages_in_a_browser_without_a_network(site):
-    """Pictures and formulas are there; a phone shows the whole width, and labels of pictures."""
+    """Pictures and formulas are displayed, at full width on a phone, with legible labels."""
     pages = ["index", "tutorial", "questions", "features", "troubles", "guides/bearing", "gallery"]
     pages += ["case_reference", "api/contact"]
     pages += ["gallery/friction", "notebooks/02_yield_and_hardening", "genindex", "architecture"]

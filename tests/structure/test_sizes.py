@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files and functions are short enough to be read at once."""
+"""Limits on the length of files and functions."""
 
 import ast
 from pathlib import Path
@@ -17,7 +17,7 @@ FILE, FUNCTION = 400, 60
 
 
 def length(function):
-    """Lines from `def` to the end, without the docstring."""
+    """Return the number of lines from `def` to the end, without the docstring."""
     lines = function.end_lineno - function.lineno + 1
     if ast.get_docstring(function) is not None:
         told = function.body[0]

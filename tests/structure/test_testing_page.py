@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""docs/testing.md names what is tried, and where."""
+"""docs/testing.md names all kinds of tested runs and their folders."""
 
 import importlib.util
 import re

@@ -64,7 +64,7 @@ COATINGS.append(COATINGS[1] + COATINGS[7])
 
 @pytest.mark.parametrize("layers", COATINGS)
 def test_full_contact_pressure_of_a_wave_on_a_coating(layers):
-    """Full contact of one wave: p = p_m + p* cos(q x), p* = A over the compliance of the wave."""
+    """Full contact of a wave: p = p_m + p* cos(q x), p* is amplitude over wave compliance."""
     n = 128
     grid = sc.Grid(n, 1, WAVE / n, WAVE / n, periodic="xy")
     body, q = sc.Layered(layers, STEEL), 2 * np.pi / WAVE

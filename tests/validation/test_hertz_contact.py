@@ -30,7 +30,7 @@ PLACES = {"on a point": 1, "between points": 2}
 
 
 def solve(ball, cells, place):
-    """The Hertz contact, the solution, and the relative error of its pressure in the L2 norm."""
+    """Return the Hertz contact, the solution, and the relative L2 error of its pressure."""
     exact = hertz.point(R=RADIUS, E_star=hertz.effective_modulus(ball, STEEL), load=LOAD)
     n = 2 * int(1.15 * cells) + PLACES[place]
     grid = sc.Grid(n, n, exact.a / cells, exact.a / cells)
@@ -43,7 +43,7 @@ def solve(ball, cells, place):
 
 
 def errors(ball, cells, place):
-    """Relative errors of the maximum pressure, the approach, and the pressure in the L2 norm."""
+    """Return relative errors of maximum pressure, approach, and pressure in the L2 norm."""
     exact, solution, difference = solve(ball, cells, place)
     found = (solution.pressure.max() / exact.p0 - 1, solution.approach / exact.approach - 1)
     return np.array([*found, difference])

@@ -19,7 +19,7 @@ TABLE = "Stress under a Hertz pressure"
 
 
 def sampled(cells):
-    """Grid over the contact, with a row at y = 0, and the Hertz pressure at its cell centres."""
+    """Return a grid with a row at y = 0, and the Hertz pressure at its cell centres."""
     n = 2 * cells + 3
     grid = sc.Grid(n, n, A / cells, A / cells)
     r2 = (grid.x[:, None] ** 2 + grid.y[None, :] ** 2) / A**2
@@ -27,7 +27,7 @@ def sampled(cells):
 
 
 def parabolic(values, positions, index):
-    """Maximum and its position of the parabola through three equidistant points."""
+    """Return maximum and position of the parabola through three equidistant points."""
     left, middle, right = values[index - 1 : index + 2]
     step = positions[index + 1] - positions[index]
     curvature = left - 2.0 * middle + right

@@ -34,7 +34,7 @@ def two_balls(cells, body1=ELASTIC, body2=STEEL_52100, load=1500.0, size=(1.3, 1
     scope="module", params=["case", pytest.param("fine", marks=pytest.mark.slow)], name="run"
 )
 def pressed_and_released(request):
-    """The mesh, and the states at the largest load and after unloading."""
+    """Return the mesh, and the states at the largest load and after unloading."""
     if request.param == "case":
         simulation, path = load_case(CASES / "t1_two_balls.toml").build()
         mesh = "a/16, 12 increments"
@@ -131,7 +131,7 @@ def test_one_increment_and_many_increments_agree():
 
 
 class TestWork:
-    """Evaluations of the plastic fixed point, each with one residual stress, to tol 1e-6."""
+    """Number of fixed-point evaluations, each with one residual stress, to tol 1e-6."""
 
     @staticmethod
     def contact_iterations_per_evaluation(simulation):
@@ -158,7 +158,7 @@ class TestWork:
 
 @pytest.fixture(scope="module")
 def many():
-    """8 GPa and back in 200 increments: at the peak, and unloaded."""
+    """Load to 8 GPa and unload in 200 increments; return the peak and the unloaded state."""
     load = TestIncrementTolerance.LOAD
     simulation = two_balls(8, load=load, size=(1.8, 2.4), body1=STEEL_52100)
     path = sc.paths.load_unload(load=load, increments=100)
@@ -168,7 +168,7 @@ def many():
 
 
 class TestIncrementTolerance:
-    """Two inelastic balls to a Hertz pressure of 8 GPa and back."""
+    """Two elastic-plastic balls loaded to a Hertz pressure of 8 GPa and unloaded."""
 
     LOAD = 11179.0
     TOL = 2e-3

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of states are computed once for all who ask, and kept only while there is room."""
+"""Fields of states are computed once, and kept only while memory permits."""
 
 import gc
 from collections import Counter
@@ -19,7 +19,7 @@ STRESSES = ("stress", "residual_stress", "residual_stress_in")
 
 @pytest.fixture
 def computed(monkeypatch):
-    """Number of times the core computes each stress, by state and body."""
+    """Count how often the core computes each stress, by state and body."""
     counts = Counter()
 
     def counting(name):

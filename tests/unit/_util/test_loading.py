@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The environment of OpenMP: what it cannot use neither crashes nor changes a digit."""
+"""OpenMP environment variables: invalid settings neither crash nor change a digit."""
 
 import os
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Progress of long calls: a bar where it can be redrawn, and a few lines in a log."""
+"""Progress of long calls: a bar in a terminal, a few lines in a log."""
 
 import io
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects of other libraries, ends of ranges and odd moments: what Python users may hand over."""
+"""Unusual arguments of Python users: objects of other libraries, limits of ranges."""
 
 import itertools
 import sys

@@ -29,7 +29,7 @@ STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 
 
 def parsed(thing):
-    """Caption and rows; as XML, so that a forgotten escape or end tag is an error."""
+    """Return caption and rows; parsed as XML, so that a missing escape or end tag is an error."""
     root = ElementTree.fromstring(thing._repr_html_())
     assert root.tag == "table"
     rows = {row.findtext("th"): row.findtext("td") for row in root.iter("tr")}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values in messages are short whatever they are, and lists of numbers hold numbers only."""
+"""Values in messages are short, and lists of numbers contain numbers only."""
 
 import datetime
 from decimal import Decimal

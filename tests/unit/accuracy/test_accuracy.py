@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prescribed accuracy: estimated errors exceed the true ones, or a remedy is named."""
+"""Runs to an accuracy: estimated errors exceed the true ones, or a remedy is named."""
 
 import json
 import math
@@ -156,7 +156,7 @@ def test_elastic_plastic_balls_agree_with_a_run_on_the_finest_grid():
 
 
 def test_a_graded_body_agrees_with_finer_grids():
-    """A hardened case that is pressed along the surface."""
+    """The body has a hardened case with residual compression along the surface."""
     graded = SWIFT | {
         "yield_profile": {"z": [0.0, 1.2e-4, 2.4e-4], "factor": [1.4, 1.3, 1.0]},
         "residual_stress": {"z": [0.0, 1e-4, 2e-4], "sxx": [-4e8, -3e8, 0.0]},

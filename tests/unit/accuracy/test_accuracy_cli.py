@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A case file that asks for an accuracy: values and errors on the terminal, in results, reports."""
+"""Case files with a prescribed accuracy: values and errors in output, results and reports."""
 
 import numpy as np
 import pytest

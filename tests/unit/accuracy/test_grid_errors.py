@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Errors by the cells of a grid, from cells twice as large, are those against the truth."""
+"""Grid errors estimated from cells twice as large agree with the true errors."""
 
 import math
 import warnings
@@ -28,7 +28,7 @@ TRUTH = {
 
 
 def pressed(cells, odd, known=True):
-    """The errors of an elastic ball; known: on any grid."""
+    """Estimate the errors of an elastic ball; `known`: the gap is a function of the grid."""
     n, d = 2 * math.ceil(1.3 * cells) + odd, HERTZ.a / cells
     grid = sc.Grid(n, n, d, d, dz=d)
     gap = sc.surfaces.paraboloid(grid, R)
@@ -100,7 +100,7 @@ def test_unresolved_slope_is_that_of_short_waves():
 
 
 def run(folder, text):
-    """The command's output and results."""
+    """Run the command; return its output and results."""
     file = folder / "case.toml"
     file.write_text(text, encoding="utf-8")
     outcome = invoke("run", file, "--no-figures", "--output", folder)

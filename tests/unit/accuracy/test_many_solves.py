@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs to an accuracy and searches for a load go on where they were interrupted: no increment is
-made twice, and the bits are those of a run that nothing disturbs."""
+"""Interrupted runs to an accuracy and load searches resume: no increment is
+repeated, and the bits are those of an undisturbed run."""
 
 import errno
 import os
@@ -36,7 +36,7 @@ OPTIONS = ("--no-figures", "--quiet")
 
 @pytest.fixture
 def steps(monkeypatch):
-    """Counter of increments; at the increment with number `at`, `error` is raised instead."""
+    """Counter of increments; increment number `at` raises `error` instead."""
     step = sc.Simulation.step
 
     class Steps:

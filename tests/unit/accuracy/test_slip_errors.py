@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Errors by the cells of forces, motions and friction work against closed forms and finer cells."""
+"""Grid errors of forces, motions and friction work against closed forms and finer cells."""
 
 import re
 from pathlib import Path
@@ -34,7 +34,7 @@ def fretting(_):
 
 
 def test_fretting_against_mindlin_and_deresiewicz():
-    """Exact for nu = 0; what is missed is no more than the estimate, within a factor of two."""
+    """Exact for nu = 0; the true error is at most the estimate, within a factor of two."""
     states, found, a = run(0.0, 12, fretting)
     soft = 2 * 2 / (E / 2)
     shift = 3 * MU * LOAD * soft / (16 * a) * (1 - 0.4 ** (2 / 3))
@@ -91,7 +91,7 @@ def test_missing_friction_work_of_rolling():
 
 @pytest.mark.parametrize("number", range(3), ids=["ellipse", "rough", "unlike"])
 def test_errors_of_oblique_loading_are_those_of_the_theory(number):
-    """The errors that the theory states, against 64 increments."""
+    """Errors relative to 64 increments are those stated in the theory."""
     steel, R, load = sc.Material.elastic(210e9, 0.3), 10e-3, 100.0
     other = sc.Material.elastic(70e9, 0.33) if number == 2 else steel
     Ry = 3 * R if number == 0 else R

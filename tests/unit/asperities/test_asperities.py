@@ -49,7 +49,7 @@ def test_geometry():
 
 
 def test_surfaces_advance_with_the_contact_point():
-    """The point of each sphere nearest to the other, by plane geometry."""
+    """Advances agree with the nearest points of the spheres, by plane geometry."""
     which = Collision(0.7, 1.9, 0.003)
     start, end = -0.03, -0.0299
     moved = []
@@ -80,7 +80,7 @@ def test_elastic_spheres_dissipate_nothing():
 
 @pytest.fixture(scope="module")
 def plastic():
-    """Coarse and fine, at nine times the critical interference."""
+    """Solve a coarse and a fine collision at nine times the critical interference."""
     return [quick(collision(9), STEEL, STEEL, n) for n in (16, 24)]
 
 
@@ -289,7 +289,7 @@ def test_bad_arguments():
 
 @pytest.mark.parametrize("increments", [8, 11, 15])
 def test_the_number_of_steps_is_independent_of_units(increments):
-    """Steps are counted, not measured: what is scaled has the same ones, to rounding."""
+    """Scaled collisions have the same steps, because steps are counted."""
     scales = (1.0, 100.0, 7.3, 1e-6)
     one, *others = (
         quick(Collision(s, s, s * 5 * CRITICAL.interference), ELASTIC, STEEL, increments).series
@@ -304,7 +304,7 @@ def test_the_number_of_steps_is_independent_of_units(increments):
 
 
 def test_the_number_of_increments_is_the_given_one():
-    """Elastic spheres leave each other where they touched, without any force."""
+    """Elastic spheres separate at the mirrored position of first touch, without force."""
     for increments in (8, 20, 31):
         series = quick(collision(5.0), ELASTIC, ELASTIC, increments).series.isel({"pass": 0})
         whole = 2 * math.ceil(increments / 2)

@@ -24,12 +24,12 @@ def test_textbook_example(race, total, difference):
 
 
 def torus(point, groove, radius):
-    """Zero on the torus about the axis z whose tube of radius `groove` has this centre line."""
+    """Return zero on the torus about z with tube radius `groove` and this centre line."""
     return math.hypot(math.hypot(point[0], point[1]) - radius, point[2]) - groove
 
 
 def gap_of_sphere_and_torus(race, alpha, groove, along, across):
-    """Distance along the contact normal between ball and race, found from their equations."""
+    """Return the distance between ball and race along the normal, from their equations."""
     side = 1.0 if race == "outer" else -1.0
     ball = np.array([PITCH / 2, 0.0, 0.0])
     normal = np.array([side * math.cos(alpha), 0.0, math.sin(alpha)])  # towards the race

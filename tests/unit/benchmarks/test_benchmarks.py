@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The benchmarks in small: what they generate, fit, measure and print."""
+"""Small benchmarks: generated surfaces, fits, measurements and tables."""
 
 import importlib
 import subprocess
@@ -175,7 +175,7 @@ def test_measurement_in_a_process_of_its_own(rows):
 
 
 def as_on_the_page(part, rows):
-    """Counts and errors do not depend on the machine, but for rounding."""
+    """Counts and errors are independent of the machine, except for rounding."""
     page = (harness.ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
     stored = tables.rows_of(tables.section_of(page, part))
     key = ("case", "method", "cells")
@@ -237,7 +237,7 @@ def test_tables_of_some_parts_replace_only_theirs():
 
 
 class TestSlip:
-    """Work of the tangential problem: bounds stated on the page hold on small grids."""
+    """Work of the tangential problem: the bounds on the page hold on small grids."""
 
     @pytest.fixture(scope="class")
     @classmethod

@@ -13,7 +13,7 @@ STORED_RECORDS = finite_elements.STUDY.records()
 
 
 class Deck(NamedTuple):
-    """Nodes and elements by their number, sets and faces by name, and the rest by heading."""
+    """Parsed deck: nodes and elements by number, sets and faces by name, the rest by heading."""
 
     nodes: dict
     elements: dict

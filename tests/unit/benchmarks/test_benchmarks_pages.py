@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pages of measurements are functions of the records that are kept, and say nothing else."""
+"""Pages of measurements are generated only from the stored records."""
 
 import importlib
 import math
@@ -74,7 +74,7 @@ def test_a_page_is_generated_from_the_records(study):
 
 
 def other(value, chance):
-    """A record with all its numbers larger."""
+    """Return a record with larger numbers."""
     if isinstance(value, bool):
         return chance.random() < 0.5
     if isinstance(value, float):
@@ -89,7 +89,7 @@ def other(value, chance):
 
 
 def cells_of(page):
-    """Cells with numbers, by table, column, heading, and name of their row."""
+    """Return cells with numbers, by table, column, heading and name of the row."""
     found = {}
     for block, text in enumerate(re.findall(r"(?:^\|.*\n?)+", page, re.MULTILINE)):
         lines = [re.split(r" *\| *", line)[1:-1] for line in text.splitlines()]
@@ -103,7 +103,7 @@ def cells_of(page):
 
 @by_study
 def test_numbers_of_a_page_come_from_records(study):
-    """A column changes as a whole with what was measured, or is one that is given."""
+    """Each column either changes with the measurements, or contains given values."""
     records, given = study.records(), {name for point in study.points(False) for name in point}
     before, changed = cells_of(study.page(records)), set()
     for seed in range(3):
@@ -224,7 +224,7 @@ def test_the_command_can_rewrite_only_the_sentences(tmp_path, monkeypatch):
 
 
 def test_claims_of_the_page_in_words():
-    """The fast stress is better and cheaper; zones save; what images leave is below its bound."""
+    """Claims on accuracy and cost of fast stress, subdomains and periodic images hold."""
     rows = rows_on_the_page(operators)
     for exact, fast in zip(rows[::2], rows[1::2], strict=True):
         assert (exact["method"], fast["method"]) == ("exact", "fast")

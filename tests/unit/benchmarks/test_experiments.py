@@ -20,7 +20,7 @@ def test_first_yield_is_at_the_mean_pressure_of_experiments():
 
 
 def test_perfect_plasticity_reaches_tabors_hardness():
-    """Before that, the constraint factor follows the expanding cavity; strains remain small."""
+    """At smaller loads the constraint factor follows the cavity model; strains remain small."""
     half, full = (indentation.perfect(x, 10) for x in (9.0, 35.0))
     assert half.constraint == pytest.approx(indentation.cavity(half.stiffness), rel=0.1)
     assert TABOR[0] < full.constraint < TABOR[1]
@@ -38,7 +38,7 @@ def test_a_hardening_body_has_tabors_factor_at_the_representative_strain():
 
 
 def test_the_cavity_model_agrees_with_hill():
-    """(c/a)^3 = 1 is a core that has not yet grown, whose own pressure is 2/3 Y."""
+    """For (c/a)^3 = 1 the core has its initial size and a pressure of 2/3 Y."""
     nu = indentation.NU
     begins = (6 * (1 - nu) - 4 * (1 - 2 * nu)) / (1 - nu**2)
     assert indentation.cavity(begins) == pytest.approx(4 / 3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The comparison with other codes: what it computes, the page it writes, its adapters in small."""
+"""Comparison with other codes: computed values, page, and small runs of the adapters."""
 
 import importlib
 import json
@@ -29,7 +29,7 @@ class TestWhatItSays:
     @pytest.fixture(scope="class")
     @classmethod
     def ladders(cls, stored):
-        """Measurements by cells across, of a problem, a code and a case."""
+        """Return measurements by cells across, for a problem, a code and a case."""
         found = {}
         for (problem, case, n), codes in page.by_place(stored).items():
             for code, rungs in codes.items():
@@ -54,7 +54,7 @@ class TestWhatItSays:
             return {n: row["counts"][what] for n, row in rows.items() if row}
 
         def growth(problem, code, case=""):
-            """Power of the cells across with which iterations grow."""
+            """Return the exponent of the iterations in the number of cells across."""
             needed = counts(problem, code, case, "iterations")
             small, large = min(needed), max(needed)
             return np.log(needed[large] / needed[small]) / np.log(large / small)
@@ -116,7 +116,7 @@ def test_time_at_an_error():
 
 
 def made_up(times, error=1e-7):
-    """Rounds of one tolerance."""
+    """Return made-up rounds of one tolerance."""
     return [
         {
             "with_setup_s": time,

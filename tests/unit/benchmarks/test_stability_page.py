@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers of stability: stored ones keep their bars, a row of each table has them again."""
+"""Stability page: stored numbers are within their limits; one row per table is reproduced."""
 
 import pytest
 

@@ -28,7 +28,7 @@ many = settings(derandomize=True, max_examples=150, deadline=None, database=None
 
 
 def curve(g, strain, stress):
-    """The table once more, constant beyond its end."""
+    """Return the table by interpolation, constant beyond its end."""
     return np.interp(g, strain, stress)
 
 

@@ -101,7 +101,7 @@ def test_long_and_short_waves_have_the_compliance_of_one_material():
 
 
 def coefficients(body, offsets, grid):
-    """u_x, u_y, u_z at cells from the first one, under pressure, shear_x and shear_y on it."""
+    """Return u_x, u_y, u_z at cells due to pressure, shear_x and shear_y on the first cell."""
     solver = sc.ContactSolver(grid, RIGID, body)
     unit = np.zeros(grid.surface_shape)
     unit[0, 0] = 1.0
@@ -129,7 +129,7 @@ def test_coefficients_are_hankel_integrals_of_waves(thickness, ratio):
 
 
 def test_coefficients_rotate_with_the_axes():
-    """A body is the same in all directions: what shear does along and across, at (30, 40)."""
+    """Bodies are isotropic along the surface: coefficients at (30, 40) are rotated ones."""
     body = sc.Layered([(NITRIDE, 9.0), (POLYMER, 5.0)], STEEL)
     ahead, aslant = (30, 40), (50, 0)
     grid = sc.Grid(51, 51, 1.0, 1.0)
@@ -183,7 +183,7 @@ def test_two_layered_bodies_with_coupled_friction():
 
 
 def test_a_surface_and_its_repetitions_agree():
-    """Lattice sums of coefficients and stresses, by different methods for other periods."""
+    """Lattice sums of coefficients and stresses use different methods for other periods."""
     body = sc.Layered([(NITRIDE, 1.5e-6), (POLYMER, 0.7e-6)], STEEL)
     rng = np.random.default_rng(4)
     pressure, shear = 1e8 * rng.random((8, 6)), 1e7 * rng.random((2, 8, 6))

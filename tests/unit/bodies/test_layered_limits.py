@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Layers at their limits: growth stress, shallow cases, soft and nearly incompressible, thin."""
+"""Extreme layers: growth stress, thin, soft, and nearly incompressible."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ def elastic_twin(material):
 
 
 def of_yield(body, grid, gap, load):
-    """Largest elastic stress over the yield stress of its depth, and that depth."""
+    """Return the maximum of elastic stress over local yield stress, and its depth."""
     twin = sc.Layered([(elastic_twin(m), h) for m, h in body.layers], elastic_twin(body.substrate))
     solver = sc.ContactSolver(grid, RIGID, twin, on_border="warn")
     z = grid.z
@@ -86,7 +86,7 @@ def test_growth_stress_causes_no_displacement_and_exists_only_in_the_coating():
 
 
 def test_nearly_incompressible_layers():
-    """A uniform load on a rigid base, of layers that squeeze by 1 - 2 nu = 0.002."""
+    """Layers with 1 - 2 nu = 0.002 on a rigid base, under a uniform load."""
     rubber = sc.Material.elastic(5e6, 0.499)
     grid = sc.Grid(4, 4, 1e-6, 1e-6, periodic="xy")
     solver = sc.ContactSolver(grid, RIGID, sc.Layered([(rubber, 3e-6), (rubber, 1e-6)], RIGID))

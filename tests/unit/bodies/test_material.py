@@ -148,7 +148,7 @@ def test_unknown_law():
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("g", [1e-13, 1e-7, 2e-5, 3e-3, 0.7, 20.0])
 def test_plastic_work_of_every_law(law, g):
-    """Gauss points on pieces that grow: exact to rounding where the yield stress is smooth."""
+    """Gauss integration on growing intervals is exact to rounding for smooth yield stress."""
     material = make(law)  # a law without an entry above is not tested
     kinks = [k for k in material.parameters.get("plastic_strain", ()) if k < g]
     ends = np.union1d(kinks, [0.0, *np.geomspace(min(g, 1e-8), g, 40)])

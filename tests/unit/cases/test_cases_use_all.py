@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""No field of a case file is read and dropped: each changes what is computed, or is refused."""
+"""Each field of a case file changes the computation or is refused; none is ignored."""
 
 import copy
 import re
@@ -68,7 +68,7 @@ UNSET = {
 
 @pytest.fixture
 def computed(tmp_path, monkeypatch):
-    """Arguments that reach the computation, as text; arrays as bytes."""
+    """Return the arguments of the computation as text; arrays as bytes."""
     np.save(tmp_path / "h.npy", np.random.default_rng(5).standard_normal((24, 20)))
     seen = {}
 
@@ -117,7 +117,7 @@ def computed(tmp_path, monkeypatch):
 
 
 def leaves(model, place=()):
-    """Every field below a validated section that holds no section, with its model."""
+    """Yield every field below a validated section that is no section, with its model."""
     for name, field in type(model).model_fields.items():
         if not place and name in OF_RESULTS | OF_ACCURACY:
             continue
@@ -132,7 +132,7 @@ def leaves(model, place=()):
 
 
 def others(name, field, value):
-    """Values of a field that differ from the one it has."""
+    """Return values of a field that differ from its present one."""
     if value is None:
         return [UNSET[name]] if name in UNSET else []
     if name in OTHER:
@@ -187,7 +187,7 @@ def test_every_field_is_used_or_refused(computed, kind):
 
 
 def test_every_field_of_every_section_is_tried():
-    """A new section or field must be put into one of the cases above, or into the lists."""
+    """Every section and field occurs in one of the cases above or in the lists."""
     from samcontact.cases.field_units import all_models
 
     tried, sections = set(), set()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files with a contact law: what is built, what tension needs, and what is refused."""
+"""Case files with a contact law: built law, conditions of tension, and refused fields."""
 
 import pytest
 from rich.console import Console

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files that move: segments, reliefs, and what is refused in which words."""
+"""Case files with motion: segments, reliefs, and messages."""
 
 import re
 from pathlib import Path

@@ -114,7 +114,7 @@ def test_rolling_may_creep_either_way():
 
 
 def test_rolling_comes_to_the_steady_state_of_its_creepages():
-    """Signs and units too: with all three creepages, and with a force."""
+    """Signs and units agree, with all three creepages and with a force."""
     grid = sc.Grid(31, 31, 22e-6, 22e-6)
     body, gap = sc.Material.elastic(210e9, 0.3), sc.surfaces.paraboloid(grid, 7.5e-3)
     law, rolls = sc.Coulomb(0.4), {"load": 300.0, "distance": 100 * 22e-6, "step": 22e-6}

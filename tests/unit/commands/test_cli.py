@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command: a real tiny run end to end, its output and exit codes."""
+"""The command: a small run from end to end, its output and exit codes."""
 
 import os
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The check-up: what it says of the installation is true, and it notices what is broken."""
+"""The command doctor: correct versions, and detection of a broken installation."""
 
 import os
 import platform
@@ -24,7 +24,7 @@ def invoke():
 
 
 def verdict_lines(text):
-    """Word, name, number, sense and limit of each line of the self-check."""
+    """Return verdict, name, number, sense and limit of each line of the self-test."""
     return [LINE.fullmatch(line).groups() for line in text.split("\n\n")[1].splitlines()]
 
 
@@ -130,7 +130,7 @@ def test_an_absent_library_is_named_with_its_extra(monkeypatch):
 
 
 def failing(monkeypatch, name, value):
-    """Lines of a check-up in which a property of states is wrong."""
+    """Return the lines of a self-test in which a property of states is wrong."""
     monkeypatch.setattr(sc.State, name, property(lambda self: value))
     outcome = invoke()
     assert outcome.exit_code == 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of others: never replaced or removed; what is in the way is refused before the solve."""
+"""Foreign files are never replaced or removed; a conflict is refused before the solve."""
 
 import fcntl
 import os
@@ -31,7 +31,7 @@ FOREIGN = "what nobody else has"
 
 
 def snapshot(folder):
-    """All names in a folder, with what they are and hold."""
+    """Return all names in a folder, with their types and contents."""
     found = {}
     for path in sorted(folder.rglob("*")):
         mode = path.lstat().st_mode
@@ -84,7 +84,7 @@ def another_hdf5(path):
 class TestCommands:
     @pytest.fixture(autouse=True)
     def unsolved(self, monkeypatch):
-        """Nothing is solved before a folder is refused."""
+        """Assert that nothing is solved before a folder is refused."""
 
         def solved(*_, **__):
             raise AssertionError("solved")
@@ -213,7 +213,7 @@ def test_a_figure_is_listed_before_it_gets_its_name(tmp_path, monkeypatch):
 )
 @pytest.mark.parametrize("make", [text, another_hdf5, Path.mkdir, os.mkfifo])
 def test_foreign_files_with_a_name_of_ours_are_kept(tmp_path, write, make):
-    """A slip of the pen, such as the name of the script, costs no file."""
+    """A mistyped name, such as the name of the script, destroys no file."""
     path = tmp_path / "mine.before"
     make(path)
     before = snapshot(tmp_path)
@@ -275,7 +275,7 @@ with replacing(sys.argv[1]) as part:
 class TestLeftovers:
     @pytest.fixture
     def writing(self, tmp_path):
-        """A process in the middle of a file, and that file."""
+        """Return a process that is writing a file, and this file."""
         file = tmp_path / "results.nc"
         command = [sys.executable, "-c", KILLED, str(file)]
         pipe = subprocess.PIPE
@@ -322,7 +322,7 @@ class TestLeftovers:
 
 
 class TestUnsealed:
-    """Results without a digest, as other programs leave them."""
+    """Results without a digest, as written by other programs."""
 
     @pytest.fixture
     def edited(self, tmp_path):
@@ -339,7 +339,7 @@ class TestUnsealed:
             xr.testing.assert_identical(one.load(), other.load())
 
     def test_unsealed_results_that_would_never_end_are_refused(self, edited):
-        """An object in a heap of HDF5 whose length, rounded up, is 0: it looks for the next one."""
+        """A heap object of HDF5 with rounded length 0 makes HDF5 search without end."""
         content = bytearray(edited.read_bytes())
         heap = content.index(b"GCOL\x01\0\0\0")
         size = heap + 16 + 8  # of the first object: number, references, 4 bytes, size

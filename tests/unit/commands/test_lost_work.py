@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whatever ends the command after an increment is done leaves its work: results, or checkpoints."""
+"""However the command ends after an increment, its results or checkpoints are kept."""
 
 import errno
 import html
@@ -29,7 +29,7 @@ def case_file(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def expected(case_file, tmp_path_factory):
-    """The results of a run that nothing disturbs."""
+    """Return the results of an undisturbed run."""
     out = tmp_path_factory.mktemp("plain")
     assert invoke("run", case_file, "--output", out, *OPTIONS).exit_code == 0
     return fields(out)
@@ -193,7 +193,7 @@ STUDIES = {
 
 
 class TestStudies:
-    """Passes of asperities and cycles of wear."""
+    """Passes of asperity collisions and cycles of wear."""
 
     @pytest.fixture(params=STUDIES)
     def study(self, request, tmp_path):
@@ -281,7 +281,7 @@ class TestOneRunAtATime:
         flock, calls = lock.fcntl.flock, []
 
         def late(handle, operation):
-            """The run before ends between opening its file and locking it."""
+            """The previous run ends between opening and locking of its file."""
             if not calls:
                 (tmp_path / LOCK_FILE).unlink()
             calls.append(handle)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command with cases that move: figures, animation, and going on after being killed."""
+"""The command with moving contacts: figures, animation, and resuming after a kill."""
 
 import logging
 import signal
@@ -99,7 +99,7 @@ def test_a_killed_run_resumes(case_file, tmp_path):
 class TestForeignCheckpoints:
     @pytest.fixture
     def folder(self, case_file, tmp_path, monkeypatch):
-        """Checkpoints of one increment of the case."""
+        """Return a folder with checkpoints of one increment of the case."""
         step = Simulation.step
 
         def once(self, **arguments):

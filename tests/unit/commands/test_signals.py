@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Signals that end the command: of a batch system, a closed terminal, twice, while it is loaded."""
+"""Signals that end the command: from batch systems and terminals, repeated, during loading."""
 
 import signal
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies and a ball in elastic contact, and conditions of a solution."""
+"""Setups of elastic contact with a ball, and conditions of a solution."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ def scene(body1, body2, p0_over_E=0.02, n=31):
 
 
 def penetration(grid, pressure, body1, body2, friction=0.0):
-    """u_z of both bodies added [m]: what closes the gap, from the operators of one half-space."""
+    """Return the sum of u_z of both bodies [m], from the operators of one half-space."""
     total = np.zeros(grid.surface_shape)
     for body, sign in ((body1, -1.0), (body2, 1.0)):
         if not body.is_rigid:

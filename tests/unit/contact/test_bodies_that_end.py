@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gaps that are infinite where there is no body."""
+"""Gaps that are infinite outside a body."""
 
 import numpy as np
 import pytest
@@ -43,7 +43,7 @@ def test_a_body_that_ends_next_to_the_contact(periodic, friction):
 
 @pytest.mark.filterwarnings("ignore::samcontact.SingularPressureWarning")
 def test_a_flat_punch():
-    """Boussinesq's: load 2 E* a times the approach."""
+    """Boussinesq: the load is 2 E* a times the approach."""
     radius, errors = 0.3e-3, []
     for n in (32, 128):
         grid = sc.Grid(n, n, 1e-3 / n, 1e-3 / n)
@@ -56,7 +56,7 @@ def test_a_flat_punch():
 
 
 def test_islands_smaller_than_coarse_cells():
-    """Every coarse cell has some body and some none: the coarse start must not lead astray."""
+    """Every coarse cell is partly outside the body; the solution converges nevertheless."""
     grid = sc.Grid(128, 128, UM, UM, periodic="xy")
     gap = np.full((128, 128), np.inf)
     gap[::4, ::4] = 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic contact: complementarity checked apart from the solver, drivers, friction, stress."""
+"""Elastic contact: independently checked complementarity, drivers, friction, stress."""
 
 import math
 import re
@@ -39,7 +39,7 @@ def test_complementarity_and_load(pair, friction):
 @pytest.mark.parametrize("friction", [2.0, 4.0])
 @pytest.mark.parametrize("drive", ["load", "approach"])
 def test_strongly_coupled_friction_is_solved(friction, drive):
-    """Beyond mu beta = 1, beta = 1/2 here, rounds of pressure and shear grow by themselves."""
+    """Above mu beta = 1 (beta = 1/2 here) alternating solutions for pressure and shear diverge."""
     soft = sc.Material.elastic(210e9, 0.0)
     grid, gap, exact = scene(RIGID, soft)
     solver = sc.ContactSolver(grid, RIGID, soft, friction, tol=1e-10)
@@ -83,7 +83,7 @@ class TestFriction:
 
     @pytest.mark.parametrize("pair", [(RIGID, CERAMIC), (CERAMIC, RIGID)])
     def test_few_cells_with_uniform_coupling(self, pair):
-        """Two by two cells: what the shear adds to their gaps is the same, and still moves them."""
+        """On 2 x 2 cells the shear adds equal amounts to all gaps and changes the approach."""
         grid = sc.Grid(8, 8, 1.5e-5, 1.5e-5)
         gap = surfaces.paraboloid(grid, RADIUS)
         solution = sc.ContactSolver(grid, *pair, 1.0).solve(gap, load=0.1)
@@ -93,7 +93,7 @@ class TestFriction:
 
     @pytest.mark.parametrize("part", [None, 1e-4, 0.01])
     def test_displacement_due_to_shear_vanishes_with_the_shear(self, part):
-        """Unloaded, or to a small approach, from a pressure whose shear held the surfaces apart."""
+        """Unloading, or a small approach, from a pressure whose shear separated the surfaces."""
         grid, gap, exact = scene(RIGID, CERAMIC)
         gap = gap + 1e-9 * np.cos(1e6 * grid.x[:, None])
         solver = sc.ContactSolver(grid, RIGID, CERAMIC, 1.0)
@@ -124,7 +124,7 @@ class TestFriction:
         assert shifts[1] / shifts[0] == pytest.approx((0.2 / 1.2) / (0.4 / 1.4), rel=0.05)
 
     def test_exchange_of_the_bodies_mirrors_in_x(self):
-        """Body 2 is dragged in +x by body 1; seen from the other side, body 1 in -x."""
+        """Body 1 drags body 2 in +x; in the swapped problem the drag is in -x."""
         grid, gap, exact = scene(RIGID, STEEL)
         below = sc.ContactSolver(grid, RIGID, STEEL, 0.4).solve(gap, load=exact.load).pressure
         above = sc.ContactSolver(grid, STEEL, RIGID, 0.4).solve(gap, load=exact.load).pressure

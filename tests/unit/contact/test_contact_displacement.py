@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All three displacements of a surface against closed forms and Betti's theorem."""
+"""Surface displacements in all directions against closed forms and Betti's theorem."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ A, P0 = 1e-3, 1e9
 
 
 def hertzian(cells):
-    """A grid with `cells` per radius, its x and y, and the traction P0 sqrt(1 - r^2/A^2)."""
+    """Return a grid with `cells` per radius, its x and y, and the traction P0 sqrt(1 - r^2/A^2)."""
     n = 3 * cells + 1
     grid = sc.Grid(n, n, A / cells, A / cells)
     x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
@@ -21,14 +21,14 @@ def hertzian(cells):
 
 
 def along_shear(x, y):
-    """u_x, u_y inside the circle under shear s_x: Johnson (1985), eq. (3.91)."""
+    """Return u_x, u_y inside the circle under shear s_x: Johnson (1985), eq. (3.91)."""
     unit = np.pi * P0 / (32 * G * A)
     u_x = unit * (4 * (2 - NU) * A**2 - (4 - 3 * NU) * x**2 - (4 - NU) * y**2)
     return u_x, 2 * unit * NU * x * y
 
 
 def under_pressure(x, y):
-    """u_x, u_y, u_z inside the circle under pressure: Johnson (1985), eq. (3.41)."""
+    """Return u_x, u_y, u_z inside the circle under pressure: Johnson (1985), eq. (3.41)."""
     r2 = np.maximum(x**2 + y**2, 1e-30)
     inwards = (1 - 2 * NU) * (1 + NU) * A**2 * P0 / (3 * E * r2)
     inwards = inwards * (1 - np.maximum(1 - r2 / A**2, 0) ** 1.5)
@@ -37,7 +37,7 @@ def under_pressure(x, y):
 
 
 def errors(cells):
-    """Largest errors inside the circle over the largest displacements, by case and component."""
+    """Return maximum errors inside the circle over maximum displacements, by case and component."""
     grid, x, y, traction = hertzian(cells)
     solver = sc.ContactSolver(grid, sc.Material.rigid(), STEEL)
     inside = x**2 + y**2 <= A**2

@@ -132,7 +132,7 @@ def test_cells_without_a_body_have_no_tension():
 
 
 def test_friction_acts_on_the_repulsion():
-    """Force without a load, as of an adhering surface; the shear is that of hard contact."""
+    """A tangential force without a load is possible; the shear is that of hard contact."""
     gap, pull, mu = rough(PERIODIC), LIMIT * area(PERIODIC), 0.3
     alike = (STEEL, STEEL)
     law = sc.TensileLimit(LIMIT)

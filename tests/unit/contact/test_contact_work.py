@@ -15,7 +15,7 @@ from samcontact import hertz, surfaces
 
 
 def convolved(grid, pressure, body):
-    """u_z by SciPy's convolution with coefficients of `sc.kernels`: nothing of the solver's."""
+    """Return u_z by SciPy's convolution with coefficients of `sc.kernels`, without the solver."""
     i, j = np.arange(1 - grid.nx, grid.nx), np.arange(1 - grid.ny, grid.ny)
     X, Y = np.meshgrid(i * grid.dx, j * grid.dy, indexing="ij")
     K = sc.kernels.pressure_displacement(X, Y, grid.dx / 2, grid.dy / 2, body.E, body.nu)
@@ -23,7 +23,7 @@ def convolved(grid, pressure, body):
 
 
 def rough_scene(n, hurst=0.8, cutoff=4, fraction=0.1, seed=1):
-    """n x n cells of a rough flat, roll-off at n/8 cells, and the load on about that fraction.
+    """Return a rough flat of n x n cells, roll-off at n/8 cells, and the load for this fraction.
 
     The real contact is 2 W/(E* rms slope) of the area (Persson 2001: 1.6 to 2, low loads).
     """
@@ -150,7 +150,7 @@ class TestAgainstOtherSolvers:
     @pytest.mark.parametrize("shape", [(128, 66), (101, 65), (300, 9)])
     @pytest.mark.parametrize("aspect", [0.2, 1.0, 6.0])
     def test_white_noise(self, shape, aspect):
-        """Nothing is smooth here: coarser grids know nothing of the contact."""
+        """White noise has no smooth part, so coarser grids give no information."""
         grid = sc.Grid(*shape, 1e-6, aspect * 1e-6)
         gap = 1e-8 * np.random.default_rng(5).random(shape)
         load = 0.002 * STEEL.E * grid.cell_area * gap.size
@@ -212,7 +212,7 @@ class TestBoundingBox:
 
     @pytest.mark.parametrize("height", np.linspace(0.0, 20e-9, 6))
     def test_the_box_is_extended_to_later_contact(self, height):
-        """Fine roughness on the ball lets the approach grow after the first look at the grid."""
+        """Fine roughness increases the approach after the first estimate of the contact box."""
         grid = sc.Grid(256, 128, 1e-6, 1e-6)
         x, y = grid.x[:, None], grid.y[None, :]
         noise = 20e-9 * np.random.default_rng(3).random(grid.surface_shape)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Partial slip against exact superpositions, closed forms and the digits of another program."""
+"""Partial slip against exact superpositions, closed forms and digits of CONTACT."""
 
 import math
 
@@ -14,7 +14,7 @@ MU = 0.3
 
 
 def two_balls(n, contact_radius, nu=0.0, tol=1e-8, mu=MU):
-    """Solver, gap, load and the sum of (2 - nu)/G of a ball on 1 m x 1 m, of radius 1 m."""
+    """Return solver, gap, load and sum of (2 - nu)/G of a ball of radius 1 m on 1 m x 1 m."""
     grid = sc.Grid(n, n, 1 / n, 1 / n)
     body = sc.Material.elastic(2 * (1 - nu * nu), nu)
     solver = sc.ContactSolver(grid, body, body, sc.Coulomb(mu), tol=tol)
@@ -31,7 +31,7 @@ def frictionless(solver, gap, load, tol=1e-11):
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 @pytest.mark.parametrize("cells", [(64, 64, 1 / 64, 1 / 64), (40, 72, 1 / 40, 1 / 90)])
 def test_loops_are_superpositions_of_frictionless_contacts(cells):
-    """Jaeger's and Ciavarella's theorem, exact on any grid where slip changes nothing across."""
+    """Theorem of Jaeger and Ciavarella, exact on any grid if slip has no transverse effect."""
     grid = sc.Grid(*cells)
     heights = sc.surfaces.rough_self_affine(grid, 2e-3, 0.8, seed=7)
     gap = sc.surfaces.paraboloid(grid, 2.0) + heights - heights.min()
@@ -80,7 +80,7 @@ def test_cattaneo_and_mindlin(nu, tolerance):
 
 
 def test_work_of_a_loop():
-    """Mindlin and Deresiewicz; 26 cells along the radius."""
+    """Work agrees with Mindlin and Deresiewicz at 26 cells per radius."""
     solver, gap, load, softness = two_balls(64, 0.4, tol=1e-7)
     f, state, works = 0.9, None, []
     for share in (f, -f, f, -f, f):
@@ -94,7 +94,7 @@ def test_work_of_a_loop():
 
 
 def test_torsion_of_a_ball():
-    """Lubkin's solution, for any Poisson's ratio; with the moment and with the turn given."""
+    """Lubkin's solution for any Poisson's ratio, with prescribed moment and prescribed rotation."""
     solver, gap, load, _ = two_balls(64, 0.4, 0.3)
     a = 0.4
     peak, softness = 1.5 * load / (math.pi * a * a), 2 * 2 * 1.3 / (2 * 0.91)
@@ -191,7 +191,7 @@ BALL = sc.surfaces.paraboloid(SMALL_GRID, 1.0)
 
 
 def test_the_grid_is_enlarged_with_the_contact():
-    """A gap that is a function: the shear before is carried to the larger grid."""
+    """The gap is a function; previous shear is transferred to the enlarged grid."""
 
     def gap(grid):
         return sc.surfaces.paraboloid(grid, 1.0)
@@ -212,7 +212,7 @@ def test_the_grid_is_enlarged_with_the_contact():
 
 
 def test_periodic_surfaces():
-    """A wave pressed and sheared in plane strain; sticking all over where it touches all over."""
+    """A wave under load and shear in plane strain; full stick in full contact."""
     grid = sc.Grid(64, 1, 1 / 64, 1.0, periodic="xy")
     solver = sc.ContactSolver(grid, SOFT, SOFT, sc.Coulomb(MU))
     gap = 0.01 * (1 - np.cos(2 * np.pi * np.asarray(grid.x)))[:, None]
@@ -313,7 +313,7 @@ def test_oblique_loading_does_not_slip(increments, nu, tolerance):
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 def test_increments_of_a_path_converge_at_first_order():
-    """Pressing, shifting and turning at once: what is lost halves when the increments double."""
+    """Simultaneous loading, shift and rotation: twice the increments halve the error."""
     solver, gap, load, _ = two_balls(20, 0.4, tol=1e-7)
     ends = []
     for increments in (2, 4, 8, 16):
@@ -350,7 +350,7 @@ def test_shear_on_fine_cells_starts_from_coarse_cells():
 @pytest.mark.parametrize("shift", [1e-7, 1e-4, 1e-2, 1.0])
 @pytest.mark.parametrize("roughness", [1e-3, 1e-2])
 def test_a_periodic_surface_in_full_contact_slips_by_its_shift(shift, roughness):
-    """No uniform shear moves it: what it slips on the mean is the shift, and the law holds."""
+    """Uniform shear causes no displacement: the mean slip is the shift, and the law holds."""
     grid = sc.Grid(8, 12, 1 / 8, 1 / 8, periodic="xy")
     gap = roughness * np.random.default_rng(1).random(grid.surface_shape)
     solver = sc.ContactSolver(grid, SOFT, SOFT, sc.Coulomb(MU), tol=1e-9)

@@ -28,7 +28,7 @@ DEPTHS = [0.0, 0.1, 1.0, 5.0, 40.0]
 
 
 def grids(cells, sides, periodic, tiles, nz=0):
-    """A grid in metres, and one that holds its repetitions too."""
+    """Return a grid in metres, and a grid that also contains its repetitions."""
     dz = 1e-6 if nz else None
     return [
         sc.Grid(*(n * t for n, t in zip(cells, times, strict=True)),
@@ -146,7 +146,7 @@ def test_uniform_strain_and_pressure():
 
 
 def bumps(periodic, tiles, cells=(32, 32)):
-    """Simulations of a ball on a periodic plane, and of many that are all the same."""
+    """Return simulations of one ball on a periodic plane, and of several equal balls."""
     d, radius, nz = 2e-6, 5e-4, 14
     flat = sc.Grid(*cells, d, d)
     gap = surfaces.paraboloid(flat, radius, radius if cells[1] > 1 else np.inf)
@@ -184,7 +184,7 @@ def test_plastic_contact_and_its_repetitions_agree(scene):
 
 
 def test_rolling_of_a_plastic_line_contact():
-    """Strain stays behind along the free direction; one cell is as good as many."""
+    """Strain remains behind along the free direction; one cell and many cells agree."""
     prints = []
     for grid, gap in bumps("y", (1, 2), (48, 1)):
         simulation = sc.Simulation(grid, RIGID, HARD, gap)

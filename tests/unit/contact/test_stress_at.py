@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress at points off the grid; elastic solutions of bodies that would yield."""
+"""Stress at arbitrary points; elastic solutions of bodies that would yield."""
 
 import math
 import warnings

@@ -22,7 +22,7 @@ def slide(shift, law, bodies=(STEEL, STEEL), **more):
 
 
 def require_law(law, found):
-    """The shear within its bound; slip on it and along the shear, at no other place."""
+    """Assert shear within its bound, and slip only at the bound and along the shear."""
     bound, length = law.bound(found.pressure), np.hypot(*found.shear)
     assert (length <= bound * (1 + 1e-12)).all()
     slipping = (found.pressure > 0) & ~found.sticking

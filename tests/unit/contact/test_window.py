@@ -28,7 +28,7 @@ def grid(nx, ny):
 
 
 def punch(grid):
-    """No paraboloid, so that Hertz says nothing; longer along x, off the middle in y."""
+    """Return a gap without a Hertz estimate, longer along x and off centre in y."""
     x, y = grid.x[:, None] / 200e-6, (grid.y - 0.5 * CELL)[None, :] / 100e-6
     return 3e-6 * (x**2 + y**2) ** 2
 
@@ -53,7 +53,7 @@ def grown():
 
 
 def inner(field, shape, axis=0):
-    """The middle cells of a surface field."""
+    """Return the middle cells of a surface field."""
     cut = [
         slice((n - m) // 2, (n + m) // 2) for n, m in zip(field.shape[axis:], shape, strict=False)
     ]
@@ -173,7 +173,7 @@ def test_elastic_contact():
 
 @pytest.mark.parametrize("relieved", [False, True])
 def test_rolling_contact(relieved):
-    """Travel, history and relief stay where they are on the bodies."""
+    """Travel, history and relief keep their positions on the bodies."""
     ball = partial(surfaces.paraboloid, Rx=RADIUS)
     dent = partial(sc.dents.spherical, depth=1e-6, radius=80e-6, x=60e-6)
     steps = [{"load": 0.1 * LOAD}, {"load": 0.1 * LOAD, "advance": (-3.3 * CELL, -3.3 * CELL)}]

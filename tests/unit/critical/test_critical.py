@@ -116,7 +116,7 @@ def test_a_constant_profile_gives_the_onset_of_a_homogeneous_body(friction):
 
 
 def test_first_yield_of_a_hardened_case_agrees_with_finite_elements():
-    """First yield at p0 = 1.80 GPa, 0.71 radii deep; the radius is that of the case."""
+    """First yield is at p0 = 1.80 GPa, at a depth of 0.71 radii of that case."""
     z, a = np.linspace(0.0, 2e-3, 201), 1e-3
     body = sc.Material.swift(E, NU, 700e6, 20.0, 0.1)
     body = body.with_yield_profile(z, 1 + 0.6 * np.exp(-((z / 0.5e-3) ** 2)))

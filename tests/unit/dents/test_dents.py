@@ -59,7 +59,7 @@ def test_furrow_along():
 
 
 def test_a_dent_acts_at_its_position():
-    """A contact that rolls to the place of a dent feels what a contact loaded there does."""
+    """A contact that rolls to a dent equals a contact loaded there."""
     gap = sc.surfaces.paraboloid(GRID, 5e-3)
     dent = dents.spherical(GRID, 5e-8, 6e-5, x=12 * GRID.dx)
     rolling = sc.Simulation(GRID, STEEL, STEEL, gap, relief2=dent)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sharp edges are found wherever the pressure rises towards them, and nowhere else."""
+"""Sharp edges are detected if and only if the pressure rises towards them."""
 
 import math
 import warnings
@@ -21,7 +21,7 @@ HERTZ = sc.hertz.line(RADIUS, E_STAR, LINE_LOAD)
 
 
 def roller(cells, end=1e-3):
-    """A roller with straight ends on a flat: grid, and gap as a function of a grid."""
+    """Return grid and gap function of a roller with straight ends on a flat."""
 
     def gap(grid):
         profile = grid.x[:, None] ** 2 / (2 * RADIUS)
@@ -32,7 +32,7 @@ def roller(cells, end=1e-3):
 
 
 def crowned(grid):
-    """The roller with a logarithmic profile, including the ends of the body."""
+    """Return the roller with a logarithmic profile, including the ends of the body."""
     profile = sc.surfaces.paraboloid(grid, RADIUS, math.inf)
     s = np.clip(np.abs(grid.y) / (LENGTH / 2), 0.0, 0.999)
     drop = -2 * LINE_LOAD / (math.pi * E_STAR) * np.log1p(-(s**2))
@@ -40,7 +40,7 @@ def crowned(grid):
 
 
 def kinds(solve):
-    """Warnings of singular pressure."""
+    """Return the warnings of singular pressure."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         solve()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic solutions that the cells spoil are warned of: above the limit load, alternating in
+"""Warnings of plastic solutions distorted by the cells: above the limit load, alternating in
 depth."""
 
 import math
@@ -16,7 +16,7 @@ RIGID = sc.Material.rigid()
 
 
 def warned(sim, start, **steps):
-    """The texts that begin so, of some steps."""
+    """Return the warnings of some steps that begin with this text."""
     ((driver, values),) = steps.items()
     sim.monitor.checks_increments = False
     with warnings.catch_warnings(record=True) as caught:
@@ -33,7 +33,7 @@ class TestLimitLoad:
     YIELD, R = 50e6, 0.5
 
     def pressed(self, cells, depth):
-        """Texts, and the mean pressure over the yield stress."""
+        """Return the warnings, and the mean pressure over the yield stress."""
         soft = sc.Material.perfect_plastic(210e9, 0.3, self.YIELD)
         half_width = math.sqrt(2 * self.R * depth)
         size = half_width / cells
@@ -59,7 +59,7 @@ class TestLimitLoad:
 
 class TestAlternation:
     def pressed(self, residual_stress, depth, yields=1e9):
-        """A rigid ball at ten times the interference of first yield."""
+        """Press a rigid ball to ten times the interference at first yield."""
         soft = sc.Material.linear_hardening(210e9, 0.3, yields, 10e9)
         R, E_star = 1e-2, 210e9 / 0.91
         interference = 10 * (math.pi * 1.6 * yields / (2 * E_star)) ** 2 * R
@@ -81,7 +81,7 @@ class TestAlternation:
         assert 'residual_stress="fast"' in text
 
     def test_flatter_cells_do_not_alternate(self):
-        """The other remedy."""
+        """Flatter cells are the second remedy in the warning."""
         texts, exact = self.pressed("exact", 0.5)
         assert texts == []
         assert exact == pytest.approx(self.pressed("fast", 0.5)[1], rel=0.02)

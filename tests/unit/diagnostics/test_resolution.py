@@ -22,7 +22,7 @@ HERTZ = sc.hertz.point(R, sc.hertz.effective_modulus(STEEL, STEEL), load=LOAD)
 
 
 def scene(cells, layers=12.0, depth=1.6, body2=YIELDING, **settings):
-    """Simulation with a number of cells and layers per contact radius."""
+    """Return a simulation with these numbers of cells and layers per contact radius."""
     dx, dz = HERTZ.a / cells, HERTZ.a / layers
     n = 2 * math.ceil(1.4 * cells) + 1
     grid = sc.Grid(n, n, dx, dx, nz=max(1, round(depth * layers)), dz=dz)
@@ -30,7 +30,7 @@ def scene(cells, layers=12.0, depth=1.6, body2=YIELDING, **settings):
 
 
 def told(run, kind=sc.ResolutionWarning):
-    """Texts of the warnings of a kind."""
+    """Return the texts of the warnings of one class."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         run()
@@ -118,7 +118,7 @@ def test_datasets_contain_cell_counts_and_reports_fail_below_a_limit():
 
 
 def discs(diameter, count=9, shift=0.3):
-    """Round spots on a square lattice, each somewhere else within its cells."""
+    """Return round spots on a square lattice, at different positions within their cells."""
     side, middle = 2 * math.ceil(diameter) + 8, np.arange(count)
     field = np.zeros((count * side, side))
     for n in middle:

@@ -85,7 +85,7 @@ def changed(slip):
 
 @pytest.fixture(scope="module")
 def solved():
-    """The correct case causes no warning."""
+    """Solve without a warning; the setup is correct."""
     case = parse_case(CASE)
     simulation, path = case.build()
     with warnings.catch_warnings():

@@ -41,7 +41,7 @@ def scene(material, increments, **settings):
 
 
 def work_of_the_stress(states):
-    """Trapezoidal sum of stress : plastic strain increment over all cells and increments."""
+    """Return the trapezoidal sum of stress : plastic strain increment over cells and increments."""
     grid, total = states[0].grid, 0.0
     for before, after in itertools.pairwise(states):
         stress = 0.5 * (before.stress() + after.stress())
@@ -79,7 +79,7 @@ def test_plastic_work_depends_on_the_state_alone_without_kinematic_hardening():
 
 
 def test_residual_energy_is_that_of_the_stress_around():
-    """Half of the residual stress times its elastic strain, over a volume that holds nearly all."""
+    """Residual energy is half of residual stress times elastic strain over a large volume."""
     grid = sc.Grid(35, 35, 1e-5, 1e-5, 22, 1e-5)
     middle, depth = slice(14, 21), slice(2, 9)
     x = (np.arange(7) - 3) / 3.5

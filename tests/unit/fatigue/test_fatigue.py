@@ -20,7 +20,7 @@ PHASES = 2 * np.pi * np.arange(48) / 48
 
 
 def reversed_stress(**components):
-    """One point, each component an amplitude that goes to and fro."""
+    """Return the reversed stress of one point with these amplitudes."""
     stress = np.zeros((len(PHASES), 6, 1))
     for name, amplitude in components.items():
         number = ("xx", "yy", "zz", "yz", "xz", "xy").index(name)
@@ -33,7 +33,7 @@ def random_paths(points, moments=17, seed=3):
 
 
 def tensors(stress):
-    """(moments, 6, n) as (moments, n, 3, 3)."""
+    """Convert (moments, 6, n) to (moments, n, 3, 3)."""
     xx, yy, zz, yz, xz, xy = np.moveaxis(stress, 1, 0)
     rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
     return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
@@ -45,7 +45,7 @@ def components(tensor):
 
 
 def test_bending_and_torsion_have_their_closed_forms():
-    """Reversed tension f and shear t, whose values every source gives."""
+    """Reversed tension f and shear t have values stated in all sources."""
     bending, torsion = reversed_stress(xx=2.0), reversed_stress(xz=1.5)
     assert dang_van(bending, slope=0.3).max_value == pytest.approx(
         2.0 / 2 + 0.3 * 2.0 / 3, rel=1e-12
@@ -77,7 +77,7 @@ def test_rotating_shear_has_the_amplitude_of_its_circle():
 
 
 def test_tresca_uses_the_smallest_ball_around_the_path():
-    """The centre by a certificate: it is a mean of points at the radius, so no ball is smaller."""
+    """The centre is a mean of points at the radius, which proves that no ball is smaller."""
     from scipy.optimize import nnls
 
     stress = random_paths(40)
@@ -122,7 +122,7 @@ def _centre(points):
 
 
 def brute_force(shear, stress, combine, planes):
-    """The largest over many planes, spread evenly; circles by their ends in many directions."""
+    """Return the maximum over many evenly spread planes; circles by their extent."""
     n = np.arange(planes) + 0.5
     polar, azimuth = np.arccos(1 - n / planes), np.pi * (1 + 5**0.5) * n
     normal = np.stack([np.sin(polar) * np.cos(azimuth), np.sin(polar) * np.sin(azimuth),
@@ -172,7 +172,7 @@ def test_critical_planes_are_those_of_a_brute_search():
 
 
 def test_criteria_are_independent_of_the_axes():
-    """A turned body has the same values; of planes to the error that is stated."""
+    """A rotated body has equal values; critical planes agree within the stated error."""
     stress = random_paths(200, seed=5)
     turn = Rotation.from_rotvec([0.4, -1.1, 0.7]).as_matrix()
     turned = components(turn @ tensors(stress) @ turn.T)
@@ -226,7 +226,7 @@ def line_stress(x, z, nu=0.3):
 
 
 def test_line_contact():
-    """Limits over p0, lengths in half-widths, rolling without friction."""
+    """Rolling without friction: limits over p0, lengths in half-widths."""
     x, z = np.arange(-25, 25.01, 0.02), np.arange(0.01, 1.2, 0.01)
     lines = steady_cycle(line_stress(x, z)[:, :, None, :])
     for slope, value, depth in ((0.3, 0.171, 0.62), (0.0, 0.25, 0.49)):
@@ -242,7 +242,7 @@ def test_line_contact():
 
 
 def test_point_contact():
-    """Orthogonal shear of a Hertz contact, from its closed stress, with its place."""
+    """Orthogonal shear of a Hertz contact and its position, from the closed-form stress."""
     hertz = sc.hertz.point(R=1.0, E_star=1.0, load=4 / 3)
     x, z = np.arange(-4, 4.001, 0.008), np.arange(0.3, 0.4, 0.001)
     X, Y, Z = np.meshgrid(hertz.a * x, [0.0], hertz.a * z, indexing="ij")

@@ -27,7 +27,7 @@ def ball_on(grid=GRID, body=STEEL, **settings):
 
 
 def test_a_pass_gives_the_stress_path_of_the_material():
-    """States of a pass over the body, against the line of one of its moments."""
+    """States of a pass over the body agree with a line through one state."""
     soft = sc.Material.linear_hardening(
         210e9, 0.3, 50e9, 21e9
     )  # it follows body 2, and never flows
@@ -69,7 +69,7 @@ def test_rolling_along_y_is_rolling_along_x_rotated():
 
 
 def test_residual_stress_is_in_the_cycle():
-    """Compression that was there from the start adds its mean to Dang Van, and nothing else."""
+    """Initial compression changes Dang Van's criterion only by its hydrostatic mean."""
     hard = sc.Material.linear_hardening(210e9, 0.3, 50e9, 21e9)
     treated = hard.with_residual_stress([0.0, 1e-3], [-300e6, -300e6])
     plain, peened = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that are whole or not there, their digest, and inputs of extreme size or of no size."""
+"""Files are complete or absent; digests; inputs of extreme or zero size."""
 
 import os
 import re
@@ -172,7 +172,7 @@ class TestHeights:
 
 
 class TestResults:
-    """Results with a variable of other dimensions, and files that cannot be used."""
+    """Results with a variable of wrong dimensions, and unusable files."""
 
     @pytest.fixture
     def dataset(self):

@@ -19,7 +19,7 @@ both = pytest.mark.parametrize(("model", "onset"), MODELS.items())
 
 
 def at(model, ratio, **changed):
-    """The model at a ratio of its own critical interference."""
+    """Return the model at a multiple of its own critical interference."""
     sphere = {**SPHERE, **changed}
     onset = getattr(critical, model.__name__)(**sphere)
     return model(ratio * onset.interference, **sphere)

@@ -27,7 +27,7 @@ import samcontact as sc
 
 
 def disc(grid, a, power):
-    """Cell means of (1 - r^2/a^2)^power inside the radius a."""
+    """Return cell means of (1 - r^2/a^2)^power inside the radius a."""
     fine = (np.arange(16) - 7.5) / 16 * grid.dx
     x, y = (c[:, None] + fine for c in (grid.x, grid.y))
     r2 = (x[:, :, None, None] ** 2 + y[None, None] ** 2) / a**2
@@ -126,7 +126,7 @@ class TestThermalStress:
 
 
 class TestContact:
-    """Two balls, 1500 N, heat into one."""
+    """Two balls under 1500 N, with heat into one of them."""
 
     def test_heat_does_not_increase_the_number_of_applications(self):
         grid = grid_of(129)
@@ -187,7 +187,7 @@ class TestContact:
 
 class TestInstability:
     def test_the_radius_saturates(self):
-        """However high the load, a stays below 2.4/w*: the bulge carries it."""
+        """The contact radius stays below 2.4/w* at any load: the bulge carries it."""
         w = 0.2 * ALPHA * (1 + NU) / K * E / (4 * (1 - NU**2))
         for load, expected in ((1500.0, 1.13), (5e3, 1.46), (2e4, 1.79), (1e5, 1.96)):
             a = sc.hertz.point(RADIUS, HERTZ.E_star, load=load).a

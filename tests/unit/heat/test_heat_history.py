@@ -54,7 +54,7 @@ class Superposition:
         return self.tables[key]
 
     def __call__(self, what, steps, ahead, z=0.0):
-        """Component first; steps = [(flux, dt), ...], the last one ends now."""
+        """Return the field, component first; steps = [(flux, dt), ...] end at the present time."""
         age, field = ahead, 0.0
         for flux, dt in reversed(steps):
             influence = self.table(what, age + dt, z) - self.table(what, age, z)
@@ -176,7 +176,7 @@ def test_tends_to_the_steady_state():
 
 
 def test_cooling_does_not_drift():
-    """Alone, the heat obeys the laws of an instantaneous source: T ~ t^-3/2, no constant stays."""
+    """Cooling obeys the law of an instantaneous source, T ~ t^-3/2, without a remainder."""
     grid = grid_of()
     past = feed(history(grid, longest=1e8 * UNIT), random_steps(grid, [UNIT] * 3))
     times = UNIT * 10.0 ** np.arange(4, 9)
@@ -258,7 +258,7 @@ def test_no_traction_at_the_surface(speed):
 
 
 def test_results_are_independent_of_units():
-    """The body in millimetres and milliseconds."""
+    """Results in millimetres and milliseconds agree with SI units."""
     a, b = grid_of(), grid_of(dx=1e3 * DX, dy=1.25e3 * DX)
     steps = random_steps(a, [UNIT, 2 * UNIT])
     metres = feed(history(a), steps)

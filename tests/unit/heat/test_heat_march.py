@@ -112,7 +112,7 @@ class TestContact:
             np.testing.assert_allclose(a, b, atol=1e-3 * np.abs(b).max())
 
     def test_few_steps_are_sufficient(self):
-        """The flux of a step is that of its end; what is left of its change is small."""
+        """The flux of a step is that at its end; the error due to its change is small."""
         found = []
         for parts in (2, 16):
             simulation = march(factor=0.1)

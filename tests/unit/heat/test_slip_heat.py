@@ -23,7 +23,7 @@ def simulation(body2=STEEL, friction=None, heat=None, **settings):
 
 
 def power_of(state):
-    """Frictional power per area [W/m^2]."""
+    """Return the frictional power per area [W/m^2]."""
     return np.reshape(state._core.slip_power, GRID.surface_shape)
 
 

@@ -160,7 +160,7 @@ def test_fast_sources_keep_the_tolerance(speed):
 
 
 def test_far_points_keep_their_digits():
-    """Sums over many cells add errors far away: those are relative to what is there."""
+    """At far points the error is relative to the local value."""
     x = np.array([0.0, 30.0, 100.0, 300.0])
     half = (0.5, 0.5)
     steady = temperature(x, x, 0.5, half, INF, AT_REST)

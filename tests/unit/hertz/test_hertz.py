@@ -76,7 +76,7 @@ def test_point_pressure_integrates_to_the_load_and_is_zero_outside():
 
 
 def _surface_displacement(pressure, a, b, x, E_star):
-    """u_z at (x, 0) by polar quadrature of the Boussinesq potential around that point."""
+    """Return u_z at (x, 0) by polar quadrature of the Boussinesq potential around this point."""
 
     def along(theta):
         # chord of the ellipse from (x, 0) in direction theta

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measured surfaces: files that SurfaceTopography writes, resampling, trends, case files."""
+"""Measured surfaces: files written by SurfaceTopography, resampling, trends, case files."""
 
 import sys
 import warnings
@@ -19,7 +19,7 @@ with warnings.catch_warnings():
 
 
 def polynomial(x, y):
-    """Second-order heights along each axis, with different coefficients [m, m]."""
+    """Return heights that are quadratic along each axis, with different coefficients [m, m]."""
     x, y = np.meshgrid(x, y, indexing="ij")
     return 1e-6 + 2e-3 * x - 1e-3 * y + 5.0 * x**2 - 3.0 * y**2 + 4.0 * x * y
 

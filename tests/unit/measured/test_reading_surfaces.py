@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of heights: one convention for all readers, lost points, texts of other programs."""
+"""Files of heights: one axis convention for all readers, undefined points, foreign texts."""
 
 import os
 import warnings
@@ -24,7 +24,7 @@ UM = np.random.default_rng(1).standard_normal((NX, NY))  # no symmetry, not squa
 
 
 def write_sdf(path):
-    """ISO 25178-71: profiles along x, one after the other."""
+    """Write an ISO 25178-71 file: profiles along x in sequence."""
     head = (
         f"aISO-1.0\nManufacID = x\nCreateDate = 010120200000\nModDate = 010120200000\n"
         f"NumPoints = {NX}\nNumProfiles = {NY}\nXscale = {DX}\nYscale = {DY}\nZscale = 1e-15\n"
@@ -253,7 +253,7 @@ def test_pipes_and_endless_files_are_refused(tmp_path):
 
 @pytest.mark.parametrize("name", ["s.npy", "s.txt"])
 def test_an_array_with_a_wrong_size_in_its_header(name, tmp_path):
-    """Readers that go through all it claims do not end."""
+    """Readers that trust the size in the header would not end."""
     with (tmp_path / name).open("wb") as file:
         shape = (2**40, 2**20)
         header = {"descr": "<f8", "fortran_order": False, "shape": shape}

@@ -33,7 +33,7 @@ def coordinates(grid):
 
 
 def blob(cells, power=2, widths=(1.0, 1.0), depth=1.1):
-    """A smooth strain within an ellipsoid of half axes 1, with `cells` cells in a half axis."""
+    """Return a smooth strain within a unit ellipsoid, with `cells` cells per semi-axis."""
     h = 1.0 / cells
     nx, ny = (2 * int(np.ceil(w * cells)) for w in widths)
     grid = sc.Grid(nx, ny, h, h, int(np.ceil((depth + 1) * cells)), h)
@@ -44,7 +44,7 @@ def blob(cells, power=2, widths=(1.0, 1.0), depth=1.1):
 
 
 def padded(grid, strain, factor):
-    """The strain in a box that is wider by a factor, and its position in it."""
+    """Return the strain in a box wider by a factor, and its position in this box."""
     nx, ny = (factor * n + n % 2 * (factor % 2 == 0) for n in (grid.nx, grid.ny))
     wide = sc.Grid(nx, ny, grid.dx, grid.dy, grid.nz, grid.dz)
     i, j = (nx - grid.nx) // 2, (ny - grid.ny) // 2
@@ -89,7 +89,7 @@ def test_other_materials_and_cells(nu, sizes):
     "shape", [{}, {"widths": (1.0, 0.5)}, {"depth": 2.2}, {"widths": (2.0, 0.4), "depth": 1.1}]
 )
 def test_images_are_below_their_tolerance(shape):
-    """Only the images differ between a box and a much wider one."""
+    """A box and a much wider one differ only by the periodic images."""
     grid, strain = blob(10 if "widths" in shape else 12, power=4, **shape)
     wide, embedded, inside = padded(grid, strain, 6)
     reference = fast(wide, embedded, **FREE)[inside]

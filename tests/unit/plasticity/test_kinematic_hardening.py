@@ -192,7 +192,7 @@ class TestMaterial:
 
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 class TestOneLoadedCell:
-    """A half-space under shear back and forth on one cell."""
+    """A half-space under alternating shear on one cell."""
 
     D = 10e-6
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of fatigue: the data that artists show, and which fields they take."""
+"""Figures of fatigue: the data shown by artists, and the accepted fields."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures: the data that artists show, in the displayed units, and the files written."""
+"""Figures: the data shown by artists, in displayed units, and the written files."""
 
 import subprocess
 import sys
@@ -36,7 +36,7 @@ def ax():
 
 
 def shown_label(ax):
-    """Label of the colour bar, or title where the section is flat."""
+    """Return the label of the colour bar, or the title if the section is flat."""
     return ax.get_title() or ax.figure.axes[1].get_ylabel()
 
 
@@ -314,7 +314,7 @@ def test_the_colour_scale_of_an_imprint_spans_its_values():
 
 @pytest.mark.parametrize("cells", [31, 32, 45])
 def test_the_edge_of_a_contact_lies_between_cells(cells):
-    """It is Hertz' circle to a fraction of a cell, though only the pressure of cells is known."""
+    """The edge agrees with Hertz' circle to a fraction of a cell."""
     grid = make_grid(nx=cells, ny=cells, dx=2e-5, dy=2e-5)
     pressure = (
         ContactSolver(grid, ELASTIC, ELASTIC)
@@ -356,7 +356,7 @@ def test_a_section_marks_the_contact(state, simulation, ax):
 
 
 def test_the_unloading_curve_agrees_with_smaller_increments():
-    """Unloading from an imprint: approach about linear in load^(2/3), as for elastic bodies."""
+    """In unloading the approach is about linear in load^(2/3), as for elastic bodies."""
     grid = Grid(31, 31, 40e-6, 40e-6, 20, 40e-6)
     simulation = Simulation(grid, ELASTIC, SWIFT, surfaces.paraboloid(grid, 7.5e-3))
     loads = [1500.0, 1000.0, 500.0, 200.0, 0.0]

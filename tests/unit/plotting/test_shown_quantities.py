@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Labels of fields in figures: no quantity that was not given, none that is impossible."""
+"""Labels of fields in figures name only the given and possible quantity."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def state(simulation):
 
 
 def shown_label(ax):
-    """Label of the colour bar, or title where the section is flat."""
+    """Return the label of the colour bar, or the title if the section is flat."""
     return ax.get_title() or ax.figure.axes[1].get_ylabel()
 
 

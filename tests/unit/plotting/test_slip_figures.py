@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of partial slip: contents, and the figures that a run writes."""
+"""Figures of partial slip: contents, and the figures written by a run."""
 
 import math
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The standard figures of a run: which there are, what they show, and that they can be read."""
+"""Standard figures of a run: selection, contents and legibility."""
 
 import itertools
 
@@ -21,7 +21,7 @@ SURFACE = ["pressure.png", "pressure_map.png", "gap_map.png"]
 
 @pytest.fixture
 def drawn(monkeypatch):
-    """The figures by name, as they are written."""
+    """Return the written figures by name."""
     figures = {}
 
     def keep(figure, path):
@@ -34,7 +34,7 @@ def drawn(monkeypatch):
 
 
 def longest_blank(image):
-    """The longest run of white rows or columns over all of them."""
+    """Return the longest run of white rows or columns, as a fraction of their number."""
     white = image[..., :3].min(axis=2) > 0.99
     longest = 0.0
     for axis in (0, 1):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures and animation of a moving contact: the data that artists show, in the body's frame."""
+"""Figures and animation of a moving contact: the data shown, in the frame of the body."""
 
 import matplotlib.animation
 import numpy as np
@@ -194,7 +194,7 @@ def test_bad_input_is_named(states, shown, ax):
 
 
 class Recorder(matplotlib.animation.AbstractMovieWriter):
-    """Keeps what each frame shows."""
+    """Movie writer that stores the contents of each frame."""
 
     def __init__(self):
         super().__init__()

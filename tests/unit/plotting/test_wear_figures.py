@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of wear: the data that artists show."""
+"""Figures of wear: the data shown by artists."""
 
 import numpy as np
 import pytest
@@ -34,7 +34,7 @@ def ax():
 
 
 def test_tresca():
-    """Uniaxial, hydrostatic, and pure shear."""
+    """Values for uniaxial, hydrostatic and pure shear stress."""
     stress = np.zeros((6, 3))
     stress[0, 0] = -5.0
     stress[:3, 1] = 7.0

@@ -30,7 +30,7 @@ NUMBERS = [
 
 
 def beyond(limits):
-    """Numbers just outside a range, and those in no range."""
+    """Return numbers just outside a range, and NaN and infinity."""
     found = [float("nan"), float("inf"), -float("inf")]
     found += [one for one in (limits.gt, limits.lt) if one is not None]
     if limits.ge is not None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reports: what a browser shows equals the dataset, and checks fail when results are spoilt."""
+"""Reports: displayed numbers equal the dataset, and checks fail for modified results."""
 
 import re
 from types import SimpleNamespace
@@ -25,7 +25,7 @@ CASE = MINIMAL.replace("nz = 12\ndz = 60e-6", "nz = 36\ndz = 20e-6")
 
 @pytest.fixture(scope="module")
 def data():
-    """A real run of a case."""
+    """Return the dataset of a real run of a case."""
     case = parse_case(CASE + "\n[output]\nbody = 2\n")
     case._text = CASE
     simulation, path = case.build()
@@ -34,7 +34,7 @@ def data():
 
 @pytest.fixture(scope="module")
 def folder(data, tmp_path_factory):
-    """Folder of a run after the command `report`."""
+    """Return the folder of a run after the command `report`."""
     folder = tmp_path_factory.mktemp("run")
     results.save(data, folder / "results.nc")
     outcome = CliRunner().invoke(main, ["report", str(folder)])
@@ -46,20 +46,20 @@ def folder(data, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def page(folder):
-    """The report in a browser, and what the browser asked for."""
+    """Open the report in a browser; return its page and the requested paths."""
     with served(folder) as (address, asked), chromium() as driver:
         driver.get(f"{address}/report.html")
         yield SimpleNamespace(driver=driver, asked=asked)
 
 
 def cells(page, table):
-    """Text of the cells of a table, row by row, the heading first."""
+    """Return the texts of the cells of a table, row by row, starting with the heading."""
     rows = page.driver.find_elements(By.CSS_SELECTOR, f"#{table} tr")
     return [[cell.text for cell in row.find_elements(By.CSS_SELECTOR, "th, td")] for row in rows]
 
 
 def exact(page, table):
-    """The numbers behind a table's text, in SI units; None where a cell has none."""
+    """Return the numbers of a table in SI units; None for cells without a number."""
     script = """return [...document.querySelectorAll('#' + arguments[0] + ' tbody tr')].map(
         row => [...row.querySelectorAll('td')].map(
             cell => cell.querySelector('data') && cell.querySelector('data').value))"""
@@ -198,7 +198,7 @@ def test_the_page_is_accessible_and_printable(page):
 
 @pytest.mark.parametrize("width", [390, 800, 1280])
 def test_numbers_are_not_wrapped(page, width):
-    """Every cell with a number is one line, on a phone too."""
+    """Every cell with a number fits on one line, also on a phone."""
     size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
     page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
     script = """const cells = document.querySelectorAll(

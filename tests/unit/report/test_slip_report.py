@@ -37,7 +37,7 @@ def data():
 
 
 def balances(body2, friction, counts, force):
-    """Energy balances of a ball pressed, fretted and unloaded, for increasing increment counts."""
+    """Return energy balances of a ball in fretting, for increasing numbers of increments."""
     grid = sc.Grid(21, 21, 34e-6, 34e-6, dz=34e-6)
     body1 = sc.Material.elastic(210e9, 0.3)
     for count in counts:
@@ -87,7 +87,7 @@ def test_pressing_elastic_balls_has_no_error():
 
 
 def test_initial_energy_is_not_counted_as_imbalance():
-    """A run that went on, over a body with a strain of its own."""
+    """The run is a continuation, and the body has initial strain."""
     grid = sc.Grid(21, 21, 34e-6, 34e-6, dz=34e-6, nz=12)
     simulation = sc.Simulation(
         grid, sc.Material.elastic(210e9, 0.3), KINEMATIC, sc.surfaces.paraboloid(grid, 7.5e-3),

@@ -41,7 +41,7 @@ def page(folder):
 
 
 def rows(text, table):
-    """The numbers behind the rows of a table."""
+    """Return the numbers of the rows of a table."""
     body = re.search(rf'<table id="{table}">.*?<tbody>(.*?)</tbody>', text, re.DOTALL).group(1)
     return [
         [float(value) for value in re.findall(r'<data value="([^"]+)"', row)]
@@ -81,7 +81,7 @@ def test_passes(collision):
 
 
 def test_too_few_increments_fail_a_check(collision):
-    """Energy is missed by a tenth and more with 12 increments."""
+    """With 12 increments the energy imbalance is a tenth or more."""
     folder, outcome = collision
     assert "check failed: energy balance: unaccounted energy" in outcome.stderr
     with results.open_results(folder / "series.nc") as data:

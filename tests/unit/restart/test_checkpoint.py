@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checkpoints: the same bits after resuming, and no damage from damaged files or failed writes."""
+"""Checkpoints: bit-identical continuation; damaged files and failed writes do no harm."""
 
 import contextlib
 import os
@@ -182,7 +182,7 @@ class TestDamage:
 
     @pytest.mark.parametrize("name", ["pressure", "history2/strain", "history2/equivalent"])
     def test_flipped_bits_in_the_numbers(self, saved, name):
-        """A changed byte in the middle of a field must not become a slightly wrong start."""
+        """A changed byte in a field is detected and does not change the start slightly."""
         with h5py.File(saved, "r") as file:
             chunk = file["state"][name].id.get_chunk_info(0)
         content = bytearray(saved.read_bytes())
@@ -228,7 +228,7 @@ class TestDamage:
 
     @pytest.mark.parametrize("group", ["state", "state/history2"])
     def test_an_unknown_part(self, saved, group):
-        """A part unknown to this version was needed by the version that wrote it."""
+        """A part unknown to this version may be essential to the version that wrote it."""
         with edited(saved) as file:
             file[group].attrs["later"] = 1.0
         with pytest.raises(sc.CheckpointError, match="is damaged: unknown part: later"):

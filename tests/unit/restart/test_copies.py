@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Simulations and states that are pickled or copied stand for themselves, with the same bits."""
+"""Pickled or copied simulations and states are independent and bit-identical."""
 
 import copy
 import pickle

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs are known by what their numbers depend on, and by nothing else."""
+"""The identity of a run depends on everything that affects its numbers, and on nothing else."""
 
 import functools
 import subprocess
@@ -238,7 +238,7 @@ def test_unreadable_state_is_not_guessed(hidden):
 
 
 def test_a_run_is_not_continued_with_another_law(tmp_path):
-    """Refused before anything is solved, and so is a law that cannot be identified."""
+    """Another law, or a law that cannot be identified, is refused before any solve."""
     steel = sc.Material.perfect_plastic(210e9, 0.3, 1e9).with_thermal(50.0, 1e-5, 1.3e-5)
     grid, elastic = sc.Grid(4, 4, 1e-4, 1e-4, 2, 1e-4), sc.Material.elastic(210e9, 0.3)
 

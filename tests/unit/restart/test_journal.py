@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checkpoints of increments: damaged ones are solved again, states are kept with their heat."""
+"""Checkpoints of increments: damaged ones are solved again, states keep their heat."""
 
 import re
 

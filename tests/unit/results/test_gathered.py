@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results of a body whose plastic strain lies in several zones hold the cells with strain only."""
+"""Results with plastic strain in several subdomains store only the cells with strain."""
 
 import warnings
 
@@ -20,7 +20,7 @@ SCALARS = ("von_mises", "hydrostatic", "equivalent_plastic_strain")
 
 @pytest.fixture(scope="module")
 def solved(tmp_path_factory):
-    """States, and their results from a file."""
+    """Return states, and their results from a file."""
     run = simulation(SOFT, STEEL, friction=0.2)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results of a moving contact: ways and tracks under their labels, on disk and back."""
+"""Results of a moving contact: travel and tracks under their labels, on disk and back."""
 
 import numpy as np
 import pytest

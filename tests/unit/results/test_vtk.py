@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""VTK files, read back by VTK's own reader, cell by cell at points of the files' frame."""
+"""VTK files, read by VTK's own reader and compared cell by cell."""
 
 import resource
 import sys
@@ -38,7 +38,7 @@ def read(path):
 
 
 def value(grid, name, x, y, z):
-    """Components of a field in the cell that holds a point."""
+    """Return the components of a field in the cell that contains a point."""
     cell = grid.FindCell((x, y, z), None, 0, 1e-12, mutable(0), [0.0] * 3, [0.0] * 8)
     assert cell >= 0
     return np.array(grid.GetCellData().GetArray(name).GetTuple(cell))
@@ -204,7 +204,7 @@ def test_without_vtk_the_message_names_the_extra(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("nz", [0, 12])
 def test_the_track_of_a_moving_body(tmp_path, nz):
-    """Cells of the file are where the dataset has them on the body, with their numbers."""
+    """Cells of the file have the positions and values of the dataset."""
     grid = sc.Grid(15, 13, 60e-6, 60e-6, 12, 60e-6)
     simulation = sc.Simulation(grid, ELASTIC, SWIFT, sc.surfaces.paraboloid(grid, 7.5e-3))
     move = {"load": 600.0, "advance": (-60e-6, -60e-6)}
@@ -237,7 +237,7 @@ def test_the_track_of_a_moving_body(tmp_path, nz):
 
 
 def collected(path):
-    """Times and names that a collection lists."""
+    """Return the times and names listed in a collection."""
     (collection,) = ElementTree.parse(path).getroot()
     return [(float(entry.get("timestep")), entry.get("file")) for entry in collection]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rolling with creepage against Kalker's coefficients, Carter and another program's digits."""
+"""Rolling with creepage against Kalker's coefficients, Carter and digits of CONTACT."""
 
 import math
 
@@ -14,7 +14,7 @@ LOAD = 0.4705
 
 
 def wheel(n=33):
-    """Two balls of the examples of CONTACT, on cells of a quarter on the finest of its grids."""
+    """Return two balls of an example of CONTACT, with cells of 0.25 on its finest grid."""
     grid = sc.Grid(n, n, 8.25 / n, 8.25 / n)
     return grid, sc.surfaces.paraboloid(grid, 1 / (2 * 0.002963))
 
@@ -24,7 +24,7 @@ def roll(grid, gap, bodies=(BODY, BODY), mu=MU, **drive):
 
 
 def require_law(found, mu):
-    """Coulomb's law, and work that is not negative in any cell."""
+    """Assert Coulomb's law, and that no cell has negative friction work."""
     bound = mu * found.pressure
     assert (np.hypot(*found.shear) <= bound * (1 + 1e-12)).all()
     power = (found.shear * found.slip).sum(axis=0)
@@ -34,7 +34,7 @@ def require_law(found, mu):
 
 
 def test_linear_coefficients_of_kalker():
-    """Circle, nu = 0.25, G = 1; the count of cells gives the area, the rest is of first order."""
+    """Circular contact, nu = 0.25, G = 1, area of the counted cells; first-order errors."""
     body = sc.Material.elastic(2.5, 0.25)
     found = []
     for n in (44, 88):
@@ -77,7 +77,7 @@ def test_carter_agrees_with_contact():
 
 
 def test_from_cattaneo_to_carter():
-    """A ball that was pulled rolls on: CONTACT's creepages and counts of sticking cells."""
+    """A tangentially loaded ball starts to roll: creepages and stick counts agree with CONTACT."""
     grid, gap = wheel()
     solver = sc.ContactSolver(grid, BODY, BODY, sc.Coulomb(MU))
     force = {"load": LOAD, "tangential_load": (-0.657 * MU * LOAD, 0.0)}
@@ -153,7 +153,7 @@ def test_creepages_follow_from_forces(forces):
 
 
 def rollers(mu, pair, n=64, **options):
-    """Plane strain, with a combined radius of 25 mm, under 16 kN/m."""
+    """Return rollers in plane strain with an equivalent radius of 25 mm, under 16 kN/m."""
     grid = sc.Grid(n, 1, 240e-6 / n, 1.0, periodic="y")
     return {
         "grid": grid, "body1": pair[0], "body2": pair[1], "friction": sc.Coulomb(mu),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Long-term response to cycles against shakedown limits, with and without extrapolation."""
+"""Response to repeated cycles against shakedown limits, with and without extrapolation."""
 
 import dataclasses
 import pickle
@@ -18,7 +18,7 @@ SOFT = sc.Material.perfect_plastic(E, NU, np.sqrt(3.0) * K)
 
 
 def rollers(ratio, body=SOFT, friction=0.0, cells=10):
-    """A train of rollers with p0/k = ratio, 6 half-widths apart, and one pass of them."""
+    """Return a train of rollers with p0/k = ratio, 6 half-widths apart, and one pass."""
     grid = sc.Grid(6 * cells, 1, WIDTH / cells, 1e-3, nz=3 * cells, dz=WIDTH / cells, periodic="xy")
     E_star = sc.hertz.effective_modulus(STEEL, body)
     contact = sc.hertz.line(0.5 * WIDTH * E_star / (ratio * K), E_star, p0=ratio * K)
@@ -39,7 +39,7 @@ GRIDS = [10, pytest.param(20, marks=pytest.mark.slow)]
 
 @pytest.mark.parametrize("cells", GRIDS)
 def test_rollers_below_the_limit_stop_straining(cells):
-    """Melan's limit is 4 k, on any grid that resolves the shear below."""
+    """Melan's limit is 4 k on any grid that resolves the subsurface shear."""
     result = repeated(3.9, cells=cells)
     assert result.response == "elastic shakedown"
     assert result.shakes_down
@@ -69,7 +69,7 @@ def test_rollers_above_the_limit_ratchet(cells):
 
 @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
 def test_kinematic_hardening_prevents_ratcheting():
-    """At 4.1 k with friction both contacts exceed their limits of elastic shakedown."""
+    """At 4.1 k with friction both bodies are above their limits of elastic shakedown."""
     friction, ratio = 0.2, 4.1
     assert shakedown.line_kinematic(friction).ratio < ratio
     hard = SOFT.with_kinematic_hardening(0.2 * E)

@@ -31,7 +31,7 @@ def as_tensors(stress):
 
 
 def asked(stress, criterion):
-    """k for each stress, from its principal values."""
+    """Return the required k for each stress, from its principal values."""
     principal = np.linalg.eigvalsh(as_tensors(stress))
     if criterion == "tresca":
         return 0.5 * np.ptp(principal, axis=1)
@@ -41,7 +41,7 @@ def asked(stress, criterion):
 @pytest.mark.parametrize("criterion", ["tresca", "von_mises"])
 @pytest.mark.parametrize(("friction", "nu"), [(0.0, 0.3), (0.25, 0.3), (0.4, 0.1), (0.5, 0.0)])
 def test_the_limit_is_optimal_over_residual_stresses(friction, nu, criterion):
-    """Limit at its depth, by a search over both residual stresses; others require less."""
+    """A search over both residual stresses gives the limit; other depths require less."""
     limit = shakedown.line(friction, nu, criterion)
     for depth in (limit.depth, 0.0, 0.2, 0.5, 0.9):
         stress = CONTACT.stress(PASSING[::4], depth, nu, friction)
@@ -71,7 +71,7 @@ def test_kinematic_hardening_raises_the_limit_of_unreversed_friction():
 
 @pytest.mark.parametrize("friction", [0.0, 0.2, 0.35])
 def test_the_limit_of_a_circle_is_determined_at_its_middle(friction):
-    """No other point of the path requires more, by a search over all five components."""
+    """A search over all five components shows that no other point of the path requires more."""
     limit = shakedown.point_kinematic(friction)
     for y, z in ((0.0, limit.depth), (0.15, 0.33), (0.2, 0.02), (0.4, 0.3), (0.6, 0.1)):
         stress = POINT.stress(PASSING[::4], y, z, 0.3, friction)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities interpolated between cells are far closer to those of smooth fields."""
+"""Quantities interpolated between cells are close to those of smooth fields."""
 
 import math
 

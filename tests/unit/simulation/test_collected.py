@@ -17,7 +17,7 @@ STEEL = sc.Material.perfect_plastic(210e9, 0.3, 1.4e9).with_thermal(50.0, 1e-5, 
 
 
 class Study:
-    """Owns a simulation whose law of softening is a method of it."""
+    """Object that owns a simulation and whose method is the softening law."""
 
     def __init__(self):
         self.calls = 0

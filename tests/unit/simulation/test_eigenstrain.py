@@ -36,7 +36,7 @@ def given(simulation, strain=MISFIT, first=(8, 6, 3), cells=(6, 7, 4)):
 
 
 def cuboid(function, *points, component=None, **more):
-    """A closed form of the box of `given` at cells, times its strain."""
+    """Return the closed-form field of the box of `given` at cell centres."""
     x0, y0 = GRID.x[8] + 2.5 * D, GRID.y[6] + 3 * D
     X, Y = (axis - start for axis, start in zip(points[:2], (x0, y0), strict=True))
     values = function(X, Y, *points[2:], 5 * D, 3 * D, 3.5 * D, 2 * D, **more)
@@ -318,7 +318,7 @@ def test_stress_depends_on_the_coating_layers_with_eigenstrain():
 
 
 def test_values_of_all_cells_are_used():
-    """A field with another value in each cell lies where it was put, in its order."""
+    """A field with different values in all cells keeps positions and order."""
     field = np.arange(6 * 2 * 3 * 2, dtype=float).reshape(6, 2, 3, 2) * 1e-6
     simulation = scene()
     simulation.add_eigenstrain(2, field, (4, 5, 6))

@@ -38,7 +38,7 @@ def periodic(nz, dz=4e-6, n=8):
 
 
 def pressed_evenly(material, pressure, nz=0):
-    """A half-space under the same pressure everywhere: each depth by itself."""
+    """Press a half-space uniformly, so that each depth deforms independently."""
     grid = periodic(nz)
     sim = sc.Simulation(grid, RIGID, material, np.zeros(grid.surface_shape))
     return sim.step(pressure=np.full(grid.surface_shape, pressure))
@@ -47,7 +47,7 @@ def pressed_evenly(material, pressure, nz=0):
 @pytest.mark.parametrize("nz", [0, 3, 25])
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 def test_each_depth_flows_by_its_own_yield_stress(nz):
-    """Held along the surface, e_zz = -2 (1 - nu)/E (|p (1 - 2 nu)/(1 - nu) + s0| - f Y)."""
+    """With zero lateral strain e_zz = -2 (1 - nu)/E (|p (1 - 2 nu)/(1 - nu) + s0| - f Y)."""
     material = PLAIN.with_yield_profile(*WEAK).with_residual_stress(*PULLED)
     pressure = 1.2e9
     state = pressed_evenly(material, pressure, nz)
@@ -80,7 +80,7 @@ def test_a_constant_profile_is_another_yield_stress():
 
 
 def test_residual_stress_equals_that_of_an_eigenstrain():
-    """A uniform e_xx = e_yy = e(z) leaves -E/(1 - nu) e, whatever the contact does."""
+    """A uniform e_xx = e_yy = e(z) causes the stress -E/(1 - nu) e, independent of the contact."""
     grid = periodic(12, 15e-6, n=20)
     x = 2 * np.pi * np.arange(20) / 20
     gap = 0.8e-6 * (2 - np.cos(x)[:, None] - np.cos(x)[None, :])
@@ -120,7 +120,7 @@ def test_an_elastic_body_only_shows_residual_stress():
 
 
 def hertz_pressure(grid, radius, p0):
-    """Means over the cells."""
+    """Return the Hertz pressure averaged over the cells."""
     inner = (np.arange(10) - 4.5) / 10 * grid.dx
     x, y = (c[:, None] + inner for c in (grid.x, grid.y))
     r2 = x[:, :, None, None] ** 2 + y[None, None] ** 2
@@ -132,7 +132,7 @@ def rms(values):
 
 
 def test_a_hardened_case_with_residual_stress_agrees_with_finite_elements():
-    """At 16 cells per radius, half the difference between finite elements and finer grids."""
+    """Agreement at 16 cells per radius; half the difference is that of finer grids."""
     case, a, cells, steps = fem.load("graded"), 1e-3, 16, 16
     z = np.linspace(0.0, 2 * a, 201)
     body = sc.Material.swift(E, NU, 700e6, 20.0, 0.1)
@@ -172,7 +172,7 @@ LAYER = ([0.0, 0.5e-3, 0.505e-3, 0.54e-3, 0.545e-3], [3.0, 3.0, 0.6, 0.6, 3.0])
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 @pytest.mark.parametrize("profile", [CASE, LAYER], ids=["case", "layer"])
 def test_flow_below_a_strong_case_is_found(profile, nz):
-    """Neither below the box of what flows nor below the layers of the grid."""
+    """Flow is found below the active box and below the layers of the grid."""
     grid = sc.Grid(41, 41, 25e-6, 25e-6, nz, 20e-6)
     body, flat = SOFT.with_yield_profile(*profile), np.zeros(grid.surface_shape)
     sim = sc.Simulation(grid, ELASTIC, body, flat)
@@ -220,7 +220,7 @@ def test_subdomains_of_a_rough_surface_agree_with_one_box():
 
 
 def test_subdomains_of_two_balls_contain_flow_above_and_below_the_case():
-    """The core yields apart from what flows at the surface."""
+    """The core yields separately from the surface."""
     grid = sc.Grid(96, 64, SIZE, SIZE, 18, SIZE)
     x, y, radius = grid.x[:, None], grid.y, 200e-6
     gap = np.minimum(
@@ -239,7 +239,7 @@ def test_subdomains_of_two_balls_contain_flow_above_and_below_the_case():
 
 
 def test_large_and_small_surfaces_yield_at_the_same_place():
-    """Columns of a bound of the stress and of the stress itself."""
+    """The bound of the stress and the stress itself give equal columns."""
     z, factor = [0.0, 2e-6, 6e-6], [1.3, 1.3, 0.9]
     body = PERFECT.with_yield_profile(z, factor).with_residual_stress([0.0, 3e-6], [-300e6, 0.0])
     wide = sc.Grid(280, 280, SIZE, SIZE, LAYERS, SIZE)

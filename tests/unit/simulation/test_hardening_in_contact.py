@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Voce's law and tabulated curves under a ball: against other laws, saved, and from case files."""
+"""Voce's law and tabulated curves under a ball: other laws, checkpoints, case files."""
 
 import re
 from pathlib import Path
@@ -26,7 +26,7 @@ BALL = sc.surfaces.paraboloid(GRID, RADIUS)
 
 
 def pressed(material, loads=(0.5, 1.0), **more):
-    """A ball on a flat of this material, pressed step by step."""
+    """Press a ball step by step on a flat of this material."""
     simulation = sc.Simulation(
         GRID, sc.Material.elastic(E, NU), material, BALL, tol=1e-8, on_border="warn", **more
     )
@@ -56,7 +56,7 @@ def test_two_points_are_linear_hardening():
 
 
 def test_samples_of_swift_converge_at_second_order():
-    """Differences of the imprint volume and of the sum of the strain."""
+    """Differences of imprint volume and integrated strain converge with second order."""
     swift = sc.Material.swift(E, NU, 150e6, 3000.0, 0.25)
     errors = []
     for pieces in (8, 16, 32):
@@ -175,7 +175,7 @@ def test_to_results(law):
 
 
 def test_plastic_strain_of_the_exact_method_without_hardening():
-    """The numbers of the theory: a pattern from cell to cell makes them larger."""
+    """The strains are those stated in the theory; a cell-to-cell pattern increases them."""
     file = Path(__file__).parents[3] / "docs" / "theory" / "accuracy.md"
     page = file.read_text(encoding="utf-8")
     stated = re.search(

@@ -26,7 +26,7 @@ from samcontact.simulation.increment_paths import doubled, halved
 
 
 def silent(sim):
-    """Simulation without its own error estimates."""
+    """Return a simulation without its own error estimates."""
     sim.monitor.checks_increments = False
     return sim
 
@@ -76,7 +76,7 @@ class TestWarning:
         assert sim.engine.history.checked == 4  # it was looked at
 
     def test_a_continued_run_causes_a_warning(self):
-        """The path since the start is judged, whose first part was not path-dependent."""
+        """The estimate covers the whole path, whose first part is not path-dependent."""
         sim = ball(RIGID, PERFECT, 2000.0)
         assert warned(lambda: sim.run([{"load": 10.0}], progress=False)) == []
         assert len(warned(lambda: sim.run([{"load": 2000.0}], progress=False))) == 1
@@ -126,7 +126,7 @@ def test_errors_of_an_unknown_history_are_not_estimated():
 
 
 class State:
-    """Targets reached along a path."""
+    """State that contains only the targets reached along a path."""
 
     def __init__(self, load, force=0.0):
         self.load, self.approach, self.torque = load, 1e-9 * load, 0.0
@@ -160,7 +160,7 @@ class TestPaths:
 
     @pytest.mark.parametrize("loads", [[0.1, 2.0], [0.1, 0.2, 0.3, 0.4, 5.0], [1.0, 2.0, 0.0]])
     def test_no_halving_if_one_increment_dominates(self, loads):
-        """Merged with a small increment, or unmerged, a large increment gives no estimate."""
+        """A dominant increment gives no estimate, merged with a small increment or not."""
         path = [{"load": load} for load in loads]
         assert halved(path, [State(load) for load in loads], 0.0) is None
 

@@ -13,7 +13,7 @@ COPPER = sc.Material.perfect_plastic(70e9, 0.33, 0.3e9)
 
 
 def flow_held_along_surface(body, z, pressure):
-    """Equivalent plastic strain g under uniform pressure p, at a depth by itself.
+    """Return the equivalent plastic strain g of one depth under uniform pressure p.
 
     |p (1 - 2 nu)/(1 - nu) + s0| = sigma_y(g) f + H g + E g/(2 (1 - nu)), H of the backstresses.
     """
@@ -80,7 +80,7 @@ def flowing_steel(E):
 
 @pytest.fixture(scope="module")
 def homogeneous():
-    """States of the body without layers: the simulation goes with them."""
+    """Return the states and the simulation of the body without layers."""
     return indented(flowing_steel(210e9), loads=(3.0, 6.0, 0.0), image_tol=1e-6)
 
 
@@ -106,7 +106,7 @@ def test_nearly_equal_layers_agree_with_the_homogeneous_body(apart, tol, homogen
 
 
 def forces_on_blocks(grid, stress):
-    """Force on the part of the grid above each depth, through its bottom and its sides."""
+    """Return the force on the part of the grid above each depth, through bottom and sides."""
     bottom = stress[2:5].sum(axis=(1, 2)) * grid.cell_area
     ends = [np.moveaxis(s, axis, 0) for s, axis in ((stress[4], 0), (stress[3], 1))]
     sides = np.zeros(stress.shape[-1])
@@ -258,7 +258,7 @@ def test_contacts_move_over_layers_as_over_the_homogeneous_body():
 
 
 def strain_along(stress, material, component):
-    """Elastic strain xx, yy or xy of a stress."""
+    """Return the elastic strain xx, yy or xy of a stress."""
     E, nu = material.E, material.nu
     if component == 5:
         return stress[5] * (1 + nu) / E
@@ -267,7 +267,7 @@ def strain_along(stress, material, component):
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 def test_traction_and_lateral_strain_are_continuous_at_interfaces():
-    """Traction is the same on both sides of an interface, and so is strain along it."""
+    """Traction and lateral strain are equal on both sides of an interface."""
     brass = sc.Material.linear_hardening(120e9, 0.33, 0.6e9, 20e9)
     body = sc.Layered([(NITRIDE, 8e-6), (brass, 8e-6)], STEEL)
     grid = sc.Grid(34, 34, 3e-6, 3e-6, dz=2e-6)

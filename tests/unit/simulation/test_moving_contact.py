@@ -25,7 +25,7 @@ STEEL_AGAIN = sc.Material.swift(210e9, 0.3, 945e6, 20.0, np.nextafter(0.121, 1))
 
 
 def fixed_frame(cells, shape, body1, body2, **settings):
-    """The grid stays on body 2 and the ball's shape travels over it."""
+    """Simulate a fixed grid over which the shape of the ball travels."""
     wide = sc.Grid(3 * cells.nx, cells.ny, cells.dx, cells.dy)
     heights = -sc.surfaces.paraboloid(wide, *shape)
     flat = np.zeros(cells.surface_shape)

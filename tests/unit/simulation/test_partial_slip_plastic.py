@@ -22,7 +22,7 @@ def simulation(body1=BALL, body2=STEEL, friction=LAW, **settings):
 
 
 def by_parts(path, parts):
-    """Yield the steps of a path of loads and forces, each divided into equal parts."""
+    """Yield the steps of a path of loads and forces, divided into equal increments."""
     load, force = 0.0, np.zeros(2)
     for end, to in path:
         for part in np.arange(1, parts + 1) / parts:
@@ -176,7 +176,7 @@ def test_parts_of_an_increment_lead_to_its_end():
 
 
 def slid_surfaces(state):
-    """Elastic and plastic displacement of body 2 relative to body 1."""
+    """Return the elastic and plastic displacement of body 2 relative to body 1."""
     solver = sc.ContactSolver(state.grid, BALL, STEEL, LAW)
     u1, u2 = (solver.displacement(state.pressure, state.shear, body)[:2] for body in (1, 2))
     return u2 - u1 + np.stack([state.residual_displacement(2, axis=axis) for axis in "xy"])
@@ -262,7 +262,7 @@ SOFT = sc.Material.elastic(100e9, 0.2)
 
 
 def moved(field, cells):
-    """A field of a surface that has gone on by whole cells."""
+    """Return a surface field shifted by whole cells."""
     out, count = np.zeros_like(field), field.shape[-2] - abs(cells)
     to, of = max(cells, 0), max(-cells, 0)
     out[..., to : to + count, :] = field[..., of : of + count, :]
@@ -316,7 +316,7 @@ def test_swapped_bodies_mirror_large_motions():
 
 
 def per_cycle(cells, share, cycles=4):
-    """Strain and friction work of fretting under a fraction of the maximum force."""
+    """Return strain and friction work per cycle for a fraction of the maximum force."""
     size = 1e-3 / cells
     grid = sc.Grid(cells, cells, size, size, dz=size)
     body2 = sc.Material.perfect_plastic(210e9, 0.3, 1.2e9).with_kinematic_hardening(7e9)

@@ -68,7 +68,7 @@ class TestWorkDone:
         assert below["volume_bytes"] < 0.2 * above["volume_bytes"]
 
     def test_yields_where_the_elastic_stress_does(self):
-        """The check is exact: 1e-6 below the load of first yield nothing flows, above it does."""
+        """The yield check is exact to 1e-6 of the load at first yield."""
         onset = LOAD
         for _ in range(60):  # the discrete contact is not exactly self-similar
             onset *= (1e9 / simulation(STEEL, STEEL).step(load=onset).von_mises().max()) ** 2
@@ -163,7 +163,7 @@ class TestBothBodies:
         assert state.equivalent_plastic_strain(1).max() > 1e-3
 
     def test_friction_drags_them_in_opposite_directions(self):
-        """Equal constants, so no coupling; a symmetric gap: body 1 is the x mirror of body 2."""
+        """With equal constants and a symmetric gap, body 1 is the x mirror image of body 2."""
         sim = simulation(SOFT, SOFT, friction=0.3)
         for load in (0.5 * LOAD, LOAD):
             state = sim.step(load=load)
@@ -237,7 +237,7 @@ class TestPrescribedTractions:
         assert sim.counters["contact_solves"] == 0
 
     def test_contact_continues_from_prescribed_tractions(self):
-        """Prescribing the tractions of a contact gives an equal state and an equal continuation."""
+        """Prescribed tractions of a contact give an equal state and an equal continuation."""
         contact = simulation(image_tol=1e-6)
         prescribed = simulation(image_tol=1e-6)
         for part in (0.5, 1.0):
@@ -269,7 +269,7 @@ class TestInitialStrain:
 
     @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
     def test_contact_continues_from_an_initial_strain(self):
-        """Hardened enough not to flow: elastic contact of the surface that the strain bends."""
+        """The body is hard enough to stay elastic; its surface is displaced by the strain."""
         sim = simulation(STEEL, SOFT)
         hardened = np.full(GRID.volume_shape, 0.5)
         strain = self.strain

@@ -177,7 +177,7 @@ class TestSmallStrain:
 
     @pytest.mark.parametrize(("accumulated", "count"), [(0.0499, 0), (0.0536, 1), (0.07, 0)])
     def test_the_warning_uses_the_accumulated_strain(self, accumulated, count):
-        """The one that tables show, unless most of it is reversed flow."""
+        """The warning uses the strain shown in tables, unless most of it is reversed flow."""
         sim = simulation(STEEL, self.STRONG)
         strain, equivalent = np.zeros((6, *GRID.volume_shape)), np.zeros(GRID.volume_shape)
         strain[5, 9, 9, 4], equivalent[9, 9, 4] = 0.03 * math.sqrt(3) / 2, accumulated
@@ -190,7 +190,7 @@ class TestSmallStrain:
             assert message.endswith("at most 0.03)")
 
     def test_the_warning_may_be_an_error(self):
-        """The step is done all the same, as with a grid that is too small."""
+        """The step is completed, as with a grid that is too small."""
         sim = simulation(STEEL, self.STRONG)
         self.strained(sim, 2, 0.05)
         with pytest.raises(sc.PlasticStrainWarning, match="body 2"):

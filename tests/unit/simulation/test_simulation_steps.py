@@ -43,7 +43,7 @@ class TestGridTooSmall:
             sim.step(load=1.01 * LOAD)
 
     def test_flow_outside_the_grid(self):
-        """Pressure on the whole of a narrow grid: it yields under the edge of the pressed area."""
+        """Under uniform pressure on a narrow grid, yield occurs below the edge of the load."""
         pressure = np.full(self.narrow.surface_shape, 2.3e9)
         gap = np.zeros(self.narrow.surface_shape)
         sim = simulation(SOFT, STEEL, gap, self.narrow)

@@ -47,7 +47,7 @@ def test_a_path_of_loads_is_that_of_single_contacts():
 
 
 def test_work_is_stored_as_energy():
-    """Work of the load over the approach equals elastic energy plus that of the attraction."""
+    """The work of the load equals the elastic energy plus the work of the attraction."""
     grid = grid_of()
     gap = rough(grid)
     simulation = sc.Simulation(grid, STEEL, SOFT, gap, contact_law=LAW, tol=1e-10)
@@ -70,7 +70,7 @@ def test_work_is_stored_as_energy():
 
 
 def test_flow_is_that_of_the_computed_pressure():
-    """Plastic strain and gap of an increment are those that its tractions alone lead to."""
+    """Plastic strain and gap equal those due to the prescribed tractions of the increment."""
     grid = grid_of(dz=1e-6)
     gap, load = rough(grid), -0.2 * LIMIT * area(grid)
     simulation = sc.Simulation(grid, sc.Material.rigid(), YIELDS, gap, contact_law=LAW, tol=1e-8)

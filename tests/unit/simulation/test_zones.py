@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic strain in several subdomains against a single box."""
+"""Plastic strain in several subdomains compared with a single box."""
 
 import pickle
 import warnings
@@ -223,7 +223,7 @@ def test_the_number_of_threads_changes_no_digit():
 
 @pytest.mark.parametrize("cycles", [12, pytest.param(100, marks=pytest.mark.slow)])
 def test_cycles_shake_down_in_subdomains_as_in_one_box(cycles):
-    """Perfect plasticity opposes no drift: errors that feed on flow would show."""
+    """Perfect plasticity does not oppose drift, so accumulating errors would be visible."""
     sums = []
     for sim in both(RIGID, PERFECT, friction=0.1):
         strains = []
@@ -260,7 +260,7 @@ def halves(state):
 
 @pytest.fixture(scope="module", params=[2, 10, "balls"])
 def solved(request):
-    """A state, and the boxes of its zones as far as they lie in its grid.
+    """Return a state, and the boxes of its subdomains within the grid.
 
     Of a rough surface with some percent in contact, or two balls side by side.
     """
@@ -323,7 +323,7 @@ class TestOperators:
     """Fields of subdomains at the plastic cells of a rough contact, against a single box."""
 
     def compared(self, solved, strain=0.0, pressure=0.0, shear=(0.0, 0.0)):
-        """Stress, its reference, at the plastic cells; the surface displacements."""
+        """Return stress and reference at the plastic cells, and the surface displacements."""
         state, zones = solved
         grid, flows = state.grid, state.equivalent_plastic_strain() > 0
         strain, pressure = strain * state.plastic_strain(), pressure * state.pressure

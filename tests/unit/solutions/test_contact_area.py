@@ -19,7 +19,7 @@ Greenwood & Higginson (1985) and Yastrebov, Anciaux & Molinari (2014)."""
 
 
 def wavy(cells, shift=0.0):
-    """A grid of one period, and the gap of a wave in both directions as a function of a grid."""
+    """Return a grid of one period, and the gap function of a wave in both directions."""
 
     def gap(grid):
         x, y = (2 * np.pi * (s + shift * PERIOD / cells) / PERIOD for s in (grid.x, grid.y))
@@ -29,7 +29,7 @@ def wavy(cells, shift=0.0):
 
 
 def ball(cells, shift, aspect=1.0):
-    """Relative errors of the area of a ball, computed and by counting cells."""
+    """Return relative errors of the contact area of a ball, corrected and by counting cells."""
     load, radius = 100.0, 5e-3
     hertz = sc.hertz.point(radius, sc.hertz.effective_modulus(STEEL, STEEL), load=load)
     dx, dy = 2 * hertz.a / cells, 2 * hertz.a / cells * aspect

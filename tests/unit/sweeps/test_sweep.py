@@ -318,7 +318,7 @@ def test_an_interrupt_cancels_waiting_tasks(monkeypatch):
     submitted = []
 
     class Slow:
-        """Does the first task only; then the user loses patience."""
+        """Executor that runs only the first task; then the user interrupts."""
 
         def submit(self, task, *arguments):
             submitted.append(Future())

@@ -59,7 +59,7 @@ def test_the_stick_zone_does_not_wear(worn):
 
 @pytest.mark.parametrize("amplitude", [2e-7, 2e-5])
 def test_both_wear_laws_agree_for_equal_friction(amplitude):
-    """Little slip, and slip everywhere."""
+    """Both laws agree with little slip and with full slip."""
     cycle = [{"load": BALL_LOAD, "shift": (d * amplitude, 0.0)} for d in (0, 1, -2, 2)]
     one = frets(cycle=cycle, energy=None, archard=1e-16, cycles=1)
     other = frets(cycle=cycle, energy=1e-16 / MU.coefficient, cycles=1)
@@ -70,7 +70,7 @@ def test_both_wear_laws_agree_for_equal_friction(amplitude):
 
 @pytest.mark.parametrize("loops", [0, 2])
 def test_the_initial_loading_does_not_wear(loops):
-    """Shear of the first pull, here with the load at once, is forgotten after a time through."""
+    """Shear of the initial loading has no effect after one cycle."""
     cycle = to_and_fro(BALL_LOAD, 0.3 * BALL_LOAD)
     changed = cycle[1:] + loops * cycle[2:]
     found, expected = (frets(cycle=one, cycles=1).cycles[0] for one in (changed, cycle))
@@ -111,7 +111,7 @@ def test_error_due_to_the_cycle_jumps_is_of_first_order(monkeypatch):
 
 
 def test_a_contact_at_constant_distance_is_lost_by_wear():
-    """Bodies at a given distance touch no more at last."""
+    """At a constant approach the bodies finally separate."""
     grid = sc.Grid(12, 1, 8e-6, 8e-6, periodic="y")
     gap = sc.surfaces.paraboloid(grid, RADIUS, np.inf)
     cycle = [{"approach": 5e-8, "shift": (d * 1e-6, 0.0)} for d in (0, 1, -2, 2)]

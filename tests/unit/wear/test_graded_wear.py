@@ -41,7 +41,7 @@ def test_uniform_wear_shifts_the_profile():
 
 @pytest.mark.parametrize("advance", [0.0, 60e-6, 75e-6])
 def test_wear_depth_moves_with_the_body(advance):
-    """Rows of different depths, of a body that follows the contact or does not."""
+    """Rows with different wear depths move with the body."""
     rows = 40
     worn = 4e-6 * np.arange(rows)[:, None] * np.ones(25)
     relief = sc.Relief(np.zeros((rows, 25)), first=-10, worn=worn)

@@ -19,7 +19,7 @@ PATH = [{"load": 5.0}, {"load": 0.0}]
 
 
 def wearing(grid=GRID, **changes):
-    """A ball of 0.4 mm under a load at which the surface wears."""
+    """Run wear of a ball of 0.4 mm under a load at which the surface wears."""
     given = {"cycle": PATH, "threshold": 2e-3, "cycles": 3, "window": 7, "friction": 0.4}
     gap = changes.pop("gap", GAP)
     return wear.run(grid, ELASTIC, STEEL, gap, progress=False, **(given | changes))
@@ -40,14 +40,14 @@ def test_a_light_load_wears_nothing():
 
 @pytest.mark.filterwarnings("error::samcontact.ElasticStrainWarning")
 def test_plastic_flow_below_the_threshold_wears_nothing():
-    """No wear, and no warning of the elastic pressure, of which only the contact size is used."""
+    """No wear occurs, and no warning of the elastic pressure is issued."""
     result = wearing(threshold=0.04, cycle=[{"load": 6.0}, {"load": 0.0}])
     assert result.stopped
     assert 1e-3 < result.cycles[0].surface_strain[0] <= 0.04
 
 
 def test_its_elastic_estimate_warns_of_no_yield():
-    """A warning that a yielding body is treated as elastic would be false."""
+    """The elastic estimate of the contact size causes no warning of yield."""
     with warnings.catch_warnings():
         warnings.simplefilter("error", sc.ElasticStrainWarning)
         assert wearing(cycles=1).cycles[-1].max_equivalent_plastic_strain[-1] > 0
@@ -120,7 +120,7 @@ def test_symmetry_is_kept(worn):
 
 @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
 def test_an_asperity_runs_in():
-    """A bump is worn off; the ball then rests on a surface that does not wear."""
+    """An asperity is worn off; the ball then rests on a surface without further wear."""
     grid = sc.Grid(35, 31, 5e-6, 5e-6, 30, 1e-6)
     result = wear.run(
         grid, ELASTIC, STEEL, sc.surfaces.paraboloid(grid, 7.5e-3), window=1, order=0, friction=0.4,
@@ -156,7 +156,7 @@ def test_dataset_is_saved(worn, tmp_path):
 
 
 def test_both_bodies_wear_equally():
-    """Friction on body 1 has the opposite sign: its wear is that of body 2, mirrored in x."""
+    """The wear of body 1 is that of body 2 mirrored in x, because friction is opposite."""
     result = wear.run(
         GRID, STEEL, STEEL, GAP, cycle=[{"load": 6.5}, {"load": 0.0}], threshold=2e-3, cycles=1,
         window=5, worn=(1, 2), friction=0.4, progress=False,

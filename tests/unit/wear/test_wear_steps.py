@@ -36,7 +36,7 @@ def test_depth_of_an_exponential_converges():
 
 
 def test_depth_lies_between_the_two_layers():
-    """A plateau followed by a step, where polynomials would overshoot."""
+    """A plateau followed by a step causes no overshoot."""
     field = np.array([5.0, 5.0, 5.0, 5.0, 0.0, 0.0, 0.0])[None, None, :]
     found = [wear.depth(field, 1.0, limit)[0, 0] for limit in (4.999, 2.5, 0.001)]
     assert 3.5 < found[0] < found[1] < found[2] < 4.5
