@@ -24,7 +24,7 @@ def invoke():
 
 
 def verdict_lines(text):
-    """Return verdict, name, number, sense and limit of each line of the self-test."""
+    """Return result, name, number, sense and limit of each line of the self-test."""
     return [LINE.fullmatch(line).groups() for line in text.split("\n\n")[1].splitlines()]
 
 

@@ -81,7 +81,7 @@ def test_passes(collision):
 
 
 def test_too_few_increments_fail_a_check(collision):
-    """With 12 increments the energy imbalance is a tenth or more."""
+    """The energy imbalance with 12 increments is a tenth or more."""
     folder, outcome = collision
     assert "check failed: energy balance: unaccounted energy" in outcome.stderr
     with results.open_results(folder / "series.nc") as data:

@@ -47,7 +47,7 @@ def pressed_evenly(material, pressure, nz=0):
 @pytest.mark.parametrize("nz", [0, 3, 25])
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 def test_each_depth_flows_by_its_own_yield_stress(nz):
-    """With zero lateral strain e_zz = -2 (1 - nu)/E (|p (1 - 2 nu)/(1 - nu) + s0| - f Y)."""
+    """Zero lateral strain: e_zz = -2 (1 - nu)/E (|p (1 - 2 nu)/(1 - nu) + s0| - f Y)."""
     material = PLAIN.with_yield_profile(*WEAK).with_residual_stress(*PULLED)
     pressure = 1.2e9
     state = pressed_evenly(material, pressure, nz)

@@ -163,7 +163,7 @@ class TestBothBodies:
         assert state.equivalent_plastic_strain(1).max() > 1e-3
 
     def test_friction_drags_them_in_opposite_directions(self):
-        """With equal constants and a symmetric gap, body 1 is the x mirror image of body 2."""
+        """Equal constants and a symmetric gap make body 1 the x mirror image of body 2."""
         sim = simulation(SOFT, SOFT, friction=0.3)
         for load in (0.5 * LOAD, LOAD):
             state = sim.step(load=load)
