@@ -52,9 +52,9 @@ class Task:
 
 
 def peak_memory() -> int:
-    """Largest memory of this process so far [bytes].
+    """Return the largest memory of this process so far [bytes].
 
-    From /proc where there is one: ru_maxrss is inherited from the process that started this one.
+    It is read from /proc if available, because ru_maxrss is inherited from the parent process.
     """
     status = Path("/proc/self/status")
     if status.exists():

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Increment errors, estimated and true, for the table in docs/theory/accuracy.md.
 
-The cases are also used by tests/unit/simulation/test_increment_errors.py too.
+The cases are also used by tests/unit/simulation/test_increment_errors.py.
 """
 
 from __future__ import annotations
@@ -120,9 +120,9 @@ def solved(scene: Setup, count: int) -> tuple[sc.Simulation, Path, list[sc.State
 
 
 def true_error(name: str, states: Sequence[sc.State], finer: Sequence[sc.State]) -> float:
-    """Largest difference of a field at any cell from a run in more increments, over its largest.
+    """Return the largest relative difference of a field from a run in more increments.
 
-    Of a strain in the last state, of others in all states.
+    Strains are compared in the last state, other fields in all states.
     """
 
     def of(state: sc.State) -> np.ndarray:
@@ -159,9 +159,9 @@ def errors(scene: Setup, counts: Sequence[int], many: int) -> dict[str, list[tup
 
 
 def stated_errors(names: Sequence[str] = tuple(SCENES), runs: int | None = None) -> str:
-    """True errors by the increments, and their ratio to the stated ones.
+    """Return true increment errors, and their ratio to the estimated errors.
 
-    runs: how many of the increment counts of each case to run; None: all.
+    runs: number of increment counts to run for each case; None: all.
     """
     rows = []
     for name in names:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Partial slip: work of shear and pressure solutions, compared with Cattaneo and Mindlin.
 
-And of rolling with creepage, steady and step after step.
+Also rolling with creepage, steady and incremental.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ def balls(
     lower: sc.Material = STEEL,
     **settings: object,
 ) -> sc.Simulation:
-    """A simulation with `across` cells per Hertz radius; half width and depth of the volume in
+    """Return a simulation with `across` cells per Hertz radius; half-width and depth are in
     Hertz radii."""
     d = hertz(load).a / across
     n = 2 * int(width * across) + 1

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Studies: points that are run, records of them that are kept, and a page made of the records.
+"""Studies: points to run, their stored records, and a page generated from the records.
 
 A study is a module of this package, or the module `page` of a folder, with a `STUDY`. Its command
 is `python -m benchmarks.NAME`. A point is a dictionary of arguments, of which `of` names its group;
-a record is its point, what a run of it has found, and `on`, what it was measured on.
+a record contains its point, the results of the run, and `on`, version and processor.
 """
 
 from __future__ import annotations

@@ -111,9 +111,9 @@ def environment() -> str:
 
 
 def with_sections(old: str, text: str, titles: list[str]) -> str:
-    """Text of the markers with the sections of a new one in place of its own, in order of titles.
+    """Return the text between the markers with new sections in place of old ones, by title.
 
-    What comes before the first section is that of the new text.
+    The part before the first section is that of the new text.
     """
     head, *new = _sections(text)
     kept = dict(map(_titled, _sections(old)[1:])) | dict(map(_titled, new))

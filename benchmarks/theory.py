@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python -m benchmarks.theory --docs: recompute the tables of numbers in docs/theory.
 
-Each lies between markers that name the function below that makes it.
+Each table lies between markers that name its function in this module.
 """
 
 from __future__ import annotations

@@ -35,9 +35,9 @@ def finest(
     grid: int = INCREMENTS_ON,
     increments: tuple[int, ...] = INCREMENTS,
 ) -> dict[str, float]:
-    """The best values that can be had in some time, with one order for all; closed forms of some.
+    """Return the best values within a time limit, by one order; closed forms if there are any.
 
-    The fewest increments a segment on all grids, corrected by more of them on one of these.
+    All grids use the fewest increments; one grid with more of them gives a correction.
     """
     scene = RefinableCase(
         SectionsOfCase.model_validate({"title": "truth", "accuracy": 0.1, **case})

@@ -15,7 +15,7 @@ def own(count):
 def told_with(script, *threads):
     """Return the output of a script for each number of threads.
 
-    The number is exact on a busy machine too. The script may import modules shared by tests.
+    The number of threads is exact also on a busy machine. The script may import shared modules.
     """
     paths = [str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")]
     shared = {"PYTHONPATH": os.pathsep.join(filter(None, paths))}

@@ -113,14 +113,14 @@ def solve(across: int) -> dict[str, float]:
 
 
 def finite_elements(folder: Path, across: int, flatter: float | None = None) -> dict[str, float]:
-    """Results of the finite-element model, number of elements and processor time [s].
+    """Return results of the finite-element model, number of elements and processor time [s].
 
-    flatter: as of decks.
+    flatter: as for `balls_deck.write`.
 
     Raises
     ------
     RuntimeError
-        When CalculiX fails.
+        CalculiX fails.
     """
     elements = deck.write(folder / calculix.DECK, across, flatter)
     spent = calculix.run(folder)

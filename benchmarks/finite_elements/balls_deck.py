@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Decks for CalculiX: an elastic paraboloid pressed onto a half-space that yields, and released.
+"""Decks for CalculiX: an elastic paraboloid on an elastic-plastic half-space, loaded and unloaded.
 
 Axisymmetric, quadratic elements with reduced integration, graded towards a far border; face to face
 contact. Millimetres, newtons, megapascals.
@@ -99,9 +99,9 @@ def to_approach(approach: float, increments: int) -> list[str]:
 
 
 def write(path: Path, per_radius: int, flatter: float | None = None) -> int:
-    """Write the deck with this many elements on the Hertz radius; how many it has in all.
+    """Write the deck with this many elements per Hertz radius; return the number of elements.
 
-    flatter: without flow, a radius so many times as large, and the approach that gives the same
+    flatter: elastic bodies, the radius multiplied by this factor, and the approach of the same
     Hertz contact.
     """
     scale = flatter or 1.0

@@ -22,14 +22,14 @@ class NotInstalledError(RuntimeError):
 
 
 def run(folder: Path) -> float:
-    """Solve the deck of a folder; the processor's time [s].
+    """Solve the deck of a folder; return the processor time [s].
 
     Raises
     ------
     NotInstalledError
-        Without CalculiX.
+        CalculiX is not installed.
     RuntimeError
-        When it fails.
+        CalculiX fails.
     """
     program = shutil.which("ccx")
     if program is None:

@@ -88,12 +88,12 @@ def solve(across: int) -> dict[str, float]:
 
 
 def finite_elements(folder: Path, across: int) -> dict[str, float]:
-    """Results of the finite-element model, number of elements and processor time [s].
+    """Return results of the finite-element model, number of elements and processor time [s].
 
     Raises
     ------
     RuntimeError
-        When CalculiX fails, or keeps a load after release.
+        CalculiX fails, or a load remains after release.
     """
     elements = deck.write(folder / calculix.DECK, across)
     spent = calculix.run(folder)
@@ -106,7 +106,7 @@ def numbers_of(file: Path) -> dict[str, float]:
     Raises
     ------
     RuntimeError
-        When a load is left after release.
+        A load remains after release.
     """
     tables = calculix.tables_of(file)
     load, left = (force[0, 2] for force in tables["total force", "BOTTOM"])

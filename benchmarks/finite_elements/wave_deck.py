@@ -120,7 +120,7 @@ def steps(pushed: int) -> list[str]:
 
 
 def write(path: Path, across: int) -> int:
-    """Write the deck with this many elements on half a period; how many the lower body has."""
+    """Write the deck with this many elements per half period; return those of the lower body."""
     x = np.linspace(0.0, 0.5 * PERIOD, across + 1)
     z = -depths(across)[::-1]
     lower = block("LOWER", x, z, False, 1, 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails when a hot kernel needs more instructions than in the previous commit.
+"""Check that no hot kernel needs more instructions than in the previous commit.
 
     python benchmarks/instructions/guard.py [--base REVISION]
 
@@ -115,7 +115,7 @@ class BuildError(Exception):
 def build(source: Path) -> Path:
     """Build the driver of a source tree; returns the program.
 
-    With the flags and at the depth of the package's build, so that ccache knows its objects.
+    Flags and folder depth are those of the package build, so that ccache finds the objects.
     """
     folder = source / "build" / "instructions"
     options = [

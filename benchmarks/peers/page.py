@@ -78,8 +78,8 @@ def points(ladder: Ladder, measure: str, time: str) -> list[tuple[float, float]]
 
 
 def time_at(curve: list[tuple[float, float]], error: float) -> float | None:
-    """Time to reach the error: interpolated between the tolerances on both sides of it, in
-    logarithms; that of the loosest where it is good enough; None where it is never reached."""
+    """Return the time to reach an error, interpolated in logarithms between the tolerances
+    on both sides; that of the loosest if it is sufficient; None if it is never reached."""
     reached = [i for i, (found, _) in enumerate(curve) if found <= error]
     if not reached:
         return None

@@ -266,7 +266,7 @@ def solve_again(code: Any, first: float, clock: Callable[[], float]) -> list[flo
 
 
 class Server:
-    """A process that imports one code and forks for each measurement: a fresh process without the
+    """Process that imports one code and forks for each measurement, which avoids the
     seconds of the imports."""
 
     def __init__(self, code: str) -> None:

@@ -26,7 +26,7 @@ STATED = Stated("transient_heat")
 
 
 def still_missing(time: float) -> float:
-    """Difference of a stationary source from its steady temperature after a long time [K].
+    """Return the difference from the steady temperature of a stationary source at long times [K].
 
     A point source has Q/(2 pi k r) erfc(r/sqrt(4 kappa t)): Carslaw & Jaeger (1959), section 10.4.
     """

@@ -78,7 +78,7 @@ class Nursery:
     """Process with all imports done, which forks to call `computed(argument)` of a script."""
 
     def __init__(self, script):
-        # A pipe that nobody reads is full after many interrupts, and who writes there waits.
+        # An unread pipe is full after many interrupts, and would block its writer.
         self.errors = tempfile.TemporaryFile("w+")  # noqa: SIM115
         self.process = start(script + NURSERY, stdin=subprocess.PIPE, stderr=self.errors)
 
@@ -91,7 +91,7 @@ class Nursery:
         begun, result = time.perf_counter(), None
         if seconds is not None:
             time.sleep(seconds)
-            with contextlib.suppress(ProcessLookupError):  # it was faster
+            with contextlib.suppress(ProcessLookupError):  # the child has already ended
                 os.kill(int(child), number)
         while (line := self._line())[0] != "ended":
             result = line[1]

@@ -56,7 +56,7 @@ def test_full_disk(whole, nursery, tmp_path):
 def test_not_enough_memory(whole, nursery, tmp_path):
     """The folder with results is reported, and its run resumes with bit-identical results."""
     kind, digest, *_, most = whole
-    # A search goes around loads whose runs do not fit, and tells it when none does.
+    # A search skips loads whose runs do not fit, and reports if none fits.
     there = 0.0 if kind == "found load" else 0.99 * most
     told, _ = nursery.run(f"{kind}|memory {there}|{tmp_path / 'run'}")
     assert re.search(r"requires about [\d.e+-]+ GB of memory, [\d.e+-]+ GB available", told)

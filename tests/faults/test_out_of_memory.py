@@ -147,7 +147,7 @@ def test_memory_estimates_agree_with_measurements():
         for scene in SCENES:
             result, _ = nursery.run(scene)
             measured, asked = map(float, result.strip("()").split(","))
-            assert measured > 15e6, scene  # else it would tell nothing
+            assert measured > 15e6, scene  # otherwise the test proves nothing
             ratios[scene] = asked / measured
     assert {scene: r for scene, r in ratios.items() if not 0.7 < r < 1.5} == {}
 

@@ -149,7 +149,7 @@ def test_a_stopped_command_resumes_with_identical_bits(kind, nursery, tmp_path, 
     for trial in range(count):
         stopped = Stopped(nursery, kind, tmp_path / f"trial{trial}")
         signals = places.sample([signal.SIGTERM, signal.SIGINT], 2)
-        # first as late as can be
+        # the latest place first
         step, end = (places.randint(2, steps), places.randint(1, ends)) if trial else (steps, ends)
         moments = f"step {step}", f"end {end}"
         done = 0

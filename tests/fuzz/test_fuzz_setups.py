@@ -68,7 +68,7 @@ def solve(seed):
     """Outcome of all increments of a problem, or AssertionError."""
     came_to, missing = followed(drawn_case(seed))
     if missing is not None and missing >= MUCH_MISSING:
-        # The work of a whole segment in one increment is that of its mean force.
+        # The work of a segment solved in one increment is that of its mean force.
         case = drawn_case(seed)
         for segment in case["path"]:
             segment["increments"] *= 2

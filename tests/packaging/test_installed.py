@@ -13,14 +13,14 @@ import pytest
 import samcontact
 
 ROOT = Path(__file__).parents[2]
-# Another one may be in the environment while the package is imported from a folder of sources.
+# Another package may be installed while this one is imported from a source folder.
 PLACE = Path(samcontact.__file__).parents[1]
 DISTRIBUTION = next(metadata.distributions(name="samcontact", path=[str(PLACE)]), None)
 if DISTRIBUTION is None:
     pytest.skip(f"samcontact is imported from {PLACE}, not installed", allow_module_level=True)
 FILES = {str(path) for path in DISTRIBUTION.files or ()}
 (CORE,) = (path for path in DISTRIBUTION.files or () if path.match("samcontact/_core*.so"))
-# FFTW and OpenMP go into a wheel that is passed on (scripts/wheels.py); others are the system's.
+# Distributed wheels include FFTW and OpenMP (scripts/wheels.py); other libraries are the system's.
 LIBRARIES = {"fftw3", "gomp", "omp", "stdc++", "gcc_s", "m", "c", "pthread"}
 
 

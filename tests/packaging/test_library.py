@@ -16,7 +16,7 @@ else:
 ROOT = Path(__file__).parents[2]
 VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
 EXAMPLE = ROOT / "cpp" / "examples" / "hertz"
-# Kept between runs, for what has not changed; compiled as by `cmake --preset core`, for ccache.
+# Kept between runs; compiled as by `cmake --preset core`, so that ccache finds the objects.
 BUILD = ROOT / "build" / "library"
 CORE = {
     "SAMCONTACT_PYTHON": "OFF",

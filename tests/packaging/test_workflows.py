@@ -24,7 +24,7 @@ STEPS = [
     for name, job in content["jobs"].items()
     for number, step in enumerate(job["steps"])
 ]
-# Programs of the hosted machine; modules that a step before has installed.
+# Programs of the hosted machine, and modules installed by an earlier step.
 PROGRAMS = {"sudo", "cd", "samcontact", "python"}
 MODULES = {"pip", "build", "cibuildwheel"}
 

@@ -52,7 +52,7 @@ def test_pressures_are_reciprocal(nx, ny, ratio, nu, seed):
     axis=st.sampled_from("xyz"),
 )
 def test_tractions_and_plastic_strain_are_reciprocal(cuboid, cover, rect, X, Y, nu, axis):
-    """Work of a traction on a rectangle through u_r(eps) = that of eps : sigma over the cuboid.
+    """The work of a traction through u_r(eps) equals that of eps : sigma over the cuboid.
 
     The equality is exact. Singularities stay one unit off 24-point Gauss rules on sides of at
     most four: Bernstein ellipse 0.5 + sqrt(1.25), error about 1.618**-48 = 1e-10.

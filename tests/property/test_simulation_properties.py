@@ -48,7 +48,7 @@ def test_load_balance_flow_rule_and_dissipation(law, load):
         g = state.equivalent_plastic_strain()
         assert (g >= before).all()  # dissipation is never negative
         before = g
-        # Plastic strain keeps the volume, and nothing is beyond yield.
+        # Plastic strain is isochoric, and no stress is above the yield stress.
         strain = state.plastic_strain()
         assert np.abs(strain[:3].sum(axis=0)).max() <= 1e-12 * max(np.abs(strain).max(), 1e-30)
         yielded = state.von_mises() / simulation.body2.yield_stress(g) - 1
@@ -71,8 +71,8 @@ def test_results_are_independent_of_units(law, length, stress):
         length=length,
         tol=1e-10,
     ).step(load=700.0 * length**2 * stress)
-    # Rounding grows along the iteration until its tolerance stops it. The tolerance is one of the
-    # residual; the error is up to a hundred times that where hardening is weak.
+    # Rounding differences grow until the tolerance ends the iteration. The tolerance bounds the
+    # residual; the error is up to a hundred times larger for weak hardening.
     g, p = reference.equivalent_plastic_strain(), reference.pressure
     assert np.abs(scaled.equivalent_plastic_strain() - g).max() < 1e-8 * g.max()
     assert np.abs(scaled.pressure / stress - p).max() < 1e-9 * p.max()
@@ -120,7 +120,7 @@ def test_equilibrium_and_complementarity_with_friction(law, friction, path):
         assert not state.shear[1].any()
         if load == 0:
             continue
-        # the gap from what the bodies do, not from the solver
+        # the gap from the bodies' displacement, not from the solver
         u = sum(state.surface_displacement(body) for body in (1, 2))
         g = simulation.initial_gap + u - state.approach
         scale = np.abs(u).max()

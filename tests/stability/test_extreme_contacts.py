@@ -25,7 +25,7 @@ def assert_solved(solver, gap, found, tol):
             u += sc.operators.surface_displacement(grid, p, body.E, body.nu, shear)
     g = gap + u - found.approach
     assert p.min() >= 0
-    # what the rounding of u adds
+    # rounding of u
     assert np.abs(np.minimum(p / p.max(), g / np.abs(u).max())).max() <= tol + 1e-13
     assert p.sum() * grid.cell_area == pytest.approx(found.load, rel=1e-12)
 
@@ -181,7 +181,7 @@ def test_friction_up_to_one(pair, friction):
     if friction == 0 or pair == (STEEL, STEEL):
         assert abs(lean) < 1e-7
     else:
-        # shear towards +x lifts what is behind it (Cerruti); on body 1 it is reversed
+        # shear towards +x raises the surface behind it (Cerruti); on body 1 it is reversed
         sign = 1 if pair == (CORK, RIGID) else -1
         assert sign * lean > (0.02 if STEEL in pair else 0.05) * friction
 

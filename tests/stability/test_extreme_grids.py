@@ -144,7 +144,7 @@ def test_influence_of_flat_cuboids(flatness, nu):
         summed = summed + sc.kernels.eigenstrain_stress(
             X, 0.3 * X, depth, centre, half, half, c / parts, E, nu
         )
-    if flatness < 1:  # inside a part its own strain is subtracted once, on a face it is not unique
+    if flatness < 1:  # inside a part its strain is subtracted once; on a face it is not unique
         whole, summed = whole[..., 1:], summed[..., 1:]
     else:
         whole, summed = whole[..., 2:], summed[..., 2:]

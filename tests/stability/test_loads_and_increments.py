@@ -17,7 +17,7 @@ def self_similar(decade, body2, length_power, friction=0.3):
     """Solve a contact with 10^decade times the load, in units of its own length and pressure."""
     length = 10.0 ** (decade * length_power)
     pressure = 10.0**decade / length**2
-    # a ball keeps its radius where the pressure grows with the contact, and grows with it otherwise
+    # constant radius if the pressure grows with the contact; otherwise the radius grows with it
     radius = RADIUS * (length / pressure)
     grid = sc.Grid(21, 19, 4e-5 * length, 4.5e-5 * length, 8, 6e-5 * length)
     gap = sc.surfaces.paraboloid(grid, radius)

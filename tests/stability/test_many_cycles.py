@@ -65,7 +65,7 @@ def test_shakedown_to_the_last_bits(law, friction, cycles, method):
     assert largest(state.pressure - settled.pressure) <= 100 * same * settled.pressure.max()
     residual = bare.residual_stress()
     assert largest(unloaded.residual_stress() - residual) <= same * largest(residual)
-    # what the cycles changed in all is of the order of tol = 1e-6
+    # the total change by all cycles is of the order of tol = 1e-6
     strain = first.plastic_strain()
     assert largest(state.plastic_strain() - strain) < 1e-5 * largest(strain)
 

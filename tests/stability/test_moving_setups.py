@@ -27,7 +27,7 @@ def draw(seed):
     p0 = draws.uniform(1.8, 6.0) * yield_stress
     radius, modulus = 1e-2, sc.hertz.effective_modulus(other, body)
     half = math.pi * p0 * radius / (2 * modulus)
-    # the contact spreads to what the load takes at 2.8 times the yield stress
+    # the contact area is about the load over 2.8 times the yield stress
     reach = half * max(1.0, math.sqrt(2 / 3 * p0 / (2.8 * yield_stress)))
     cell = reach / draws.uniform(4.0, 6.0)
     nx, ny = (2 * math.ceil(draws.uniform(1.9, 2.3) * reach / cell) + 1 for _ in range(2))

@@ -64,7 +64,7 @@ def check(name, function, arguments, argument):
                 function(**{**arguments, argument: wrong})
         except (ValueError, TypeError) as error:
             text = str(error)
-            # a number of the right kind may be wrong beside another argument
+            # a number of the right type may be incompatible with another argument
             names = arguments if kind == "float" else names_in(argument, arguments[argument])
             names = {*names, "heat.factor"} if argument == "heat_factor" else names
             shared = re.match(r"(?:\w, )+\w(?= must)", text)  # by coordinates

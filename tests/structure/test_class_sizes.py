@@ -9,7 +9,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 MAX_METHODS = 20
-# More where a class is what a user has in hand, and each method is a line or two.
+# Larger limits for classes used directly by users, whose methods are a line or two.
 FACADES = {
     "python/samcontact/bodies/material.py: Material": 21,  # makers of each hardening law, E, nu
     "python/samcontact/solutions/state.py: State": 43,  # one for each quantity of a moment

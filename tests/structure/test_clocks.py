@@ -27,12 +27,12 @@ CLOCK = re.compile(
     r"|sleep_for|sleep_until|wait_for\w*|setitimer|signal\.alarm|ITIMER_\w+|faulthandler"
     r"|WebDriverWait|implicitly_wait|deadline|\w*timeouts?|max_total_time|TIMEOUT)\b"
 )
-# What a line may have: the condition waited for ends the wait, never the time.
+# Permitted lines: the wait ends by its condition, not by the time.
 NO_LIMIT = re.compile(
     r"timeout=(?:None|NEVER|0\b)|deadline=None|TIMEOUT 0\b|client_config\.timeout = None"
     r"|options\.timeouts = .*NEVER.*NEVER|wait_for_workers\(\d\)"
 )
-# Lines that look at a clock though nothing depends on what it says.
+# Lines that read a clock without an effect on the result of a test.
 EXCEPTIONS = {
     "tests/faults/faulting.py": "moments to kill a process at; one too late is tried again earlier",
     "tests/faults/test_interrupted.py": "moments of Ctrl-C; one too late is tried again earlier",
@@ -71,4 +71,4 @@ def test_no_test_uses_a_clock():
     found = {str(path.relative_to(ROOT)): looks(path) for path in others}
     wrong = [line for name, lines in found.items() if name not in EXCEPTIONS for line in lines]
     assert wrong == []
-    assert [name for name in EXCEPTIONS if not found[name]] == []  # none that needs it no more
+    assert [name for name in EXCEPTIONS if not found[name]] == []  # no obsolete exceptions

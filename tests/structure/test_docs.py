@@ -232,7 +232,7 @@ def test_words_that_users_search_for_lead_to_a_guide(word, page):
     assert re.search(rf"\b{word}", TEXTS[f"docs/guides/{page}.md"], re.IGNORECASE)
 
 
-# Bodies that move differently, and by parts of a cell, have the most to tell.
+# Bodies with different motions by fractions of a cell have the most variables.
 PASS = {"distance": 4e-4, "step": 2e-4, "slide_to_roll": -0.3}
 
 
@@ -277,7 +277,7 @@ def test_the_tutorial_states_what_its_examples_compute(capsys):
     imprint = made["unloaded"].residual_displacement(body=2).max()
     assert f"an imprint {imprint * 1e6:.2f} µm deep" in text
     assert law.yield_stress(0.0) == steel.yield_stress(0.0)  # the same steel
-    # every number with a unit in these sentences is one of those above, or what is given
+    # every number with a unit in these sentences is one of those above, or is given
     stated = set(re.findall(r"[\d.]+ (?:GPa|MPa|N|mm|µm)\b", text))
     given, pressures = {"15 mm", "1500 N"}, {"4.10 GPa", "2.54 GPa", "1.36 GPa", "3.98 GPa"}
     assert stated == given | pressures | {"0.20 mm", "0.29 µm"}

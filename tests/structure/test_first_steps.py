@@ -59,10 +59,10 @@ def test_another_ball_and_load_give_other_numbers_and_figures(folder):
         results.open_results(folder / "results" / "own" / "results.nc") as second,
     ):
         assert float(second["load"].max()) == pytest.approx(1200.0, rel=1e-12)
-        # elastic pressure grows with (load/radius^2)^(1/3), by 4 %; hardening takes some of it
+        # elastic pressure grows by 4 %, as (load/radius^2)^(1/3); plastic flow reduces the increase
         ratio = float(second["max_pressure"].max() / first["max_pressure"].max())
         assert 1.005 < ratio < 1.04
-        # the load of the onset falls with the radius squared: more of it is plastic
+        # the load at first yield falls with the radius squared, so plastic strain increases
         strain = "max_equivalent_plastic_strain_body2"
         assert float(second[strain].max()) > float(first[strain].max())
     for name in FIGURES:

@@ -32,7 +32,7 @@ def raw_values(source):
 
 
 def test_values_are_shortened():
-    # arguments that were checked before: a law, a word, a grid, a coefficient of friction
+    # arguments checked before: a law, a keyword, a grid, a coefficient of friction
     checked = {"friction", "periodic", "law", "grid", "kind"}
     raw = {
         f"{path.relative_to(PACKAGE)}:{line}: {name}"

@@ -19,7 +19,7 @@ BY = re.compile(r"<!-- Written by: (.*?) -->", re.DOTALL)
 POWER = r"(?:10)?[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+"
 NUMBER = rf"[-+−]?(?:\d+\.\d+(?:e-?\d+)?|\d+e-?\d+|{POWER}|\d+ · {POWER}|\d+ %)"
 CELL = re.compile(rf"{NUMBER}(?:, {NUMBER})*(?: (?:[GMk]?Pa|[GMk]?B|N|[mµn]?[ms]|%))?")
-# Tables that another test holds, or that state what something is.
+# Tables checked by another test, and tables of definitions.
 OTHERS = {
     ("docs/features.md", "quantity"): "tests/structure/test_validation_page.py",  # stored numbers
     ("docs/gallery.md", "page"): None,  # numbers of figures
@@ -32,13 +32,13 @@ FRACTION_WORDS = (
 )
 FIGURE = r"\d+(?:\.\d+)?"
 AMOUNT = rf"(?:{FIGURE}|\b(?:(?:{WORDS})(?:[ -](?:{FRACTION_WORDS}))?|half|twice))"
-# What something takes: a duration, a size in memory, or such a thing as a multiple of another.
+# Costs: a duration, a memory size, or a multiple of another one.
 COST = re.compile(
     rf"\b{FIGURE}(?: |-)(?:[mµ]?s|min|h|[kMGT]?B|(?:second|minute|hour)s?)\b(?! *[/·^])"
     rf"|{AMOUNT} (?:(?:%|times)(?: of the| the| as| less| more)?|of the|of its|the|as) "
     r"(?:time|memory|work|cost|long|fast|slow|quick|faster|slower|cheaper|dearer)\b"
 )
-# Those that nobody has measured: set, where the code has them so; or of what is described.
+# Numbers that are not measured: settings of the code, or part of a description.
 SET = {
     ("docs/developer/data_layout.md", "64 kB"): ("cpp/src/base/aligned.cpp", "1} << 16"),
     ("docs/developer/threads.md", "1 MB"): (

@@ -14,7 +14,7 @@ ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "python" / "samcontact"
 MODULES = sorted(PACKAGE.rglob("*.py"))
 
-# The rooms of the package, folders and public modules, by floors: each imports from floors below it
+# Rooms of the package (folders and public modules) by floor: each imports from lower floors
 # only, types included.
 FLOORS = [
     {"_util"},
@@ -33,7 +33,7 @@ FLOORS = [
     {"report", "sweeps"},
     {"commands"},
 ]
-# Modules that talk to the core; all others go through them.
+# Modules that call the core; all others use these modules.
 CORE_USERS = {
     "__init__",
     "_util.load_core",

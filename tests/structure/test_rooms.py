@@ -24,7 +24,7 @@ BINDINGS = sorted((ROOT / "cpp" / "bindings").glob("*.?pp"))
 PACKAGE = ROOT / "python" / "samcontact"
 MODULES = sorted(PACKAGE.rglob("*.py"))
 
-# What a room may include besides itself.
+# Rooms that each room may include.
 BELOW = {
     "base": set(),
     "fatigue": {"base"},
@@ -37,7 +37,7 @@ BELOW = {
 }
 
 
-# The same within divided rooms; "" is what lies in the room itself, above all its parts.
+# Parts within divided rooms; "" is the room itself, above all its parts.
 DIVIDED = {
     "operators": {
         "influence": set(),

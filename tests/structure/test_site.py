@@ -80,7 +80,7 @@ def test_sections_of_case_files_are_titled_as_there(site):
     assert len(set(titles)) == len(titles)
     for expected in ("[grid]", '[body1], [body2] with law = "swift"', "[[path]]", "[path.roll]"):
         assert expected in titles
-    # names of classes are of no use to whoever writes a file
+    # class names are of no use to authors of case files
     assert [title for title in titles if re.search(r"[a-z][A-Z]|^[A-Z]\w+[A-Z]", title)] == []
 
 

@@ -12,7 +12,7 @@ FILES = sorted(
     for file in (ROOT / folder).rglob("*")
     if file.suffix in (".py", ".hpp", ".cpp", ".sh", ".cmake")  # stubs are generated
 )
-# Lines; of a function those of its docstring do not count. clang-tidy has the same limit for C++.
+# Lines; docstrings of functions do not count. clang-tidy has the same limit for C++.
 FILE, FUNCTION = 400, 60
 
 

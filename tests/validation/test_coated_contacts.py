@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Elastic contact of a coated body against solutions of its integral equation (reference/layers).
 
-At 32 cells per contact radius; the errors are those of the homogeneous contact, first in the list.
+The grids have 32 cells per contact radius. The homogeneous contact, first in the list, has equal
+errors.
 """
 
 import json

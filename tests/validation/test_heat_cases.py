@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Two balls at 1500 N with steady heat into one (Boucly 2008, tables 2.1 to 2.3).
 
-References are converged values of an independent solution; the thesis reads its own off a coarse
+References are converged values of an independent solution; those of the thesis are from a coarse
 mesh.
 """
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Elastic stress under a Hertz pressure sampled at cell centres, 32 cells per contact radius.
 
-Sampling errs at the rim, where the pressure rises like a square root: of order (dx/a)**1.5 in the
-cells there, and little of it is left below; the tolerances are about twice the errors measured. The
+Sampling causes errors at the rim, where the pressure rises like a square root: (dx/a)**1.5 in the
+cells there, and much less below; the tolerances are about twice the measured errors. The
 reference values come from quadrature of the point-load solutions (tests/oracles/hertz_stress.py).
 """
 

@@ -35,7 +35,7 @@ KINDS = (
 
 
 def objects():
-    moved = simulation(friction=sc.Coulomb(0.1))  # of which a state tells all
+    moved = simulation(friction=sc.Coulomb(0.1))  # described completely by a state
     state = moved.step(load=0.5)
     return {
         "grid": GRID,

@@ -31,7 +31,7 @@ def test_a_log_gets_a_few_lines(total, initial, monkeypatch):
     assert "\r" not in log.getvalue()
     if total > initial:
         assert lines[-1] == f"increment {total} of {total}"
-    # more than was expected, as tugging may need, says no more
+    # more steps than expected, as in asperity collisions, cause no further output
     bar.update()
     assert log.getvalue().splitlines() == lines
 

@@ -69,7 +69,7 @@ def test_coated_bodies_are_closer_than_the_stated_error(name):
         0.005,
     )  # fmt: skip
     assert found.reached
-    # Stress jumps at interfaces: it is none of what is told.
+    # Stress jumps at interfaces, so it is not among the reported values.
     assert set(found.values) == {"max_pressure", "approach", "contact_area"}
     truth = {
         "max_pressure": case["p_max"] * 1e11,
@@ -173,7 +173,7 @@ def test_a_graded_body_agrees_with_finer_grids():
     }
     for name, exact in truth.items():
         assert abs(found.values[name] - exact) <= found.errors[name] <= 0.05 * exact
-    # Kinks of strength lie between layers: what is largest there is known to the accuracy only.
+    # Kinks of strength lie between layers; maxima there are known only to the prescribed accuracy.
     assert found.values["max_von_mises_body2"] == pytest.approx(2.4347e9, rel=0.005)
     assert found.values["max_equivalent_plastic_strain_body2"] == pytest.approx(1.683e-3, rel=0.05)
 
@@ -208,7 +208,7 @@ def test_corrections_come_from_the_grid_that_resolves_the_value():
     finest = runs[3, 2].values
     wrong = increments.correction(runs, 2, finest)
     missing = 1.0 - finest - wrong.values
-    assert abs(missing) > 2 * wrong.errors  # the series itself knows nothing of it
+    assert abs(missing) > 2 * wrong.errors  # the series itself does not show this
     assert abs(missing) <= np.sum(wrong.by_grid)
     runs |= {(3, n): run(3, n) for n in (4, 8)}
     found = increments.correction(runs, 2, finest)
@@ -242,7 +242,7 @@ def test_all_kinds_of_cases_have_values_at_their_marks(change, marks):
     assert found.increments == marks
     loads = [found.states[m].load for m in marks]
     assert loads[0] > 1400.0
-    # what flows carries less than Hertz's 4.1 GPa, on a larger spot; heat bulges it
+    # plastic flow lowers the pressure below Hertz's 4.1 GPa on a larger area; heat has a bulge
     assert 3.5e9 < found.values["max_pressure"] < 5e9
     assert np.all(found.series["max_pressure"][1:] == 0.0)
 

@@ -46,7 +46,7 @@ def test_values_come_with_errors(case, tmp_path, undrawn):
     ratio = data["max_pressure_best"][1] / data["max_pressure_best"][0]
     assert float(ratio) == pytest.approx(4 ** (1 / 3), rel=2e-3)  # Hertz
     assert np.all(data["max_pressure_error"] <= 0.02 * data["max_pressure_best"].max())
-    # what was solved is all of one kind, of which the checks are computed
+    # all solved values are of one kind, from which the checks are computed
     assert np.array_equal(data["max_pressure"], data["pressure"].max(("x", "y")))
     assert all(check.passed for check in report.checks(data))
     assert data["max_pressure_error"].attrs["accuracy"] == 0.02

@@ -94,7 +94,7 @@ def test_an_interrupted_run_to_an_accuracy_resumes_with_identical_bits(
     steps.stop(0)
     assert_same(solved(ELASTIC, checkpoint=tmp_path), expected)
     assert steps.made == 15 - (at - 1)
-    # once more nothing is left to do, and of another case nothing is taken
+    # a repeated call solves nothing, and another case uses none of the files
     steps.stop(0)
     assert_same(solved(ELASTIC, checkpoint=tmp_path), expected)
     assert steps.made == 0
@@ -105,7 +105,7 @@ def test_an_interrupted_run_to_an_accuracy_resumes_with_identical_bits(
 def test_increments_of_error_estimates_are_not_repeated(steps, tmp_path, monkeypatch):
     monkeypatch.setattr(
         refinable_case, "CELLS_OF_FIRST_GRID", 2.5
-    )  # on few cells, which is enough to go on from
+    )  # few cells are sufficient for a resume
     whole = solved(YIELDING)
     total = steps.made
     steps.stop(4 + 4 + 6)  # in the second of the runs on the second grid
@@ -191,7 +191,7 @@ def ball(load):
 def test_an_interrupted_load_search_resumes_with_identical_bits(steps, tmp_path, end):
     whole = found(ball)
     total = steps.made
-    estimate = 2  # increments on half the cells, for the error of what was found
+    estimate = 2  # increments on the coarsened grid, for the error of the found load
     at = [4, total - estimate - 3, total - estimate, total][end]
     steps.stop(at)
     with pytest.raises(KeyboardInterrupt):

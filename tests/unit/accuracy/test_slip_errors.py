@@ -46,7 +46,7 @@ def test_fretting_against_mindlin_and_deresiewicz():
     assert abs(value[3] - shift) < 2 * error[3]
     value, error = found.values["friction_work"], found.errors["friction_work"]
     assert abs(value[-1] - value[3] - work) < 2 * error[-1] < 0.1 * work
-    # what was given has none, and what is rounding is not told
+    # prescribed values have no error, and rounding is not reported
     assert not {"tangential_load_x", "tangential_load_y", "shift_y", "twist"} & set(found.errors)
     # where the shift passes through zero both grids agree by chance
     assert error.min() >= 0

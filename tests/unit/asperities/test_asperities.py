@@ -60,7 +60,7 @@ def test_surfaces_advance_with_the_contact_point():
     middle = 0.5 * (start + end)
     tangent = np.array([math.cos(middle), -math.sin(middle)])
     over = [(moved[1][n] - moved[0][n]) @ tangent for n in (0, 1)]
-    # what the contact moves over a surface in +x, the surface moves through the contact in -x
+    # if the contact moves over a surface in +x, the surface moves through the contact in -x
     np.testing.assert_allclose(which.advance(end - start), [-w for w in over], rtol=1e-8)
 
 
@@ -71,7 +71,7 @@ def test_elastic_spheres_dissipate_nothing():
         fx, fz = series.force_x.values[0], series.force_z.values[0]
         np.testing.assert_allclose(fx, -fx[::-1], atol=1e-6 * fx.max())
         np.testing.assert_allclose(fz, fz[::-1], atol=1e-6 * fz.max())
-        # Hertz at the middle, resisting before and helping after
+        # Hertz when aligned; resisting force before, driving force after
         hertz = sc.hertz.point(0.5, sc.hertz.effective_modulus(ELASTIC, ELASTIC),
                                approach=relative * CRITICAL.interference)  # fmt: skip
         assert fz.max() == pytest.approx(hertz.load, rel=0.01)

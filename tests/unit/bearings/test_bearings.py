@@ -63,7 +63,7 @@ def test_groove_radius_and_conformity_agree():
     second = bearings.ball_on_race(D, PITCH, conformity=F, contact_angle=0.3)
     assert first.Rx == second.Rx
     assert first.Ry == pytest.approx(second.Ry, rel=1e-13)
-    # a groove almost as wide as a plane is a plane
+    # a very wide groove tends to a plane
     assert bearings.ball_on_race(D, PITCH, 1e6).Ry == pytest.approx(D / 2, rel=1e-8)
     # a thrust bearing rolls on a flat in the rolling direction
     thrust = bearings.ball_on_race(D, PITCH, conformity=F, contact_angle=math.pi / 2)
@@ -109,7 +109,7 @@ def test_known_factors():
 
 def test_radial_load_is_in_equilibrium_with_many_balls():
     count, angle = 10001, 0.4
-    # the inner ring moves by 1 along the load: balls in front are pressed by cos(psi)
+    # the inner ring moves by 1 along the load, balls in front are compressed by cos(psi)
     psi = 2.0 * math.pi * np.arange(count) / count
     loads = np.maximum(np.cos(psi), 0.0) ** 1.5
     force = math.cos(angle) * np.sum(loads * np.cos(psi))
@@ -172,7 +172,7 @@ def test_static_rating_of_rollers_has_the_factor_of_the_standard():
 
 
 def test_palmgren_and_the_rating_agree_in_the_deformation():
-    # 12.3 was the factor of 1e-4 of the diameter before pressures took its place
+    # 12.3 was the factor for 1e-4 of the diameter before the standard stated pressures
     race = bearings.ball_on_race(D, PITCH, conformity=F)
     before = bearings.palmgren_deformation(race, 5 * 12.3 * (1e3 * D) ** 2, D)
     assert before == pytest.approx(1e-4 * D, rel=0.07)

@@ -145,7 +145,7 @@ def test_the_meter_repeats_short_runs():
 
 
 def test_the_meter_measures_memory():
-    # in a fresh process: this one may have been larger before
+    # in a new process, because this one may have used more memory before
     code = (
         "import numpy as np; from benchmarks.harness import Meter\n"
         "meter = Meter(); kept = meter(lambda: np.ones(3_000_000)); print(meter.memory)"

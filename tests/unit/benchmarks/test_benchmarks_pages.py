@@ -35,7 +35,7 @@ STUDIES = {
 }
 STORED_RECORDS = {name: studies.find(name) for name in sorted(STUDIES - WITHOUT_RECORDS)}
 by_study = pytest.mark.parametrize("study", STORED_RECORDS.values(), ids=STORED_RECORDS)
-# Columns that are not measured, besides the first ones, which name rows.
+# Columns that are not measured, besides the first columns, which name rows.
 GIVEN = {
     "accuracy": {"values", "quantity", "finite elements", "reference", "difference [%]",
                  "accuracy of finite elements [%]"},
@@ -66,7 +66,7 @@ def test_a_page_is_generated_from_the_records(study):
     for record in records:  # of some point
         points = [*study.points(False), *study.points(study.keeps_quick)]
         assert any(point.items() <= record.items() for point in points), record
-    if study.name != "sensitivity":  # which has not made every change of every mesh
+    if study.name != "sensitivity":  # it lacks some changes of some meshes
         for point in study.points(False):
             assert any(point.items() <= record.items() for record in records), point
     if study.name != "truth":
@@ -240,7 +240,7 @@ def test_claims_of_the_page_in_words():
         assert row["error: stress, largest"] < float(row["method"].removeprefix("image_tol "))
 
 
-# Small forms of the tables of the theory: between which shares of the page's numbers theirs are.
+# Small versions of the tables of the theory, with the range of their ratio to the page.
 SMALL_RUNS = {
     "contact_counts": (lambda: theory.contact_counts(rough=()), 0.8, 1.2, ["contact"]),
     "increments": (lambda: theory.increments((1,), 16, 8), 0.4, 2.5, ["increments"]),
@@ -254,7 +254,7 @@ SMALL_RUNS = {
         lambda: theory.shakedown_cycles(theory.CYCLES[:1]), 0.95, 1.05, ["load, friction", "result"]
     ),
 }  # fmt: skip
-ALONE = {"grid_errors": {"minimum"}}  # columns that do not depend on how many there are
+ALONE = {"grid_errors": {"minimum"}}  # columns that are independent of the number of rows
 
 
 @pytest.mark.parametrize("name", SMALL_RUNS)

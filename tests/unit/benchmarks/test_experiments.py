@@ -25,7 +25,7 @@ def test_perfect_plasticity_reaches_tabors_hardness():
     assert half.constraint == pytest.approx(indentation.cavity(half.stiffness), rel=0.1)
     assert TABOR[0] < full.constraint < TABOR[1]
     assert full.max_strain < 1e-3
-    # Tabor's is no ratio of Hertz, which is five times as much there
+    # not Hertz, whose ratio is five times as large there
     assert indentation.hertz(full.stiffness) > 4.5 * full.constraint
 
 

@@ -63,7 +63,7 @@ def test_sentences_follow_the_numbers():
 def test_a_transpose_sends_the_half_spectrum(padded):
     rows = np.fft.rfft(np.zeros((12, 24 if padded else 12)))
     assert cluster.bytes_of_a_transpose(12, padded) == rows.astype(complex).nbytes
-    # each of four processes keeps a quarter of its quarter, there and back
+    # each of four processes keeps a quarter of its quarter in both directions
     sent = cluster.bytes_of_a_rank(12, 4, padded)
     assert sent == pytest.approx(2 * 3 / 16 * rows.nbytes)
     assert 2 * 3 * cluster.message(12, 4, padded) == pytest.approx(sent)

@@ -115,7 +115,7 @@ def made(law, yield_profile=None, residual_stress=None, **parameters):
         ),
         (lambda: SOFT.with_residual_stress([0.0, 2e-3], [-2e9, 0.0]), "at z = 0 m must be at"),
         (
-            # Within the yield stress at all depths of its own, not where the profile is weak.
+            # The stress is below the constant yield stress, but not where the profile is weak.
             lambda: SOFT.with_yield_profile(
                 [0.0, 1e-3, 2e-3], [1.0, 0.1, 1.0]
             ).with_residual_stress([0.0, 2e-3], [5e8, 5e8]),

@@ -154,7 +154,7 @@ class TestBar:
         assert g > 0.03
 
 
-# Stairs: what Newton's method goes to and fro on, from one tread to the next.
+# A staircase, on which Newton's method could alternate between two steps.
 STAIRS = ([0.0, 1e-3, 1.001e-3, 3e-3, 3.001e-3], [1e9, 1.0001e9, 2e9, 2.0001e9, 4e9])
 tables = st.lists(
     st.tuples(
@@ -177,7 +177,7 @@ class TestReturn:
         trial = before * (1 + excess)
         d = material._core.equivalent_increment(trial, g)
         assert 0 < d <= (trial - before) / STIFFNESS * (1 + 8 * ULP) + 4 * ULP * trial / STIFFNESS
-        # the law itself loses (g + d) ulp where it is steep, on either side of a kink
+        # the law loses (g + d) ulp where it is steep, on both sides of a kink
         near = material.yield_stress((g + d) * (1 + np.array([-8, 8]) * ULP))
         residual = trial - STIFFNESS * d - material.yield_stress(g + d)
         assert abs(residual) <= 8 * ULP * trial + np.ptp(near)

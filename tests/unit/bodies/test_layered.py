@@ -174,7 +174,7 @@ def test_two_layered_bodies_with_coupled_friction():
     other = sc.Layered([(POLYMER, 2e-6)], RIGID)
     both = sc.ContactSolver(grid, coated, other, 0.3).solve(gap, load=0.02)
     swapped = sc.ContactSolver(grid, other, coated, 0.3).solve(gap, load=0.02)
-    # The bodies exchanged are the same scene seen from the other side: shear to -x.
+    # Swapped bodies are the same problem in the mirrored frame: shear towards -x.
     assert swapped.pressure == pytest.approx(both.pressure[::-1], rel=1e-6, abs=1.0)
     stuck = sc.ContactSolver(grid, coated, coated, sc.Coulomb(0.3))
     alike = stuck.solve(gap, load=0.05, tangential_load=(0.01, 0.0))
@@ -202,7 +202,7 @@ def test_a_surface_and_its_repetitions_agree():
                 )
             )
         (u, stress), (again, stress_again) = found
-        # With one free direction the surface moves from a distance that goes with the grid.
+        # With one free direction the reference distance of displacement scales with the grid.
         u, again = (v - v.mean(axis=(1, 2), keepdims=True) for v in (u, again))
         assert again == pytest.approx(u, abs=1e-6 * np.abs(u).max())
         assert stress_again == pytest.approx(stress, abs=1e-6 * np.abs(stress).max())
@@ -318,7 +318,7 @@ def test_flow_below_a_layer_of_the_same_stiffness_stays_below_it():
         assert gamma[:, :, 2:].max() > 0 or state is below[0]
         assert state.approach >= 0 or state.load == 0
         assert without.equivalent_plastic_strain().shape == gamma.shape
-    # Elastic steel above: no more flow than without it, and its residual stress is in balance.
+    # An elastic steel layer does not increase the flow, and residual stress is in equilibrium.
     assert (
         0
         < below[-1].max_equivalent_plastic_strain()
@@ -362,7 +362,7 @@ def test_plastic_strain_and_its_repetitions_agree(periodic):
         found.append((u, run.state.residual_stress()[:, :8, :6]))
     (u, stress), (again, stress_again) = found
     assert again == pytest.approx(u, abs=1e-6 * np.abs(u).max())
-    # Where one direction is free, its images are taken away to image_tol.
+    # Images along a free direction are removed to image_tol.
     tol = 1e-12 if periodic == "xy" else 1e-3
     assert stress_again == pytest.approx(stress, abs=tol * np.abs(stress).max())
 

@@ -41,7 +41,7 @@ GROWN = yielding(400e9, 0.25, 3e9)
 @pytest.mark.parametrize(
     ("layers", "substrate", "starts_in"),
     [
-        # Its core yields first, though stress is largest in the case: it is too shallow.
+        # The case is too shallow: the core yields first, although stress is largest in the case.
         ([CASE[0]], CASE[1], 1),
         ([(CASE[0][0], 24e-6)], CASE[1], 0),
         (SOFT, yielding(210e9, 0.3, 2e9), 1),

@@ -28,11 +28,11 @@ from case_kinds import (
 from samcontact import wear
 from samcontact.cases import AsperityCase, Case, CaseError, asperities, fatigue, shakedown
 
-# Not of what is computed: title and place of results, and what the command shows of them.
+# Fields that do not affect the computation: title, results folder, and output of the command.
 OF_RESULTS = {"title", "description", "estimate_error", "output"}
-# What has no grid to build: tests of to_accuracy see to it.
+# Fields without a grid to build, which are covered by tests of to_accuracy.
 OF_ACCURACY = {"accuracy", "quantities", "max_memory", "max_time"}
-# Other values where the field's own does not tell one; the first that is valid and differs counts.
+# Alternative values if the field implies none; the first valid different value is used.
 OTHER = {
     "lateral_creepage": [2e-3], "spin": [1.0],
     "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
@@ -176,7 +176,7 @@ def test_every_field_is_used_or_refused(computed, kind):
             tried += 1
             after = outcome(computed, changed(content, place, other))
             if isinstance(after, ValueError):
-                # by the name of the field, or by that of what does not go with it
+                # by the name of the field, or of the incompatible field
                 assert {place[-1], place[0]} & set(re.findall(r"\w+", str(after))), after
                 continue
             if after == before:

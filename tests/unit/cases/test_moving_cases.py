@@ -269,5 +269,5 @@ def test_dictionaries_are_cases_too():
     )
     simulation, path = case.build()
     states = simulation.run(path, progress=False)
-    # three steps further, over the dent, the bodies are closer by a part of its depth
+    # three steps later, over the dent, the bodies are closer by a fraction of its depth
     assert 0 < states[3].approach - states[0].approach < 1e-8

@@ -310,7 +310,7 @@ def test_slip_heats_for_the_duration_of_the_increment():
     assert simulation.heat.partition == 0.4
     assert [step["duration"] for step in steps] == [1e-3] * 2 + [1e-3] * 10
     state = simulation.run(steps, progress=False)[-1]
-    # body 1 and 2 are alike but for the share that enters them
+    # the bodies are identical except for their share of the heat
     warm = [state.surface_temperature(body).max() for body in (1, 2)]
     assert warm[0] > 0
     assert warm[1] / warm[0] == pytest.approx(0.4 / 0.6, rel=1e-9)

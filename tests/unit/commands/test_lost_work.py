@@ -53,7 +53,7 @@ def fails(error):
     return called
 
 
-# Where the user presses Ctrl-C, once the last increment is done.
+# Places at which Ctrl-C is pressed after the last increment.
 PLACES = {
     "after the last increment": (solve_contact, "run_into", None),
     "before the dataset": (results, "to_dataset", pressed),
@@ -78,7 +78,7 @@ def test_ctrl_c_after_the_last_increment(case_file, expected, tmp_path, place, j
         outcome = invoke(*command, *["--no-figures"] * ("figures" not in place))
     assert outcome.exit_code == 130, outcome.output
     left = interrupted.is_interrupted(tmp_path)
-    # when checkpoints are being removed, or where none are left to remove, all is written
+    # all results are written before checkpoints are removed, or if there are none
     if not left:
         assert place.endswith("forgetting")
         xr.testing.assert_identical(fields(tmp_path), expected)
@@ -184,7 +184,7 @@ def test_a_full_disk_reports_the_first_error(case_file, tmp_path, monkeypatch):
     assert "could not write all checkpoints" in outcome.stderr
 
 
-# Case, file of the results, the increment that fails, the first one too many when it goes on.
+# Case, results file, failing increment, and first increment that must not be solved again.
 STUDIES = {
     "asperities": (ASPERITIES.replace("passes = 2", "passes = 1"), "series.nc", 5, 1),
     "wear": (WEAR.replace("cycles = 1", "cycles = 2"), "wear.nc", 3, 5),
@@ -212,7 +212,7 @@ class TestStudies:
         assert "samcontact resume" in outcome.stderr
         done = len(list((out / "checkpoints").glob("*.h5")))
         with monkeypatch.context() as patch:
-            # nothing but the last cycle of wear is solved again
+            # only the last cycle of wear is solved again
             again = stop_at(too_many, AssertionError("solved again"))
             patch.setattr(sc.Simulation, "step", again)
             outcome = invoke("resume", out, *OPTIONS)

@@ -55,7 +55,7 @@ def test_animation_of_a_static_contact_is_refused(case_file, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
-# As from the command line, but killed in the middle of writing one of its checkpoints.
+# Run from the command line that is killed while it writes a checkpoint.
 KILLED = """
 import os, signal, sys
 from samcontact import Simulation
@@ -79,7 +79,7 @@ def test_a_killed_run_resumes(case_file, tmp_path):
     options = ("--no-figures", "--quiet")
     assert invoke("run", case_file, "--output", plain, *options).exit_code == 0
     arguments = ["run", str(case_file), "--output", str(resumed), "--resume", *options]
-    # first under way with load, then, by another process, on the second pass
+    # first killed under load, then, in another process, in the second pass
     for count, left in ((5, 4), (5, 8)):
         command = [sys.executable, "-c", KILLED, str(count), *arguments]
         assert subprocess.run(command, check=False).returncode == -signal.SIGKILL
@@ -125,7 +125,7 @@ class TestForeignCheckpoints:
         case_file.write_text(MOVING.replace("load = 600.0", "load = 500.0"))
         outcome = invoke(*self.command(case_file, tmp_path))
         check_failure(outcome, 2, str(folder), "of another run", "remove it, or use another path")
-        # it still belongs to the run that left it
+        # it still belongs to the previous run
         _, source, text = (folder / "case.txt").read_text().split("\n", 2)
         assert (source, text) == (str(case_file), MOVING)
 

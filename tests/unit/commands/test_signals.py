@@ -12,7 +12,7 @@ from command import invoke
 from samcontact import results
 from samcontact._util.silent_interrupt import is_command
 
-# The command, which gets a signal when it is about to make an increment for the n-th time.
+# Command that gets a signal before its n-th increment.
 COMMAND = """
 import os, signal, sys
 from samcontact import Simulation
@@ -32,7 +32,7 @@ main(sys.argv[3:])
 OPTIONS = ("--no-figures", "--quiet")
 
 
-# Of each kind of run: a case, and what is sent.
+# Case and signal for each kind of run.
 TEXTS = {
     "run": (MINIMAL, signal.SIGHUP),
     "sweep": (MINIMAL, signal.SIGTERM),
@@ -83,7 +83,7 @@ def pressed(*arguments):  # again while it keeps what it has
     write(*arguments)
 file.write_tree = pressed
 """
-# A batch system sends to the process and to its group: the second finds the first under way.
+# A batch system signals the process and its group; the second signal arrives during the first.
 TWICE = AGAIN + COMMAND.replace(
     """        os.kill(os.getpid(), int(sys.argv[2]))
 """,
@@ -144,7 +144,7 @@ def test_calls_of_the_command_are_recognised(script, words, expected):
     assert is_command(script, words) == expected
 
 
-# A signal that a parent ignores, as under nohup, is none for the command either.
+# A signal ignored by the parent, as under nohup, is also ignored by the command.
 IGNORED = "import signal, sys; signal.signal(signal.SIGHUP, signal.SIG_IGN)\n" + COMMAND
 
 

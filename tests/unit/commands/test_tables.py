@@ -113,7 +113,7 @@ def test_every_number_of_every_table_is_whole(seed, width):
             if width is None:
                 assert cells(lines, name) == whole
             elif " " not in name:
-                # what wraps is text, such as the name of a row
+                # only text may wrap, such as the name of a row
                 assert cells(lines, name) == whole
 
 

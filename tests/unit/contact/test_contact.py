@@ -120,7 +120,7 @@ class TestFriction:
             p = sc.ContactSolver(grid, RIGID, body, 0.4).solve(gap, load=exact.load).pressure
             shifts.append(abs((p * grid.x[:, None]).sum() / p.sum()) / exact.a)
         assert shifts[0] > shifts[1] > 100 * shifts[2]
-        # Dundurs' beta, (1 - 2 nu)/(2 (1 - nu)), rules the shift.
+        # The shift is determined by Dundurs' beta, (1 - 2 nu)/(2 (1 - nu)).
         assert shifts[1] / shifts[0] == pytest.approx((0.2 / 1.2) / (0.4 / 1.4), rel=0.05)
 
     def test_exchange_of_the_bodies_mirrors_in_x(self):

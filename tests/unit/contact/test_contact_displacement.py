@@ -60,7 +60,7 @@ def errors(cells):
 
 
 def test_hertzian_tractions_move_the_surface_as_their_closed_forms_do():
-    # the root at the edge is what uniform cells miss: (cell)^1.5, an eighth here
+    # uniform cells miss the square root at the edge, an error of order (cell)^1.5
     coarse, fine = errors(10), errors(40)
     for name, of_components in fine.items():
         assert max(of_components) < 0.003, name

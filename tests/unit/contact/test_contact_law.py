@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contact laws of single contacts: a tensile limit is hard contact of a repulsion.
 
-With p = r - limit, the repulsion r is that of hard contact between surfaces that the limit has
-displaced, under a load that it has raised.
+With p = r - limit, the repulsion r is that of hard contact between surfaces displaced by the
+limit, under a load increased by the limit.
 """
 
 import pickle

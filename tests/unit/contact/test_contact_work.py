@@ -98,7 +98,7 @@ class TestWork:
         cold = solver.solve(gap, load=exact.load)
         again = solver.solve(gap, load=exact.load, initial_pressure=cold.pressure)
         assert (again.operator_applications, again.iterations, again.work) == (1, 0, 1.0)
-        # as in a plastic fixed point: the gap changes a little, and two digits are wanted from it
+        # as in a plastic fixed point: the gap changes slightly, and two digits are sufficient
         steps = []
         start = cold.pressure
         loose = sc.ContactSolver(grid, RIGID, STEEL, tol=1e-6)

@@ -291,8 +291,8 @@ def test_invalid_friction_is_refused():
 def test_oblique_loading_does_not_slip(increments, nu, tolerance):
     """Mindlin and Deresiewicz: Q = eta P with eta < mu from the beginning, s = eta p everywhere.
 
-    Cells that close in an increment slip from when they touch; exact where C and K are alike, else
-    as in a round contact: 12 cells along the radius.
+    Cells that close in an increment slip from their first contact; exact if C and K are equal,
+    otherwise as in a circular contact; 12 cells per radius.
     """
     solver, gap, load, _ = two_balls(30, 0.4, nu)
     eta, found = 0.2 * np.array([0.8, 0.6]), solver.solve(gap, load=0.0)

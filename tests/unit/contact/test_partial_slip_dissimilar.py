@@ -164,11 +164,11 @@ def test_symmetries():
     gap = BUMPS - BUMPS.min()
     found = history(solver(stiff, soft), gap)
     assert 0 < np.count_nonzero(found.sticking) < np.count_nonzero(found.pressure)
-    # seen from the other body everything moves the other way
+    # in the frame of the other body all motions are reversed
     swapped = history(solver(soft, stiff), gap, sign=-1.0)
     assert close(swapped.shear, -found.shear, found)
     assert swapped.shift == pytest.approx(-found.shift, rel=1e-7)
-    # y mirrored: forces along y and the turn change sign
+    # mirrored in y: forces along y and the rotation change sign
     mirrored = history(solver(stiff, soft), gap[:, ::-1], turn=lambda x, y: (-x, y), sign=-1.0)
     assert close(mirrored.shear[0], found.shear[0][:, ::-1], found)
     assert close(mirrored.shear[1], -found.shear[1][:, ::-1], found)

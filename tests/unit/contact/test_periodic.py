@@ -134,7 +134,7 @@ def test_uniform_strain_and_pressure():
     lift = operators.residual_displacement(grid, strain, nu)
     stretch = 1.5e-3 + nu / (1 - nu) * (1e-3 - 2e-3)
     np.testing.assert_allclose(lift, -4e-6 * stretch, rtol=1e-9)
-    # Each layer shears what lies above it, seen from far below.
+    # The displacement relative to far below is the sum of the shear of the layers.
     for axis, shear in (("x", -2e-4), ("y", 3e-4)):
         moved = operators.residual_displacement(grid, strain, nu, axis=axis)
         np.testing.assert_allclose(moved, -2 * 4e-6 * shear, rtol=1e-9)
@@ -203,7 +203,7 @@ def test_near_full_contact_costs_no_more_than_half_of_it(hurst):
     heights = surfaces.rough_self_affine(grid, 1e-7, hurst, seed=3, wavelength_min=8e-6)
     solver = sc.ContactSolver(grid, STEEL, RIGID)
     gap = heights.max() - heights
-    # in full contact the pressure is that of the waves, whatever the mean
+    # in full contact the pressure variation is independent of the mean
     full = solver.solve(gap, load=1e3)
     least = full.load - full.pressure.min() * grid.cell_area * grid.nx * grid.ny
     found = [solver.solve(gap, load=share * least) for share in (0.15, 0.9, 1.001)]
@@ -225,7 +225,7 @@ def test_flat_surfaces_carry_a_uniform_pressure(shape, away, unevenness, body1, 
     """Displacements are close to rounding, so errors must not be measured relative to them."""
     grid = sc.Grid(*shape, 1e-6, 1e-6, periodic="xy")
     if away:
-        unevenness = min(unevenness, 1e-17)  # else its digits are lost
+        unevenness = min(unevenness, 1e-17)  # otherwise digits are lost
     gap = away + 1e-6 * unevenness * np.random.default_rng(1).random(shape)
     solver = sc.ContactSolver(grid, body1, STEEL, friction, tol=1e-10)
     solution = solver.solve(gap, load=1e9 * grid.cell_area * gap.size)

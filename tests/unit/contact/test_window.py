@@ -109,7 +109,7 @@ def test_a_run_resumes_with_identical_bits(tmp_path):
         assert_same(one, other)
     with pytest.raises(sc.CheckpointError, match="different surfaces: gap is inconsistent"):
         run(lambda grid: np.minimum(punch(grid), 2e-6))
-    # of another window than the one before, which stays when it cannot be restored
+    # belongs to another grid than the current one, which is kept if restoring fails
     with h5py.File(tmp_path / "increment_00002.h5", "a") as file:
         file["state"].attrs["past_symmetry"] = 7
     seal(tmp_path / "increment_00002.h5")
@@ -141,7 +141,7 @@ def test_the_grid_is_enlarged_by_hertz_before_the_first_increment():
     ball = partial(surfaces.paraboloid, Rx=RADIUS, Ry=0.3 * RADIUS)
     sim = simulation((7, 7), ball, STEEL, STEEL, 0.0)
     states = sim.run([{"load": part * LOAD} for part in (0.1, 1.0)], progress=False)
-    assert sim.counters["contact_solves"] == 2  # none was in vain
+    assert sim.counters["contact_solves"] == 2  # none was unnecessary
     nx, ny = sim.grid.surface_shape
     assert nx > ny > 7
     fixed = simulation((nx, ny), ball, STEEL, STEEL, 0.0)

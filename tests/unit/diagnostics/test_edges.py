@@ -102,7 +102,7 @@ def smooth_scenes():
     yield "closed waves", joined, waves, 0.02 * E_STAR * side**2
     yield "open waves", joined, waves, 0.001 * E_STAR * side**2
     yield "rough", joined, rough, 0.002 * E_STAR * side**2
-    steps = np.round(rough / 2e-8) * 2e-8  # as an instrument with few bits gives it
+    steps = np.round(rough / 2e-8) * 2e-8  # as from an instrument with few bits
     yield "rough, in steps", joined, steps, 0.002 * E_STAR * side**2
 
 

@@ -47,7 +47,7 @@ def test_cells_are_counted_across_the_spot_of_maximum_pressure():
     assert resolution.cells_across(pressure) == 22
     assert math.isnan(resolution.cells_across(np.zeros((5, 5))))
     strip = np.zeros((40, 30))
-    strip[10:20] = 1.0  # as wide as the grid: that side says nothing
+    strip[10:20] = 1.0  # as wide as the grid, so this side is disregarded
     assert resolution.cells_across(strip) == 10
 
 
@@ -131,7 +131,7 @@ def test_the_area_uncertainty_follows_from_the_outlines():
     for diameter in (8, 20, 50):
         found = resolution.area_uncertainty(discs(diameter))
         assert found == pytest.approx(resolution.ROUND_SPOT_AREA_ERROR / diameter, rel=0.05)
-        # the border of a grid cuts a spot without a side, unless it goes on behind
+        # the grid edge is no side of a spot, unless the surface is periodic
         half = discs(diameter, 1, 0.0)[diameter + 4 :]
         assert resolution.area_uncertainty(half) < resolution.area_uncertainty(half, "x")
     assert math.isnan(resolution.area_uncertainty(np.zeros((5, 5))))

@@ -54,7 +54,7 @@ RADIUS_RATIO, YIELD = (
     "yield stress over E of body 2",
 )
 CAPACITY = "volumetric heat capacity (conductivity over diffusivity) of body 2"
-# what is changed, the check that fails, and what the text names
+# changed value, failing check, and names in the text
 UNIT_ERRORS = {
     "cells in µm": ({"20e-6": "20.0"}, CELLS_ACROSS, f"{HERTZ}. {FITS} cells of 20 µm:"),
     "cells in mm": ({"20e-6": "0.02"}, CELLS_ACROSS, f"{HERTZ}. {FITS} cells of 20 µm:"),

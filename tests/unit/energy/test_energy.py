@@ -63,7 +63,7 @@ def test_plastic_work_of_a_body_is_that_of_its_stress(material):
         )
         assert work > 0
         errors.append(abs(work / work_of_the_stress(states) - 1))
-    # yielding starts within an increment, which the sum over the path does not know
+    # yield starts within an increment, which the sum over the path does not resolve
     assert errors[2] < 2e-3
     assert errors[2] < 0.6 * errors[0]
 

@@ -115,7 +115,7 @@ def _centre(points):
         options={"ftol": 1e-15, "maxiter": 500},
     )  # fmt: skip
     held = found.x > 1e-6
-    # the same points, exactly: equal distances from a centre in their flat
+    # exact solution: equal distances from a centre in the span of the points
     base, edges = points[held][0], points[held][1:] - points[held][0]
     part = np.linalg.lstsq(edges, (edges**2).sum(axis=1) / 2, rcond=None)[0]
     return base + part

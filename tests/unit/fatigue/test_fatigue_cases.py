@@ -72,7 +72,7 @@ def test_passing_material(run):
         assert found["fatemi_socie"].dims == ("y", "z")
         np.testing.assert_array_equal(found["fatemi_socie"].values, field.values)
     assert not (folder / "fatigue_depth.png").exists()
-    # a later run without it leaves nothing of it behind
+    # a later run without [fatigue] removes its results
     outcome, _ = run("")
     assert outcome.exit_code == 0
     assert [file.name for file in folder.iterdir() if "fatigue" in file.name] == []

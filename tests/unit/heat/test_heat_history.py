@@ -162,7 +162,7 @@ def test_tends_to_the_steady_state():
     )
     wanted = both - alone
     assert np.abs(past.stress(0.0, DEPTHS) - wanted).max() < 1e-4 * np.abs(wanted).max()
-    # The displacement has a steady shape; its level goes on falling.
+    # The displacement has a steady shape, but its level decreases without limit.
     x, y = Superposition(grid).x, Superposition(grid).y
     corner = np.meshgrid(x, y, indexing="ij")
     table = _core.kernels.steady_heat_displacement(

@@ -72,7 +72,7 @@ class TestSimulation:
         assert heated.heat.factor == (0.0, 0.0)
         assert hot.temperature().max() > 100
         assert not off.temperature().any()
-        # without heat the maximum stress is higher: the steel flows on
+        # without heat the maximum stress is higher, so the steel yields further
         assert off.max_equivalent_plastic_strain() > hot.max_equivalent_plastic_strain()
         free = heated.step(load=0.0)
         assert free.von_mises().max() > 50e6
@@ -169,7 +169,7 @@ class TestSoftening:
         assert soft.max_equivalent_plastic_strain() > 2 * hard.max_equivalent_plastic_strain()
         factor = soft.softening()
         assert 0.6 < factor.min() < 0.8
-        # of the temperature of the first contact solution, which differs a little from the last
+        # softening uses the temperature of the first contact solution, which differs from the last
         np.testing.assert_allclose(factor, self.LAW(soft.temperature()), atol=0.02)
         limit = factor * STEEL.yield_stress(soft.equivalent_plastic_strain())
         assert (soft.von_mises() <= limit * (1 + 1e-5)).all()

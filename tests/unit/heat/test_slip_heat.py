@@ -43,7 +43,7 @@ def test_heat_at_full_slip_equals_heat_of_full_sliding(body2, source):
     heat = sc.Heat(sc.heat.factors(MU, speed, HEAT_FRACTION), **source)
     slides = simulation(body2, MU, heat)
     sticks = simulation(body2, heat=sc.Heat(partition=HEAT_FRACTION, **source))
-    # Cold first: what touches for the first time slips a part of the increment only.
+    # Cold contact first, because newly contacting cells slip in only a part of the increment.
     slides.step(load=300.0, heat_factor=0.0)
     sticks.step(load=300.0, shift=(speed * duration, 0.0), duration=1e9)
     expected = slides.step(load=300.0, heat_factor=heat.factor)
@@ -60,7 +60,7 @@ def test_heat_at_full_slip_equals_heat_of_full_sliding(body2, source):
         lambda s: s.stress(2)[..., :8],
         lambda s: s.max_equivalent_plastic_strain(2),
     ):
-        # The slip turns a little where surfaces strain; softening is that of the first contact.
+        # Surface strain slightly changes the slip direction; softening uses the first contact.
         tol = 5e-4 if body2.softening else 1e-5
         np.testing.assert_allclose(of(state), of(expected), atol=tol * np.abs(of(expected)).max())
 

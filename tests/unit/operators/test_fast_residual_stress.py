@@ -100,8 +100,8 @@ def test_images_are_below_their_tolerance(shape):
 
 @pytest.mark.parametrize(("cells", "limit"), [((16, 14), 3e-4), ((33, 31), 1e-5)])
 def test_strain_of_single_cells_is_independent_of_the_box(cells, limit):
-    """Nothing rings from cell to cell: with a symbol that ends at the highest wavenumber a box of
-    33 cells differs by 2 %. The rest falls with the fifth power of the cells."""
+    """Stress does not oscillate between cells; with a cut at the highest wavenumber a box of
+    33 cells would differ by 2 %. The difference falls with the fifth power of the cells."""
     draws = np.random.default_rng(3)
     grid = sc.Grid(*cells, 1.0, 1.2, 6, 0.8)
     spots = draws.random(grid.volume_shape) < 0.02
@@ -134,8 +134,8 @@ def test_is_symmetric():
 
 
 def test_elastic_energy_of_a_strain_is_not_negative():
-    """-strain : stress is the elastic energy, never negative; the exact point values do not keep
-    that (tests/unit/operators/test_operators.py)."""
+    """-strain : stress is the elastic energy and never negative; exact point values violate
+    this (tests/unit/operators/test_operators.py)."""
     shape = (8, 8, 8)
     grid = sc.Grid(8, 8, 1.0, 1.0, 8, 1.0)
     i, j, k = np.ogrid[:8, :8, :8]
@@ -162,7 +162,7 @@ LAWS = {
 
 @functools.cache
 def plastic_zone(law):
-    """Two balls at 1500 N: radius and depth of the plastic zone, and its strain in the plane y = 0
+    """Return radius and depth of the plastic zone of two balls at 1500 N, and its strain (y = 0)
     as functions of (x, z)."""
     exact_contact = sc.hertz.point(R=7.5e-3, E_star=E / (1 - NU**2) / 2, load=1500.0)
     h = exact_contact.a / 24

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The scalar equation of the radial return, trial - 3 G d = sigma_y(g + d), is solved to rounding.
 
-What rounding leaves: the terms trial, 3 G d and sigma_y are each known to one ulp of trial, so the
-residual cannot be asked to be below a few ulp of the trial stress.
+Rounding: the terms trial, 3 G d and sigma_y are each known to one ulp of trial, so the
+residual cannot be below a few ulp of the trial stress.
 """
 
 import numpy as np

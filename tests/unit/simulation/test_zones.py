@@ -262,7 +262,7 @@ def halves(state):
 def solved(request):
     """Return a state, and the boxes of its subdomains within the grid.
 
-    Of a rough surface with some percent in contact, or two balls side by side.
+    The contact is a rough surface with a contact fraction of some percent, or two balls.
     """
     grid = sc.Grid(128, 128, SIZE, SIZE, 14, SIZE)
     balls = request.param == "balls"

@@ -78,9 +78,9 @@ def test_the_initial_loading_does_not_wear(loops):
 
 
 def test_wear_ceases_when_the_stick_zone_carries_all():
-    """Ciavarella & Hills (1999): the border of stick stays, and the slipping annulus comes free.
+    """Ciavarella & Hills (1999): the stick zone does not change, and the slip zone separates.
 
-    Then the contact is that of the first surface on the cells that stick.
+    The final contact is that of the initial surface on the cells of the stick zone.
     """
     cycle = to_and_fro(LOAD, 0.7 * 0.5 * LOAD)
     result = frets(CYLINDER, LINE, cycle=cycle, repeats=200_000, cycles=40)
