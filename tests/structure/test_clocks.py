@@ -34,13 +34,13 @@ NO_LIMIT = re.compile(
 )
 # Lines that read a clock without an effect on the result of a test.
 EXCEPTIONS = {
-    "tests/faults/faulting.py": "moments to kill a process at; one too late is tried again earlier",
-    "tests/faults/test_interrupted.py": "moments of Ctrl-C; one too late is tried again earlier",
-    "tests/unit/simulation/test_interrupt.py": "looks now and then whether the step has begun",
-    "tests/unit/fatigue/test_fatigue_threads.py": "the signal comes while the call computes",
+    "tests/faults/faulting.py": "times of a kill; one too late is repeated earlier",
+    "tests/faults/test_interrupted.py": "times of Ctrl-C; one too late is repeated earlier",
+    "tests/unit/simulation/test_interrupt.py": "polls until the step has begun",
+    "tests/unit/fatigue/test_fatigue_threads.py": "the signal arrives during the call",
     "tests/unit/heat_kernels/test_heat_kernels_limits.py": "the call takes hours",
-    "tests/packaging/test_workflows.py": "names the key of a workflow; nothing waits",
-    "tests/unit/sweeps/test_sweep_cli.py": "looks now and then whether a case is done",
+    "tests/packaging/test_workflows.py": "key of a workflow; nothing waits",
+    "tests/unit/sweeps/test_sweep_cli.py": "polls until a case is done",
 }
 
 

@@ -189,7 +189,7 @@ def test_results_are_stored_and_read_back(tmp_path):
     assert schedule.too_long(larger, again, limit=0.4)
 
 
-def test_a_longer_time_limit_repeats_timeouts(tmp_path):
+def test_a_longer_limit_repeats_failed_measurements(tmp_path):
     results = schedule.Results(tmp_path / "kept.json")
     task = running.Task("hertz", "", 64, "samcontact", 1e-6)
     results.rounds(task).append({"failed": "more than 5 s", "limit_s": 5.0})
