@@ -79,7 +79,7 @@ True and stated errors relative to the maximum value of the run [%].
 
 
 class Judged(NamedTuple):
-    """A quantity of a case, at an accuracy."""
+    """True and stated error of one quantity of a case at one prescribed accuracy."""
 
     case: str
     asked: float
@@ -134,7 +134,7 @@ def run(of: str, asked: float) -> Record:
 
 
 def quantities(records: list[Record]) -> list[Judged]:
-    """All quantities of the records."""
+    """Return the rows of all quantities of the records."""
     return [
         Judged(record["of"], record["asked"], quantity, record["stated"][quantity], true,
                record["seconds"], record["cells"], record["reached"])

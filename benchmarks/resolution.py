@@ -27,13 +27,13 @@ SIDE = WAVES * MIN_WAVELENGTH
 MIN_WAVES = 2  # number of longest waves along a side
 HURST, SLOPE, SEED = 0.8, 0.06, 5
 BOWL = 3.0  # height of the raised border over the rms roughness: keeps the contact inside
-DEPTH = MIN_WAVELENGTH / 20  # m, below which residual stress converges
-HARDNESS = 4.2e9  # Pa: load over contact area, nearly
+DEPTH = MIN_WAVELENGTH / 20  # m; depth below which the residual stress converges
+HARDNESS = 4.2e9  # Pa; approximate load over contact area
 PERCENT = (1.0, 2.0)
-CELLS_PER_WAVE = (8, 16, 32, 64, 128)  # cells of the shortest wave
+CELLS_PER_WAVE = (8, 16, 32, 64, 128)  # cells per shortest wave
 QUICK_CELLS_PER_WAVE = (16, 32)
 PARTS = (1, 4, 16)  # increments from load to load
-CELLS_PER_WAVE_OF_PARTS = 32  # cells of the shortest wave, for these
+CELLS_PER_WAVE_OF_PARTS = 32  # cells per shortest wave, for these
 SERIES = {
     "area": "contact area",
     "pressure": "mean pressure in contact",

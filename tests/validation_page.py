@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers that validation tests measure, how they are stored, and the page made of them.
+"""Numbers measured by validation tests, their storage, and the page generated from them.
 
 ``python tests/validation_page.py`` rewrites the page from the stored numbers, which is enough
 after a change of its text (docs/validation.md.jinja).
@@ -54,7 +54,7 @@ class Row:
 
     @property
     def limit(self) -> float:
-        """Largest difference, in `unit`."""
+        """Return the largest permitted difference, in `unit`."""
         return self.allowed * abs(self.reference) if self.relative else self.allowed
 
     @property
@@ -62,12 +62,12 @@ class Row:
         return abs(self.ours - self.reference) <= self.limit
 
     def repeats(self, stored: Row) -> bool:
-        """Whether the stored row has the same reference and the same number, but for rounding."""
+        """Return whether the stored row has the same reference and number, except for rounding."""
         same = dataclasses.replace(self, ours=stored.ours) == stored
         return same and abs(self.ours - stored.ours) <= REPEATS * self.limit
 
     def cells(self) -> list[str]:
-        """Cells of the row on the page, each value with its unit."""
+        """Return the cells of the row on the page, each value with its unit."""
         unit = f" {self.unit}" if self.unit else ""
         difference, scale = self.ours - self.reference, 1.0
         if self.relative:
@@ -140,7 +140,7 @@ def load() -> dict[tuple[str, str, str, str], Row]:
 
 
 def table(rows: list[Row]) -> str:
-    """Markdown; meshes of one quantity stand together."""
+    """Return the Markdown table; meshes of one quantity are adjacent."""
     quantities = list(dict.fromkeys(row.quantity for row in rows))
     rows = sorted(rows, key=lambda row: quantities.index(row.quantity))
     heads = ["quantity", "mesh", "samcontact", "reference", "difference", "allowed", "test"]
@@ -150,7 +150,7 @@ def table(rows: list[Row]) -> str:
 
 
 def page(rows: list[Row]) -> str:
-    """The text around, and each table where the text has it."""
+    """Return the page: the template with its tables."""
     tables: dict[str, list[Row]] = {}
     for row in rows:
         tables.setdefault(row.table, []).append(row)
@@ -168,7 +168,7 @@ def page(rows: list[Row]) -> str:
 
 
 def write(rows: list[Row]) -> None:
-    """Store what was measured, and write the page."""
+    """Store the measured numbers, and write the page."""
     keys = [row.key for row in rows]
     twice = {key for key in keys if keys.count(key) > 1}
     if twice:

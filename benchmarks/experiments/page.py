@@ -39,14 +39,14 @@ METALS = {  # Y [Pa], with the order of magnitude of E*/Y
 }
 HARDNESS = 800  # Vickers, of 64 HRC
 PROJECTED = math.sin(math.radians(68.0))
-"""Projected area of a Vickers imprint over the area of its faces."""
+"""Ratio of the projected area of a Vickers imprint to the area of its faces."""
 VICKERS_STRAIN = 0.08
 
 TEXT = Path(__file__).with_name("template.md")
 
 
 Prints = list[tuple[float, Indentation]]
-"""Imprints, each with its nominal stiffness or its hardening exponent."""
+"""Return the imprints, each with its nominal stiffness or its hardening exponent."""
 
 
 def points(quick: bool) -> list[Record]:
@@ -126,7 +126,7 @@ def curve_table(rows: Prints) -> list[dict[str, Any]]:
         grids = [one for first, one in rows if first == asked]
         last = grids[-1]
         x = last.stiffness
-        grows = x > 3.5  # below, the model of a core has none
+        grows = x > 3.5  # below this value the model has no core
         lines.append(
             {
                 "$E^* a/(Y R)$": f"{x:.2f}",

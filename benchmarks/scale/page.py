@@ -78,7 +78,7 @@ def sizes(rows: Rows) -> str:
     return table(["job", "n", "cells", "time [s]", "µs per cell", "memory [MB]"], lines)
 
 
-# The other jobs are not surfaces, or their growth beyond the measured sizes is uncertain.
+# Other jobs are not surface problems, or their growth beyond measured sizes is uncertain.
 LARGE_SURFACE_JOBS = [job for job in JOBS if job.unit == "surface" and job.exponent < 1.2]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which load leaves 1e-4 of the diameter: points, page and figure."""
+"""Load for a permanent deformation of 1e-4 of the ball diameter: points, page and figure."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .setups import (
     reaches,
 )
 
-FINE_CELLS = 20  # cells on a semi-axis of the finer grid
+FINE_CELLS = 20  # cells per semi-axis on the finer grid
 GROOVE = "deep groove, inner race"
 
 TEXT = Path(__file__).with_name("template.md")
@@ -55,7 +55,7 @@ def run(of: str, name: str, pressure: float) -> Record:
 
 
 def pressed(records: list[Record]) -> tuple[Rows, Rows, Rows]:
-    """Return results of contacts, of steels and on finer grids, by name."""
+    """Return results for contacts, for steels and on finer grids, by name."""
     found: dict[str, Rows] = {"contacts": {}, "steels": {}, "fine": {}}
     for record in records:
         rows = found[record["of"]].setdefault(record["name"], [])

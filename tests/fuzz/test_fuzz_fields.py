@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values of a wrong kind in every field of every section: one line each, in plain words."""
+"""Values of a wrong type in every field of every section give a one-line message."""
 
 import datetime
 import math
@@ -37,7 +37,7 @@ BASE = {
 
 
 def spoiled(model, content, replaced):
-    """Copies of a section in each of which one field has another value, with what it was."""
+    """Yield copies of a section with one changed field, and its name and value."""
     for name, field in model.model_fields.items():
         kind, _ = opened(field.annotation)
         inner = [opened(one)[0] for one in members(kind)]
@@ -58,7 +58,7 @@ def spoiled(model, content, replaced):
 
 
 def chosen(models, given):
-    """The section that its word selects."""
+    """Return the variant of a section selected by its keyword."""
     words = {given.get(key) for key in ("law", "shape", "kind")}
     return next((model for model in models if words & set(tags(model))), models[0])
 
@@ -114,7 +114,7 @@ def models_below(annotation):
         ("nx = 16", "nx = 16.0", "got 16.0: write it without a decimal point"),
     ],
 )  # fmt: skip
-def test_what_is_said(old, new, message):
+def test_messages_of_wrong_kinds(old, new, message):
     text = SCENE.replace(old, new, 1)
     with pytest.raises(CaseError) as error:
         parse_case(text, "scene.toml")
