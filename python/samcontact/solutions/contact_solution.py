@@ -48,7 +48,7 @@ class ContactSolution(ShortRepr, HtmlTable):
         All transforms of the solve, including those of the preconditioner, of approximate
         displacements and of coarser grids, in units of one exact displacement [-].
     error : float
-        Complementarity error [-]: maximum of |min(r/max r, g/max u)| over all cells, for the
+        Complementarity error [-]: maximum of ``|min(r/max r, g/max u)|`` over all cells, for the
         repulsion r, gap g and displacement u.
     converged : bool
         Whether error <= tol (otherwise ConvergenceError is raised).
