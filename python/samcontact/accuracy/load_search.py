@@ -367,7 +367,7 @@ def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
         load += min(max(step if step else tolerance * load, -0.5 * load), load)
         if not low < load < high:
             load = 0.5 * (low + high)
-    raise search.refuse(f"no convergence to tolerance = {tolerance!r} in {_MAX_FINE_SOLVES} solutions")
+    raise search.refuse(f"no convergence to {tolerance!r} in {_MAX_FINE_SOLVES} solutions")
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:

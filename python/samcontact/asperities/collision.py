@@ -76,7 +76,7 @@ class Collision:
         return self.interference - 2.0 * self.height * math.sin(0.5 * angle) ** 2 / math.cos(angle)
 
     def advance(self, angle: float) -> tuple[float, float]:
-        """Displacement of each surface through the contact [m]; rotation of the line of centres [rad].
+        """Displacements [m] of the surfaces through the contact for a rotation [rad] of their line.
 
         Displacements are positive along the local +x. The contact moves backwards over sphere 1 and
         forwards over sphere 2.

@@ -47,7 +47,7 @@ class CollisionPasses:
         self.plastic_work = 0.0
 
     def one_pass(self, direction: int) -> Iterator[IncrementRow]:
-        """Solve one pass, from before first contact to final separation; yield a row per increment."""
+        """Solve one pass, from before first contact to final separation; yield all increments."""
         outside = self._outside()
         self._move(-direction * outside, unloaded=True)
         work, before = 0.0, None

@@ -142,7 +142,7 @@ class HasDepthProfiles:
         return cast("Self", replace(cast("Any", self), residual_stress=checked))
 
     def yield_factor(self, z: ArrayLike) -> FloatArray:
-        """Factor on the yield stress [-] at depths z [m], in the shape of z; 1 without yield profile.
+        """Factor on the yield stress [-] at depths z [m], shape of z; 1 without a yield profile.
 
         Raises ValueError if z is negative or not finite.
         """

@@ -142,7 +142,7 @@ class Layered(HtmlTable):
         return self._named_materials()[below][1]
 
     def yield_stress_at(self, z: ArrayLike) -> FloatArray:
-        """Initial yield stress [Pa] at depths z [m], in the shape of z; infinite in elastic materials.
+        """Initial yield stress [Pa] at depths z [m], shape of z; infinite in elastic materials.
 
         Raises ValueError if z is negative or not finite.
         """

@@ -310,7 +310,7 @@ class Material(HasDepthProfiles, HtmlTable):
         return bool(self._core.is_plastic)
 
     def yield_stress(self, g: ArrayLike) -> float | FloatArray:
-        """Yield stress [Pa] at equivalent plastic strain g [-], a scalar or array; in the shape of g.
+        """Yield stress [Pa] at equivalent plastic strain g [-] (scalar or array), shape of g.
 
         With kinematic hardening, it is the radius of the yield surface, without backstress. It does
         not include a yield profile, see `yield_factor`. It is infinite for an elastic or rigid

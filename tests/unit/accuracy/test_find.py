@@ -88,7 +88,7 @@ def test_permanent_deformation_needs_a_body_that_yields():
 
 def test_an_unreached_target_is_refused_with_the_largest_value():
     hertz = sc.hertz.point(R, E_STAR, load=300.0)
-    with pytest.raises(ValueError, match=r"cannot be reached: the maximum is (\S+) at 300 N") as error:
+    with pytest.raises(ValueError, match=r"the maximum is (\S+) at 300 N") as error:
         sc.find_load(ball, "max_pressure", 1.5 * hertz.p0, largest_load=300.0)
     assert float(str(error.value).split("maximum ")[1].split()[0]) == pytest.approx(
         hertz.p0, rel=0.02
