@@ -382,7 +382,7 @@ def file_path(name: str, value: Any) -> Path:
     if len(os.fsencode(longest)) > MAX_FILE_NAME_BYTES:
         raise ValueError(
             f"each folder and file name in {name} must be at most {MAX_FILE_NAME_BYTES} bytes long "
-                f"(limit of file systems), got {in_short(longest)}"
+            f"(limit of file systems), got {in_short(longest)}"
         )
     return Path(text)
 

@@ -75,8 +75,7 @@ def require(what: str, needed: float, remedy: str = "use fewer cells") -> None:
 
 
 def blas_threads() -> int:
-    """Return the number of threads of OpenBLAS (NumPy, SciPy), each of which has a buffer.
-    """
+    """Return the number of threads of OpenBLAS (NumPy, SciPy), each of which has a buffer."""
     processors = os.cpu_count() or 1
     for name in ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS"):
         given = os.environ.get(name, "")
@@ -130,7 +129,7 @@ def volume(grid: CellCounts, bytes_a_cell: float, layers: int | None = None) -> 
 
 def available() -> float | None:
     """Return the available memory [bytes]; None if it is unknown.
-    
+
     It is the minimum of the limits of machine, container and process.
     """
     known = [

@@ -76,7 +76,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, most: f
     if largest is not None and target > largest.value:
         raise ValueError(
             f"{shown} cannot be reached: at loads up to {most:.6g} N the value is below "
-                f"{largest.value:.6g}, {largest.of}{meant()}"
+            f"{largest.value:.6g}, {largest.of}{meant()}"
         )
     if why := _reason_too_small(kind, target, simulation):
         raise ValueError(f"{shown} is too small for the grid: {why}{meant()}")

@@ -200,7 +200,7 @@ class LoadSearch:
         name = self.name.replace(",", " or ")
         return ValueError(
             f"value = {self.target!r} of {name} cannot be reached: the maximum is {reached:.6g} at "
-                f"{load:.6g} N; {why}"
+            f"{load:.6g} N; {why}"
         )
 
 

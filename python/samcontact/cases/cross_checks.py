@@ -81,7 +81,7 @@ def _require_repeatable(case: Any) -> None:
     if max(map(abs, ways)) > 1e-12:
         raise ValueError(
             f"shakedown requires a closed path, but at its end the surfaces have moved by "
-                f"{tuple(ways)!r} m: add a return motion, or remove [shakedown]"
+            f"{tuple(ways)!r} m: add a return motion, or remove [shakedown]"
         )
 
 

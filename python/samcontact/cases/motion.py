@@ -211,7 +211,7 @@ class Segment(TangentialSection):
 
 
 class FileRelief(HeightsFile):
-    """Heights from a file, positive out of the body: any number of rows along x, each of ny values."""
+    """Heights from a file, positive out of the body: any number of rows along x of ny values."""
 
     is_known: ClassVar[bool] = False  # not defined on every grid
     kind: Literal["file"]

@@ -88,7 +88,7 @@ def _totals(name: str, start: float | None, end: float, fractions: Sequence[floa
         if len(fractions) > 1:
             raise ValueError(
                 f"{name} has an unknown initial value, because the previous motion determines the "
-                    "force: first prescribe the force in a segment with increments = 1"
+                "force: first prescribe the force in a segment with increments = 1"
             )
         return [end]
     return [end if f == 1.0 else start + f * (end - start) for f in fractions]
@@ -119,7 +119,7 @@ class Fretting(Section):
         if (self.shift is None) == (self.force is None):
             raise ValueError(
                 "fret requires shift_x, shift_y (motion) or tangential_load_x, tangential_load_y "
-                    "(force), not both"
+                "(force), not both"
             )
         if not any(self.shift or self.force or ()):
             raise ValueError("the amplitude must not be 0")
