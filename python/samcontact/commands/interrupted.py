@@ -135,7 +135,7 @@ def checkpoints_of(
             if (found := foreign(directory / name)) is not None:
                 raise ValueError(
                     f"{found} was not written by samcontact, but a run stores checkpoints in "
-                    f"{directory / name} and removes them at its end: move the file, or {REMEDY}"
+                    f"{directory / name} and then removes them: move the file, or {REMEDY}"
                 )
         for file in sorted(directory.iterdir()):
             if written.fullmatch(file.name):

@@ -354,7 +354,7 @@ def green_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> C
 
 
 def onset_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalCylinder:
-    """Critical values of a cylinder with exact C (Johnson 1985, (4.46)); arguments as for `green`."""
+    """Critical values of a cylinder with exact C (Johnson 1985, (4.46)); arguments: see `green`."""
     return _cylinder(R, E_star, 1.0 / line_max_von_mises(nu)[0], yield_stress)
 
 

@@ -21,7 +21,7 @@ _PRESSURE_FACTOR = 1.1
 _MAX_RADIUS, _MAX_DEPTH = 1.3, 12.0
 """Limits of the search for yield, in contact radii."""
 _NUMBER_OF_ANGLES = 8
-"""Number of lines through the axis, if residual stress is not equal in all directions."""
+"""Number of planes through the axis if the residual stress depends on the direction."""
 _MAX_KINKS = 150
 _REFINEMENTS = 4
 """Number of local refinements, each by a factor of ten."""
