@@ -69,7 +69,7 @@ class ContactSetup:
         self._of_heat: tuple[Heat, Any] | None = None
 
     def prepare(self, heat: Heat) -> None:
-        """Compute and store, before the first increment, all values that do not depend on the load."""
+        """Compute, before the first increment, all values that do not depend on the load."""
         self._checked(heat)
         for name in ("E_star", "weakest", "may_have_steps", "largest_load_with_room"):
             getattr(self, name)
@@ -105,7 +105,7 @@ class ContactSetup:
 
     @property
     def radii(self) -> tuple[float, float] | None:
-        """Larger and smaller principal radius [m] of the gap; None if it is no convex paraboloid."""
+        """Larger and smaller principal radius [m]; None if the gap is no convex paraboloid."""
         return None if self._paraboloid is None else self._paraboloid[:2]
 
     @cached_property
@@ -214,7 +214,7 @@ class ContactSetup:
         return self._of_heat[1]
 
     def passing_loads(self, heat: Heat) -> tuple[float, float]:
-        """Minimum and maximum load [N] for which all contact checks pass; empty range if unknown."""
+        """Minimum and maximum load [N] for which all contact checks pass; (inf, -inf) if unknown."""
         if self._reference is None:
             return math.inf, -math.inf
         try:
@@ -303,7 +303,7 @@ def _extent_of(
 
 
 def _shares_of_grid(expected: ExpectedContact, grid: Grid) -> tuple[float, float]:
-    """Widths of an elliptic contact over the sides of the grid, for the most favourable orientation."""
+    """Widths of a contact over the sides of the grid [-], for its most favourable orientation."""
     long, short = expected.semi_axes
     sides = grid.nx * grid.dx, grid.ny * grid.dy
     return 2 * short / min(sides), 2 * long / max(sides)

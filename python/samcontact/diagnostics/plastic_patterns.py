@@ -27,7 +27,7 @@ zones of four layers stay below it, grid artefacts reach 0.2."""
 
 
 def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn if the mean pressure exceeds the fully plastic limit; return True if a warning was issued.
+    """Warn if the mean pressure exceeds the fully plastic limit; return True after a warning.
 
     The mean pressure of a single contact spot on a homogeneous half-space is at most about three
     yield stresses: 2.97 in a line contact (Prandtl), about 3 in a round contact. With too few cells
@@ -64,7 +64,7 @@ def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool
 
 
 def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
-    """Warn if plastic strain alternates between layers; return True if a warning was issued.
+    """Warn if plastic strain alternates between layers; return True after a warning.
 
     The alternation occurs only with residual_stress="exact": see docs/theory/accuracy.md.
     """

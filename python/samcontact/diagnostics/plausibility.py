@@ -69,7 +69,7 @@ class PlausibilityCheck(NamedTuple):
     remedy: Callable[[], str]
     """Function that returns the remedy as text; it is called only if a warning is issued."""
     of_contact: bool = False
-    """Whether a contact is checked. After a failure, the contact is not checked again when solved."""
+    """Whether a contact is checked; if the check fails, checks after the solution are skipped."""
 
 
 class ExpectedExtent(NamedTuple):
@@ -182,7 +182,7 @@ def warn_if_implausible(doubt: PlausibilityCheck, *, stacklevel: int) -> None:
 
 
 def require_solvable(doubt: PlausibilityCheck) -> None:
-    """Raise ValueError if a Hertz contact is far smaller than a cell; not if UnitWarning is ignored."""
+    """Raise ValueError, unless UnitWarning is ignored, if a Hertz contact is far below a cell."""
     check = doubt.check
     too_small = check.name == _CELLS_ACROSS and check.value < MIN_SOLVABLE_CELLS
     if too_small and not is_ignored(UnitWarning):
@@ -193,7 +193,7 @@ def require_solvable(doubt: PlausibilityCheck) -> None:
 
 
 def wear_coefficient(name: str, value: float) -> PlausibilityCheck:
-    """Check of a wear coefficient [1/Pa]: worn volume per friction work, or per load and distance."""
+    """Check of a wear coefficient [1/Pa]: volume per friction work, or per load and distance."""
     verdict = Check(name, value, MAX_WEAR_COEFFICIENT, unit="1/Pa")
     return PlausibilityCheck(
         verdict, lambda: "Use 1/Pa, m³ per joule: 1e-6 mm³/(N m) is 1e-15 1/Pa"
@@ -273,7 +273,7 @@ def _thermal_checks(number: int, body: Material) -> Iterator[PlausibilityCheck]:
 def _temperature_check(
     contact: ExpectedExtent, number: int, factor: float, body: Material, heat: Heat
 ) -> PlausibilityCheck:
-    """Check of the temperature rise [K]: heat flux times contact size or diffusion length over k."""
+    """Check of the temperature rise [K]: flux/conductivity times contact or diffusion length."""
     conductivity, _, diffusivity = body.thermal or (1.0, 0.0, 1.0)
     size = math.sqrt(math.prod(contact.expected.semi_axes))
     age = heat.time if heat.history is None else heat.history[1]

@@ -44,7 +44,7 @@ _MAX_STRESS_DEPTH = 0.8
 def warn_of_strain(
     solution: ContactSolution | State, scene: ContactSetup, *, stacklevel: int
 ) -> bool:
-    """Warn of pressures beyond linear elasticity; return True if a warning was issued."""
+    """Warn of pressures beyond linear elasticity; return True after a warning."""
     largest = solution.outline.largest
     share = largest / scene.E_star
     if not share > MAX_ELASTIC_STRAIN:
@@ -81,7 +81,7 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
 
 
 def spots(pressure: ArrayLike, periodic: str = "") -> int:
-    """Number of contact spots (cells connected by sides or corners); arguments as for `main_spot`."""
+    """Number of contact spots (cells connected by sides or corners); arguments: see `main_spot`."""
     return int(_labelled(pressure, periodic)[0].max())
 
 
@@ -199,7 +199,7 @@ def warn_of_contact(
     *,
     stacklevel: int,
 ) -> bool:
-    """Warn if the contact or its spots are less than `few` cells wide; return True after a warning."""
+    """Warn if contact or spots are fewer than `few` cells wide; return True after a warning."""
     pressure, grid = solution.repulsion, scene.grid
     outline = solution.outline
     share = _uncertainty(outline)
@@ -298,7 +298,7 @@ def warn_if_yield_unresolved(
 
 
 def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn if an increment is so under-resolved that later ones are too; return True after a warning."""
+    """Warn of resolution faults that later increments cannot correct; True after a warning."""
     if math.isfinite(state.approach):
         if warn_of_contact(state, scene, MINIMUM_CELLS, stacklevel=stacklevel + 1):
             return True

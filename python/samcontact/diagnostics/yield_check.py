@@ -39,7 +39,7 @@ def warn_of_yield(
     *,
     stacklevel: int,
 ) -> bool:
-    """Warn if a body treated as elastic would yield; return True if a warning was issued.
+    """Warn if a body treated as elastic would yield; return True after a warning.
 
     The stress is that of a Hertz contact with the same maximum pressure, width and friction. A
     rough or non-smooth contact may therefore yield at a slightly lower or higher load.
@@ -80,7 +80,7 @@ def _traction(solution: ContactSolution, friction: FrictionLaw) -> float:
 def _over_yield(
     solution: ContactSolution, body: Body, friction: FrictionLaw
 ) -> tuple[float, float]:
-    """Maximum ratio of von Mises stress to local yield stress [-], and that von Mises stress [Pa]."""
+    """Maximum ratio of von Mises stress to local yield stress [-]; von Mises stress there [Pa]."""
     grid, largest = solution.grid, float(solution.pressure.max())
     spot = main_spot(solution.repulsion, grid.periodic)
     assert spot is not None  # there is a pressure above the yield stress
