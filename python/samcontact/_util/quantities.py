@@ -231,7 +231,7 @@ CONTACT = {
         "plastic zone to volume edge",
     ),
     "layers_across_plastic_zone": Q(
-        "1", "layers from top to bottom of the plastic zone", "layers", "across the plastic zone"
+        "1", "number of layers across the plastic zone", "layers", "across the plastic zone"
     ),
     # surface fields
     "pressure": Q("Pa", "contact pressure", "GPa", "pressure", kind="magnitude"),
@@ -317,7 +317,7 @@ ASPERITIES = {
     "max_equivalent_plastic_strain": Q("1", "maximum equivalent plastic strain of a body"),
     "cells_across_contact": CONTACT["cells_across_contact"],
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
-        long_name="layers from top to bottom of the plastic zone of a body"
+        long_name="number of layers across the plastic zone of a body"
     ),
     # scalars of each pass
     "pass": Q("1", "pass number"),
@@ -364,7 +364,7 @@ WEAR = {
         "plastic\nstrain",
     ),
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
-        long_name="layers from top to bottom of the plastic zone before removal"
+        long_name="number of layers across the plastic zone before removal"
     ),
     # scalars of each cycle
     "parts": Q("1", "number of parts into which the repeats of the cycle were divided"),

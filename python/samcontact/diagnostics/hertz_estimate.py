@@ -214,7 +214,7 @@ class ContactSetup:
         return self._of_heat[1]
 
     def passing_loads(self, heat: Heat) -> tuple[float, float]:
-        """Minimum and maximum load [N] for which all contact checks pass; (inf, -inf) if unknown."""
+        """Minimum and maximum load [N] for which all contact checks pass; (inf, -inf): unknown."""
         if self._reference is None:
             return math.inf, -math.inf
         try:
