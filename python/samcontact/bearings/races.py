@@ -87,12 +87,18 @@ def ball_on_race(
     race : {"inner", "outer"}
         Ring of the raceway.
 
-        Returns ------- RaceContact
+    Returns
+    -------
+    RaceContact
 
-        Raises ------ ValueError An argument is outside its range.
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
 
-        Notes ----- The radii are exact for a sphere in a torus. Half-space contact theory (Hertz
-        and this package)
+    Notes
+    -----
+    The radii are exact for a sphere in a torus. Half-space contact theory (Hertz and this package)
     also requires a contact that is small compared with these radii. In the transverse direction the
     contact ellipse of a loaded ball is often a tenth to a third of the ball diameter, and its ends
     are less accurate than its centre.
