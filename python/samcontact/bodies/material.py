@@ -250,9 +250,8 @@ class Material(HasDepthProfiles, HtmlTable):
             `samcontact.softening.JohnsonCook` is stored in checkpoints; any other law must be
             passed to `Simulation.load` again. A run with `checkpoint` resumes only with an
             identical law: its code and all data it uses are compared (defaults, closures, globals,
-            attributes). A law with hidden
-            state, such as a compiled object, must have an attribute `identity` that contains
-            all data on which the law depends, e.g.
+            attributes). A law with hidden state, such as a compiled object, must have an attribute
+            `identity` that contains all data on which the law depends, e.g.
             ``law.identity = ("my law", 2e-4)``.
 
         Returns
