@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Argument checks shared by the Python layer: name, value and allowed range in every error."""
+"""Argument checks; each error message gives the name, the value and the allowed range."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)  # numbers according to Pytho
 
 
 def _has_unit(value: Any) -> bool:
-    """Whether a value is a quantity, e.g. of pint, whose unit NumPy would drop."""
+    """Whether a value has a unit (e.g. a pint quantity), which NumPy would drop."""
     return hasattr(value, "to_base_units")
 
 
@@ -70,7 +70,7 @@ def _remedy(value: Any) -> str:
 
 
 def boolean(name: str, value: Any) -> bool:
-    """Return `value` as a bool; raise TypeError for other types, such as "no", which is true."""
+    """Return `value` as a bool; raise TypeError for other types, e.g. "no" (true in Python)."""
     if not isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name} must be True or False, got {in_short(value)}")
     return bool(value)
@@ -85,13 +85,13 @@ def finite(name: str, value: Any) -> float:
 
 
 def require_type(name: str, value: Any, kind: type) -> None:
-    """Raise TypeError naming the argument unless `value` is a `kind`."""
+    """Raise TypeError, with the argument's name, unless `value` is an instance of `kind`."""
     if not isinstance(value, kind):
         raise TypeError(f"{name} must be a samcontact.{kind.__name__}, got {in_short(value)}")
 
 
 def require_list(name: str, values: Any, kind: type) -> None:
-    """Raise TypeError naming the argument unless `values` is a list or tuple of `kind`."""
+    """Raise TypeError, with the argument's name, unless `values` is a list or tuple of `kind`."""
     wrong = values
     if isinstance(values, (list, tuple)):
         others = [one for one in values if not isinstance(one, kind)]
@@ -153,7 +153,7 @@ def in_cells(name: str, length: float, step: float) -> float:
 
 
 def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any]]:
-    """Return `steps` as a list of arguments of `Simulation.step`, whose names are `known`."""
+    """Return `steps` as a list of dicts of `Simulation.step` arguments, with names in `known`."""
     several = isinstance(steps, Iterable) and not isinstance(
         steps, (Mapping, str, bytes, np.ndarray)
     )
@@ -208,7 +208,7 @@ def axis_number(axis: Any) -> int:
 
 
 def require_fast(name: str, method: str, periodic: str) -> None:
-    """Raise ValueError for the exact residual stress on a periodic grid."""
+    """Raise ValueError if residual_stress is "exact" and the grid is periodic."""
     if method == "exact" and periodic:
         raise ValueError(
             f'{name} must be "fast" with grid.periodic = {periodic!r}, got "exact": the exact '
@@ -227,7 +227,7 @@ def exactly_one(**given: Any) -> str:
 
 
 def real_array(name: str, value: ArrayLike) -> FloatArray:
-    """Return `value` as a float64 array of any shape, without loss of information."""
+    """Return `value` as a float64 array of any shape; refuse lossy conversions."""
     if _has_unit(value):
         raise TypeError(f"{name} has a unit: convert it with samcontact.units.si")
     lost = _masked_values(value)
@@ -263,13 +263,13 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
 
 
 def _finite_end(end: np.ufunc, array: FloatArray) -> float:
-    """Return the minimum or maximum of all values except NaN; 0 if it is infinite."""
+    """Return the minimum or maximum of an array without its NaN values; 0 if this is infinite."""
     found = float(end.reduce(array, axis=None))
     return found if math.isfinite(found) else 0.0
 
 
 def _masked_values(value: ArrayLike) -> int:
-    """Return the number of masked values.
+    """Return the number of masked values in an array or a list of arrays.
 
     `numpy.ma` is not imported for the check: this would take longer than solving a small contact.
     """
@@ -280,7 +280,7 @@ def _masked_values(value: ArrayLike) -> int:
 
 
 def _not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:
-    """Return the kinds of entries that NumPy would silently convert, or could not convert."""
+    """Return the types in `value` that are not real numbers, in words, e.g. "complex numbers"."""
     names = {"b": "Boolean values", "c": "complex numbers", "S": "texts", "U": "texts"}
     names |= {"m": "time spans", "M": "dates"}
     if given.dtype.kind not in "iufO":
@@ -294,7 +294,7 @@ def _not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:
 
 
 def _kinds(value: Any) -> set[type]:
-    """Return the types of the entries of nested lists; arrays in them have a dtype."""
+    """Return the types of all entries of nested lists and arrays."""
     if isinstance(value, np.ndarray):
         return {value.dtype.type}
     if not isinstance(value, (list, tuple, np.flatiter)):
@@ -319,7 +319,7 @@ def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...] | None = No
 
 
 def together(**given: ArrayLike) -> list[FloatArray]:
-    """Return coordinates broadcast to arrays of one shape, with finite entries."""
+    """Return finite coordinate arrays, broadcast to a common shape."""
     arrays = {name: finite_array(name, value) for name, value in given.items()}
     try:
         return list(np.broadcast_arrays(*arrays.values()))
@@ -334,7 +334,7 @@ def gap_array(
 ) -> FloatArray:
     """Return `value` as a float64 array of exactly this `shape`, finite in at least one cell.
 
-    nobody: infinite value outside a body, +inf for a gap.
+    nobody: infinite value that marks cells without a body, +inf for a gap.
     """
     array = real_array(name, value)
     if array.shape != shape:
@@ -354,7 +354,7 @@ def gap_array(
 
 
 def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
-    """Return `value` as a contiguous array of stresses [Pa] with magnitudes <= `MAX_STRESS`."""
+    """Return `value` as a contiguous array of tractions [Pa] with magnitudes <= `MAX_STRESS`."""
     array = np.ascontiguousarray(finite_array(name, value, shape))
     largest = float(np.abs(array).max(initial=0.0))
     if largest > MAX_STRESS:
@@ -363,7 +363,7 @@ def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray
 
 
 def of_bodies(name: str, value: float | Sequence[float]) -> tuple[float, float]:
-    """Return `value` as finite floats >= 0 for bodies 1 and 2; a single number is for body 2."""
+    """Return a finite float >= 0 for each body; a single number is for body 2 (body 1: 0)."""
     given = real_array(name, value)
     pair = [0.0, value] if given.ndim == 0 else list(given)
     if given.ndim > 1 or len(pair) != 2:
@@ -381,14 +381,14 @@ def file_path(name: str, value: Any) -> Path:
     longest = max(Path(text).parts, key=len, default="")
     if len(os.fsencode(longest)) > MAX_FILE_NAME_BYTES:
         raise ValueError(
-            f"{name} must have parts of at most {MAX_FILE_NAME_BYTES} bytes, the limit of file "
-            f"systems, got {in_short(longest)}"
+            f"each folder and file name in {name} must be at most {MAX_FILE_NAME_BYTES} bytes long "
+            f"(limit of file systems), got {in_short(longest)}"
         )
     return Path(text)
 
 
 def load_or_approach(load: float | None, approach: float | None) -> tuple[str, float]:
-    """Return the name and value of the only argument that is given."""
+    """Return the name and checked value of the one argument that is not None."""
     name = exactly_one(load=load, approach=approach)
     # a negative approach separates the bodies; a negative load requires adhesion
     return name, non_negative("load", load) if name == "load" else finite("approach", approach)

@@ -5,15 +5,15 @@ import warnings
 
 
 class GridTooSmallWarning(UserWarning):
-    """Warning that the contact reaches the grid edge, or plastic strain is outside the fields."""
+    """Warning that the contact reaches the grid edge, or that output fields omit plastic strain."""
 
 
 class PlasticStrainWarning(UserWarning):
     """Warning that the plastic strain exceeds the small-strain limit of 5 %.
 
-    It is issued when the accumulated equivalent plastic strain first exceeds 5 %, unless most of it
-    is reversed flow (plastic strain magnitude sqrt(2/3 e:e) below half of it), or when that
-    magnitude exceeds 5 %.
+    It is issued once, when the plastic strain magnitude sqrt(2/3 e:e) exceeds 5 %, or when the
+    accumulated equivalent plastic strain exceeds 5 % and the magnitude is at least half of it.
+    Otherwise most of the accumulated strain is reversed flow.
     """
 
 
@@ -22,7 +22,7 @@ class SingularPressureWarning(UserWarning):
 
 
 class ResolutionWarning(UserWarning):
-    """Warning that the cells are too large for the contact, or the layers for the plastic zone."""
+    """Warning that cells are too large for the contact, or layers for the plastic zone."""
 
 
 class ElasticStrainWarning(UserWarning):

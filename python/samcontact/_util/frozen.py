@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Read-only arrays, dictionaries and attributes, which keep results consistent with their input."""
+"""Read-only arrays, dictionaries and attributes: results and their input cannot be changed."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Value = TypeVar("Value")
 
 
 def read_only(array: FloatArray) -> FloatArray:
-    """Make an array, which must have no other owner, read-only and return it."""
+    """Make an array read-only and return it; no other object may use the array."""
     array.flags.writeable = False
     return array
 
@@ -49,7 +49,7 @@ class FrozenDict(Mapping[str, Value]):
 
 
 class FixedAttributes:
-    """Base of objects whose public attributes are read-only after `__init__` has set `_last`."""
+    """Base class with read-only public attributes, once `__init__` has set the last attribute."""
 
     _last: ClassVar[str] = "_core"
 

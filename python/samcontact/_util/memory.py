@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Estimates of required and available memory, to refuse calculations in advance.
+"""Estimates of required and available memory, to refuse calculations that would not fit.
 
-The constants are total bytes per cell, as measured (tests/faults/test_out_of_memory.py).
+The constants are total bytes per cell, measured in tests/faults/test_out_of_memory.py.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class CellCounts(Protocol):
 
 
 def require(what: str, needed: float, remedy: str = "use fewer cells") -> None:
-    """Raise MemoryError unless this many bytes are available."""
+    """Raise MemoryError unless `needed` bytes are available."""
     if needed < _MAX_UNCHECKED_BYTES:
         return
     there = available()
@@ -75,10 +75,7 @@ def require(what: str, needed: float, remedy: str = "use fewer cells") -> None:
 
 
 def blas_threads() -> int:
-    """Return the number of threads of the linear algebra (OpenBLAS) of NumPy and SciPy.
-
-    Each thread has a buffer.
-    """
+    """Return the number of threads of OpenBLAS (NumPy, SciPy), each of which has a buffer."""
     processors = os.cpu_count() or 1
     for name in ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS"):
         given = os.environ.get(name, "")
@@ -90,8 +87,8 @@ def blas_threads() -> int:
 def require_address_space(what: str, needed: float) -> None:
     """Raise MemoryError unless the process may allocate `needed` more bytes (``ulimit -v``).
 
-    For libraries that do not survive a failed allocation: on loading, some versions of OpenBLAS
-    retry indefinitely until SIGKILL, and HDF5 crashes.
+    It is used before loading libraries that do not survive a failed allocation: some versions of
+    OpenBLAS retry indefinitely until SIGKILL, and HDF5 crashes.
     """
     there = _process_memory()
     if there is not None and needed > there:
@@ -103,7 +100,7 @@ def require_address_space(what: str, needed: float) -> None:
 
 
 def require_for_grid(what: str, grid: CellCounts, needed: float) -> None:
-    """Raise MemoryError, with the numbers of cells, unless this many bytes are available."""
+    """Raise MemoryError, with the numbers of cells, unless `needed` bytes are available."""
     if needed < _MAX_UNCHECKED_BYTES:
         return
     cells = f"nx = {grid.nx}, ny = {grid.ny}" + (f", nz = {grid.nz}" if grid.nz else "")
@@ -111,29 +108,29 @@ def require_for_grid(what: str, grid: CellCounts, needed: float) -> None:
 
 
 def of_contact(*, coupled: bool, sticks: bool, heated: bool) -> float:
-    """Return the bytes per surface cell of a contact.
+    """Return the memory of a contact solution per surface cell [bytes].
 
-    coupled: dissimilar materials, whose shear displaces the surfaces normally; sticks: partial
-    slip; heated: frictional heating.
+    coupled: shear displaces the surfaces normally (dissimilar materials); sticks: partial slip;
+    heated: frictional heating.
     """
     smooth = COUPLED_PARTIAL_SLIP_BYTES if sticks else COUPLED_CONTACT_BYTES
     return max(smooth if coupled else CONTACT_BYTES, HEATED_CONTACT_BYTES if heated else 0.0)
 
 
 def surface(grid: CellCounts, bytes_a_cell: float) -> float:
-    """Return the bytes of all surface cells of a grid."""
+    """Return the memory of all surface cells of a grid [bytes]."""
     return bytes_a_cell * grid.nx * grid.ny
 
 
 def volume(grid: CellCounts, bytes_a_cell: float, layers: int | None = None) -> float:
-    """Return the bytes of all volume cells of a grid, for its own or another number of layers."""
+    """Return the memory of all volume cells [bytes] of a grid, with grid.nz or `layers` layers."""
     return surface(grid, bytes_a_cell) * (grid.nz if layers is None else layers)
 
 
 def available() -> float | None:
-    """Return the available memory [bytes], limited by machine, container and process.
+    """Return the available memory [bytes]; None if it is unknown.
 
-    None if the system provides no information.
+    It is the minimum of the limits of machine, container and process.
     """
     known = [
         amount for amount in (_machine_memory(), _container_memory(), _process_memory()) if amount

@@ -14,11 +14,11 @@ MAX_LINES = 10
 def progress_bar(
     total: int, unit: str, *, shown: bool, initial: int = 0, leave: bool = True
 ) -> Any:
-    """Return a context with ``update()`` and ``set_postfix(**values)``; silent if not `shown`.
+    """Context manager with ``update()`` and ``set_postfix(**values)``; silent unless `shown`.
 
-    A bar is redrawn in place, which is impossible in a log: there, one line is written per tenth of
-    the total. Without `leave`, the bar is removed when complete and nothing is written to a log;
-    this is for parts that `report_progress` reports with one line each.
+    A terminal shows a bar that is redrawn in place; a log receives one line per tenth of the total.
+    Without `leave`, the bar is removed when complete and nothing is written to a log. Use this for
+    tasks that `report_progress` reports with one line each.
     """
     stream = sys.stderr if shown else None
     if not _can_overwrite(stream):
@@ -29,7 +29,7 @@ def progress_bar(
 
 
 def report_progress(text: str, *, shown: bool) -> None:
-    """Print one line of progress."""
+    """Print one line of progress to stderr if `shown`."""
     with suppress(AttributeError, OSError, ValueError):  # failed output must not end a run
         if shown and sys.stderr is not None:
             print(text, file=sys.stderr, flush=True)
@@ -66,4 +66,4 @@ class _LineProgress:
             report_progress(f"{self.unit} {self.count} of {self.total}", shown=True)
 
     def set_postfix(self, **_: object) -> None:
-        """Do nothing: lines do not show values of the current step."""
+        """Ignore the values of the current step, which are not shown in lines."""

@@ -34,7 +34,7 @@ _COLOURS = {
 
 
 class Quantity(NamedTuple):
-    """Name and units of one quantity; an empty text is not shown."""
+    """Names, units and display format of one quantity; empty texts are not shown."""
 
     unit: str
     """SI unit of values in files and in Python; "1" for a pure number, "" for a text."""
@@ -54,12 +54,12 @@ class Quantity(NamedTuple):
 
     @property
     def factor(self) -> float:
-        """Factor from the SI unit to the unit shown."""
+        """Factor that converts a value from the SI unit to the unit shown."""
         return _DISPLAY_FACTORS.get(self.shown, 1.0)
 
     @property
     def colours(self) -> str:
-        """Colour map of the kind of field."""
+        """Name of the colour map for this kind of field."""
         return _COLOURS[self.kind]
 
     @property
@@ -69,33 +69,33 @@ class Quantity(NamedTuple):
 
     @property
     def from_zero(self) -> bool:
-        """Whether the quantity is never negative, so that its colours begin at zero."""
+        """Whether the quantity is never negative and its colour scale begins at zero."""
         return self.kind not in ("signed", "height", "criterion", "any")
 
     @property
     def label(self) -> str:
-        """Label of an axis, or of a column of a report."""
+        """Label with unit, for the axis of a figure or the column of a report."""
         return self.of()
 
     def of(self, body: int | None = None) -> str:
-        """Return the label, with the number of a body."""
+        """Return the label with the number of a body."""
         name = self.heading if body is None else f"{self.heading}, body {body}"
         return f"{name} [{self.shown}]" if self.shown else name
 
     def column(self, body: int | None = None) -> str:
-        """Return the heading on a terminal, in two lines."""
+        """Return the column heading for a terminal: the name and, on a second line, the unit."""
         name = self.short if body is None else f"{self.short} {body}"
         if not self.shown:
             return name
         return f"{name} [{self.shown}]" if "\n" in name else f"{name}\n[{self.shown}]"
 
     def fitting(self, largest: float) -> Quantity:
-        """Return the quantity with a unit that suits an area of this size [m^2]."""
+        """Return a copy whose display unit suits a given area [m^2]."""
         small = self.unit == "m2" and largest < _MAX_AREA_IN_SQUARE_MICRONS
         return self._replace(shown="µm²") if small else self
 
     def variable(self, dims: Any, data: Any, body: int | None = None) -> xr.Variable:
-        """Return a variable of a dataset, with unit and name."""
+        """Return a dataset variable (dimensions, values, attributes) with unit and name."""
         import xarray as xr  # here, so that importing the package does not load it
 
         text = self.long_name
@@ -231,7 +231,7 @@ CONTACT = {
         "plastic zone to volume edge",
     ),
     "layers_across_plastic_zone": Q(
-        "1", "layers from top to bottom of the plastic zone", "layers", "across the plastic zone"
+        "1", "number of layers across the plastic zone", "layers", "across the plastic zone"
     ),
     # surface fields
     "pressure": Q("Pa", "contact pressure", "GPa", "pressure", kind="magnitude"),
@@ -317,7 +317,7 @@ ASPERITIES = {
     "max_equivalent_plastic_strain": Q("1", "maximum equivalent plastic strain of a body"),
     "cells_across_contact": CONTACT["cells_across_contact"],
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
-        long_name="layers from top to bottom of the plastic zone of a body"
+        long_name="number of layers across the plastic zone of a body"
     ),
     # scalars of each pass
     "pass": Q("1", "pass number"),
@@ -364,7 +364,7 @@ WEAR = {
         "plastic\nstrain",
     ),
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
-        long_name="layers from top to bottom of the plastic zone before removal"
+        long_name="number of layers across the plastic zone before removal"
     ),
     # scalars of each cycle
     "parts": Q("1", "number of parts into which the repeats of the cycle were divided"),
@@ -393,6 +393,6 @@ WEAR = {
 
 
 def described(name: str) -> tuple[Quantity, int | None]:
-    """Return quantity and body of a variable name; body None: the quantity is of both bodies."""
+    """Return the quantity and the body number of a variable name; None for no single body."""
     kind, _, body = name.partition("_body")
     return CONTACT[kind], int(body) if body else None

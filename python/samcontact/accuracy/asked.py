@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution to a prescribed accuracy: arguments and their checks."""
+"""Function `to_accuracy`: solution to a prescribed accuracy; checks of its arguments."""
 
 from __future__ import annotations
 
@@ -34,16 +34,17 @@ def to_accuracy(
 ) -> AccuracyResult:
     """Solve a case on finer and finer grids until all errors are below the prescribed accuracy.
 
-    Grid, layers and increments are chosen automatically; a [grid] of the case, its ``increments``
-    and the ``step`` of passes are not used. docs/theory/accuracy.md explains the error estimates.
+    Grid, layers and increments are chosen automatically; the fields [grid], ``increments`` and
+    ``step`` of the case are not used. docs/theory/accuracy.md explains the error estimates.
 
     Parameters
     ----------
     case : Case, path or dict
-        Case of one contact: result of `load_case`, file, or dictionary with the layout of a file.
+        Case of one contact: result of `load_case`, path of a case file, or dictionary with the
+        layout of a case file.
     accuracy : float or dict, optional
-        Maximum relative error [-], in (0, 1), of all quantities, or of each by its name. Default:
-        accuracy of the case.
+        Maximum relative error [-], in (0, 1): one number for all quantities, or a number for each
+        quantity by name. Default: accuracy of the case.
     quantities : sequence of str, optional
         Quantities whose error is controlled, by their names in results files, e.g. "max_pressure",
         "imprint_depth_body2". Default: the quantities named by the case, or all.
@@ -55,14 +56,14 @@ def to_accuracy(
         Print one line per grid to stderr.
     checkpoint : path, optional
         Folder that stores the values of each grid and the increments of the last grids. Repeating
-        the call continues from it, with bit-identical results. Remove the folder when no longer
-        needed.
+        the call continues from these, with bit-identical results. Remove the folder when it is no
+        longer needed.
 
     Returns
     -------
     AccuracyResult
-        Values with errors. An exception or interruption (Ctrl-C) after the third grid has the best
-        values so far as its attribute `result`.
+        Values with errors. If an exception or interruption (Ctrl-C) occurs after the third grid,
+        its attribute `result` has the best values so far.
 
     Raises
     ------
@@ -73,7 +74,7 @@ def to_accuracy(
     Warns
     -----
     AccuracyWarning
-        The accuracy requires more memory or time than allowed; the message states how much. The
+        The accuracy requires more memory or time than allowed; the message gives both amounts. The
         best values so far are returned with their errors.
     """
     search = prepare_search(case, accuracy, quantities, max_memory, max_time, progress=progress)
@@ -117,7 +118,7 @@ def _prescribed_accuracy(
     accuracy: float | Mapping[str, float] | None,
     quantities: Sequence[str] | None,
 ) -> dict[str, float]:
-    """Return the prescribed relative accuracy of each controlled quantity."""
+    """Return the prescribed maximum relative error of each controlled quantity, by name."""
     given = case.accuracy if accuracy is None else accuracy
     if given is None:
         raise ValueError("accuracy must be a number in (0, 1), e.g. 0.01, or a dict of numbers")

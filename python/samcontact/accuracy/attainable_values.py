@@ -33,14 +33,14 @@ _DEPTH_QUANTITIES = ("approach", "imprint_depth", PERMANENT_DEFORMATION)
 
 
 class _Limit(NamedTuple):
-    """Upper bound and its description."""
+    """Upper bound of a quantity, in its SI unit, and a description of the bound."""
 
     value: float
     of: str
 
 
 def require_attainable(name: str, target: float, simulation: Simulation, most: float) -> None:
-    """Raise ValueError for a value that no load up to the largest can reach.
+    """Raise ValueError if no load up to the largest can give the target value.
 
     Bounds follow from Hertz theory for a parabolic gap, from the yield stress, and from the size of
     the grid. Other values are checked by the search.
@@ -62,7 +62,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, most: f
     shown = f"value = {target!r} of {name.replace(',', ' or ')}"
 
     def meant() -> str:
-        """Return a hint at the first unit in which the number is possible."""
+        """Return a hint, as text, at the first unit in which the number would be attainable."""
         for other, factor in _UNIT_ERROR_FACTORS.get(unit, {}).items() if kind != YIELD else ():
             value = factor * target
             if (largest is None or value <= largest.value) and not _reason_too_small(
@@ -75,15 +75,15 @@ def require_attainable(name: str, target: float, simulation: Simulation, most: f
 
     if largest is not None and target > largest.value:
         raise ValueError(
-            f"{shown} cannot be reached: up to {most:.6g} N it is below {largest.value:.6g}, "
-            f"{largest.of}{meant()}"
+            f"{shown} cannot be reached: at loads up to {most:.6g} N the value is below "
+            f"{largest.value:.6g}, {largest.of}{meant()}"
         )
     if why := _reason_too_small(kind, target, simulation):
         raise ValueError(f"{shown} is too small for the grid: {why}{meant()}")
 
 
 def _upper_bound(name: str, simulation: Simulation, most: float) -> _Limit | None:
-    """Return the upper bound of a quantity up to the largest load; None if it is unknown."""
+    """Return the upper bound of a quantity for loads up to `most` [N]; None if unknown."""
     first = name.partition(",")[0]
     kind, _, number = first.partition("_body")
     both = simulation.body1, simulation.body2
@@ -118,7 +118,7 @@ def _strength_bound(kind: str, bodies: Sequence[Body]) -> _Limit | None:
 
 
 def _grid_bound(kind: str, simulation: Simulation) -> _Limit | None:
-    """Return the width of the grid for depths, and the area of a fixed grid for areas."""
+    """Return the bound of a depth (grid width) or of an area (area of a fixed grid)."""
     grid = simulation.grid
     if kind in _DEPTH_QUANTITIES:
         side = max(grid.nx * grid.dx, grid.ny * grid.dy)
@@ -129,7 +129,7 @@ def _grid_bound(kind: str, simulation: Simulation) -> _Limit | None:
 
 
 def _hertz_bound(kind: str, simulation: Simulation, expected: ExpectedContact) -> _Limit | None:
-    """Return the bound from the elastic contact at the largest load and from the yield stress."""
+    """Return the bound from the Hertz contact at the largest load and from the yield stress."""
     contact, both = expected.contact, (simulation.body1, simulation.body2)
     bodies = [body for body in both if isinstance(body, Material)]
     if len(bodies) < len(both) or any(body.softening for body in bodies):
@@ -155,7 +155,7 @@ def _hertz_bound(kind: str, simulation: Simulation, expected: ExpectedContact) -
 
 
 def _reason_too_small(kind: str, target: float, simulation: Simulation) -> str | None:
-    """Return why a value is too small for the grid; None if it is not, or if this is unknown."""
+    """Return, as text, why the grid cannot resolve so small a value; None if it can."""
     grid, scene = simulation.grid, simulation.engine.estimate
     if kind == "contact_area" and target < grid.cell_area:
         return f"one cell has an area of {quantity(grid.cell_area, 'm²')}"

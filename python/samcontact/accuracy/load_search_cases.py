@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cases of a load search: cases with scaled loads, and the quantity sought."""
+"""Cases of a load search: scaled loads, and checks of the quantity sought."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Built = tuple["Simulation", Sequence[Mapping[str, Any]]]
 
 @dataclass(frozen=True)
 class ScaledCase:
-    """Case with scaled loads."""
+    """Case that is built for any maximum load [N] by scaling all forces."""
 
     case: Case
     largest: float
@@ -51,7 +51,7 @@ def max_load(case: Case) -> float:
 
 
 def require_known(name: object) -> None:
-    """Raise ValueError for an unknown quantity, with the most similar name."""
+    """Raise ValueError for an unknown quantity; the message suggests the most similar name."""
     kinds = [
         *error_controlled_quantities.CONTACT_QUANTITIES[1:],
         *error_controlled_quantities.BODY_QUANTITIES,
@@ -67,7 +67,7 @@ def require_known(name: object) -> None:
 
 
 def resolved(name: str, simulation: Simulation) -> str:
-    """Return the resolved name of a quantity; ValueError if the simulation does not have it."""
+    """Return a quantity's name with body number; ValueError if the simulation does not have it."""
     require_known(name)
     bodies = simulation.body1, simulation.body2
     if name == YIELD:
@@ -102,7 +102,7 @@ def resolved(name: str, simulation: Simulation) -> str:
 
 
 def label_and_unit(name: str) -> tuple[str, str]:
-    """Return label and unit of a quantity by its resolved name."""
+    """Return label and unit of a quantity, from its name with body number."""
     if name == YIELD:
         return "von Mises stress / yield stress", ""
     if name == PERMANENT_DEFORMATION:
@@ -114,7 +114,7 @@ def label_and_unit(name: str) -> tuple[str, str]:
 
 
 def elastic(simulation: Simulation) -> Simulation:
-    """Return the simulation with elastic bodies."""
+    """Return a copy of a simulation with elastic instead of elastic-plastic bodies."""
     bodies = {}
     for name in ("body1", "body2"):
         body = getattr(simulation, name)
@@ -127,14 +127,14 @@ def elastic(simulation: Simulation) -> Simulation:
 
 
 def has_depth_profile(body: Material) -> bool:
-    """Whether yield stress or initial stress of a body varies with depth."""
+    """Whether the yield stress or the initial stress of a body varies with depth."""
     return body.yield_profile is not None or body.residual_stress is not None
 
 
 def used_strength(state: State, n: int, body: Material) -> float:
     """Return the maximum ratio of von Mises stress to yield stress in an elastic state.
 
-    Raises ValueError if the maximum may be below the deepest layer of the state.
+    Raises ValueError if the maximum may lie below the deepest layer of the state.
     """
     least = float(body.yield_stress(0.0))
     if not has_depth_profile(body):

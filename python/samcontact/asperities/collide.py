@@ -69,45 +69,44 @@ def collide(
     passes : int
         Number of passes of sphere 1, >= 1.
     cells_per_increment : int
-        Displacement of the contact over body 2 per increment, in cells of dx, >= 1. The
+        Displacement of the contact over body 2 per increment, in cells of size dx, >= 1. The
         displacement over body 1 is also a whole number of cells if R1/R2 times this number is an
         integer.
     back_and_forth : bool
         Whether every second pass is in the opposite direction. By default all are towards +X.
     relief1, relief2 : Relief, optional
-        Roughness of the spheres; its rows coincide with rows of the grid when the spheres are
-        aligned.
+        Roughness of the spheres. When the spheres are aligned, its rows coincide with grid rows.
     checkpoint : path, optional
         Folder for a checkpoint of each increment. Repeating the call resumes from it, with
         bit-identical results. Delete it when it is no longer needed.
     progress : bool
         Show a progress bar, or at most ten lines if there is no terminal.
     **settings
-        Arguments of `Simulation`, e.g. increment_tol, tol (default for elastic spheres: 1e-8),
-        residual_stress, reach.
+        Further arguments of `Simulation`, e.g. increment_tol, tol (default for elastic spheres:
+        1e-8), residual_stress, reach.
 
     Returns
     -------
     CollisionResult
-        The results; `series` has, by pass and increment: offset, angle, approach, normal_force
-        (along the line of centres), force_x, force_y, force_z (of sphere 1 on sphere 2: force_x > 0
-        resists motion towards +X, force_z > 0 is compressive), load_ratio force_x/force_z (NaN
-        without contact), work of force_x since the start of the pass, plastic_work of both bodies
-        since the first pass, max_pressure, contact_area, cells_across_contact (NaN without
-        contact), and for each body max_equivalent_plastic_strain and layers_across_plastic_zone
-        (NaN without plastic strain). By pass: net_energy (work of the pass), dissipation,
-        residual_energy (after the pass), energy_imbalance (net energy minus dissipation and
-        increase of residual energy: the error due to grid and increments), and for each body
-        residual_displacement (maximum of the field).
+        Results of all passes. `series` has, by pass and increment: offset, angle, approach,
+        normal_force (along the line of centres), force_x, force_y, force_z (of sphere 1 on sphere
+        2: force_x > 0 resists motion towards +X, force_z > 0 is compressive), load_ratio
+        force_x/force_z (NaN without contact), work of force_x since the start of the pass,
+        plastic_work of both bodies since the first pass, max_pressure, contact_area,
+        cells_across_contact (NaN without contact), and for each body max_equivalent_plastic_strain
+        and layers_across_plastic_zone (NaN without plastic strain). By pass: net_energy (work of
+        the pass), dissipation, residual_energy (after the pass), energy_imbalance (net energy minus
+        dissipation and increase of residual energy: the error due to grid and increments), and for
+        each body residual_displacement (maximum of the field).
 
     Raises
     ------
     ValueError
         A setting for friction or heat is given (the spheres are frictionless and unheated),
         increments are longer than a quarter of the contact path, or `checkpoint` belongs to another
-        call; also the errors of `Simulation`. An error in a later increment holds the results of
-        the completed increments in its attribute `result`; quantities of an incomplete pass are
-        NaN.
+        call; also the errors of `Simulation`. If a later increment fails, the attribute `result` of
+        the error has the results of the completed increments; quantities per pass are NaN for an
+        incomplete pass.
     """
     boolean("progress", progress)
     boolean("back_and_forth", back_and_forth)

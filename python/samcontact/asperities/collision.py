@@ -62,11 +62,11 @@ class Collision:
         return self.offset(self.half_angle)
 
     def offset(self, angle: float) -> float:
-        """Horizontal distance X of the centres [m], for an angle of the line of centres [rad]."""
+        """Horizontal distance X of the centres [m]; angle [rad] from the vertical to their line."""
         return self.height * math.tan(finite("angle", angle))
 
     def separation(self, angle: float) -> float:
-        """Distance of the centres [m], for an angle of the line of centres [rad]."""
+        """Distance of the centres [m]; angle [rad] from the vertical to the line of centres."""
         return self.height / math.cos(finite("angle", angle))
 
     def approach(self, angle: float) -> float:
@@ -76,9 +76,10 @@ class Collision:
         return self.interference - 2.0 * self.height * math.sin(0.5 * angle) ** 2 / math.cos(angle)
 
     def advance(self, angle: float) -> tuple[float, float]:
-        """Travel of the surfaces through the contact for a rotation of the line of centres [m].
+        """Displacements [m] of the surfaces through the contact for a rotation [rad] of their line.
 
-        Along the local +x: the contact moves backwards over sphere 1 and forwards over sphere 2.
+        Displacements are positive along the local +x. The contact moves backwards over sphere 1 and
+        forwards over sphere 2.
         """
         return self.R1 * finite("angle", angle), -self.R2 * angle
 
@@ -99,7 +100,7 @@ class Collision:
         increments : int
             Number of increments from first contact to separation, >= 4.
         cells_per_increment : int
-            Displacement of the contact over body 2 per increment, in cells of dx, >= 1.
+            Displacement of the contact over body 2 per increment, in cells of size dx, >= 1.
         width : float
             Half-width of the grid, as a multiple of sqrt(2 R interference), the radius of the disc
             in which the undeformed spheres overlap.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Labelled results of an asperity collision: one row per increment of each pass."""
+"""Results of an asperity collision as a labelled dataset, by pass and increment."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class IncrementRow:
 
 
 def _table(passes: Sequence[Sequence[IncrementRow]], name: str) -> FloatArray:
-    """Values by pass and increment (and body); NaN after the end of a shorter pass."""
+    """Array of a quantity by pass, increment (and body); NaN after the end of shorter passes."""
     values = [np.array([getattr(row, name) for row in rows]) for rows in passes]
     longest = max(len(column) for column in values)
     table = np.full((len(values), longest, *values[0].shape[1:]), np.nan)
@@ -66,7 +66,7 @@ def _table(passes: Sequence[Sequence[IncrementRow]], name: str) -> FloatArray:
 
 
 def to_dataset(collision: Collision, passes: Sequence[Sequence[IncrementRow]]) -> xr.Dataset:
-    """Convert all results of the passes to a labelled dataset with units."""
+    """Convert the results of all passes to a labelled dataset with units."""
     import xarray as xr
 
     data = {name: _table(passes, name) for name in BY_INCREMENT if name != "load_ratio"}
@@ -108,7 +108,7 @@ def cells_under_load(series: xr.Dataset) -> xr.DataArray:
 
 
 def of_passes(series: xr.Dataset) -> xr.Dataset:
-    """Results per pass: values at its end, maximum and minimum forces, and the resolution."""
+    """Results of each pass: values at its end, extreme forces, maximum pressure and resolution."""
     passes: xr.Dataset = series[list(BY_PASS)].assign(
         max_force_x=series["force_x"].max("increment"),
         min_force_x=series["force_x"].min("increment"),

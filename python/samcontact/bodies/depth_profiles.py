@@ -31,7 +31,7 @@ MAX_PROFILE_POINTS = 4096
 
 
 def profile(kind: str, given: Any) -> Profile:
-    """Convert a profile to equally many depths and values; the core checks their ranges."""
+    """Convert depths and values of a profile to tuples of equal length; the core checks ranges."""
     holds = f"{kind} must contain {', '.join(PROFILE_ARGUMENTS[kind])}, each a list of numbers"
     if not isinstance(given, (list, tuple)):
         raise TypeError(f"{holds}, got {in_short(given)}")
@@ -56,7 +56,7 @@ def profile(kind: str, given: Any) -> Profile:
 
 
 class HasDepthProfiles:
-    """Depth-dependent part of a material."""
+    """Part of `Material`: yield stress and initial stress that depend on depth."""
 
     yield_profile: Profile | None
     residual_stress: Profile | None
@@ -74,7 +74,8 @@ class HasDepthProfiles:
             piecewise linear and constant beyond its ends; layers of a grid take its value at
             mid-depth.
         factor : array_like, shape (n,)
-            Ratio to the nominal yield stress [-], 1e-6 to 1e6; e.g. local over core hardness.
+            Ratio of local to nominal yield stress [-], 1e-6 to 1e6, e.g. local hardness over core
+            hardness.
 
         Returns
         -------
@@ -84,8 +85,8 @@ class HasDepthProfiles:
         Raises
         ------
         ValueError
-            The body does not yield, z does not increase, z and factor differ in number, a value is
-            outside its range, or the residual stress of the material is above its yield stress.
+            The material is not elastic-plastic, z does not increase, z and factor differ in number,
+            a value is outside its range, or the residual stress exceeds the yield stress.
         TypeError
             An argument is not a number.
         """
@@ -102,10 +103,10 @@ class HasDepthProfiles:
         """Return a copy with initial (residual) stress, as from peening or case hardening.
 
         The stress acts in the plane of the surface and varies with depth only. It is therefore in
-        equilibrium for any profile and causes no displacement. A half-space needs no tension to
-        balance it; in a part of finite thickness the user must add the balancing stress. The
-        initial stress is included in the yield condition and in all stresses of states, including
-        residual stresses.
+        equilibrium for any profile and causes no displacement. A half-space needs no balancing
+        tension; for a part of finite thickness the user must add the balancing stress. The initial
+        stress enters the yield condition and is included in all stresses of a State, also in the
+        residual stress.
 
         Parameters
         ----------
@@ -128,10 +129,10 @@ class HasDepthProfiles:
         Raises
         ------
         ValueError
-            The body is rigid, z does not increase, the numbers of values differ, a value is not
-            finite, or the von Mises stress exceeds the yield stress of the material at some depth:
-            material that yielded as the stress arose has hardened, which the law or a yield profile
-            must include.
+            The material is rigid, z does not increase, the numbers of values differ, a value is not
+            finite, or the von Mises stress exceeds the yield stress of the material at some depth.
+            Material that yielded while the stress formed has hardened: include this hardening in
+            the law or in a yield profile.
         TypeError
             An argument is not a number.
         """
@@ -141,7 +142,7 @@ class HasDepthProfiles:
         return cast("Self", replace(cast("Any", self), residual_stress=checked))
 
     def yield_factor(self, z: ArrayLike) -> FloatArray:
-        """Factor on the yield stress at depths z [m], same shape; 1 without a yield profile.
+        """Factor on the yield stress [-] at depths z [m], shape of z; 1 without a yield profile.
 
         Raises ValueError if z is negative or not finite.
         """
@@ -177,7 +178,7 @@ class HasDepthProfiles:
 
 
 def checked_depths(z: ArrayLike) -> FloatArray:
-    """Check depths below a surface; ValueError if one is negative or not finite."""
+    """Return depths [m] as an array; ValueError if a depth is negative or not finite."""
     depths = real_array("z", z)
     bad = ~(np.isfinite(depths) & (depths >= 0))
     if bad.any():
@@ -186,5 +187,5 @@ def checked_depths(z: ArrayLike) -> FloatArray:
 
 
 def _at(of: Profile, z: FloatArray) -> FloatArray:
-    """Interpolate a profile at depths, shape (values, *z.shape)."""
+    """Interpolate each quantity of a profile at depths z [m], shape (quantities, *z.shape)."""
     return np.array([np.interp(z, of[0], values) for values in of[1:]])

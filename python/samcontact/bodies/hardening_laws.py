@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Material laws with their constants and ranges.
 
-The core defines its hardening laws. The class method of `Material` named after a law creates a
-material; checks, case files, tables and checkpoints follow from `LAWS`.
+The compiled core defines the hardening laws, which are listed in `LAWS`. For each law, `Material`
+has a class method of the same name. Checks, case files, tables and checkpoints use `LAWS`.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Constant:
     le: float | None = None
     many: bool = False
     infinite: bool = False
-    """Whether it may be infinite."""
+    """Whether the constant may be infinite."""
 
 
 @dataclass(frozen=True)
@@ -41,12 +41,12 @@ class Law:
     says: str
     """One-line description."""
     constants: Mapping[str, Constant]
-    """Constants in the order of the factory's arguments."""
+    """Constants, in the order of the arguments of the class method."""
     yields: bool = False
 
 
 def constant_of(parameter: _core.LawParameter) -> Constant:
-    """Convert the core's description of a parameter."""
+    """Convert the description of a parameter in the core to a `Constant`."""
     low = {"gt" if parameter.above_low else "ge": parameter.low}
     high = parameter.high if parameter.high < math.inf else None
     infinite = parameter.infinite is not None
@@ -75,7 +75,7 @@ def _values(name: str, given: Any) -> tuple[float, ...]:
 
 
 def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
-    """Check and order all constants of a law; the core checks their ranges."""
+    """Return all constants of a law in order, after checks; the core checks their ranges."""
     if not isinstance(law, str) or law not in LAWS:
         raise ValueError(f"law must be one of {', '.join(LAWS)}, got {in_short(law)}")
     if not isinstance(given, Mapping):
@@ -95,7 +95,7 @@ def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
 
 
 def core_material(law: str, constants: Mapping[str, Any]) -> _core.Material:
-    """Material of the core; raises ValueError naming a constant that is out of range."""
+    """Create the core's material; ValueError names a constant that is out of range."""
     if law == "rigid":
         return _core.Material.rigid()
     values = {name: np.atleast_1d(value).tolist() for name, value in constants.items()}

@@ -25,7 +25,7 @@ def _many(value: Any) -> list[Any]:
 
 
 def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
-    """Convert and check a group of constants, e.g. the thermal constants."""
+    """Return a group of constants, e.g. the thermal constants, as floats; check their number."""
     values = _many(given)
     if len(values) != len(parts):
         raise ValueError(f"{name} must contain {', '.join(parts)}, got {in_short(given)}")
@@ -98,7 +98,7 @@ class Material(HasDepthProfiles, HtmlTable):
     def linear_hardening(
         cls, E: float, nu: float, yield_stress: float, tangent_modulus: float
     ) -> Material:
-        """Bilinear uniaxial curve with slope tangent_modulus Et [Pa] above yield, 0 <= Et < E.
+        """Bilinear uniaxial curve with slope Et = tangent_modulus [Pa] above yield, 0 <= Et < E.
 
         The yield stress increases with the equivalent plastic strain at the rate E Et/(E - Et).
         """
@@ -148,10 +148,10 @@ class Material(HasDepthProfiles, HtmlTable):
         E, nu : float
             As in `elastic`.
         plastic_strain : array_like, shape (n,)
-            Uniaxial plastic strains [-], total strain - true stress/E; the first is 0, increasing,
-            at most 4096 values.
+            Uniaxial plastic strains [-], total strain - true stress/E: at most 4096 increasing
+            values, the first is 0.
         stress : array_like, shape (n,)
-            True stress [Pa] at each strain, > 0, not decreasing.
+            True stress [Pa] at each plastic strain, > 0, not decreasing.
 
         Returns
         -------
@@ -173,9 +173,9 @@ class Material(HasDepthProfiles, HtmlTable):
     ) -> Material:
         """Return a copy with a yield surface that translates with the plastic strain.
 
-        Each backstress X follows the plastic strain e and its equivalent g by dX = 2/3 modulus de -
-        recovery X dg; several backstresses are added. The isotropic law of this material stays in
-        effect: with `perfect_plastic` the hardening is purely kinematic.
+        Each backstress X evolves with the plastic strain e and the equivalent plastic strain g by
+        dX = 2/3 modulus de - recovery X dg. Several backstresses are added. The isotropic law of
+        this material stays in effect: with `perfect_plastic` the hardening is purely kinematic.
 
         Parameters
         ----------
@@ -222,8 +222,8 @@ class Material(HasDepthProfiles, HtmlTable):
         expansion : float
             Linear thermal expansion alpha [1/K], >= 0.
         diffusivity : float
-            Thermal diffusivity kappa = k/(rho c) [m^2/s], > 0; no effect in the steady state of a
-            source at rest.
+            Thermal diffusivity kappa = k/(rho c) [m^2/s], > 0, with density rho and specific heat
+            c; it has no effect on the steady state of a source at rest.
 
         Returns
         -------
@@ -245,13 +245,14 @@ class Material(HasDepthProfiles, HtmlTable):
         ----------
         law : callable
             Function of the temperature rise [K] that returns the factor on the yield stress, in (0,
-            1]; arrays of shape (nx, ny, nz). It is called once per increment, with the temperature
-            rise of the first contact solution. `samcontact.softening.JohnsonCook` is such a
-            function, and the only one that is stored in checkpoints: pass any other law to
-            `Simulation.load` again. A run with `checkpoint` resumes only with an identical law: its
-            code and all data it uses are compared (defaults, closures, globals, attributes). A law
-            with hidden state, such as a compiled object, must have an attribute `identity` with all
-            that it depends on, e.g. ``law.identity = ("my law", 2e-4)``.
+            1]; argument and result are arrays of shape (nx, ny, nz). It is called once per
+            increment, with the temperature rise of the first contact solution.
+            `samcontact.softening.JohnsonCook` is stored in checkpoints; any other law must be
+            passed to `Simulation.load` again. A run with `checkpoint` resumes only with an
+            identical law: its code and all data it uses are compared (defaults, closures, globals,
+            attributes). A law with hidden state, such as a compiled object, must have an attribute
+            `identity` that contains all data on which the law depends, e.g.
+            ``law.identity = ("my law", 2e-4)``.
 
         Returns
         -------
@@ -309,11 +310,11 @@ class Material(HasDepthProfiles, HtmlTable):
         return bool(self._core.is_plastic)
 
     def yield_stress(self, g: ArrayLike) -> float | FloatArray:
-        """Yield stress [Pa] at equivalent plastic strain g [-], scalar or array (same shape).
+        """Yield stress [Pa] at equivalent plastic strain g [-] (scalar or array), shape of g.
 
-        With kinematic hardening, it is the radius of the yield surface, without backstress. A yield
-        profile is not included, see `yield_factor`. Infinite for an elastic or rigid body. Raises
-        ValueError if g is negative or not finite.
+        With kinematic hardening, it is the radius of the yield surface, without backstress. It does
+        not include a yield profile, see `yield_factor`. It is infinite for an elastic or rigid
+        body. Raises ValueError if g is negative or not finite.
         """
         return self._at(g, self._core.yield_stress)
 
@@ -326,12 +327,12 @@ class Material(HasDepthProfiles, HtmlTable):
         return float(values[0]) if strain.ndim == 0 else values.reshape(strain.shape)
 
     def plastic_work(self, g: ArrayLike) -> float | FloatArray:
-        """Plastic work up to equivalent plastic strain g, the integral of the yield stress [J/m^3].
+        """Plastic work [J/m^3] up to equivalent plastic strain g: integral of the yield stress.
 
-        This is the energy dissipated per volume, without the work of the backstress of kinematic
-        hardening and without the factors of thermal softening and of a yield profile. Scalar or
-        array (same shape); 0 for a body that cannot yield. Raises ValueError if g is negative or
-        not finite.
+        This is the energy dissipated per volume. It does not include the work of backstresses
+        (kinematic hardening) and the factors of thermal softening and of a yield profile. The
+        result has the shape of g; it is 0 for an elastic or rigid body. Raises ValueError if g is
+        negative or not finite.
         """
         return self._at(g, self._core.work)
 

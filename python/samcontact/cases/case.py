@@ -55,7 +55,7 @@ MAX_CHARACTERS = 100_000_000
 
 
 def _accuracy(given: Any) -> Any:
-    """Check the prescribed relative errors."""
+    """Check that the prescribed accuracy consists of relative errors in (0, 1)."""
     wanted = list(given.values()) if isinstance(given, dict) else [given]
     for value in wanted or [given]:
         number = isinstance(value, (int, float)) and not isinstance(value, bool)
@@ -70,7 +70,7 @@ def _accuracy(given: Any) -> Any:
 class Case(CaseFile):
     """Validated case of one contact.
 
-    Read a case file with `load_case`, or validate a dictionary with its layout by
+    Use `load_case` to read a case file. Validate a dictionary with the layout of a case file by
     ``Case.model_validate``. All quantities are in SI units.
     """
 
@@ -134,11 +134,11 @@ class Case(CaseFile):
         object.__setattr__(self, "output", output)  # the case is frozen
 
     def steps(self) -> paths.Path:
-        """Return the loading path as keyword dictionaries for `Simulation.run`."""
+        """Return the loading path as a list of dictionaries for `Simulation.run`."""
         return [step for steps in self.steps_of_segments() for step in steps]
 
     def steps_of_segments(self) -> list[paths.Path]:
-        """Return the steps of each segment of the path, as keyword dictionaries."""
+        """Return, for each segment of the path, its steps as dictionaries for `Simulation.run`."""
         steps: list[paths.Path] = []
         reached = EndState()
         for index, segment in enumerate(self.path):
@@ -167,11 +167,11 @@ class Case(CaseFile):
 
     @property
     def moves(self) -> bool:
-        """Whether a body moves through the contact."""
+        """Whether the surface of a body moves through the contact."""
         return any(any(step.get("advance", ())) for step in self.steps())
 
     def _check_motion(self, steps: paths.Path) -> None:
-        """Check that loaded bodies move in the directions of friction and of heat."""
+        """Check that the motion agrees with the friction direction and the velocity of heating."""
         heat = NO_HEAT if self.heat is None else self.heat.build()
         friction = self.friction
         attracts = contact_law_of(self.contact).attracts  # adhesion adds to the friction limit
@@ -197,10 +197,9 @@ class Case(CaseFile):
                         )
 
     def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
-        """Return the Hertz contact of this case at a load [N] > 0; None if not applicable.
+        """Return the Hertz contact of this case at a load [N] > 0; None if there is none.
 
-        It applies to smooth paraboloids and spheres with finite radii, and to bodies without
-        layers.
+        It applies to smooth paraboloids and spheres with finite radii and to bodies without layers.
         """
         radii = self.surface.radii()
         periodic = self.grid is not None and self.grid.periodic
@@ -216,9 +215,9 @@ class Case(CaseFile):
         return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
 
     def _surface_on(self, grid: Grid, section: Any) -> Any:
-        """Return a surface or relief, checked on the grid.
+        """Return the gap or relief of a section, after building it once on the grid as a check.
 
-        The result is a function of a grid if the surface is defined on every grid.
+        If the surface is defined on every grid, a function of the grid is returned.
         """
         build = partial(section.build, folder=self._source.parent)
         built = build(grid)
@@ -321,7 +320,8 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | AsperityCa
     text : str
         TOML.
     source : str or Path, optional
-        File of the text: errors name it, and paths in the text are relative to its folder.
+        Path of the file with this text, for error messages. Relative paths in the text start from
+        the folder of this file.
 
     Returns
     -------

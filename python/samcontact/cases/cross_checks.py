@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks across the sections of a case: a field without effect is refused and named."""
+"""Checks across the sections of a case: fields without effect are refused by name."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def require_all_used(case: Any) -> None:
 
 
 def _require_cycle(case: Any) -> None:
-    """Raise ValueError unless the case provides the stress history that [fatigue] requires."""
+    """Raise ValueError if the path does not provide the stress cycle that [fatigue] requires."""
     if case.fatigue is None:
         return
     if case.wear is not None:
@@ -67,7 +67,7 @@ def _require_cycle(case: Any) -> None:
 
 
 def _require_repeatable(case: Any) -> None:
-    """Raise ValueError unless a body is elastic-plastic and the path is closed, for [shakedown]."""
+    """Raise ValueError if [shakedown] lacks an elastic-plastic body or a closed path."""
     if case.shakedown is None:
         return
     for name in ("wear", "accuracy"):
@@ -80,13 +80,13 @@ def _require_repeatable(case: Any) -> None:
     ways = [math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)]
     if max(map(abs, ways)) > 1e-12:
         raise ValueError(
-            f"shakedown requires a closed path, but the surfaces have travelled {tuple(ways)!r} m "
-            "at its end: add a return motion, or remove [shakedown]"
+            f"shakedown requires a closed path, but at its end the surfaces have moved by "
+            f"{tuple(ways)!r} m: add a return motion, or remove [shakedown]"
         )
 
 
 def _require_law_of_friction(case: Any) -> None:
-    """Raise ValueError for tangential drives and slip wear without a law of partial slip."""
+    """Raise ValueError for tangential motion, force or slip wear without partial-slip friction."""
     by_slip = case.wear is not None and case.wear.law != "threshold"
     if case.sticks:
         if case.wear is not None and not by_slip:
@@ -109,7 +109,7 @@ def _require_law_of_friction(case: Any) -> None:
 
 
 def _require_law_of_contact(case: Any) -> None:
-    """Raise ValueError for tension without adhesion, and for settings that adhesion excludes."""
+    """Raise ValueError for tension without adhesion, and for fields not allowed with adhesion."""
     law = contact_law_of(case.contact)
     if law.attracts:
         if case.wear is not None:
@@ -129,7 +129,7 @@ def _require_law_of_contact(case: Any) -> None:
 
 
 def _require_accuracy(case: Any) -> None:
-    """Raise ValueError for settings that accuracy chooses, or that require accuracy."""
+    """Raise ValueError for fields not allowed with `accuracy`, or allowed only with it."""
     if case.accuracy is None:
         for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
             raise ValueError(f"{name} requires accuracy: add accuracy, or omit {name}")
@@ -144,14 +144,14 @@ def _require_accuracy(case: Any) -> None:
 
 
 def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -> None:
-    """Raise ValueError for layers if a section supports homogeneous bodies only."""
+    """Raise ValueError if a body has layers but `section` supports homogeneous bodies only."""
     for name, body in bodies:
         if body.coating:
             raise ValueError(f"{name}.layers: {section} supports homogeneous bodies only")
 
 
 def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
-    """Raise ValueError for thermal data of bodies without frictional heat."""
+    """Raise ValueError if bodies have thermal constants or softening but no frictional heating."""
     for name, body in bodies:
         softening: Any = getattr(body, "softening", None)
         if getattr(body, "thermal", None) is not None:
@@ -173,6 +173,6 @@ def _require_zones(case: Any) -> None:
 
 
 def require_image_tol(contact: Any) -> None:
-    """Raise ValueError for a tolerance that "exact" residual stress does not use."""
+    """Raise ValueError for image_tol with residual_stress = "exact", which does not use it."""
     if contact.residual_stress == "exact" and changed(contact, ["image_tol"]):
         raise ValueError('contact.image_tol requires residual_stress = "fast": omit it')

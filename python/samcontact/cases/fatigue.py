@@ -58,7 +58,7 @@ class FatigueSection(Section):
         return [name for name in CRITERIA if getattr(self, name) is not None]
 
     def fields(self, states: list[State], body: int) -> list[FatigueField]:
-        """Evaluate each criterion over the increments.
+        """Evaluate each criterion in a body over the stress cycle formed by the increments.
 
         With `steady_axis`, the cycle is the stress history of material that passes through the
         contact of the increment with the highest load.

@@ -11,9 +11,9 @@ from .case import Case, load_case, validated
 
 
 def case_of_contact(name: str, given: object, **defaults: Any) -> Case:
-    """Return a case of one contact, given as case, file or dictionary with the layout of a file.
+    """Convert a case, the path of a case file or a dictionary with its layout to a `Case`.
 
-    name: name of the argument, for errors; defaults: fields that a dictionary may omit.
+    name: name of the argument, for errors; defaults: values of fields that a dictionary omits.
     """
     made = given
     if isinstance(given, (str, Path)):

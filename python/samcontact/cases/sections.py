@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sections of a case file as validated models, each with a method that creates its object."""
+"""Sections of a case file as pydantic models; each creates the corresponding object."""
 
 from __future__ import annotations
 
@@ -51,7 +51,8 @@ if TYPE_CHECKING:
 class GridSection(Section):
     """[grid]: cells of the surface, and layers of the volume for stresses and plasticity.
 
-    The grid is enlarged automatically if the gap and reliefs are defined on every grid.
+    The grid is enlarged automatically if gap and reliefs are defined on any grid, not read from
+    files.
     """
 
     nx: Count
@@ -110,7 +111,7 @@ class _Surface(Section):
     ) = None
 
     def radii(self) -> tuple[float, float] | None:
-        """Radii of the Hertz contact that this surface approximates; None without one."""
+        """Radii [m] along x and y of the paraboloid that approximates this surface, or None."""
         return None
 
     @property
@@ -203,7 +204,7 @@ SurfaceSection = Annotated[
 
 
 class _LawSection(Section):
-    """Contact law, see `ContactLaw`."""
+    """Contact law with its constants, see `ContactLaw`."""
 
     kind: str
 
@@ -212,7 +213,7 @@ class _LawSection(Section):
 
 
 def _law_section(law: type[ContactLaw]) -> type[_LawSection]:
-    """Create the section of a contact law, with its non-negative parameters."""
+    """Create the section of a contact law; its constants must be non-negative."""
     parameters: Any = {
         item.name: (Annotated[NonNegative, in_unit(item.metadata["unit"])], ...)
         for item in fields(law)
@@ -238,7 +239,7 @@ def _contact_law_field() -> Any:
 
 
 def _annotation(allowed: Allowed) -> Any:
-    """Return the annotation of the case-file field for a setting."""
+    """Return the annotation of the case-file field for a setting of `Simulation`."""
     if isinstance(allowed, ContactLawSetting):
         return _contact_law_field()
     if isinstance(allowed, FrictionSetting):
@@ -254,7 +255,7 @@ def _annotation(allowed: Allowed) -> Any:
 def settings_section(name: str, module: str, without: tuple[str, ...] = (), **defaults: Any) -> Any:
     """Create a section [contact] with the settings of a simulation.
 
-    module: module that defines the section under this name, for pickling.
+    module: name of the module in which the section is defined, for pickling.
     without: settings to omit.
     defaults: defaults that differ from the defaults of a simulation.
     """
@@ -281,18 +282,18 @@ else:
 
 
 def settings_of(section: ContactSection) -> dict[str, Any]:
-    """Return the settings of [contact] as arguments of `Simulation`."""
+    """Return the settings in [contact] as keyword arguments of `Simulation`."""
     laws = {"friction": friction_of(section.friction), "contact_law": contact_law_of(section)}
     return section.model_dump() | laws
 
 
 def law_of_section(section: ContactSection) -> FrictionLaw:
-    """Return the friction law of a section."""
+    """Return the friction law of a section [contact]."""
     return friction_law(settings_of(section)["friction"])
 
 
 def contact_law_of(section: ContactSection) -> ContactLaw:
-    """Return the contact law of a section."""
+    """Return the contact law of a section [contact]."""
     return HardContact() if section.contact_law is None else section.contact_law.build()
 
 
@@ -317,7 +318,7 @@ class HeatSection(Section):
 
     @property
     def is_timed(self) -> bool:
-        """Whether increments need a duration."""
+        """Whether the increments of the path need a duration."""
         return self.history is not None or self.partition is not None
 
     def build(self) -> Heat:

@@ -19,18 +19,18 @@ EXIT_FAILED = 1
 
 
 class StoppedEarlyError(Exception):
-    """Error that stopped a run after some increments; the text states which results exist.
+    """Error that stopped a run after some increments; the message names the results that exist.
 
-    The original error is the `__cause__`.
+    The attribute `__cause__` is the original error.
     """
 
 
 @contextmanager
 def short_errors(*, files: bool = False) -> Iterator[None]:
-    """Reduce errors that a user can cause to one message on stderr, without a traceback.
+    """Show errors that a user can cause as one message on stderr, without traceback, and exit.
 
-    files: whether the command loads all libraries and reads or writes results. It then requires
-    enough address space for them.
+    files: whether the command reads or writes results. All libraries are then loaded, which
+    requires enough address space.
     """
     try:
         if files:
@@ -66,11 +66,11 @@ def write_partial_results(
     Parameters
     ----------
     write : callable
-        Function that writes results, then figures; its argument is the reason why they are
-        incomplete.
+        Function that writes results and then figures; its argument is the reason why the results
+        are incomplete.
     error : Exception
     what : str
-        Amount of results, such as "3 of 12 increments".
+        Description of the results that exist, e.g. "3 of 12 increments".
     directory : Path
         Folder of the results.
     """
@@ -84,7 +84,7 @@ def write_partial_results(
 
 
 def with_resume_hint(text: str, directory: Path) -> str:
-    """Return the text with the command that resumes the run."""
+    """Append to a message the command that resumes the run."""
     return f"{text}; resume with:\n  samcontact resume {directory}"
 
 
@@ -117,13 +117,13 @@ _REMEDIES = {
 
 
 def _system_message(error: OSError) -> str:
-    """Message of an operating-system error: file, reason and remedy, without the errno."""
+    """Message of an operating-system error: file, reason and remedy, without error number."""
     parts = [error.filename, error.strerror or str(error), _REMEDIES.get(error.errno or 0)]
     return ": ".join(str(part) for part in parts if part)
 
 
 def _is_short_of_memory(error: Exception) -> bool:
-    """Whether memory is exhausted, including the error messages of the loader and of HDF5."""
+    """Whether an error means that memory is exhausted; the loader and HDF5 have own messages."""
     if isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM:
         return True
     words = ("failed to map segment", "cannot allocate memory", "memory allocation failed")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Command `hertz`: values of Hertz contact."""
+"""Command `hertz`: Hertz contact of a given geometry and load."""
 
 from __future__ import annotations
 
@@ -70,12 +70,12 @@ def hertz(
     depths: tuple[float, ...],
     **given: float | None,
 ) -> None:
-    """Print the Hertz solution for one of --load, --approach, --p0.
+    """Print the Hertz solution for a given --load, --approach or --p0.
 
-    The contact is a point contact, or elliptic with --Ry. With --length or --load-per-length it is
-    a line contact in plane strain.
+    The contact is a point contact, with --Ry an elliptic contact, and with --length or
+    --load-per-length a line contact in plane strain.
 
-    Quantities are numbers in SI units, or have a unit: --R "7.5 mm" --E-star "115 GPa".
+    Quantities are numbers in SI units or numbers with a unit: --R "7.5 mm" --E-star "115 GPa".
     """
     with short_errors():
         per_length = given.pop("load_per_length")
@@ -106,7 +106,7 @@ def hertz(
 
 
 def _warn_of_unit_errors(contact: HertzContact, given: dict[str, float | None]) -> None:
-    """Warn about unusual numbers without a unit, and about an implausible contact."""
+    """Warn about implausible numbers without a unit and about an implausible contact size."""
     for name, value in given.items():
         at_least, limit, unit, example = _PLAUSIBLE_LIMITS[name]
         if isinstance(value, UnitlessNumber):
@@ -140,10 +140,10 @@ def _line(
     approach: float | None,
     p0: float | None,
 ) -> tuple[_hertz.LineContact, Rows]:
-    """Return the line contact for a load, load per length or p0, and its values."""
+    """Return the line contact for a load, load per length or p0, and its table rows."""
     if approach is not None:
         raise ValueError(
-            "approach is not supported for a line contact, where it depends on the shape of the "
+            "approach is not supported for a line contact, because it depends on the shape of the "
             "whole bodies: use load, load_per_length or p0"
         )
     exactly_one(load=load, load_per_length=per_length, p0=p0)
@@ -158,7 +158,7 @@ def _line(
 
 
 def _stresses(contact: HertzContact, nu: float, depths: tuple[float, ...]) -> Rows:
-    """Return the maximum von Mises stress, and the stresses on the axis at given depths."""
+    """Return table rows: maximum von Mises stress, and stresses on the axis at given depths."""
     stress, depth = contact.max_von_mises(nu)
     rows = [
         ("maximum von Mises stress [Pa]", stress),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Signals that end the command, as exceptions, so that computed results are saved."""
+"""Signals that end the command, converted to exceptions so that computed results are saved."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def exit_code(stop: BaseException) -> int:
 
 @contextmanager
 def stoppable() -> Iterator[None]:
-    """Raise `StopRequested` on a terminating signal; ignored signals stay ignored (nohup)."""
+    """Context: terminating signals raise `StopRequested`; ignored signals stay ignored (nohup)."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return

@@ -52,7 +52,7 @@ MAX_FRAMES = 120  # maximum number of frames of an animation
 def solve_contact(
     case: Case, directory: Path, console: Console, *, figures: bool, animate: bool, resume: bool
 ) -> list[Path]:
-    """Solve a case, write results.nc and figures, and return the files.
+    """Solve a case of one contact, write results.nc and figures, and return the files.
 
     With `resume`, a checkpoint is written after each increment. Without it, the checkpoints of all
     solved increments are written if the run stops before all files are written. If an error stops
@@ -98,7 +98,7 @@ def solve_contact(
 def solve_to_accuracy(
     case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Solve a case on successively finer grids, and return the files of the finest grid.
+    """Solve a case to the prescribed accuracy, write results of the finest grid, return the files.
 
     After an error or an interruption, the best values so far are written as results.
     """
@@ -138,7 +138,7 @@ def solve_to_accuracy(
 
 @dataclass
 class _ContactRun:
-    """Simulation after all increments of a case, or after some of them."""
+    """Simulation with the increments of a case that are solved: all, or some after an error."""
 
     case: Case
     checkpoints: Checkpoints
@@ -209,7 +209,7 @@ class _ContactRun:
         return [save_animation(one, self.directory / f"{name}.gif") for name, one in made.items()]
 
     def _errors(self) -> GridErrors | None:
-        """Estimate grid errors from a coarsened grid; None, with a message, if not possible."""
+        """Estimate grid errors from a coarsened grid; on failure print a message, return None."""
         if not self.case.estimate_error:
             run = self.simulation
             repeat = repeat_with(type(run))
@@ -224,7 +224,7 @@ class _ContactRun:
             return None
 
     def _with_figure_fields(self, dataset: xr.Dataset) -> xr.Dataset:
-        """Return the results with the volume fields that figures require, stored or not."""
+        """Return the results with all volume fields that the figures require."""
         from ..plotting.summary import increments_shown
 
         shown = increments_shown(dataset, self.case.output.body)
@@ -244,7 +244,7 @@ class _ContactRun:
 
 
 def _summary(dataset: xr.Dataset, body: int) -> Sheet:
-    """Return the table of all increments, in readable units."""
+    """Return the table of the main quantities at all increments, in readable units."""
     along = moved_along(dataset)
     names = (*CONTACT_COLUMNS, "imprint_depth", "travel", *along, "iterations")
     shown = of_contact(dataset, names, body)
@@ -258,7 +258,7 @@ def _summary(dataset: xr.Dataset, body: int) -> Sheet:
 
 
 def _errors_sheet(dataset: xr.Dataset) -> Sheet | None:
-    """Return the table of quantities with errors at their maximum; None without error estimates."""
+    """Return the table of maximum values and their errors; None without error estimates."""
     rows = error_rows(dataset)
     if not rows:
         return None
@@ -283,7 +283,7 @@ def _comparison(
     reference: hertz.PointContact | hertz.EllipticContact,
     body: int,
 ) -> Sheet:
-    """Return the table that compares values at the peak with elastic Hertz contact."""
+    """Return the table that compares values at increment index `peak` with Hertz theory."""
     number = int(dataset["increment"][peak])
     rows = []
     for quantity, exact, here in hertz_rows(dataset, peak, reference, body):

@@ -23,14 +23,14 @@ _WARNING_HINT = ', or set on_border="warn"'
 
 
 def told_of_fixed(error: ValueError, scene: ContactSetup) -> None:
-    """Add to a GridTooSmallError the remedies for a gap that is an array."""
+    """Add remedies to a GridTooSmallError for a gap that is an array (fixed grid)."""
     error.args = (f"{advised(str(error), scene, _WARNING_HINT)}; {ENLARGEMENT_HINT}",)
 
 
 def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
-    """Return a message about the edge of the grid, with the remedies for a gap that is an array.
+    """Return the message `text` about the grid edge with better remedies for a gap array.
 
-    ask: general remedy, which the message already contains.
+    ask: further remedy, to be repeated at the end of a new message.
     """
     before, _, remedy = text.partition(_REMEDY)
     if scene.radii is not None or not remedy:
@@ -50,7 +50,7 @@ def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
 
 
 def _tilt(gap: FloatArray) -> str:
-    """Rise of the mean plane of a gap over the grid, as text; empty unless it dominates."""
+    """Tilt of a gap, as text: rise of its mean plane over the grid; "" unless it dominates."""
     body = np.isfinite(gap)
     axes = np.meshgrid(*(np.linspace(-0.5, 0.5, n) for n in gap.shape), indexing="ij")
     places = [np.ones(int(body.sum())), *(axis[body] for axis in axes)]

@@ -27,7 +27,7 @@ MAX_RELATIVE_OVERLAP = 1e-3
 
 
 def may_overlap(bodies: tuple[Body, Body], friction: FrictionLaw) -> bool:
-    """Whether the shear of a sliding contact moves the surfaces towards each other."""
+    """Whether the shear of a sliding contact displaces the surfaces normally by unequal amounts."""
     return friction.sliding_ratio > 0 and bodies[0]._core.stack != bodies[1]._core.stack
 
 

@@ -35,11 +35,12 @@ from .tangential_drive import Pressing, TangentialDriver, tangential_drive
 class ContactSolver(ContactFields):
     """Solver for the elastic contact of two half-spaces, with or without friction.
 
-    Exact Love and Cerruti coefficients are convolved by FFT; an active-set method with a spectral
-    preconditioner starts from coarser grids. Friction given as a number means full sliding along x:
-    the shear mu p acts on body 2 in +x and on body 1 in -x. `Coulomb` allows partial slip; the
-    shear is then an unknown, like the pressure. If the elastic constants couple shear to the normal
-    displacement, the coupling is iterated to convergence.
+    Tractions are convolved with the exact influence coefficients of Love and Cerruti by FFT. An
+    active-set method with a spectral preconditioner finds the pressure, starting on coarser grids.
+    Friction given as a number means full sliding along x: the shear mu p acts on body 2 in +x and
+    on body 1 in -x. `Coulomb` allows partial slip; the shear is then an unknown, like the pressure.
+    If shear displaces the surfaces normally (dissimilar materials), the coupling is iterated to
+    convergence.
 
     Parameters
     ----------
@@ -50,7 +51,7 @@ class ContactSolver(ContactFields):
         Friction law. A float is a coefficient mu >= 0 [-] for full sliding along x; `Coulomb(mu)`
         allows partial slip.
     tol : float, optional
-        Convergence tolerance of the complementarity error `ContactSolution.error`, in [1e-13, 1).
+        Tolerance on the complementarity error `ContactSolution.error` [-], in [1e-13, 1).
     on_border : {"error", "warn"}, optional
         Action if the contact reaches the edge of a grid that cannot be enlarged: raise
         `GridTooSmallError` or issue `GridTooSmallWarning`.
@@ -217,7 +218,7 @@ class ContactSolver(ContactFields):
         return solve_driven(self, gap, load, approach, drive, initial_pressure)
 
     def _over(self, counts: Sequence[int]) -> ContactSolver:
-        """Return this solver on a grid with other numbers of cells."""
+        """Return a copy of this solver for a grid with other numbers of cells along x and y."""
         grid = replace(self.grid, nx=counts[0], ny=counts[1])
         return _made(grid, self.body1, self.body2, self._settings.arguments(), self.heat)
 
@@ -229,7 +230,7 @@ class ContactSolver(ContactFields):
         value: float,
         drive: TangentialDriver,
     ) -> tuple[ContactSolution, str]:
-        """Return the solution and a message about the edge; drop a start that does not converge."""
+        """Return the solution and a message about the grid edge; without `start` if this fails."""
         contact = window.initial_gap, driver == "load", value
         try:
             return self._solved(contact, drive, start)
@@ -265,7 +266,7 @@ def solve_driven(  # warnings name the caller's caller
     drive: TangentialDriver,
     initial_pressure: ArrayLike | None = None,
 ) -> ContactSolution:
-    """Solve the contact for a load or an approach, with a tangential drive."""
+    """Solve the contact for a load [N] or an approach [m], and a tangential drive."""
     driver = exactly_one(load=load, approach=approach)
     value = number(driver, load if approach is None else approach)
     if driver == "approach":

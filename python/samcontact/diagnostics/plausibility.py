@@ -63,17 +63,17 @@ _UNIT_ERROR_FACTORS = {"m": (1e-3, 1e-6, 1e-9), "N": (1e-3, 1e-6, 1e-9), "Pa": (
 
 
 class PlausibilityCheck(NamedTuple):
-    """Check of a quantity, and the remedy if it is implausible."""
+    """Check that a quantity is plausible, and the remedy if it is not."""
 
     check: Check
     remedy: Callable[[], str]
-    """Function that returns the remedy, called only if a warning is issued."""
+    """Function that returns the remedy as text; it is called only if a warning is issued."""
     of_contact: bool = False
-    """Whether the check is of a contact; checks after the solve then replace it."""
+    """Whether a contact is checked; if the check fails, checks after the solution are skipped."""
 
 
 class ExpectedExtent(NamedTuple):
-    """Hertz estimate: contact, and its extent along x and y [m]."""
+    """Hertz estimate of a contact, with half-widths along x and y [m]."""
 
     expected: ExpectedContact
     extent: tuple[float, float]
@@ -91,7 +91,7 @@ class ExpectedExtent(NamedTuple):
 def plausibility_checks(
     contact: ExpectedExtent | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> Iterator[PlausibilityCheck]:
-    """All plausibility checks before a solve; grid: the grid as prescribed."""
+    """All plausibility checks before a solution; grid: initial grid, before enlargement."""
     yield from _body_and_heat_checks(bodies, heat)
     if contact is not None:
         yield from contact_plausibility_checks(contact, grid, bodies, heat)
@@ -101,7 +101,7 @@ def plausibility_checks(
 def failed_of_bodies(
     bodies: tuple[Body, Body], heat: Heat
 ) -> tuple[tuple[PlausibilityCheck, ...], tuple[PlausibilityCheck, ...]]:
-    """Failed checks of bodies and heat, to be listed before and after the checks of a contact."""
+    """Failed checks of bodies and heat: those reported before and those after contact checks."""
     return tuple(_failed(_body_and_heat_checks(bodies, heat))), tuple(
         _failed_strength_checks(bodies)
     )
@@ -122,7 +122,7 @@ def _body_and_heat_checks(bodies: tuple[Body, Body], heat: Heat) -> Iterator[Pla
 
 
 def _failed_strength_checks(bodies: tuple[Body, Body]) -> Iterator[PlausibilityCheck]:
-    """Failed checks of bodies that a check of the contact may explain better."""
+    """Failed checks of yield stress; a failed check of the contact is reported instead."""
     for number, whole in enumerate(bodies, 1):
         plastic = [material for material in materials_of(whole) if material.is_plastic]
         yield from _failed(_strength_check(number, material) for material in plastic)
@@ -131,7 +131,7 @@ def _failed_strength_checks(bodies: tuple[Body, Body]) -> Iterator[PlausibilityC
 def contact_plausibility_checks(
     contact: ExpectedExtent, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> Iterator[PlausibilityCheck]:
-    """Checks of a Hertz contact, and of its temperature rise."""
+    """Checks of the size of a Hertz contact and of the temperature rise."""
     yield from _contact_checks(contact, grid, (softest(bodies[0]), softest(bodies[1])))
     for number, body in _heated(bodies, heat):
         yield _temperature_check(contact, number, heat.factor[number - 1], body, heat)
@@ -140,7 +140,7 @@ def contact_plausibility_checks(
 def passing_loads(
     contact: ExpectedExtent, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> tuple[float, float]:
-    """Range of loads [N] for which all checks of a contact pass, estimated from one load.
+    """Minimum and maximum load [N] for which all checks of a contact pass, scaled from one load.
 
     Contact size and pressure grow as the cube root of the load. The temperature rise and the size
     of flattened contacts grow faster, at most as the powers 2/3 and 1/2 of the load.
@@ -167,12 +167,12 @@ def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, Material]]
 
 
 def _failed(doubts: Iterable[PlausibilityCheck]) -> Iterator[PlausibilityCheck]:
-    """Failed checks; reports do not list the others, most of which do not apply to the material."""
+    """Failed checks only; reports do not list passed checks."""
     return (doubt for doubt in doubts if not doubt.check.passed)
 
 
 def warn_if_implausible(doubt: PlausibilityCheck, *, stacklevel: int) -> None:
-    """Warn of an implausible quantity."""
+    """Issue a `UnitWarning` if a check has failed."""
     verdict = doubt.check
     if not verdict.passed:
         text = (
@@ -182,7 +182,7 @@ def warn_if_implausible(doubt: PlausibilityCheck, *, stacklevel: int) -> None:
 
 
 def require_solvable(doubt: PlausibilityCheck) -> None:
-    """Raise ValueError if a Hertz contact is far too small, unless UnitWarning is ignored."""
+    """Raise ValueError, unless UnitWarning is ignored, if a Hertz contact is far below a cell."""
     check = doubt.check
     too_small = check.name == _CELLS_ACROSS and check.value < MIN_SOLVABLE_CELLS
     if too_small and not is_ignored(UnitWarning):
@@ -193,7 +193,7 @@ def require_solvable(doubt: PlausibilityCheck) -> None:
 
 
 def wear_coefficient(name: str, value: float) -> PlausibilityCheck:
-    """Check of a wear coefficient: volume over work of friction, or over load and distance."""
+    """Check of a wear coefficient [1/Pa]: volume per friction work, or per load and distance."""
     verdict = Check(name, value, MAX_WEAR_COEFFICIENT, unit="1/Pa")
     return PlausibilityCheck(
         verdict, lambda: "Use 1/Pa, m³ per joule: 1e-6 mm³/(N m) is 1e-15 1/Pa"
@@ -201,7 +201,7 @@ def wear_coefficient(name: str, value: float) -> PlausibilityCheck:
 
 
 def strength(name: str, value: float) -> PlausibilityCheck:
-    """Check of a fatigue limit, or of a yield stress given separately."""
+    """Check of a fatigue limit, or of a yield stress outside a material [Pa]."""
     verdict = Check(name, value, MIN_STRESS_LIMIT, at_least=True, unit="Pa")
     return PlausibilityCheck(verdict, lambda: "Use Pa: 300 MPa is 300e6")
 
@@ -228,7 +228,7 @@ def _material_checks(name: str, body: Material) -> Iterator[PlausibilityCheck]:
         most_of_law = max(body.yield_profile[1])
         verdict = Check(f"maximum yield factor of {name}", most_of_law, MAX_YIELD_FACTOR)
         yield PlausibilityCheck(
-            verdict, lambda: "It is the ratio of local hardness to core hardness"
+            verdict, lambda: "The yield factor is the ratio of local hardness to core hardness"
         )
         yield _depth_check(f"depth of the yield profile of {name}", body.yield_profile)
     if body.residual_stress is not None:
@@ -241,7 +241,7 @@ def _material_checks(name: str, body: Material) -> Iterator[PlausibilityCheck]:
 
 
 def _strength_check(number: int, body: Material) -> PlausibilityCheck:
-    """Check of the maximum yield stress of the hardening law, without profile."""
+    """Check of the maximum yield stress of a hardening law, without yield profile, over E."""
     given = body.parameters
     of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
     largest = max(*of_law, *given.get("stress", ()))
@@ -251,7 +251,7 @@ def _strength_check(number: int, body: Material) -> PlausibilityCheck:
 
 
 def _depth_check(name: str, profile: Profile) -> PlausibilityCheck:
-    """Check of the depth below which a profile is constant [m]."""
+    """Check of the depth [m] below which a yield or stress profile is constant."""
     z = profile[0]
     deepest = 0.0
     for above, below in pairwise(range(len(z))):
@@ -273,7 +273,7 @@ def _thermal_checks(number: int, body: Material) -> Iterator[PlausibilityCheck]:
 def _temperature_check(
     contact: ExpectedExtent, number: int, factor: float, body: Material, heat: Heat
 ) -> PlausibilityCheck:
-    """Check of flux over conductivity, times contact size or diffusion length."""
+    """Check of the temperature rise [K]: flux/conductivity times contact or diffusion length."""
     conductivity, _, diffusivity = body.thermal or (1.0, 0.0, 1.0)
     size = math.sqrt(math.prod(contact.expected.semi_axes))
     age = heat.time if heat.history is None else heat.history[1]
@@ -290,7 +290,7 @@ def _temperature_check(
 def part_of_radius(
     contact: ExpectedExtent, said: Callable[[], str] | None = None
 ) -> PlausibilityCheck:
-    """Check of contact size; said: first sentence of the remedy, default the Hertz estimate."""
+    """Check of contact size over radius; said: start of the remedy, default: Hertz estimate."""
     first = said or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
     verdict = Check("half-width of the Hertz contact over its radius", share, MAX_HALF_WIDTH_RATIO)
@@ -324,7 +324,7 @@ def _contact_checks(
 def _layer_check(
     contact: ExpectedExtent, grid: Grid, bodies: Iterable[Material]
 ) -> Iterator[PlausibilityCheck]:
-    """Check of the contact size of bodies that may yield, in layers."""
+    """Check of the half-width of the Hertz contact in units of the layer thickness dz."""
     dz = grid.dz
     if dz is not None:
         wider = max(_flattened(contact, body) for body in bodies)
@@ -334,14 +334,14 @@ def _layer_check(
 
 
 def _flattened(contact: ExpectedExtent, body: Material) -> float:
-    """Fully plastic width (mean pressure of three yield stresses) over elastic width."""
+    """Ratio >= 1 of fully plastic width (mean pressure: three yield stresses) to elastic width."""
     stress = 3.0 * body.min_yield_stress if body.is_plastic else math.inf
     mean = contact.expected.contact.p0 / 1.5
     return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
 
 
 def likely_unit_errors(contact: ExpectedExtent, grid: Grid) -> str:
-    """Describe which quantity in another unit would make a contact fit its grid."""
+    """Describe, as text, which quantity in another unit would make the contact fit the grid."""
     hertz, by_approach = contact.expected.contact, contact.driver == "approach"
     # value, unit, and exponents with which contact, radius and cells scale
     given = {
@@ -372,7 +372,7 @@ def _is_unusual(name: str, value: float) -> bool:
 
 
 def _fits(contact: ExpectedExtent, grid: Grid, wider: float, steeper: float, cells: float) -> bool:
-    """Whether a contact fits the grid if its width, width/radius or cell size is multiplied."""
+    """Whether a contact fits the grid after multiplying width, width/radius and cell size."""
     sides = zip(contact.extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     across = [(2 * wider * e / (cells * d), n) for e, n, d in sides]
     part = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))

@@ -179,7 +179,7 @@ def test_forces_scale_with_other_loads():
         ),
         (
             "load = 600.0\nshift_x = 1e-6\n[[path]]\nload = 600.0\ntangential_load_x = 1.0",
-            r"path\[2\]: tangential_load_x must not start from an unknown force",
+            r"path\[2\]: tangential_load_x has an unknown initial value",
         ),
         (
             "load = 300.0\nfret = {shift_x = 1e-6}",
@@ -190,7 +190,7 @@ def test_forces_scale_with_other_loads():
             "fret = {tangential_load_x = 1.0}",
             r"path\[2\]: fret with a force must start at zero .* at \[0\.0, 9\.0\] N",
         ),
-        ("load = 600.0\nfret = {cycles = 2}", r"path\[1\]\.fret: either shift_x, shift_y or tang"),
+        ("load = 600.0\nfret = {cycles = 2}", r"path\[1\]\.fret: fret requires shift_x, shift_y"),
         ("load = 600.0\nfret = {shift_x = 0.0}", r"path\[1\]\.fret: the amplitude must not be 0"),
         (
             "load = 600.0\nshift_x = 1.0\nfret = {shift_x = 1.0}",
