@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class History:
-    """Increments of a simulation since its start, as far as they are known."""
+    """Record of the increments of a simulation since its start; empty if they are not all known."""
 
     heat: Heat
     """Heat of the first increment."""
@@ -25,14 +25,14 @@ class History:
     """Number of increments at the last estimate."""
 
     def add(self, given: Mapping[str, Any]) -> None:
-        """Add an increment; prescribed tractions end the record of the history."""
+        """Add an increment; one with prescribed tractions ends the record."""
         if given.get("pressure") is not None:
             self.forget()
         if self.steps is not None:
             self.steps.append(cleaned(given))
 
     def forget(self) -> None:
-        """Discard the history, for a state that does not result from its increments."""
+        """End the record, because the state no longer results from the recorded increments."""
         self.steps = None
 
     def is_due(self, factor: int) -> bool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plain data of a simulation, for its checkpoint file, pickles and copies."""
+"""Plain data of a simulation, for checkpoint files, pickles and copies."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ STEP_ARGUMENTS = (
 
 @dataclass(frozen=True)
 class Step:
-    """Targets of an increment, and the heat from this increment on."""
+    """Targets and motions of an increment for the core, and the heat from this increment on."""
 
     kind: str
     value: float
@@ -51,7 +51,7 @@ class Step:
 
     @property
     def target(self) -> dict[str, float]:
-        """Load or approach by name; empty with prescribed tractions."""
+        """Load or approach, as a dictionary with one entry; empty with prescribed tractions."""
         return {} if self.kind == "pressure" else {self.kind: self.value}
 
     def to_core(self) -> dict[str, Any]:
@@ -67,7 +67,7 @@ _NO_MOTION = TangentialInput((False, False, False), (0.0, 0.0, 0.0))
 
 
 class StepArguments:
-    """Checks of the arguments of increments on one grid; an unchanged heat is checked once."""
+    """Checks of the arguments of increments on one grid; an unchanged heat is checked only once."""
 
     def __init__(self, grid: Grid, bodies: Bodies, friction: FrictionLaw) -> None:
         self.grid, self.bodies, self.friction = grid, bodies, friction
@@ -89,7 +89,7 @@ class StepArguments:
         heat_factor: float | Sequence[float] | None = None,
         duration: float | None = None,
     ) -> Step:
-        """Check arguments of `Simulation.step`, given the heat so far, and return the step."""
+        """Check arguments of `Simulation.step`, given the current heat, and return the step."""
         grid, friction = self.grid, self.friction
         kind = exactly_one(load=load, approach=approach, pressure=pressure)
         value = 0.0
@@ -133,7 +133,7 @@ class StepArguments:
 
 
 def _ways(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
-    """Travel of the surface of each body in the increment, in cells."""
+    """Return the distance by which each surface moves in the increment [cells]."""
     given = finite_array("advance", advance, (2,))
     first, second = (in_cells("advance", float(way), grid.dx) for way in given)
     if grid.along_x and (first, second) != AT_REST:
@@ -173,7 +173,7 @@ def _require_possible(
 
 
 def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:
-    """Maximum load of a path; None if the heating changes or if there are no loads."""
+    """Return the maximum load of a path; None if the heating changes or if no load is given."""
     loads = [step.get("load") for step in steps]
     given = [load for load in loads if isinstance(load, (int, float))]
     heated = any("heat_factor" in step for step in steps)
@@ -181,7 +181,7 @@ def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:
 
 
 def largest_target(steps: Sequence[Mapping[str, Any]]) -> dict[str, float]:
-    """Maximum load of a path, or maximum approach if no load is given."""
+    """Return the maximum load of a path, or the maximum approach if no load is given."""
     for name in ("load", "approach"):
         given = [v for step in steps if isinstance(v := step.get(name), (int, float))]
         if given:

@@ -37,10 +37,10 @@ def stress_at_interfaces(
     tractions: tuple[FloatArray, FloatArray],
     of_strain: Callable[[int], FloatArray] | None,
 ) -> FloatArray:
-    """See `State.interface_stress`.
+    """Return the stress on both sides of each interface [Pa], see `State.interface_stress`.
 
-    tractions: pressure and shear on the body; of_strain: stress due to its plastic strain in a
-    number of layers of cells.
+    tractions: pressure and shear on the body; of_strain: function of a number of cell layers that
+    returns the stress due to plastic strain.
     """
     pressure, shear = tractions
     depths = layered.interfaces
@@ -61,7 +61,7 @@ def stress_at_interfaces(
 
 
 def _continued(cells: FloatArray, cuts: Sequence[int]) -> FloatArray:
-    """Extrapolate stress in layers of cells to the interfaces from each side."""
+    """Extrapolate the stress at the centres of cells to both sides of each interface."""
     faces = []
     for above, at, below in zip([0, *cuts], cuts, [*cuts[1:], cells.shape[-1]], strict=False):
         upper, lower = cells[..., above:at][..., ::-1], cells[..., at:below]
