@@ -101,7 +101,10 @@ def _arguments(scene: Tree, *laws: Any) -> dict[str, Any]:
     known = {item.name: item.default for item in fields(Settings)}
     required = {name for name, default in known.items() if default is not None}
     if not required <= set(given) <= set(known):
-        raise ValueError(f"unexpected settings in the checkpoint: {', '.join(given) or 'missing'}")
+        raise ValueError(
+            "checkpoint must contain the settings of this version, got "
+            f"{', '.join(given) or 'none'}"
+        )
     given["friction"] = law_of(given["friction"])
     given["contact_law"] = contact_law.law_of(given["contact_law"])
     given["heat"] = Heat(**scene["heat"])

@@ -85,7 +85,7 @@ class Engine:
         )
 
     def _checked_domain(self, grid: Grid, current: Domain | None = None) -> Domain:
-        """Return the domain of a grid; its surfaces must agree with the `current` ones."""
+        """Return the domain of a grid; on common cells, its surfaces must equal `current`."""
         setup = self.setup
         scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
         cell = memory_of_contact(setup.friction, setup.bodies, self.heat)

@@ -36,5 +36,5 @@ class History:
         self.steps = None
 
     def is_due(self, factor: int) -> bool:
-        """Whether the number of increments has grown by a factor since the last estimate."""
+        """Whether the number of increments has grown by `factor` since the last error estimate."""
         return bool(self.steps) and len(self.steps or ()) >= factor * self.checked

@@ -123,7 +123,7 @@ class StepArguments:
         return Step(kind, value, heat, heated, lasts or 0.0, ways, tangential, **given)
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
-        """Heating of each body for the core; duration: length of a transient increment [s]."""
+        """Return the heating of both bodies for the core; duration of a transient increment [s]."""
         known = self._heated
         if known is None or known[0] is not heat or known[1] != duration:
             require_heat_of(self.friction, heat)
@@ -163,7 +163,7 @@ def _require_possible(
     if pressure is not None and shear is None:
         raise ValueError(
             f"shear is required with a prescribed pressure and friction = {friction!r}, got None: "
-            "it is not determined by the pressure; pass zeros for none"
+            "the pressure does not determine the shear; pass zeros for no shear"
         )
     if torque is not None and advance != (0.0, 0.0):
         raise ValueError(
@@ -190,7 +190,7 @@ def largest_target(steps: Sequence[Mapping[str, Any]]) -> dict[str, float]:
 
 
 def _duration(heat: Heat, duration: float | None) -> float | None:
-    """Checked duration of an increment [s]; None without heat.history or heat.partition."""
+    """Check and return the duration of an increment [s]; None if the heat requires none."""
     if heat.partition is not None:
         if duration is None:
             raise ValueError("duration is required because heat.partition is set")
@@ -213,7 +213,7 @@ def _duration(heat: Heat, duration: float | None) -> float | None:
 def _require_motion_of_heat(
     heat: Heat, duration: float, advance: tuple[float, float], dx: float
 ) -> None:
-    """Require motions consistent with past heat, which is stored per cell of the grid."""
+    """Require motions by whole cells, at the velocity of the heat; past heat is stored by cell."""
     for n, cells in enumerate(advance, 1):
         moved = cells * dx
         if abs(cells - round(cells)) > 1e-6:

@@ -52,7 +52,7 @@ def contact_area(
 
 
 def area_doubt(pressure: ArrayLike, periodic: str = "", gap: ArrayLike | None = None) -> float:
-    """Perimeter correction that was used, relative to the contact area [-].
+    """Return the perimeter correction of `contact_area`, relative to the contact area [-].
 
     The correction is 0 if the contact edge is located from the pressure. Arguments as for
     `contact_area`.
@@ -100,7 +100,7 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
 
 
 def _on_cells(sides: Sides, gap: ArrayLike | None, periodic: str) -> NDArray[np.bool_]:
-    """Whether sides coincide with the contact edge because of a step of the gap."""
+    """Return, for each side, whether it coincides with the contact edge at a step of the gap."""
     if gap is None:
         return np.zeros(len(sides.i), dtype=np.bool_)
     return steps_beside(sides, np.asarray(gap, dtype=np.float64), periodic)[0]
@@ -162,7 +162,7 @@ def _continued(squared: FloatArray) -> FloatArray:
 
 
 def _area_above_zero(level: FloatArray) -> float:
-    """Area in squares of a lattice of points, each split into four triangles at its centre."""
+    """Area with positive interpolated values at lattice points, in units of a lattice square."""
     corners = (level[:-1, :-1], level[1:, :-1], level[1:, 1:], level[:-1, 1:])
     middle = 0.25 * sum(corners)
     area = 0.0

@@ -158,9 +158,9 @@ class PartialSlipSolution(ShearedSolution):
         final pressure, and `error` is the complementarity error of the pressure for the final
         shear.
     energy_gap : float
-        Energy that friction with these slips could dissipate beyond the computed dissipation [J]:
-        an upper bound of twice the elastic energy of the error of the shear. NaN for infinite
-        friction.
+        Accuracy of the shear as an energy [J]: friction with these slips could dissipate at most
+        this much more, and twice the elastic energy of the error of the shear is at most this
+        large. NaN for infinite friction.
     sweeps : int
         Number of iterations between pressure and shear; 1 if pressure and shear are uncoupled.
     tangential_iterations : int
@@ -220,13 +220,13 @@ class RollingSolution(ShearedSolution):
 
 
 def both(values: FloatArray, unit: str) -> str:
-    """Format two numbers; values negligible against the other are shown as zero."""
+    """Format two numbers; a number that is negligible compared with the other is shown as zero."""
     small = 1e-9 * float(np.abs(values).max())
     return ", ".join(quantity(float(v) if abs(v) > small else 0.0, unit) for v in values)
 
 
 def fits(solution: ContactSolution, grid: Grid) -> bool:
-    """Whether a grid has the cells of the solution, and possibly more around them."""
+    """Whether a grid contains all cells of the grid of a solution, possibly with more around."""
     own = solution.grid
     more = [n - m for n, m in zip(grid.surface_shape, own.surface_shape, strict=True)]
     same = (grid.dx, grid.dy, grid.periodic) == (own.dx, own.dy, own.periodic)

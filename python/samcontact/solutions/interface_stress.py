@@ -19,7 +19,7 @@ _FACE_WEIGHTS = {1: (1.0,), 2: (1.5, -0.5), 3: (11 / 6, -7 / 6, 1 / 3)}
 
 
 def layered_body(bodies: tuple[Body, Body], body: int, offset: float) -> Layered:
-    """Return the layered body; ValueError if it has no interfaces or is offset from the cells."""
+    """Return the layered body; ValueError without interfaces, or if offset from the grid cells."""
     found = bodies[body - 1]
     if not isinstance(found, Layered):
         raise ValueError(f"body{body} must be layered to have interfaces, got {found!r}")
@@ -70,7 +70,7 @@ def _continued(cells: FloatArray, cuts: Sequence[int]) -> FloatArray:
 
 
 def _at_face(cells: FloatArray) -> FloatArray:
-    """Extrapolate stress in cells of one material to the face of the first cell."""
+    """Extrapolate the stress in cells of one material to the outer face of the first cell."""
     weights = _FACE_WEIGHTS[min(len(_FACE_WEIGHTS), cells.shape[-1])]
     face: FloatArray = cells[..., : len(weights)] @ np.array(weights)
     return face

@@ -26,7 +26,7 @@ _MARGIN_CELLS = 5
 
 
 def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
-    """Rows and columns of the contact with a margin; all of them on a periodic grid."""
+    """Return slices of rows and columns in contact with a margin; all along a periodic axis."""
     found = []
     for axis, name in enumerate("xy"):
         at = np.flatnonzero(inside.any(axis=1 - axis))
@@ -70,7 +70,7 @@ class Sides(NamedTuple):
     step: int
 
     def neighbours(self, shape: tuple[int, ...], cells: int = 1) -> tuple[Ints, Ints]:
-        """Rows and columns a number of cells further out; cyclic at the end of the grid."""
+        """Return i and j of the cells a number of cells further out; cyclic at the grid edge."""
         moved = [self.i, self.j]
         moved[self.axis] = (moved[self.axis] + self.step * cells) % shape[self.axis]
         return moved[0], moved[1]
@@ -97,7 +97,7 @@ def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
 def sides_between(
     inside: NDArray[np.bool_], beside: NDArray[np.bool_], periodic: str
 ) -> Iterator[Sides]:
-    """Sides between cells of two kinds, in four directions."""
+    """Yield the sides between cells of two masks, separately for four directions."""
     for axis, name in enumerate("xy"):
         for step in (1, -1):
             outside = np.roll(beside, -step, axis)
@@ -192,7 +192,7 @@ def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
 
 
 def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:
-    """Whether the pressure exceeds that further inside, and drops at least as much further out."""
+    """Return, for each side, whether its cell has a higher pressure than both neighbours."""
     own, inner = pressure[sides.i, sides.j], pressure[sides.neighbours(pressure.shape, -1)]
     beside = pressure[sides.neighbours(pressure.shape, 1)]
     found: NDArray[np.bool_] = (

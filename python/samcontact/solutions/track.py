@@ -74,15 +74,15 @@ class Track(FixedAttributes):
     def residual_stress(self) -> FloatArray:
         """Residual stress [Pa], shape (6, len(x), ny, nz).
 
-        Stress due to plastic strain, plus `initial_stress` and `eigenstress`; no tractions, no
-        heat.
+        It is the stress due to plastic strain plus `initial_stress` and `eigenstress`, without the
+        stress due to tractions and heat.
         """
         return self._field("residual_stress")
 
     def initial_stress(self) -> FloatArray:
         """Initial (residual) stress [Pa], shape (6, len(x), ny, nz).
 
-        See `Material.with_residual_stress`; 0 without it.
+        It is given by `Material.with_residual_stress`, or 0.
         """
         return self._field("initial_stress")
 
@@ -95,7 +95,7 @@ class Track(FixedAttributes):
         return self._field("eigenstrain")
 
     def yield_factor(self) -> FloatArray:
-        """Factor on the yield stress due to its depth profile [-], shape (len(x), ny, nz)."""
+        """Factor on the yield stress due to the yield profile [-], shape (len(x), ny, nz)."""
         return self._field("yield_factor")
 
     def residual_von_mises(self) -> FloatArray:
@@ -120,7 +120,7 @@ class Track(FixedAttributes):
         return self._field("backstress")
 
     def to_dataset(self, *, volume: bool = True) -> xr.Dataset:
-        """Convert to labelled fields with units, as used by plots of tracks.
+        """Convert the track to a dataset of labelled fields with units, as used by plots of tracks.
 
         Parameters
         ----------
@@ -131,8 +131,9 @@ class Track(FixedAttributes):
         Returns
         -------
         xarray.Dataset
-            Dimensions x, y and, with a volume, z and component. The variables are the methods above
-            except `backstress`; the attributes are the body and the cell sizes [m].
+            Dataset with the dimensions x, y and, with a volume, z and component. Each method above
+            except `backstress` gives a variable. The attributes are the number of the body and the
+            cell sizes [m].
         """
         import xarray as xr  # importing the package should not load it
 

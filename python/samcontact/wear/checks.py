@@ -88,7 +88,7 @@ def make_setup(
     friction: float,
     settings: dict[str, Any],
 ) -> WearSetup:
-    """Check all arguments; solve the elastic contact once to determine its size."""
+    """Check all arguments and return them; the elastic contact is solved once for its size."""
     require_type("grid", grid, Grid)
     if not grid.has_volume:
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
@@ -132,7 +132,7 @@ def make_setup(
 def make_filter(
     grid: Grid, smoothing_length: float | None, window: Window, order: int | None
 ) -> Gaussian | Polynomials:
-    """Return the filter that smooths the edge of the wear, from exactly one of two arguments."""
+    """Return the filter that smooths the edge of the wear; exactly one argument must be given."""
     require_type("grid", grid, Grid)
     if (smoothing_length is None) == (window is None):
         given = "none" if window is None else f"{smoothing_length!r} and {window!r}"
@@ -175,7 +175,7 @@ def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
 
 
 def travels(path: list[dict[str, Any]]) -> FloatArray:
-    """Travel of both bodies initially and after each step [m], shape (steps + 1, 2)."""
+    """Return the travel of both bodies initially and after each step [m], shape (steps + 1, 2)."""
     steps = [finite_array("advance", step.get("advance", (0.0, 0.0)), (2,)) for step in path]
     return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
 

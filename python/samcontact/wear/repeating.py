@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repetition of wear cycles with checkpoints, shared by both wear laws."""
+"""Repetition of wear cycles with checkpoints, for both kinds of wear."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def _start(scene: WearProblem) -> WearProgress:
 
 
 def reliefs_of(scene: WearProblem, standing: WearProgress) -> list[Relief | None]:
-    """Current surfaces of both bodies."""
+    """Return the current surfaces of both bodies; None for a smooth surface without wear."""
     reliefs = list(scene.reliefs)
     for body in scene.worn:
         first, _ = scene.rows(body)

@@ -50,7 +50,7 @@ class Cycle:
     cells_across_contact: float
     """Cells across the contact at maximum load, see `resolution.cells_across`."""
     layers_across_plastic_zone: tuple[float, ...]
-    """Layers from top to bottom of the plastic zone, before removal; 0 without plastic zone."""
+    """Thickness of the plastic zone before removal [layers]; 0 without plastic zone."""
 
     PER_BODY: ClassVar = (
         "volume", "lost_volume", "depth", "surface_strain", "max_equivalent_plastic_strain",
@@ -70,7 +70,7 @@ class FrettingCycle:
     parts: int
     """Number of parts of its repeats; the worn surface is solved before each part."""
     friction_work: float
-    """Frictional work of all its repeats [J]."""
+    """Frictional work of all repeats [J]."""
     volume: tuple[float, ...]
     """Volume removed by the wear law [m^3]."""
     lost_volume: tuple[float, ...]
@@ -96,7 +96,7 @@ AnyCycle: TypeAlias = Cycle | FrettingCycle
 
 @dataclass(eq=False, repr=False)
 class BaseWearResult(ShortRepr):
-    """Results common to both wear laws."""
+    """Results common to both kinds of wear."""
 
     grid: Grid
     worn: tuple[int, ...]
@@ -114,7 +114,7 @@ class BaseWearResult(ShortRepr):
 
     @cached_property
     def first(self) -> Any:
-        """States of the first cycle, like `last`; solved again after a resumed run."""
+        """States of the first cycle, like `last`; after a resumed run they are computed again."""
         return self._solve_first()
 
     def x(self, body: int | None = None) -> FloatArray:
@@ -144,14 +144,14 @@ class BaseWearResult(ShortRepr):
         return int(choice("body", self.worn[-1] if body is None else body, self.worn))
 
     def to_dataset(self) -> xr.Dataset:
-        """Convert to labelled results with units: values per cycle, and heights after each cycle.
+        """Convert to a dataset with units: the results of each cycle, and heights after each cycle.
 
         Returns
         -------
         xarray.Dataset
-            Dimensions cycle, body (the worn ones), and for each worn body state (0: before the
-            first cycle), x_body1 or x_body2, y. Save it with `samcontact.results.save`, read it
-            with `open_results`.
+            Dataset with the dimensions cycle, body (worn bodies) and, for heights, state (0: before
+            the first cycle), x_body1 or x_body2, and y. It can be saved by
+            `samcontact.results.save` and read by `open_results`.
         """
         import xarray as xr  # here, so that importing the package does not load it
 
