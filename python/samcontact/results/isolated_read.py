@@ -19,14 +19,14 @@ from pathlib import Path
 import h5py
 
 Begin = Callable[..., None]
-"""Function that restarts the time limit, for a call that reads a number of bytes."""
+"""Function that restarts the time limit for a call that reads the given number of bytes."""
 
 CALL_TIME = 2.0
-"""Limit of the processor time of one HDF5 call [s], without the time for the values it reads."""
+"""Limit of the processor time of one HDF5 call [s], excluding the time to read values."""
 MIN_BYTES_PER_SECOND = 2e7
-"""Bytes of values decompressed per second on a slow machine."""
+"""Bytes of values that a slow machine decompresses per second."""
 BLOCK_BYTES = 1 << 24
-"""Bytes of values without chunks that are read in one call."""
+"""Number of bytes that are read in one call from variables without chunks."""
 MAX_COMPRESSION_RATIO = 2000
 """Maximum compression ratio: deflate reaches 1032."""
 

@@ -31,7 +31,7 @@ MAX_JUMP_CYCLES = 20
 _MAX_PREDICTION_ERROR = 0.3
 """Maximum error of the sum over a jump and of the next cycle, relative to the change per cycle."""
 _MIN_REMAINING_FRACTION = 0.1
-"""Fraction of decaying changes that is left to solved cycles."""
+"""Fraction of decaying changes that a jump leaves to solved cycles."""
 _MAX_DECAY_RATIO = 0.98
 Changes = Mapping[int, PlasticChange]
 
@@ -117,7 +117,7 @@ class Jump:
     state: State
     cycles: int
     trend: Trend
-    """Trend of the plastic strain before it."""
+    """Trend of the plastic strain before the jump."""
 
     def away(self, found: Changes, after: int = 1) -> list[FloatArray]:
         """Return the plastic strain change in a cycle after the jump minus the predicted change."""

@@ -20,9 +20,9 @@ class History:
     heat: Heat
     """Heat of the first increment."""
     steps: list[dict[str, Any]] | None = field(default_factory=list)
-    """Arguments of `Simulation.step`; None after a start from deformed bodies."""
+    """Arguments of `Simulation.step` for each increment; None if they are not all known."""
     checked: int = 0
-    """Number of increments at the last estimate."""
+    """Number of increments at the last error estimate."""
 
     def add(self, given: Mapping[str, Any]) -> None:
         """Add an increment; one with prescribed tractions ends the record."""

@@ -85,7 +85,7 @@ class Journal:
         require_identified(who)
         self.who = who
         self.count = 0
-        """Number of increments so far, restored or new."""
+        """Number of increments so far, both restored and newly solved."""
         self.folder.mkdir(parents=True, exist_ok=True)
         files = sorted(self.folder.glob("*.h5"))
         for file in files:

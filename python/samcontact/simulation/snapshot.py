@@ -24,7 +24,7 @@ class Snapshot:
     arguments: dict[str, Any]
     """Arguments of `Simulation`."""
     state: Tree
-    """Components of its state, as the core stores them."""
+    """Components of the state of the simulation, as the core stores them."""
     counters: dict[str, int]
 
     @classmethod

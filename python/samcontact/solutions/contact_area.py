@@ -13,11 +13,12 @@ from ..problem.contact_law import in_contact
 from .outline import Sides, around, sides_of, steps_beside
 
 AREA_PER_SIDE = (math.pi - 1 + math.log(2)) / 24
-"""Mean excess of the counted area per side of the outline of a smooth spot [cells]."""
+"""Mean excess of the counted area, per cell side on the outline of a smooth spot [cells]."""
 MAX_LOCATED_CORRECTION, MIN_COUNTED_CORRECTION = 0.08, 0.14
 """Limits of the perimeter correction, relative to the counted area (in nearly full contact on a
-periodic grid, to the open area): below the first, the edge is located from the pressure; above the
-second, it is not. They correspond to round spots of 7.5 and 4.3 cells across."""
+periodic grid, relative to the open area). Below the first limit the edge is located from the
+pressure; above the second limit only the perimeter correction is used. The limits correspond to
+round spots 7.5 and 4.3 cells in diameter."""
 _EXTRAPOLATION_CELLS = range(1, 5)  # numbered from the edge; used to extrapolate the pressure
 _PADDING_CELLS = 4  # cells added around a field
 

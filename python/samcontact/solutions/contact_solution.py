@@ -18,7 +18,7 @@ from .contact_area import contact_area
 from .outline import Outline, outline_of
 
 Before = tuple[FloatArray, FloatArray, FloatArray | None, float]
-"""Pressure, shear, gap and approach at the end of an increment; None: unknown."""
+"""Pressure, shear, gap and approach at the end of an increment; None for an unknown one."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value

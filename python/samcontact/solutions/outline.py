@@ -20,7 +20,7 @@ MIN_STEP_RATIO = 8.0
 
 Ints = NDArray[np.intp]
 _BLOCK_CELLS = 1 << 18
-"""Number of cells processed together, which limits the memory."""
+"""Number of cells that are processed together; it limits the memory."""
 _MARGIN_CELLS = 5
 """Margin around a contact within which cells determine whether its edge is sharp."""
 
@@ -45,8 +45,8 @@ class Outline(NamedTuple):
     sides: int
     """Total number of sides from `sides_of`."""
     reach: int
-    """Number r of cells: contact extends from r before the maximum pressure to r - 1 behind it
-    along x and y, so that its spot is at least 2 r wide."""
+    """Number r of cells: along x and y, the spot extends from r cells before the maximum pressure
+    to r - 1 cells after it, so it is at least 2 r cells wide."""
     rises: bool
     """Whether the pressure increases towards a side of the contact, from the next inner cell."""
     largest: float

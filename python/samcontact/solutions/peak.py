@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
 
 _STRESS_TOLERANCE = 1e-3
-"""Relative tolerance on stress: flow without hardening keeps it at yield, to the tolerance."""
+"""Relative tolerance of equal stresses: without hardening, many increments reach yield stress."""
 _ROUNDING_ERROR = 1e-9
-"""Relative tolerance on pressures and loads, for rounding."""
+"""Relative tolerance of equal pressures and loads, for rounding errors."""
 
 
 def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:

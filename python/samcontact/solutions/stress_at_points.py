@@ -15,11 +15,11 @@ from ..bodies.material import Material
 from ..problem.grid import Grid
 
 _BLOCK_PAIRS = 1 << 18
-"""Number of pairs of a point and a cell processed together: 20 MB."""
+"""Number of pairs of a point and a cell that are processed together; they require 20 MB."""
 _EDGE_TOLERANCE = 1e-6
 """Distance from the edge of a cell, in cells, below which a point is on the edge."""
 _MAX_COORDINATE = 1e75
-"""Maximum coordinates [m]: beyond, squares of distances overflow in products."""
+"""Maximum coordinate [m]; with larger ones, products of squared distances overflow."""
 
 IntArray = NDArray[np.intp]
 Tractions = tuple[FloatArray, FloatArray | None, FloatArray | None]

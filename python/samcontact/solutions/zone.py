@@ -52,7 +52,7 @@ class Zone(FixedAttributes):
         self._box = i0, j0, nx, ny, nz = zones.boxes[number]
         self.body = body
         self.first = i0, j0
-        """Position of its first cell in the grid; may be negative, outside the grid."""
+        """Position in the grid of the first cell of the subdomain; negative outside the grid."""
         self.shape = nx, ny, nz
         """Numbers of cells along x and y, and of layers."""
         self.x: FloatArray = _centres(i0, nx, grid.nx, grid.dx)

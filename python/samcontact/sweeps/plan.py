@@ -140,7 +140,7 @@ def _step(content: Any, key: str | int) -> Any:
 def _validated(
     case: CaseFile, keys: Mapping[str, Keys], combinations: list[tuple[Any, ...]]
 ) -> list[CaseFile]:
-    """Return the case of each combination; raises one CaseError for all invalid combinations."""
+    """Return the case of each combination; one CaseError lists all invalid combinations."""
     base = case.model_dump(exclude_unset=True)
     cases: list[CaseFile] = []
     problems: dict[str, str] = {}  # error: first combination with this error

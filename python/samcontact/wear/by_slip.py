@@ -28,17 +28,15 @@ from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
-"""Maximum pressure drop due to the wear of one part, relative to the pressure, for the shortest
-wave.
-
-From 2 on, the shortest waves would grow from part to part.
+"""Maximum pressure drop of the shortest wave due to the wear in one part, relative to the pressure.
+If it were 2 or more, the shortest waves would grow from part to part.
 """
 _MAX_PARTS = 10_000
 _MAX_SHEAR_MISMATCH = 1e-2
 """Maximum change of the shear over one repeat, relative to the maximum of mu p.
 
-Slip directions at the edge of the stick zone continue to rotate slightly over many repeats, with
-no visible effect on the work.
+At the edge of the stick zone, slip directions still rotate slightly over many repeats, which does
+not noticeably affect the frictional work.
 """
 _MAX_REPEATS = 20
 

@@ -30,7 +30,7 @@ from .results import FrettingCycle
 
 _ALLOWED_ARGUMENTS = ("load", "approach", "shift", "tangential_load", "twist", "torque")
 _ROUNDING_ERROR = 1e-9
-"""Difference of drives, relative to the maximum of a cycle, below which they count as equal."""
+"""Relative difference (to the maximum of a cycle) below which loads or motions are equal."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class FrettingSetup:
         return FrettingCycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """First row and number of rows that can wear: the whole grid, as bodies do not move."""
+        """Return the first row and number of rows that can wear: all, as bodies do not move."""
         return 0, self.grid.nx
 
 

@@ -89,14 +89,14 @@ def _before(path: str | os.PathLike[str]) -> Path:
 
 
 def require_own(path: str | os.PathLike[str] | None) -> None:
-    """Raise ValueError if a checkpoint, or that of the preceding cycle, is a foreign file."""
+    """Raise ValueError if this file, or the file of the preceding cycle, is no checkpoint."""
     if path is not None:
         for file in (file_path("checkpoint", path), _before(path)):
             require_marked(file)
 
 
 def write(path: str | os.PathLike[str], scene: WearProblem, standing: WearProgress) -> None:
-    """Write a checkpoint file; the old file remains if this fails, otherwise as `_before`."""
+    """Write a checkpoint file; the old file is copied to `_before`, and stays if this fails."""
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)

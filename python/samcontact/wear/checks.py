@@ -35,16 +35,16 @@ from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, window_and_order
 
 YIELD_STRAIN = 20e-6
-"""Plastic strain at the conventional yield point [-]; below it there is no flow.
+"""Plastic strain at the conventional yield point [-]; a threshold must be larger.
 
 The elastic strain of a hard steel at yield is about 1 %. A threshold of 0.2 % refers to the plastic
 strain alone and is far beyond yield.
 """
 NO_LAYERED_WEAR = "layered bodies are not supported, because a worn layer has no uniform thickness"
 _MOVING_MEAN_WIDTH = math.sqrt(12.0)
-"""Width of a moving mean over the standard deviation of a Gaussian of equal spread."""
+"""Ratio of the width of a moving mean to the standard deviation of a Gaussian of equal spread."""
 _MARGIN_ROWS = 4
-"""Rows of cells kept outside those in contact, for interpolation between cells."""
+"""Rows of cells added on both sides of the rows in contact, for interpolation between cells."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class WearSetup:
         return Cycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """First row and number of rows of a body that pass through the grid during a cycle."""
+        """Return the first row and number of rows of a body that pass through the grid."""
         cells = travels(self.cycle)[:, body - 1] / self.grid.dx
         beside = max(self.filter.sides) + _MARGIN_ROWS
         first = -int(np.ceil(cells.max())) - beside

@@ -71,8 +71,9 @@ def run(
         Elastic-plastic bodies that wear.
     smoothing_length : float, optional
         Standard deviation of the Gaussian that smooths the edge of the wear [m], from one cell to
-        0.29 times the contact size. With this length, a property of the material, results converge
-        as the grid is refined. Exactly one of `smoothing_length` and `window` must be given.
+        0.29 times the contact size. This length is a property of the material: results converge as
+        cells, layers and increments are refined. Exactly one of `smoothing_length` and `window`
+        must be given.
     window : int or pair of int, optional
         Window of Boucly's filter in cells, see `smooth`; not larger than the contact. The results
         with this filter depend on the cell size. 1: no smoothing.

@@ -22,7 +22,7 @@ S = TypeVar("S", bound=WearProblem)
 R = TypeVar("R", bound=BaseWearResult)
 Moments = tuple[State, ...]
 Advance = Callable[[S, WearProgress], tuple[Moments, WearProgress]]
-"""Function that solves one cycle: its states, and the initial state of the next cycle."""
+"""Function that solves one cycle; returns its states and the initial state of the next cycle."""
 
 
 def repeat(

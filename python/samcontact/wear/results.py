@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Moments = tuple[State, State]
-"""States at the maximum load of a cycle (where the pressure is maximum) and unloaded at its end."""
+"""States of a cycle at maximum load (among several, at maximum pressure) and after unloading."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class FrettingCycle:
     number: int
     """Number of the cycle, from 1."""
     parts: int
-    """Number of parts of its repeats; the worn surface is solved before each part."""
+    """Number of parts into which the repeats are divided; the contact is solved for each part."""
     friction_work: float
     """Frictional work of all repeats [J]."""
     volume: tuple[float, ...]
@@ -118,13 +118,13 @@ class BaseWearResult(ShortRepr):
         return self._solve_first()
 
     def x(self, body: int | None = None) -> FloatArray:
-        """Positions of the rows of `heights` on a worn body [m]; 0 at the initial contact."""
+        """Return the positions x of the rows of `heights` [m]; 0 at the initial contact."""
         chosen = self._body(body)
         rows = self.first_row[chosen] + np.arange(self.heights[chosen].shape[1])
         return np.asarray((rows - 0.5 * (self.grid.nx - 1)) * self.grid.dx, dtype=np.float64)
 
     def profile(self, cycle: int = -1, body: int | None = None) -> FloatArray:
-        """Heights of a worn body after a cycle [m], shape (len(x), ny); cycle 0: initial heights.
+        """Return the heights of a body after a cycle [m], shape (len(x), ny); cycle 0: initial.
 
         Raises ValueError for a cycle that was not computed, or a body that does not wear.
         """
@@ -186,7 +186,7 @@ class WearResult(BaseWearResult):
 
     cycles: list[Cycle]
     last: Moments = field(repr=False)
-    """States of the last cycle, at its maximum load, and unloaded before removal."""
+    """States of the last cycle: at maximum load, and unloaded before removal of material."""
 
 
 @dataclass(eq=False, repr=False)

@@ -17,7 +17,7 @@ from .._util.short_text import in_short
 Window = int | Sequence[int] | None
 
 _BISECTIONS = 60
-"""Number of bisections of one layer, sufficient for rounding."""
+"""Number of bisections of one layer, sufficient to reach rounding errors."""
 _CUTOFF_DEVIATIONS = 4.0
 """Standard deviations at which a Gaussian is cut off."""
 _MAX_RELATIVE_TRACE = 1e-9
