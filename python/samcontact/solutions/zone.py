@@ -21,7 +21,7 @@ Box = tuple[int, int, int, int, int]
 
 
 class ZoneStress:
-    """Stress in all plastic subdomains of a body, computed for all of them at first use."""
+    """Stress in the plastic subdomains of a body, computed once for all of them."""
 
     def __init__(self, core: Any, body: int) -> None:
         self.core, self._body = core, body
