@@ -12,8 +12,8 @@ namespace samcontact::contact {
 
 /// A shear of at least this fraction of its bound is on the circle.
 constexpr double on_circle = 1 - 1e-9;
-/// Minimum fraction of cells free to move in a direction, for which they determine the motion in
-/// this direction.
+/// Minimum part of the squared norm of a rigid motion that cells can follow freely; below it, they
+/// do not determine this motion.
 constexpr double decisive = 1e-10;
 
 class SlipIteration {
