@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Dents, furrows and bumps on the surface of a body, which move with it.
 
-Positions are relative to the body; 0 is the initial position of the contact.
+Positions are measured on the body; 0 is the initial position of the contact.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ __all__ = ["furrow", "spherical"]
 
 
 def _cap(r: FloatArray, depth: float, width: str, radius: float) -> FloatArray:
-    """Heights of a circular arc of the given depth for -radius < r < radius; 0 outside."""
+    """Return heights of a circular arc of the given depth for -radius < r < radius; 0 outside."""
     d, a = finite("depth", depth), positive(width, radius)
     if d == 0.0 or abs(d) > a:
         raise ValueError(f"depth must be nonzero, of magnitude <= {width} = {a!r}, got {d!r}")

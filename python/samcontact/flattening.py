@@ -38,7 +38,7 @@ class Flattening(ShortRepr):
     mean_pressure : float or ndarray
         Load divided by contact area [Pa]; 0 without contact.
     critical : CriticalSphere
-        Critical values at the onset of yield used by the model.
+        Critical interference, load and area at the onset of yield in this model.
     interference_ratio, load_ratio, area_ratio : float or ndarray
         Interference, load and area, each relative to its value at the onset of yield [-].
     """
@@ -66,17 +66,17 @@ def kogut_etsion(
     E_star : float
         Contact modulus of the pair [Pa].
     nu : float
-        Poisson's ratio of the yielding body, in [0, 0.5] [-].
+        Poisson's ratio of the body that yields, in [0, 0.5] [-].
     yield_stress : float
-        Uniaxial yield stress of the yielding body [Pa].
+        Uniaxial yield stress of the body that yields [Pa].
 
     Returns
     -------
     Flattening
         Hertz theory up to the critical interference of `critical.kogut_etsion`; above it, two power
         laws that meet at 6 times the critical interference. As published, load and area are
-        discontinuous: at the critical interference they jump by 3 % and -7 %, at 6 times its value
-        by 1.7 % and 2.9 %. Kogut and Etsion, J. Appl. Mech. 69 (2002) 657-662,
+        discontinuous: they jump by 3 % and -7 % at the critical interference, and by 1.7 % and 2.9
+        % at 6 times this value. Kogut and Etsion, J. Appl. Mech. 69 (2002) 657-662,
         doi:10.1115/1.1490373.
 
     Raises
@@ -107,8 +107,8 @@ def jackson_green(
     Parameters
     ----------
     interference, R, E_star, nu, yield_stress
-        As for `kogut_etsion`, but `interference` has no upper limit; the finite element results
-        behind the fit extend to a contact radius of about 0.4 R.
+        As for `kogut_etsion`, but `interference` has no upper limit. The fitted finite element
+        results extend to a contact radius of about 0.4 R.
 
     Returns
     -------

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Yield stress of steel from its hardness, e.g. for a hardness profile over depth.
+"""Yield stress of steel from its hardness, e.g. for a profile of hardness over depth.
 
     material.with_yield_profile(depth, hardness.yield_from_vickers(HV) / yield_stress)
 
-Both relations are estimates for bulk hardness, not measurements. Profiles of nitrided and
-carburised steel are not provided, because they depend on the treatment: measure them.
+Both relations are estimates from the bulk hardness. Hardness profiles of nitrided and carburised
+steel are not provided, because they depend on the treatment: use measured profiles.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ __all__ = ["HardnessRangeWarning", "flow_stress_from_vickers", "yield_from_vicke
 STANDARD_GRAVITY = 9.80665
 """Standard gravity [m/s^2], to convert Vickers numbers in kgf/mm^2."""
 FITTED_RANGE = (129.0, 632.0)
-"""Range of Vickers numbers of the steels in the regression of the yield stress."""
+"""Range of Vickers numbers of the steels to which the yield stress was fitted."""
 PLAUSIBLE_RANGE = (20.0, 3000.0)
-"""Range of Vickers numbers of metals and hard carbides; a hardness in MPa or GPa is outside it."""
+"""Range of Vickers numbers of metals and hard carbides; numbers in MPa or GPa are outside."""
 
 
 class HardnessRangeWarning(UserWarning):
-    """Warning that a hardness is outside the range of the data behind the relation."""
+    """Warning that a hardness is outside the range of the data to which the relation was fitted."""
 
 
 def _vickers(HV: ArrayLike) -> FloatArray:

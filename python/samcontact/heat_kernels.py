@@ -46,7 +46,7 @@ Velocity = tuple[float, float]
 def steady_temperature(
     X: ArrayLike, Y: ArrayLike, z: ArrayLike, a: float, b: float, *, conductivity: float
 ) -> FloatArray:
-    """Temperature rise [K m^2/W] in the steady state, source at rest; shape of X.
+    """Return the temperature rise [K m^2/W] in the steady state, source at rest; shape of X.
 
     Raises ValueError for non-finite points, z < 0, sizes or conductivity <= 0. Carslaw & Jaeger
     (1959), section 10.5.
@@ -69,10 +69,11 @@ def steady_stress(
     expansion: float,
     conductivity: float,
 ) -> FloatArray:
-    """Stress [Pa m^2/W] in the steady state, source at rest, shape (6, ...).
+    """Return the stress [Pa m^2/W] in the steady state, source at rest, shape (6, ...).
 
-    Plane stress: zz, yz and xz vanish everywhere, and xx + yy = -E alpha T. Poisson's ratio has no
-    influence. Raises ValueError like `steady_temperature`. Sternberg & McDowell (1957).
+    The state is plane stress: zz, yz and xz vanish everywhere, and xx + yy = -E alpha T. Poisson's
+    ratio has no influence. Raises ValueError like `steady_temperature`. Sternberg & McDowell
+    (1957).
     """
     (x, y, depth), shape = _points(X, Y, z)
     a, b = _sizes(a=a, b=b)
@@ -94,12 +95,13 @@ def steady_displacement(
     conductivity: float,
     r0: float,
 ) -> FloatArray:
-    """Surface displacement u_z [m^3/W] in the steady state, source at rest; shape of X.
+    """Return the surface displacement u_z [m^3/W], steady state, source at rest; shape of X.
 
-    It grows with the logarithm of the distance, so only differences are meaningful; `r0` [m] is the
-    distance at which the displacement of a point source is defined as zero. Near a source that has
-    been on for a time t, r0 = 4 exp(-(1 + gamma)/2) sqrt(kappa t) = 1.818 sqrt(kappa t) (gamma:
-    Euler's constant). Johnson (1985), section 12.2; Boucly (2008), eqs (2.53)-(2.60).
+    The displacement grows with the logarithm of the distance, so only differences are meaningful;
+    `r0` [m] is the distance at which the displacement due to a point source is defined as zero.
+    Near a source that has been on for a time t, r0 = 4 exp(-(1 + gamma)/2) sqrt(kappa t) = 1.818
+    sqrt(kappa t) (gamma: Euler's constant). Johnson (1985), section 12.2; Boucly (2008), eqs
+    (2.53)-(2.60).
     """
     (x, y), shape = _points(X, Y)
     a, b = _sizes(a=a, b=b)
@@ -120,22 +122,22 @@ def temperature(
     velocity: Velocity = (0.0, 0.0),
     tol: float = 1e-6,
 ) -> FloatArray:
-    """Temperature rise [K m^2/W] at one depth, table (len(x), len(y)).
+    """Return the temperature rise [K m^2/W] at one depth, shape (len(x), len(y)).
 
     Parameters
     ----------
     x, y : array_like, shapes (nx,), (ny,)
-        Offsets [m] in any order. The result is even in x if velocity[0] is 0, in y if velocity[1]
-        is 0: offsets >= 0 then suffice.
+        Coordinates of the field points [m] in any order. The result is even in x if velocity[0] is
+        0, and even in y if velocity[1] is 0; coordinates >= 0 then suffice.
     z : float
         Depth [m], >= 0.
     a, b : float
         Half-sides of the uniformly heated rectangle along x and y [m].
     time : float
-        Time since the source was switched on [s]; inf, the default, is the steady state.
+        Time since the source was switched on [s]; default inf, the steady state.
     tol : float
         Tolerance relative to the maximum of the table, in [1e-12, 1e-2]; the error is usually far
-        below it. Small values far from the source are still accurate to several digits.
+        smaller. Small values far from the source are still accurate to several digits.
 
     Raises
     ------
@@ -172,14 +174,14 @@ def displacement(
     velocity: Velocity = (0.0, 0.0),
     tol: float = 1e-6,
 ) -> FloatArray:
-    """Surface displacement u_z [m^3/W], table (len(x), len(y)), zero far away.
+    """Return the surface displacement u_z [m^3/W], shape (len(x), len(y)), zero far away.
 
     Parameters and symmetry as in `temperature`. Also raises ValueError for a source at rest with
     time = inf, whose displacement has no limit far away; see `steady_displacement`.
 
     Notes
     -----
-    By reciprocity with the normal point force; Boucly (2008), eq. (2.45), corrected.
+    Derived by reciprocity with the normal point force; Boucly (2008), eq. (2.45), corrected.
     """
     table = _Table(x, y, a, b, diffusivity, time, velocity, tol)
     scale = _distortion(nu, expansion, conductivity)
@@ -209,11 +211,11 @@ def stress(
     velocity: Velocity = (0.0, 0.0),
     tol: float = 1e-6,
 ) -> FloatArray:
-    """Stress [Pa m^2/W] at one depth, table (6, len(x), len(y)).
+    """Return the stress [Pa m^2/W] at one depth, shape (6, len(x), len(y)).
 
     Parameters and errors as in `temperature`, with the tolerance relative to the largest component
-    in the table. zz, yz and xz vanish at the surface and for a steady source at rest. Where the
-    temperature is even, xz is odd in x, yz odd in y, and xy odd in both.
+    in the table. zz, yz and xz vanish at the surface and for a steady source at rest. If the
+    temperature is even in x, xz and xy are odd in x; if it is even in y, yz and xy are odd in y.
 
     Notes
     -----
@@ -229,7 +231,7 @@ def stress(
 
 
 def _distortion(nu: float, expansion: float, conductivity: float) -> float:
-    """Distortion alpha (1 + nu)/k [m/W]."""
+    """Return the thermal distortion coefficient alpha (1 + nu)/k [m/W]."""
     nu = _constants(1.0, nu)[1]
     return finite("expansion", expansion) * (1 + nu) / positive("conductivity", conductivity)
 
@@ -291,6 +293,6 @@ class _Table:
             )
 
     def expand(self, values: FloatArray) -> FloatArray:
-        """Return the table in the order of the user's offsets."""
+        """Return the table for the coordinates x and y as given by the user."""
         expanded: FloatArray = values[:, self._rows[:, None], self._columns]
         return expanded

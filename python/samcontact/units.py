@@ -35,7 +35,7 @@ def _registry() -> Any:
 
 
 def from_text(text: str, unit: str) -> float:
-    """Return the number of a text such as "25 um" in a unit.
+    """Convert a text such as "25 um" to a number in the given unit.
 
     Raises ValueError with a message that begins with "must be".
     """

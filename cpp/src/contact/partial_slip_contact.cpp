@@ -307,7 +307,7 @@ void require_solved(const PartialSlipSolution& solution, Given normal,
           " N m: reduce the force or increment, or increase tol";
   if (may_have_none) {
     text +=
-        "; dissimilar materials with this much friction may have no solution, because edge cells "
+        "; the problem may have no solution for dissimilar materials at this friction: edge cells "
         "can neither stick nor separate: use friction of at most " +
         to_text(always_solved) + " times the pressure";
   }

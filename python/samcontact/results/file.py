@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of datasets: netCDF4 with an appended digest."""
+"""Results files: netCDF4 files of datasets, with an appended digest."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
     """Write a dataset as compressed netCDF4, atomically.
 
     The file appears under its name only when it is complete; an existing file is replaced. The
-    attributes `Conventions` (CF) and `history` are added; each file adds a line to the history.
+    attributes `Conventions` (CF) and `history` are added; each save adds a line to the history.
 
     Parameters
     ----------
@@ -63,14 +63,14 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
 
 
 def _history(dataset: xr.Dataset) -> str:
-    """Return the history, one line per operation, oldest first as in the CF conventions."""
+    """Return the history with one line per operation, oldest first, by the CF conventions."""
     now = datetime.now(timezone.utc).isoformat(timespec="seconds")
     before = dataset.attrs.get("history")
     return (f"{before}\n" if before else "") + f"{now}: written by samcontact {version}"
 
 
 def open_results(path: str | Path) -> xr.Dataset:
-    """Open a results file; fields are read on access.
+    """Open a results file; each field is read from the file when it is first used.
 
     The bytes of a file written by `save` are compared with its digest. A file modified by another
     program has no digest and is first read completely by a separate process: HDF5 may crash on
@@ -118,9 +118,9 @@ def open_results(path: str | Path) -> xr.Dataset:
 
 
 def _check_structure(path: Path) -> None:
-    """Raise ValueError for values in other files, and for links to objects that are no dimensions.
+    """Raise ValueError if values are stored in other files, or if a link leads to no dimension.
 
-    HDF5 follows dimension links without checking their type and crashes on other numbers.
+    HDF5 follows dimension links without checking their type, and crashes if they are plain numbers.
     """
 
     def check(name: str, part: h5py.Group | h5py.Dataset) -> None:
@@ -129,7 +129,7 @@ def _check_structure(path: Path) -> None:
                 found = part.attrs.get_id(link)
                 fits = found.shape == (part.ndim,) if is_one is _is_list else len(found.shape) == 1
                 if not (is_one(found.dtype) and fits):
-                    raise ValueError(f"the attribute {link} of {name} does not link dimensions")
+                    raise ValueError(f"the attribute {link} of {name} must link to dimensions only")
 
     with h5py.File(path, "r") as file:
         require_self_contained(file)
@@ -149,7 +149,7 @@ def _is_table(dtype: np.dtype[np.generic]) -> bool:
 
 
 def _try(path: Path) -> None:
-    """Read the metadata; xarray would leave open a file that it cannot use."""
+    """Try to read the metadata of a file; xarray would leave an unusable file open."""
     with (
         h5netcdf.File(path, "r", decode_vlen_strings=True) as file,  # as in xarray
         warnings.catch_warnings(),
@@ -159,7 +159,7 @@ def _try(path: Path) -> None:
 
 
 def scalars(dataset: xr.Dataset) -> pd.DataFrame:
-    """Return a table of the quantities with one value per increment.
+    """Return a table of all quantities that have one value per increment.
 
     Parameters
     ----------

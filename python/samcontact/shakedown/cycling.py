@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repetition of a cycle until its long-term response is clear."""
+"""Repetition of a load cycle until the long-term plastic response is clear."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from .results import (
 )
 
 _MAX_FLOW_CHANGE = 0.02
-"""Maximum difference between the plastic flow of successive cycles, relative to the last."""
+"""Maximum difference between the plastic flows of successive cycles, relative to the last."""
 _MAX_RATE_CHANGE = 0.1
 """Maximum relative change of the ratcheting rate over `_RATE_CYCLES` cycles."""
 _RATE_CYCLES = 20
@@ -52,47 +52,48 @@ def run(
     Parameters
     ----------
     simulation : Simulation
-        Simulation with an elastic-plastic body; it is left in the state at the end of the last
-        cycle. Its grid must contain all plastic strain.
+        Simulation with an elastic-plastic body. The grid must contain all plastic strain. The
+        simulation is left in the state at the end of the last cycle.
     cycle : iterable of dict
         Steps of `Simulation.step` that return both bodies to their initial position: `passes`, or
         ``[*paths.rolling(...), {"load": 0.0, "advance": (s, s)}]``, or a fretting loop.
     cycles : int, optional
         Maximum number of solved cycles, >= 2.
     tol : float, optional
-        Strains below tol times the yield strain are neglected; in [1e-6, 0.1].
+        Tolerance, in [1e-6, 0.1]: strains below tol times the yield strain are neglected.
     accelerate : bool, optional
         Extrapolate over cycles if the changes in successive cycles form a geometric series. The
         next cycle must confirm the extrapolation, otherwise it is undone.
     progress : bool, optional
         Show a progress bar.
     checkpoint : path, optional
-        Folder for a checkpoint of each cycle. An equal call with a new simulation resumes from it,
-        with bit-identical results. Delete it when it is no longer needed.
+        Folder for a checkpoint of each cycle. A call with equal arguments and a new simulation
+        resumes from this folder, with bit-identical results. Delete the folder when it is no longer
+        needed.
 
     Returns
     -------
     ShakedownResult
         "elastic shakedown": a cycle adds less than tol yield strains of equivalent plastic strain.
         "plastic shakedown": a cycle changes the plastic strain by less than tol yield strains, and
-        its flow equals that of the preceding cycle to 2 %. "ratcheting": the strain added per cycle
-        has changed by less than 10 % over the last 20 cycles; a rate that decreases more slowly
-        cannot be distinguished from a steady rate.
+        its plastic flow equals the flow of the preceding cycle to 2 %. "ratcheting": the strain
+        added per cycle has changed by less than 10 % over the last 20 cycles; a rate that decreases
+        more slowly than this cannot be distinguished from a steady rate.
 
     Raises
     ------
     ValueError
         No body can yield; the cycle has no steps or does not return both bodies to their initial
-        position; plastic strain lies outside the volume fields; a value is outside its range. An
-        error in a later cycle, or Ctrl-C, holds the result of the completed cycles in its attribute
-        `result`.
+        position; plastic strain lies outside the volume fields; a value is outside its range. If a
+        later cycle fails, or is interrupted by Ctrl-C, the exception holds the result of the
+        completed cycles in its attribute `result`.
     TypeError
         simulation is not a Simulation.
 
     Warns
     -----
     NotSteadyWarning
-        The response is not clear after all cycles: the result is "undecided".
+        The response is not clear after the maximum number of cycles: the result is "undecided".
 
     Notes
     -----
@@ -155,7 +156,7 @@ def _require_closed(simulation: Simulation, steps: Sequence[Mapping[str, Any]]) 
 
 
 class _RepeatedCycles:
-    """Cycles solved so far."""
+    """Cycles solved so far, and the extrapolations between them."""
 
     def __init__(
         self, simulation: Simulation, steps: list[dict[str, Any]], tol: float, accelerate: bool
@@ -221,7 +222,7 @@ class _RepeatedCycles:
         return self.simulation.state
 
     def _confirmed(self, found: Changes) -> bool:
-        """Whether the cycle after a jump was as predicted; otherwise undo the jump."""
+        """Return whether the cycle after a jump agrees with the prediction; if not, undo it."""
         made, self._jump = self._jump, None
         assert made is not None
         if made.confirmed(found):
@@ -235,7 +236,7 @@ class _RepeatedCycles:
         return False
 
     def take_back(self) -> None:
-        """Undo a jump that no cycle has confirmed, if there is one."""
+        """Undo the last jump if no cycle has confirmed it."""
         if self._jump is not None:
             self.simulation.engine.stand_at(self._jump.state)
             self._number -= self._jump.cycles
@@ -257,7 +258,7 @@ class _RepeatedCycles:
         return RATCHETING if steady and settled and self._adds_equal_strain() else UNDECIDED
 
     def _adds_equal_strain(self) -> bool:
-        """Whether the last two cycles added approximately equal plastic strain."""
+        """Whether the last two cycles added approximately equal plastic strains."""
         older, last = (
             [c.of("plastic_strain") for c in each.values()] for each in self._changes[-2:]
         )

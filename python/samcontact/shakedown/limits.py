@@ -33,7 +33,7 @@ EXACT, UPPER, LOWER = "exact", "upper", "lower"
 
 @dataclass(frozen=True)
 class ShakedownLimit(HtmlTable):
-    """Limit of the Hertz pressure.
+    """Limit of the maximum Hertz pressure, and the depth at which it is determined.
 
     Attributes
     ----------
@@ -41,11 +41,11 @@ class ShakedownLimit(HtmlTable):
         Maximum Hertz pressure p0 over the shear yield stress k [-]. k is the uniaxial yield stress
         divided by 2 (Tresca) or by the square root of 3 (von Mises).
     depth : float
-        Depth at which the body yields first above the limit, over the half-width or radius of the
-        contact along the rolling direction [-]; 0 at the surface.
+        Depth at which the body yields first above the limit, relative to the half-width or radius
+        of the contact along the rolling direction [-]; 0 at the surface.
     kind : str
-        "exact"; "upper", a bound above which there is certainly no elastic shakedown; or "lower",
-        a bound below which there certainly is.
+        "exact"; "upper": there is no elastic shakedown above this bound; or "lower": there is
+        always elastic shakedown below this bound.
     """
 
     ratio: float
@@ -70,7 +70,7 @@ def _coefficient(friction: float) -> float:
 
 
 def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
-    """Maximum of the required k/p0 over all depths, and its depth."""
+    """Return the maximum over all depths of the required k/p0, and the depth of this maximum."""
     required_k = [strength(depth) for depth in _DEPTHS]
     worst = int(np.argmax(required_k))
     if worst == 0:
@@ -86,26 +86,26 @@ def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
 
 
 def _deviator(stress: FloatArray) -> FloatArray:
-    """Points whose distances are the square root of J2, in the plane y = 0, shape (n, 3)."""
+    """Map stresses in the plane y = 0 to points, shape (n, 3), with distance sqrt(J2) from 0."""
     xx, yy, zz, _, xz, _ = stress
     across = (yy - 0.5 * (xx + zz)) / math.sqrt(3.0)
     return np.stack([0.5 * (xx - zz), across, xz], axis=-1)
 
 
 def _smallest_ball(deviator: FloatArray) -> float:
-    """Radius of the smallest ball that encloses points of `_deviator`."""
+    """Return the radius of the smallest ball that encloses all points from `_deviator`."""
     shears = np.zeros((len(deviator), 6, 1))
     shears[:, 3:, 0] = deviator  # the sum of their squares is J2
     return float(crossland(shears, slope=0.0).max_value)
 
 
 def _both_signs(deviator: FloatArray) -> FloatArray:
-    """Path with mirrored shear, which no residual shear can shift to one side."""
+    """Return a path and its image with reversed shear, which residual shear cannot make smaller."""
     return np.concatenate([deviator, deviator * [1.0, 1.0, -1.0]])
 
 
 def _tresca(deviator: FloatArray) -> float:
-    """Minimum k by Tresca's criterion, for free residual stresses xx and yy."""
+    """Return the minimum k by Tresca's criterion if the residual stresses xx and yy are free."""
     half, across, shear = deviator[:, 0], math.sqrt(3.0) * deviator[:, 1], deviator[:, 2]
 
     def required_k(shift: float) -> float:
@@ -136,13 +136,14 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> S
     """Elastic shakedown of a line contact on a perfectly plastic body, by Melan's theorem.
 
     A body shakes down if some residual stress keeps the whole passage within the yield surface.
-    Residual stress after repeated passages is uniform along the surface. Equilibrium then leaves
-    only sigma_xx and sigma_yy free, independently at each depth, so this limit is exact.
+    Residual stress after repeated passages is uniform along the surface. Equilibrium then allows
+    only the components sigma_xx and sigma_yy, with any variation with depth, so this limit is
+    exact.
 
     Parameters
     ----------
     friction : float, optional
-        Traction over pressure of a contact in full sliding, in [0, 10] [-].
+        Ratio of shear traction to pressure in full sliding, in [0, 10] [-].
     nu : float, optional
         Poisson's ratio, in [0, 0.5]; it affects the limit only through sigma_yy.
     criterion : {"tresca", "von_mises"}, optional
@@ -151,18 +152,17 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> S
     Returns
     -------
     ShakedownLimit
-        p0/k = 4.000 without friction, at a depth of 0.5 half-widths, where the shear sigma_xz
-        alternates. With Tresca's criterion and friction >= 0.367, p0/k = 1/friction at the surface.
+        Without friction p0/k = 4.000, at a depth of 0.5 half-widths, where the shear stress
+        sigma_xz alternates. With Tresca's criterion and friction >= 0.367, p0/k = 1/friction at the
+        surface.
 
     Raises
     ------
     ValueError
         An argument is outside its range.
 
-    Notes
-    -----
-    Johnson (1985), section 9.2; Melan (1938); Johnson and Jefferis (1963). The shear is that of
-    full sliding.
+    Notes ----- Johnson (1985), section 9.2; Melan (1938); Johnson and Jefferis (1963). The shear
+    traction is friction times pressure (full sliding).
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     if choice("criterion", criterion, ("tresca", "von_mises")) == "tresca":
@@ -177,9 +177,9 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> S
 def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Elastic shakedown of a line contact on a body with linear kinematic hardening.
 
-    The backstress is free everywhere: the body shakes down if the path of the stress deviator of
-    each point fits into the yield surface, wherever its centre. Above the limit there is plastic
-    shakedown, and never ratcheting.
+    The backstress can take any value at each point. The body therefore shakes down if the path of
+    the stress deviator at each point fits into the yield surface, shifted by any backstress. Above
+    the limit there is plastic shakedown, and never ratcheting.
 
     Parameters
     ----------
@@ -208,10 +208,10 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
 def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Upper bound of elastic shakedown of a circular contact on a perfectly plastic body.
 
-    Residual stress cannot shrink the path of the stress deviator at a point, so the smallest ball
-    that encloses this path gives a bound; without friction, it follows from the maximum orthogonal
-    shear, 0.21389 p0. At the surface residual shear sigma_xz must vanish, which gives a bound of
-    1/friction or less.
+    Residual stress shifts the path of the stress deviator at a point but cannot shrink it, so the
+    smallest ball that encloses this path gives a bound. Without friction the bound follows from the
+    maximum orthogonal shear stress, 0.21389 p0. At the surface the residual shear stress sigma_xz
+    must vanish, which gives p0/k <= 1/friction.
 
     Parameters
     ----------
@@ -228,10 +228,9 @@ def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     ValueError
         An argument is outside its range.
 
-    Notes
-    -----
-    Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the surface residual
-    shear is admitted without regard to equilibrium: with friction the true limit may be lower.
+    Notes ----- Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the
+    surface any residual shear stress is admitted, even if it is not in equilibrium. With friction
+    the true limit may therefore be lower.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
 
@@ -246,8 +245,8 @@ def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
 def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Lower bound of elastic shakedown of a circular contact on a perfectly plastic body.
 
-    Residual stress sigma_xx along the rolling direction can have any profile transverse to it: it
-    is in equilibrium by itself. By Melan's theorem a body shakes down if this stress keeps the
+    A residual stress sigma_xx that is uniform along the rolling direction x is in equilibrium for
+    any variation with y and z. By Melan's theorem a body shakes down if this stress keeps the whole
     passage within the yield surface; other residual stresses may allow a higher pressure.
 
     Parameters
@@ -258,8 +257,8 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Returns
     -------
     ShakedownLimit
-        Limit with von Mises' criterion at points in the plane y = 0, where it is lowest; p0/k =
-        3.23 without friction, and 3 % below `point` for a coefficient of 0.4.
+        Limit with von Mises' criterion at points in the plane y = 0, where the limit is lowest:
+        p0/k = 3.23 without friction, and 3 % below `point` for a coefficient of friction of 0.4.
 
     Raises
     ------
@@ -295,7 +294,7 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Returns
     -------
     ShakedownLimit
-        As `line_kinematic`, at points in the plane y = 0, where it is lowest.
+        Limit with von Mises' criterion at points in the plane y = 0, where the limit is lowest.
 
     Raises
     ------
@@ -308,24 +307,26 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
 
 
 def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
-    """Upper bound of elastic shakedown of an elliptic contact, from its maximum orthogonal shear.
+    """Upper bound of elastic shakedown of an elliptic contact, from the orthogonal shear stress.
 
-    The shear sigma_xz alternates between +-tau_0 as the contact passes. Neither residual stress nor
-    kinematic hardening reduces its range, so p0/k <= p0/tau_0. Friction shifts both ends equally.
+    The shear stress sigma_xz alternates between +tau_0 and -tau_0 as the contact passes. Neither
+    residual stress nor kinematic hardening reduces the range of this stress, so p0/k <= p0/tau_0.
+    Friction shifts both extremes equally.
 
     Parameters
     ----------
     k : float
-        Semi-axis transverse to the rolling direction over the semi-axis along it, > 0 [-], e.g. `k`
-        of `hertz.elliptic` for rolling along x.
+        Semi-axis transverse to the rolling direction divided by the semi-axis along this direction,
+        > 0 [-], e.g. `k` of `hertz.elliptic` for rolling along x.
     friction : float, optional
-        Traction over pressure, in [0, 10] [-]. The surface of a perfectly plastic body yields above
-        1/friction, because residual shear vanishes there.
+        Ratio of shear traction to pressure, in [0, 10] [-]. The surface of a perfectly plastic body
+        yields in each pass for p0/k above 1/friction, because the residual shear stress vanishes at
+        the surface.
 
     Returns
     -------
     ShakedownLimit
-        p0/k = 4.675 for a circle (k = 1), 4.000 for a line.
+        Upper bound; p0/k = 4.675 for a circular contact (axis ratio 1), 4.000 for a line contact.
 
     Raises
     ------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cycle of a pressure that passes over a periodic surface."""
+"""Load cycle of a prescribed pressure that passes over a periodic surface."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ from ..problem.grid import Grid
 def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, Any]]:
     """Move a prescribed pressure once over a surface that is periodic along x.
 
-    The pressure moves towards +x through one period, from its given position. Every point of the
-    surface has an equal stress history, as below a train of equal rollers, one per period. The
-    contact is not solved. In full sliding the shear along +x moves with the pressure.
+    The pressure moves towards +x through one period, starting at its given position. All points at
+    one depth and one y have the same stress history, as under a train of equal rollers, one per
+    period. The contact is not solved. With friction given as a number, the shear traction along +x
+    moves with the pressure.
 
     Parameters
     ----------
@@ -26,7 +27,7 @@ def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, An
     pressure : array_like, shape (nx, ny)
         Contact pressure [Pa], e.g. of `hertz.line`, centred in a period of at least 6 half-widths.
     cells : int, optional
-        Number of cells between two steps; must divide nx.
+        Number of cells by which the pressure moves in each step; must divide nx.
 
     Returns
     -------

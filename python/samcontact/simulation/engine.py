@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The solver of a simulation: increments on a grid that may be enlarged."""
+"""Solver of the increments of a simulation, on a grid that may be enlarged."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _logger = logging.getLogger("samcontact")
 
 
 class Engine:
-    """Solver of the increments of a simulation, on a grid with surfaces that may be enlarged.
+    """Solver of the increments of a simulation, on a domain (grid, surfaces) that may be enlarged.
 
     The domain is enlarged if the contact reaches its edge and the surfaces are known beyond it,
     except with on_border="warn".
@@ -54,9 +54,9 @@ class Engine:
         """The domain before any enlargement."""
 
     def _open(self, domain: Domain, stand: Callable[[Any], object] | None = None) -> None:
-        """Switch to another domain; `stand` sets the state of the new core. Default: initial state.
+        """Switch to another domain; `stand` sets the state of the new core (default: initial).
 
-        After an error or interrupt the old domain and core remain in use.
+        After an error or interrupt, the old domain and core remain in use.
         """
         core = self._core_over(domain)
         if stand is not None:
@@ -85,7 +85,7 @@ class Engine:
         )
 
     def _checked_domain(self, grid: Grid, current: Domain | None = None) -> Domain:
-        """Return the domain of a grid; its surfaces must agree with the `current` ones."""
+        """Return the domain of a grid; on common cells, its surfaces must equal `current`."""
         setup = self.setup
         scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
         cell = memory_of_contact(setup.friction, setup.bodies, self.heat)
@@ -108,13 +108,13 @@ class Engine:
         return self.state_of(self.core.state, self.heat)
 
     def state_of(self, core: Any, heat: Heat) -> State:
-        """Return the state of a core state, with the heating of the next increment."""
+        """Wrap a state of the core as a State, with the heating of the next increment."""
         return State(core, self.setup, self.domain, heat, lambda: dict(self.core.counters))
 
     def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, Any, Any]:
-        """Solve an increment; return it, the core state before it, and the core state after it.
+        """Solve an increment; return it with the core state before and the core state after it.
 
-        The state before it is None unless the bodies might overlap.
+        The core state before the increment is None unless the bodies might overlap.
         """
         with self.access:
             while True:
@@ -136,7 +136,7 @@ class Engine:
                     self._enlarge(error, **target)
 
     def advance(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[State, list[str]]:
-        """Advance by one increment; return its state and warnings about the edge of the grid."""
+        """Advance by one increment; return the new state, and warnings about the grid edge."""
         setup = self.setup
         step, before, core = self.solve(given, monitor)
         state = self.state_of(core, step.heat)
@@ -156,7 +156,7 @@ class Engine:
         return state, complaints
 
     def make_room(self, load: float | None = None, approach: float | None = None) -> None:
-        """Enlarge the domain to contain the expected Hertz contact, if there is one.
+        """Enlarge the domain to contain the expected Hertz contact, if the gap is a paraboloid.
 
         Raises GridTooSmallError if the domain cannot be enlarged.
         """
@@ -174,7 +174,7 @@ class Engine:
     def hold_strain(self, core: Any) -> bool:
         """Enlarge the domain to include all plastic strain of the current core state.
 
-        Return whether it was enlarged.
+        Return whether the domain was enlarged.
         """
         boxes = core.strain_beyond(0), core.strain_beyond(1)
         if not any(boxes):
@@ -196,7 +196,7 @@ class Engine:
 
     @property
     def _why_fixed(self) -> str:
-        """Reason why the domain cannot be enlarged; empty if it can."""
+        """Reason why the domain cannot be enlarged; empty if it can be enlarged."""
         setup = self.setup
         if setup.settings.on_border != "error" or self.domain.grid.periodic:
             return "it stays"
@@ -231,7 +231,7 @@ class Engine:
 
     @property
     def enlargement(self) -> str:
-        """Text about the enlargement of the domain; empty without one."""
+        """Text that reports the enlargement of the grid; empty if it was not enlarged."""
         (a, b), (c, d) = self.first.grid.surface_shape, self.domain.grid.surface_shape
         return f"grid enlarged from {a} x {b} to {c} x {d} cells" if (a, b) != (c, d) else ""
 
@@ -274,7 +274,7 @@ class Engine:
 
 
 def _state_of(kept: Snapshot) -> State:
-    """Return the state of a snapshot, with its own engine."""
+    """Return the state of a snapshot, with an engine of its own."""
     engine = Engine(*kept.setup())
     engine.restore(kept)
     return engine.state

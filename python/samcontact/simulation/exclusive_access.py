@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Exclusive access of one thread to a simulation."""
+"""Exclusive access of one thread to a simulation during an increment."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ from .contact_area import contact_area
 from .outline import Outline, outline_of
 
 Before = tuple[FloatArray, FloatArray, FloatArray | None, float]
-"""Pressure, shear, gap and approach at the end of an increment; None: unknown."""
+"""Pressure, shear, gap and approach at the end of an increment; None for an unknown one."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
@@ -28,25 +28,26 @@ class ContactSolution(ShortRepr, HtmlTable):
     Attributes
     ----------
     grid : Grid
-        Grid of the fields: that of the solver, or an enlarged one.
+        Grid of the fields: the grid of the solver, or an enlarged grid.
     pressure : ndarray, shape (nx, ny)
-        Contact pressure [Pa], >= 0; with attraction, >= -a for the attraction a of the law.
+        Contact pressure [Pa], >= 0; with attraction a of the contact law, >= -a.
     repulsion : ndarray, shape (nx, ny)
         Contact pressure plus attraction [Pa], >= 0; without attraction, the pressure.
     gap : ndarray, shape (nx, ny)
-        Separation under load [m], zero (to `error`) where the repulsion is positive.
+        Separation under load [m]; zero, to the accuracy `error`, where the repulsion is positive.
     approach : float
         Rigid-body approach [m].
     load : float
         Normal load [N].
     iterations : int
-        Conjugate-gradient iterations on the grid, without those on coarser grids.
+        Conjugate-gradient iterations on this grid; iterations on coarser grids are not counted.
     operator_applications : int
-        Exact displacement evaluations on the grid, each a pair of zero-padded transforms
-        (including those of the shear with coupled friction).
+        Number of exact displacement evaluations on the grid, each a pair of zero-padded transforms.
+        With coupled friction, evaluations for the shear are included.
     work : float
-        All transforms of the solve, including those of the preconditioner, of approximate
-        displacements and of coarser grids, in units of one exact displacement [-].
+        Computing work of all transforms of the solve, including transforms for the preconditioner,
+        for approximate displacements and on coarser grids, in units of one exact displacement
+        evaluation [-].
     error : float
         Complementarity error [-]: maximum of ``|min(r/max r, g/max u)|`` over all cells, for the
         repulsion r, gap g and displacement u.
@@ -78,7 +79,7 @@ class ContactSolution(ShortRepr, HtmlTable):
 
     @property
     def contact_area(self) -> float:
-        """Contact area [m^2], with the edge located between the cells; see the theory page."""
+        """Contact area [m^2], with the contact edge located within cells, see `contact_area`."""
         grid = self.grid
         gap = self.gap if self.outline.rises else None
         return contact_area(self.repulsion, grid.cell_area, grid.periodic, gap)
@@ -128,7 +129,7 @@ class ShearedSolution(ContactSolution):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class PartialSlipSolution(ShearedSolution):
-    """Solution of a contact with partial slip under Coulomb friction; also a `ContactSolution`.
+    """Solution of a contact with partial slip under Coulomb friction; a kind of `ContactSolution`.
 
     Attributes
     ----------
@@ -151,22 +152,25 @@ class PartialSlipSolution(ShearedSolution):
     friction_work : float
         Frictional dissipation since the first increment [J].
     tangential_error : float
-        Natural residual of the slip conditions: change of the shear when it is moved along its slip
-        and cut at mu p, relative to the maximum of mu p, or to ten times the maximum shear if that
-        is smaller [-]. With dissimilar materials it refers to the final pressure, and `error` is
-        the complementarity error of the pressure for the final shear.
+        Natural residual of the slip conditions [-]: change of the shear traction when it is moved
+        along the slip and limited to mu p, relative to the maximum of mu p or to ten times the
+        maximum shear, whichever is smaller. With dissimilar materials this residual refers to the
+        final pressure, and `error` is the complementarity error of the pressure for the final
+        shear.
     energy_gap : float
-        Upper bound of the energy that friction could still dissipate with these slips, and of twice
-        the elastic energy of the shear error [J]. NaN for infinite friction.
+        Accuracy of the shear as an energy [J]: friction with these slips could dissipate at most
+        this much more, and twice the elastic energy of the error of the shear is at most this
+        large. NaN for infinite friction.
     sweeps : int
-        Iterations between pressure and shear; 1 if they are uncoupled.
+        Number of iterations between pressure and shear; 1 if pressure and shear are uncoupled.
     tangential_iterations : int
         Iterations of the linear solves for the shear on the finest grid.
     tangential_applications : int
-        Evaluations of shear displacement on the box of the contact, each two pairs of transforms.
+        Evaluations of shear displacement on the bounding box of the contact, each two pairs of
+        transforms.
     tangential_work : float
-        All transforms for the shear, including those of the preconditioner and of coarser grids, in
-        units of one such evaluation [-].
+        Computing work of all transforms for the shear, including transforms for the preconditioner
+        and on coarser grids, in units of one such evaluation [-].
     """
 
     shift: FloatArray
@@ -184,7 +188,7 @@ class PartialSlipSolution(ShearedSolution):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class RollingSolution(ShearedSolution):
-    """Solution of a contact in steady rolling; also a `ContactSolution`.
+    """Solution of a contact in steady rolling; a kind of `ContactSolution`.
 
     Attributes
     ----------
@@ -199,7 +203,7 @@ class RollingSolution(ShearedSolution):
     friction_work_per_distance : float
         Frictional dissipation per distance rolled [J/m].
     shear, sticking, tangential_load, torque
-        As in `PartialSlipSolution`; also errors and counts.
+        As in `PartialSlipSolution`; errors and iteration counts too.
     """
 
     creepage: FloatArray
@@ -216,13 +220,13 @@ class RollingSolution(ShearedSolution):
 
 
 def both(values: FloatArray, unit: str) -> str:
-    """Format two numbers; values negligible against the other are shown as zero."""
+    """Format two numbers; a number that is negligible compared with the other is shown as zero."""
     small = 1e-9 * float(np.abs(values).max())
     return ", ".join(quantity(float(v) if abs(v) > small else 0.0, unit) for v in values)
 
 
 def fits(solution: ContactSolution, grid: Grid) -> bool:
-    """Whether a grid has the cells of the solution, and possibly more around them."""
+    """Whether a grid contains all cells of the grid of a solution, possibly with more around."""
     own = solution.grid
     more = [n - m for n, m in zip(grid.surface_shape, own.surface_shape, strict=True)]
     same = (grid.dx, grid.dy, grid.periodic) == (own.dx, own.dy, own.periodic)
@@ -230,8 +234,9 @@ def fits(solution: ContactSolution, grid: Grid) -> bool:
 
 
 def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> Before:
-    """Pressure, shear, gap and approach on a grid that fits; ValueError, naming the argument, for
-    other grids."""
+    """Return pressure, shear, gap and approach of a solution on a grid with equal cells.
+
+    Raises ValueError, with the name of the argument, for a grid with other cells."""
     if not fits(solution, grid):
         raise ValueError(
             f"{name} must be a solution with equal cells, got one on {solution.grid!r} for {grid!r}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear by slip, proportional to the frictional work, or to pressure times slip."""
+"""Wear by slip, proportional to the frictional work or to pressure times slip distance."""
 
 from __future__ import annotations
 
@@ -28,17 +28,15 @@ from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
-"""Maximum pressure drop due to the wear of one part, relative to the pressure, for the shortest
-wave.
-
-From 2 on, the shortest waves would grow from part to part.
+"""Maximum pressure drop of the shortest wave due to the wear in one part, relative to the pressure.
+If it were 2 or more, the shortest waves would grow from part to part.
 """
 _MAX_PARTS = 10_000
 _MAX_SHEAR_MISMATCH = 1e-2
 """Maximum change of the shear over one repeat, relative to the maximum of mu p.
 
-Slip directions at the edge of the stick zone continue to rotate slightly over many repeats, with
-no visible effect on the work.
+At the edge of the stick zone, slip directions still rotate slightly over many repeats, which does
+not noticeably affect the frictional work.
 """
 _MAX_REPEATS = 20
 
@@ -69,24 +67,24 @@ def fretting(
         As for `Simulation`; the bodies cannot yield, and do not move except for slip. Surfaces
         given as functions are evaluated on this grid, which is not enlarged.
     cycle : iterable of dict
-        Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``: load or
+        Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``, with load or
         approach, shift or tangential_load, twist or torque. The last step must repeat an earlier
-        one. The steps up to this earlier step are a lead-in, which causes no wear. The first
+        step. The steps up to this earlier step are a lead-in, which causes no wear. The first
         repetitions, until the shear is periodic, cause no wear either.
     friction : Coulomb
         Friction law, with a coefficient > 0, finite.
     energy : float or pair of floats
-        Wear depth per frictional work per area [m/(J/m^2) = 1/Pa], >= 0: a number for body 2, or a
-        pair for bodies 1 and 2. Fouvry et al. (2003), doi:10.1016/S0043-1648(03)00117-0. Excludes
-        `archard`.
+        Wear depth divided by frictional work per unit area [m/(J/m^2) = 1/Pa], >= 0: a number for
+        body 2, or a pair for bodies 1 and 2. Fouvry et al. (2003),
+        doi:10.1016/S0043-1648(03)00117-0. Cannot be combined with `archard`.
     archard : float or pair of floats
-        Wear depth per pressure times slip distance [1/Pa]: wear coefficient over hardness. Archard
-        (1953), doi:10.1063/1.1721448. Equivalent to an energy of archard/mu.
+        Wear depth divided by pressure times slip distance [1/Pa], i.e. the wear coefficient divided
+        by the hardness. Archard (1953), doi:10.1063/1.1721448. Equivalent to energy = archard/mu.
     cycles : int, optional
         Maximum number of cycles, >= 1.
     repeats : int, optional
-        Number of repeats of the loop per cycle, >= 1. The contact is solved again whenever the wear
-        since the last solve would change the pressure of the shortest waves of the grid by 100 %.
+        Number of repeats of the loop per cycle, >= 1. The contact is solved again whenever wear
+        since the last solution would change the pressure of the shortest wave on the grid by 100 %.
     checkpoint, progress
         As for `run`.
     **settings
@@ -99,10 +97,10 @@ def fretting(
     Raises
     ------
     ValueError, TypeError
-        An argument is outside its range (before the first cycle); a cycle requires more than
-        10 000 parts, or does not become periodic; a contact reaches the edge of the grid; a
-        checkpoint belongs to other arguments. An error in a later cycle holds the result of the
-        completed cycles in its attribute `result`.
+        An argument is outside its range (before the first cycle); a cycle requires more than 10 000
+        parts, or does not become periodic; a contact reaches the edge of the grid; a checkpoint
+        belongs to other arguments. The exception of a later cycle holds the result of the completed
+        cycles in its attribute `result`.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -123,7 +121,7 @@ def fretting(
 
 @dataclass(frozen=True)
 class _Repeat:
-    """One repeat of a cycle: its states, and quantities per cell, shape (nx, ny)."""
+    """Solution of one repeat of a loop: states, and quantities in each cell, shape (nx, ny)."""
 
     states: tuple[State, ...]
     work: FloatArray
@@ -163,7 +161,7 @@ def _solve_repeat(scene: FrettingSetup, heights: Mapping[int, list[FloatArray]])
 
 
 def _closed(simulation: Simulation, scene: FrettingSetup) -> tuple[State, ...]:
-    """States of a repeat that ends with the shear with which it began."""
+    """Repeat the loop until the shear is periodic, and return the states of the last repeat."""
     lead = closing(scene.cycle)
     for step in scene.cycle[:lead]:
         simulation.step(**step)
@@ -210,10 +208,9 @@ def _advance(
 
 
 def _most_repeats(scene: FrettingSetup, now: _Repeat) -> float:
-    """Number of repeats after which the contact must be solved again.
+    """Return the number of repeats after which the contact must be solved again.
 
-    Wear of depth c p changes the pressure of a wave with wavenumber k by -c E* k/2, relative to the
-    pressure.
+    Wear of depth c p changes a pressure wave of wavenumber k by the fraction -c E* k/2.
     """
     grid = scene.grid
     steps = [1 / step for n, step in ((grid.nx, grid.dx), (grid.ny, grid.dy)) if n > 1]

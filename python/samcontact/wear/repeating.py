@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repetition of wear cycles with checkpoints, shared by both wear laws."""
+"""Repetition of wear cycles with checkpoints, for both kinds of wear."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ S = TypeVar("S", bound=WearProblem)
 R = TypeVar("R", bound=BaseWearResult)
 Moments = tuple[State, ...]
 Advance = Callable[[S, WearProgress], tuple[Moments, WearProgress]]
-"""Function that solves one cycle: its states, and the initial state of the next cycle."""
+"""Function that solves one cycle; returns its states and the initial state of the next cycle."""
 
 
 def repeat(
@@ -89,7 +89,7 @@ def _start(scene: WearProblem) -> WearProgress:
 
 
 def reliefs_of(scene: WearProblem, standing: WearProgress) -> list[Relief | None]:
-    """Current surfaces of both bodies."""
+    """Return the current surfaces of both bodies; None for a smooth surface without wear."""
     reliefs = list(scene.reliefs)
     for body in scene.worn:
         first, _ = scene.rows(body)
