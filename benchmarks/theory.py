@@ -125,7 +125,7 @@ CYCLES = ((3.9, 0.0, 0.0), (4.1, 0.0, 0.0), (3.4, 0.2, 0.0), (4.1, 0.0, 0.05), (
 
 
 def shakedown_cycles(scenes: Sequence[tuple[float, float, float]] = CYCLES) -> str:
-    """Return the response with extrapolation over cycles, and with every cycle computed."""
+    """Return the table of shakedown results with jumps over cycles and without jumps."""
     rows = []
     for ratio, friction, hardening in scenes:
         name = f"{ratio:g}, " + (f"μ = {friction:g}" if friction else "no friction")
@@ -137,8 +137,10 @@ def shakedown_cycles(scenes: Sequence[tuple[float, float, float]] = CYCLES) -> s
         strains = [f"{1e3 * one.rate / one.yield_strain:.3g}" for one in found]
         cycles = [f"{one.solved} of {one.cycles[-1].number}" for one in found]
         rows.append([name, *dict.fromkeys(one.response for one in found), *cycles, *strains])
-    heading = ["load, friction", "result", "with jumps", "without"]
-    return table([*heading, "strain of the last cycle [10⁻³ σ_y/E]", "without"], rows)
+    ways = ("with jumps", "without jumps")
+    heading = ["load, friction", "result", *(f"cycles solved, {way}" for way in ways)]
+    heading += [f"strain of the last cycle, {way} [10⁻³ σ_y/E]" for way in ways]
+    return table(heading, rows)
 
 
 ERRORS = {
