@@ -2,10 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """clang-tidy over core, bindings and C++ tests; what passed and has not changed since is skipped.
 
-    python scripts/tidy.py [--paths] [PATTERN ...]      e.g. src/contact; all files by default
+    python scripts/tidy.py [--paths] [--since REVISION] [PATTERN ...]      e.g. src/contact
+
+All files by default.
 
 --paths: what clang-analyzer finds on the paths through each function, and nothing else; this takes
 two to three times as long.
+--since: only files that differ from this revision, or include one that does, at any depth; all if
+the checks or the build differ, or if there is no such revision.
 
 A file has passed for as long as every byte that it includes, the checks, and clang-tidy are the
 same, in any checkout; ~/.cache/samcontact-tidy keeps a mark of each.
@@ -13,6 +17,7 @@ same, in any checkout; ~/.cache/samcontact-tidy keeps a mark of each.
 
 from __future__ import annotations
 
+import argparse
 import hashlib
 import json
 import os
@@ -71,7 +76,36 @@ def check(entry: dict[str, str], checker: str, options: list[str]) -> tuple[str,
     return entry["file"], done.stdout + done.stderr
 
 
-def main(patterns: list[str], paths: bool) -> int:
+def with_includes(file: Path) -> set[Path]:
+    """The file, and all files of the project that it includes, directly or through others."""
+    found, left = set(), [file]
+    while left:
+        file = left.pop()
+        if file not in found:
+            found.add(file)
+            left += included(file)
+    return found
+
+
+@cache
+def included(file: Path) -> list[Path]:
+    names = re.findall(r'^#include "(.+)"', file.read_text(encoding="utf-8"), re.MULTILINE)
+    places = (folder / name for name in names for folder in (file.parent, ROOT / "cpp" / "include"))
+    return [place.resolve() for place in places if place.exists()]
+
+
+def differing(revision: str) -> set[Path] | None:
+    """Files that differ from a revision; None where all must be checked."""
+    try:
+        names = output("git", "diff", "--name-only", revision, "--").splitlines()
+        names += output("git", "ls-files", "--others", "--exclude-standard").splitlines()
+    except (FileNotFoundError, subprocess.CalledProcessError):
+        return None
+    build = re.compile(r"(.*/)?\.clang-tidy|CMake\w+\.\w+|cmake/.*|scripts/tidy\.py")
+    return None if any(build.fullmatch(name) for name in names) else {ROOT / n for n in names}
+
+
+def main(patterns: list[str], paths: bool, since: str | None) -> int:
     bindings = output(sys.executable, "-m", "pybind11", "--cmakedir").strip()
     output("cmake", "--preset", "tidy", f"-DPython_EXECUTABLE={sys.executable}",
            f"-Dpybind11_DIR={bindings}")  # fmt: skip
@@ -89,6 +123,8 @@ def main(patterns: list[str], paths: bool) -> int:
         for entry in json.loads((BUILD / "compile_commands.json").read_text())
         if not patterns or any(re.search(pattern, entry["file"]) for pattern in patterns)
     ]
+    if since and (changed := differing(since)) is not None:
+        entries = [entry for entry in entries if with_includes(Path(entry["file"])) & changed]
     # the longest first, so that no process is left alone with it at the end
     entries.sort(key=lambda entry: (
         "/bindings/" not in entry["file"], -Path(entry["file"]).stat().st_size))  # fmt: skip
@@ -102,5 +138,9 @@ def main(patterns: list[str], paths: bool) -> int:
 
 
 if __name__ == "__main__":
-    words = sys.argv[1:]
-    sys.exit(main([word for word in words if word != "--paths"], "--paths" in words))
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--paths", action="store_true", help="paths of clang-analyzer alone")
+    parser.add_argument("--since", metavar="REVISION", help="what differs from it")
+    parser.add_argument("patterns", nargs="*", metavar="PATTERN", help="part of a file's path")
+    asked = parser.parse_args()
+    sys.exit(main(asked.patterns, asked.paths, asked.since))
