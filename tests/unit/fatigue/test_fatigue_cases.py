@@ -38,7 +38,7 @@ def states_of(more):
     return simulation.run(path, progress=False)
 
 
-def test_the_path_is_the_cycle(run):
+def test_the_path_is_the_cycle(run, undrawn):
     outcome, folder = run(FATIGUE)
     assert outcome.exit_code == 0, outcome.output
     assert "Fatigue of body 2 over 3 instants" in outcome.stdout
@@ -62,7 +62,7 @@ def test_the_path_is_the_cycle(run):
     }
 
 
-def test_material_that_passes(run):
+def test_material_that_passes(run, undrawn):
     """Passing material uses the increment of maximum load, independent of the rest of the path."""
     outcome, folder = run(PASSING)
     assert outcome.exit_code == 0, outcome.output

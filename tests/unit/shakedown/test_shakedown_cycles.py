@@ -34,7 +34,7 @@ def repeated(*arguments, cells=10, friction=0.0, **settings):
     return shakedown.run(simulation, cycle, progress=False, **settings)
 
 
-GRIDS = [8, pytest.param(20, marks=pytest.mark.slow)]
+GRIDS = [10, pytest.param(20, marks=pytest.mark.slow)]
 
 
 @pytest.mark.parametrize("cells", GRIDS)
