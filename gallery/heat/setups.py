@@ -225,7 +225,7 @@ def compute(quick: bool) -> Results:
         for factor in (0.0, 0.05)
     }
     # the heat alone makes the material flow far outside the contact
-    large_cells = 8 if quick else 12
+    large_cells = 6 if quick else 12
     layers = (10e-6, 5e-6) if quick else (20e-6, 10e-6, 5e-6, 2.5e-6)
     for factor, width, depth in ((0.12, 2.6, 1.25), (0.20, 4.0, 1.6)):
         plastic[factor] = [
