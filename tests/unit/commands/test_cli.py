@@ -14,7 +14,6 @@ from case_texts import ASPERITIES, MINIMAL, SWIFT
 from command import check_failure, invoke
 from samcontact import hertz, results
 
-
 # Of surfaces alone, which have few figures.
 SURFACES = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3').replace(
     "nz = 12\ndz = 60e-6", ""
