@@ -44,9 +44,9 @@ it. `samcontact.to_accuracy`, or `accuracy` in a case file, gives values with es
 
 {cases} contacts are solved to 5, 1 and 0.2 %, and the stated errors are compared with the true
 ones. The reference is Hertz for pressure, approach and area of elastic paraboloids. For other
-values it is the extrapolation with order 2 of the finest grids of about {finest:.0f} s, and of 32
-or 64 increments on a coarser grid with orders 1 and 2. For rolling contacts this reference is
-hardly more accurate than the values judged. [Finite
+values it is the extrapolation with order 2 of the finest grids, in runs of about {finest:.0f} s,
+and of 32 or 64 increments on a coarser grid with orders 1 and 2. For rolling contacts this
+reference is hardly more accurate than the values judged. [Finite
 elements](#comparison-of-the-reference-with-finite-elements) of three of the cases agree with the
 reference to within their own accuracy.
 
@@ -65,8 +65,8 @@ surface.
 ## Comparison of the reference with finite elements
 
 All values are in SI units. The axisymmetric curves are in `reference/fem`, whose page states
-their accuracy. The curves of case 2d continue to loads whose residual stress needs finer grids
-than permitted for a run here, so the contact here is one of their earlier increments.
+their accuracy. The last loads of case 2d need finer grids for the residual stress
+than the time limit of a run permits, so an earlier increment of the curve is compared.
 
 {elements}
 
@@ -79,7 +79,7 @@ True and stated errors relative to the maximum value of the run [%].
 
 
 class Judged(NamedTuple):
-    """A quantity of a case, at an accuracy."""
+    """True and stated error of one quantity of a case at one prescribed accuracy."""
 
     case: str
     asked: float
@@ -134,7 +134,7 @@ def run(of: str, asked: float) -> Record:
 
 
 def quantities(records: list[Record]) -> list[Judged]:
-    """All quantities of the records."""
+    """Return the rows of all quantities of the records."""
     return [
         Judged(record["of"], record["asked"], quantity, record["stated"][quantity], true,
                record["seconds"], record["cells"], record["reached"])

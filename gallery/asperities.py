@@ -27,8 +27,8 @@ GPa, pass each other at constant height, without friction and rotation. Forces, 
 interference are divided by their values at the onset of yield (Green 2005). X is the offset of the
 centres, negative before they are aligned, R = 0.5 m. A positive tangential force resists the
 motion; the figures of the thesis show both forces of the first pass. The kinematics are derived
-independently, see [theory](../theory/moving_contacts.md#tugging), because equations (4.2), (4.13)
-and (4.15) of the thesis contain errors.
+independently, because equations (4.2), (4.13) and (4.15) of the thesis contain errors
+([theory](../theory/moving_contacts.md#collision-of-two-asperities)).
 """
 
 STEEL = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)
@@ -39,12 +39,12 @@ CRITICAL = sc.critical.green(0.5, sc.hertz.effective_modulus(STEEL, STEEL), 0.32
 @dataclass
 class Results:
     runs: dict[float, CollisionResult]
-    """Results by interference over the critical one."""
+    """Results by interference over the critical interference."""
     elastic: CollisionResult
     again: CollisionResult
     """Three passes."""
     energies: dict[int, float]
-    """Net energy over the critical one at 9 critical interferences, by increments."""
+    """Net energy over the critical energy at 9 critical interferences, by number of increments."""
     mesh: str
 
 
@@ -82,13 +82,13 @@ def critical_values(results: Results) -> list[Number | Statement]:
 
 
 def curve(result: CollisionResult, name: str) -> tuple[np.ndarray, np.ndarray]:
-    """Offset and a force of the first pass."""
+    """Return offset and one force component of the first pass."""
     series = result.series.isel({"pass": 0})
     return series["offset"].values, series[name].values
 
 
 def unlike(result: CollisionResult, name: str, sign: float) -> float:
-    """Return the deviation of a curve from its (anti)symmetric image, over its maximum."""
+    """Return the maximum deviation of a curve from its (anti)symmetric image, over its maximum."""
     x, f = curve(result, name)
     return float(np.abs(f - sign * np.interp(-x, x, f)).max() / np.abs(f).max())
 

@@ -19,7 +19,7 @@ def axes(
     layout: Any = "constrained",
     **shared: Any,
 ) -> tuple[Figure, Any]:
-    """A figure of so many axes; `shared` as of `Figure.subplots`."""
+    """Return a figure with rows x columns of axes; `shared` is passed to `Figure.subplots`."""
     figure = Figure(figsize=size, layout=layout)
     return figure, figure.subplots(rows, columns, **shared)
 
@@ -32,11 +32,11 @@ def gridded() -> tuple[Figure, Axes]:
 
 
 def finish(ax: Axes, xlabel: str = "", ylabel: str = "", legend: bool = True) -> None:
-    """Labels, grid and legend."""
+    """Add labels, grid and legend to axes."""
     ax.set(xlabel=xlabel, ylabel=ylabel)
     ax.grid(True, linewidth=0.4, alpha=0.5)
     if legend:
-        ax.legend(fontsize="small", framealpha=1.0, edgecolor="none")  # lines end beside it
+        ax.legend(fontsize="small", framealpha=1.0, edgecolor="none")  # no line lies there
 
 
 def hertz_curve(

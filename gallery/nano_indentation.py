@@ -38,7 +38,7 @@ SHOWN = 4
 
 @dataclass(frozen=True)
 class Results:
-    """States of both runs: loading, then unloading."""
+    """States of both runs, each with loading followed by unloading."""
 
     grid: sc.Grid
     by_load: list[sc.State]
@@ -64,7 +64,7 @@ def hertz(load: float) -> sc.hertz.PointContact:
 def compute(quick: bool) -> Results:
     """Compute on the mesh and increments of the thesis if quick, else on twice as many of both."""
     finer = 1 if quick else 2
-    # odd counts along x and y keep a cell on the axis
+    # odd numbers of cells along x and y, so that one cell centre lies on the axis
     nx, ny = ((n - 1) * finer + 1 for n in MESH[:2])
     grid = sc.Grid(nx, ny, 0.6e-6 / finer, 1.2e-6 / finer, MESH[2] * finer, 0.3e-6 / finer)
     gap = sc.surfaces.paraboloid(grid, TIP)
@@ -72,7 +72,7 @@ def compute(quick: bool) -> Results:
     by_load = sc.Simulation(grid, RIGID, STEEL, gap)
     loaded = by_load.run(sc.paths.load_unload(load=LOAD, increments=count), progress=False)
     by_approach = sc.Simulation(grid, RIGID, STEEL, gap)
-    # down to where the bodies part, as by load
+    # unload to the separation of the bodies, as in the load-controlled run
     path = sc.paths.load_unload(
         approach=loaded[count - 1].approach, end=loaded[-1].approach, increments=count
     )
@@ -80,7 +80,7 @@ def compute(quick: bool) -> Results:
 
 
 def curve(states: list[sc.State]) -> tuple[np.ndarray, np.ndarray]:
-    """Interference and load."""
+    """Return interference [m] and load [N] of each state."""
     return np.array([s.approach for s in states]), np.array([s.load for s in states])
 
 
@@ -93,7 +93,7 @@ def difference_of_the_drives(results: Results) -> float:
         w_other, other = curve(results.by_approach[part])
         if part.start == 0:
             w, load = np.append(0.0, w), np.append(0.0, load)
-        # both branches are close to a power 3/2 of the distance from first touch
+        # on both branches the load is about a power 3/2 of the distance from first touch
         start = w.min()
         order = np.argsort(w)
         at = np.interp((w_other - start) ** 1.5, (w[order] - start) ** 1.5, load[order])

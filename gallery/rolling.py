@@ -40,9 +40,9 @@ BODIES = (CERAMIC, STEEL_52100)
 class Results:
     bearing: dict[str, Run]
     rolled: Run
-    """Result of two cycles of 4 mm."""
+    """Result of two rolling cycles of 4 mm."""
     repeated: Run
-    """Result of three cycles of 2 mm."""
+    """Result of three rolling cycles of 2 mm."""
     strains: dict[float, float]
     """Largest plastic strain after two cycles of 2 mm [-], by cells (and steps) per radius."""
     mesh: str
@@ -162,7 +162,7 @@ def stated_cycles(results: Results) -> list[Number | Statement]:
 
 
 def surface_peak(y: np.ndarray, values: np.ndarray) -> float:
-    """Distance of the largest value in the first layer from the middle of the track."""
+    """Return the distance of the maximum in the first layer from the middle of the track."""
     return abs(float(y[int(values[:, 0].argmax())]))
 
 

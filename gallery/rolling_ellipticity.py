@@ -40,9 +40,9 @@ RATIOS = (2, 4, 8, 16)
 @dataclass
 class Results:
     runs: dict[int, Run]
-    """Radii and loads of the table, two cycles."""
+    """Results with the radii and loads of table 3.2, after two cycles."""
     exact: dict[int, Run]
-    """5.7 GPa, one cycle."""
+    """Results with a Hertz pressure of 5.7 GPa, after one cycle."""
     mesh: str
     exact_mesh: str
 
@@ -204,7 +204,7 @@ def figures(results: Results) -> list[Picture]:
 
 
 def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
-    """Profiles on the axis."""
+    """Draw profiles on the axis."""
 
     def points(run: Run, n: int) -> tuple[np.ndarray, np.ndarray]:
         return run.cycles[n].z / BALL.a, scale * run.cycles[n].profile(name)

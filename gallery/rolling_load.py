@@ -42,14 +42,14 @@ HERTZ_DEPTH = 0.78
 class Results:
     runs: dict[float, Run]
     elastic: np.ndarray
-    """Von Mises stress on the axis under the largest load, had the flat not yielded."""
+    """Elastic von Mises stress on the axis under the largest load."""
     mesh: str
 
 
 def compute(quick: bool) -> Results:
     runs = {}
     for pressure, load in LOADS.items():
-        # the residual stress of 5.7 GPa is too high on a/5
+        # with cells of a/5 the residual stress at 5.7 GPa is too high
         cells = 10 if not quick else 7 if pressure == 5.7 else 5
         layers = max(cells, 6)
         depth = 2.6 if pressure < 5 else 4.3 if pressure < 7 else 4.6
@@ -129,7 +129,7 @@ def trends(results: Results) -> list[Number | Statement]:
 
 
 def zero(run: Run) -> float:
-    """Depth at which the compression ends [m]."""
+    """Return the depth at which the residual compression ends [m]."""
     profile = run.steady.profile("hydrostatic")
     k = int(profile.argmin())
     end = k + int(np.flatnonzero(profile[k:] > 0)[0])
@@ -158,7 +158,7 @@ def figures(results: Results) -> list[Picture]:
 
 
 def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
-    """Profiles on the axis."""
+    """Draw profiles on the axis."""
 
     def points(run: Run, n: int) -> tuple[np.ndarray, np.ndarray]:
         return 1e6 * run.cycles[n].z, scale * run.cycles[n].profile(name)

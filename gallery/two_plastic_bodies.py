@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two balls of steel 52100, one or both of them inelastic: section 2.3.1.4."""
+"""Two balls of steel 52100, one or both elastic-plastic: section 2.3.1.4."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Case:
     hydrostatic: np.ndarray
 
     def at(self, load: float) -> tuple[float, float]:
-        """p_max and plastic strain at a load (interpolated)."""
+        """Return p_max and plastic strain at a load (interpolated)."""
         return (
             float(np.interp(load, self.load, self.p_max)),
             float(np.interp(load, self.load, self.gamma)),
@@ -59,7 +59,7 @@ class Case:
 
     @property
     def critical(self) -> float:
-        """Load at a plastic strain of 0.2 %."""
+        """Return the load at a plastic strain of 0.2 % [N]."""
         return float(np.interp(2e-3, self.gamma, self.load))
 
 
@@ -116,7 +116,7 @@ def compute(quick: bool) -> Results:
         cases[pair] = Case(
             load, p_max, gamma, grid.x, state.pressure[:, middle].copy(), grid.z, hydrostatic
         )
-        if pair == "E_EP":  # unloading is elastic: loading goes on where it ended
+        if pair == "E_EP":  # unloading is elastic and may precede further loading
             beyond = [(peak.p0, float(gamma[-1]))]
             for p0 in (8.12e9, 8.3e9):
                 state = run.step(load=sc.hertz.point(R=RADIUS, E_star=peak.E_star, p0=p0).load)
@@ -128,7 +128,7 @@ def compute(quick: bool) -> Results:
 
 
 def difference(results: Results, other: str) -> tuple[np.ndarray, np.ndarray]:
-    """Loads, and excess of p_max of E_EP over that of a pair [%], (2.168)."""
+    """Return loads, and the excess of p_max of E_EP over p_max of a pair [%], (2.168)."""
     one, two = results.cases["E_EP"], results.cases[other]
     return one.load, 100 * np.abs(one.p_max / two.p_max - 1)
 
@@ -164,7 +164,7 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
 
 
 def stated_axis(results: Results) -> list[Number | Statement]:
-    """Residual hydrostatic stress on the axis."""
+    """State the residual hydrostatic stress on the axis."""
     one, two = results.cases["E_EP"], results.cases["EP_EP"]
     a, p0, mesh = results.peak.a, results.peak.p0, results.mesh
     (low, depth), (low2, depth2) = (top(c.z / a, -c.hydrostatic / p0) for c in (one, two))

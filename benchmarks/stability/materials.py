@@ -19,7 +19,7 @@ SHARES = ("0", "1e-6", "1e-3", "0.01", "0.1", "0.3", "0.5", "0.7", "0.9")
 
 
 def contact(body: sc.Material, cells: int, p0: float) -> tuple[sc.hertz.PointContact, sc.Grid]:
-    """Hertz's of two such bodies, and a grid across it."""
+    """Return the Hertz contact of two such bodies, and a grid that contains it."""
     exact = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(body, body), p0=p0)
     size = 3.2 * exact.a / cells
     return exact, sc.Grid(cells, cells, size, size)
@@ -32,7 +32,7 @@ def flow(
     part: float = 0.7,
     **settings: Any,
 ) -> tuple[sc.Simulation, sc.State]:
-    """A ball that yields, in one increment."""
+    """Load an elastic-plastic body by a ball in one increment."""
     exact, flat = contact(STEEL, 15, 2.4e9)
     grid = sc.Grid(15, 15, flat.dx, flat.dy, 10, 0.2 * exact.a)
     gap = sc.surfaces.paraboloid(grid, RADIUS)

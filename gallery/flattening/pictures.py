@@ -81,7 +81,7 @@ def zones(results: Results, ratios: tuple[float, ...], zoom: bool) -> Figure:
 
 def outline(ax: Axes, at: Point, colour: np.ndarray) -> None:
     x, z, g = at.outline
-    # up to the surface, with the strain of the first layer
+    # extended to the surface with the strain of the first layer
     z, g = np.append(0.0, z), np.column_stack([g[:, :1], g])
     ax.contour(x, z, g.T, levels=[1e-2], colors=[colour], linewidths=1.4)
     ax.plot([], [], color=colour, label=rf"$\omega/\omega_c$ = {at.ratio:g}")
@@ -159,7 +159,7 @@ def model_figure(results: Results) -> Figure:
         for value in (2, 30):
             ax.axvline(value, color="k", linestyle="--", linewidth=0.8)
     for (name, model), style in zip(models().items(), ("C1-", "C2-"), strict=True):
-        # loads over w^(5/4), or three decades would hide the differences
+        # loads over w^(5/4): the range of three decades would hide the differences
         relative = np.asarray(model.load) / CRITICAL.load
         area_ratio = np.asarray(model.area) / (np.pi * CRITICAL.a**2)
         panels[0].plot(w, relative / w**1.25, style, label=name)

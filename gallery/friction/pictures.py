@@ -127,7 +127,7 @@ def onset_and_strain(results: Results) -> Picture:
 
 
 def by_friction(ax: Axes, results: Results, name: str, scale: float, position: str = "z") -> None:
-    """A profile of each sliding contact of the elastic ball."""
+    """Draw one profile of each sliding contact of the elastic ball."""
     for k, mu in enumerate(SHOWN):
         case = results.sliding[mu]
         x = getattr(case, position) / results.ball.a

@@ -20,7 +20,7 @@ F1_FRICTION = (0.0, 0.2, 0.4)
 SHOWN = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
 MORE = (0.15, 0.25, 0.31, 0.32, 0.33, 0.35, 0.45)
 MORE_QUICK = (0.15, 0.25, 0.35)
-LAYERS = 1.85  # depth of the volume over a
+LAYERS = 1.85  # depth of the volume grid over a
 HERTZ_DEPTH = 0.48
 
 
@@ -46,10 +46,10 @@ class Plastic:
     gamma: np.ndarray
     residual: np.ndarray
     hydrostatic: np.ndarray
-    """Profiles on x = y = 0; residual and hydrostatic after unloading."""
+    """Profiles on x = y = 0; residual von Mises and hydrostatic stress are after unloading."""
     loads: np.ndarray
     gamma_max: np.ndarray
-    """Largest plastic strain at each load."""
+    """Maximum plastic strain at each load."""
     gamma_at: tuple[float, float]
     """x, z of the largest plastic strain."""
     von_mises_at: tuple[float, float, float]
@@ -70,7 +70,7 @@ class Results:
     by_load: dict[float, np.ndarray]
     """Residual hydrostatic stress on the axis for µ = 0, per load."""
     layers: list[tuple[float, float]]
-    """First depth over a and largest plastic strain, µ = 0.5."""
+    """Depth of the first layer over a, and maximum plastic strain, for µ = 0.5."""
     mesh: dict[str, str]
 
 
@@ -96,7 +96,7 @@ def plastic_case(
     simulation = sc.Simulation(grid, body1, STEEL_M50, gap, friction)
     loads, gamma_max = load * np.arange(1, increments + 1) / increments, []
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of strains above 5 %: they are the subject here
+        warnings.simplefilter("ignore")  # strains above 5 % are intended here
         for value in loads:
             state = simulation.step(load=float(value))
             gamma_max.append(float(state.equivalent_plastic_strain().max()))
@@ -134,7 +134,7 @@ def residual_by_load(grid: sc.Grid, increments: int) -> dict[float, np.ndarray]:
     for k in range(1, increments + 1):
         load = F2_LOAD * k / increments
         simulation.step(load=load)
-        if load % 1000.0 == 0.0:  # unloading is elastic: loading goes on where it ended
+        if load % 1000.0 == 0.0:  # unloading is elastic and may precede further loading
             found[load] = simulation.step(load=0.0).hydrostatic()[middle, middle].copy()
     return found
 

@@ -89,7 +89,7 @@ def stated_rigid(results: Results) -> list[Number | Statement]:
 
 
 def without_friction(results: Results) -> list[Number | Statement]:
-    """The rigid ball compared with the elastic contact and finite elements."""
+    """Compare the rigid ball with the elastic contact and with finite elements."""
     a, mesh = results.rigid.a, results.mesh["rigid ball"]
     both: tuple[Elastic, Plastic] = (results.elastic[0.0], results.plastic[0.0])
     top = [float(case.pressure.max()) * 1e-9 for case in both]
@@ -122,7 +122,7 @@ def without_friction(results: Results) -> list[Number | Statement]:
 
 
 def apart(x: np.ndarray, ours: np.ndarray, at: np.ndarray, theirs: np.ndarray) -> float:
-    """Root mean square of the difference of two profiles over the largest of the second."""
+    """Return the rms difference of two profiles over the maximum of the second profile."""
     return float(np.sqrt(np.mean((ours - np.interp(x, at, theirs)) ** 2)) / theirs.max())
 
 

@@ -110,7 +110,7 @@ def small_load(results: Results) -> Picture:
 
 
 def sections(results: Results) -> list[Picture]:
-    """Von Mises stress in the plane y = 0: two pages of four."""
+    """Draw the von Mises stress in the plane y = 0, in two figures with four panels each."""
     pictures = []
     for name, numbers, cases, row in (
         ("elastic", "2.27, 2.29 to 2.31", results.elastic, "elastic stress"),

@@ -36,7 +36,7 @@ class Elastic:
     plane: np.ndarray
     """Von Mises stress in the plane y = 0, the surface included."""
     largest: tuple[float, float]
-    """Von Mises stress, and its depth."""
+    """Maximum von Mises stress and its depth."""
 
 
 @dataclass
@@ -49,16 +49,16 @@ class Plastic:
     area: float
     plane: np.ndarray
     largest: tuple[float, float]
-    """Von Mises stress under load, and its depth."""
+    """Maximum von Mises stress under load and its depth."""
     distance: float
     """Distance of the largest von Mises stress from the axis."""
     gamma: float
     residual: np.ndarray
     """Residual von Mises stress on the axis."""
     residual_largest: tuple[float, float]
-    """Residual von Mises stress, and its depth."""
+    """Maximum residual von Mises stress and its depth."""
     elastic_unloading: np.ndarray
-    """Residual stress without yielding during unloading."""
+    """Residual von Mises stress that would remain after elastic unloading."""
 
 
 @dataclass
@@ -87,14 +87,14 @@ class Onset:
 class Results:
     elastic: dict[float, Elastic]
     plastic: dict[float, list[Plastic]]
-    """Results by heat factor, on increasingly thin layers; the last is used."""
+    """Results by heat factor on increasingly thin layers; the last one of each list is used."""
     onset: Onset
     curves: dict[str, tuple[float, list[tuple[str, np.ndarray, np.ndarray]]]]
-    """Figure 2.21: heat factor, and name, x and pressure."""
+    """Curves of figure 2.21: heat factor, name, x and pressure."""
     strain: tuple[np.ndarray, np.ndarray]
-    """Figure 2.22: Hertz pressure and largest plastic strain."""
+    """Points of figure 2.22: Hertz pressure and maximum plastic strain."""
     small: dict[float, Plastic]
-    """Figure 2.26, per heat factor."""
+    """Results for figure 2.26 by heat factor."""
     mesh: dict[str, str] = field(default_factory=dict)
 
     def last(self, factor: float) -> Plastic:
@@ -125,7 +125,7 @@ def plastic_case(
     depth: float,
     increments: int,
 ) -> Plastic:
-    """`width` and `depth` of the grid over a, `layer` [m]."""
+    """Solve on a grid of half-width `width` a, depth `depth` a and layer thickness `layer` [m]."""
     grid = square(hertz(load).a, cells, width, depth, layer=layer)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, heat=sc.Heat(factor))
@@ -154,11 +154,12 @@ def plastic_case(
 
 
 def onset(cells: int, factors: np.ndarray) -> Onset:
-    """Onset of yield, from the case of 1500 N by similarity.
+    """Return the onset of yield, derived by similarity from contacts at 1500 N.
 
-    With lengths over a and stresses over p0, a thermo-elastic contact depends on Q_f a only, and a
-    is proportional to p0. Where the largest von Mises stress of a contact with p0 is s, one with
-    p0 Y/s yields first, at the same place over a, with the heat factor Q_f s/Y.
+    With lengths relative to a and stresses relative to p0, a thermo-elastic contact depends on
+    Q_f a only, and a is proportional to p0. If the maximum von Mises stress of a contact with p0
+    and Q_f is s, a contact with the Hertz pressure p0 Y/s and the heat factor Q_f s/Y is at the
+    onset of yield, at an equal position relative to a.
     """
     grid = square(HERTZ.a, cells, 1.15)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -224,7 +225,7 @@ def compute(quick: bool) -> Results:
         factor: [plastic_case(LOAD, factor, small_cells, 1.6, 10e-6, 1.7, increments)]
         for factor in (0.0, 0.05)
     }
-    # the heat alone makes the material flow far outside the contact
+    # heat alone causes plastic flow far outside the contact
     large_cells = 6 if quick else 12
     layers = (10e-6, 5e-6) if quick else (20e-6, 10e-6, 5e-6, 2.5e-6)
     for factor, width, depth in ((0.12, 2.6, 1.25), (0.20, 4.0, 1.6)):

@@ -31,16 +31,16 @@ def _cell_volume(track: Track) -> float:
 
 
 def _product(a: FloatArray, b: FloatArray) -> float:
-    """Sum of a:b over all cells; tensor components are the first axis."""
+    """Sum of a:b over all cells; the first axis contains the tensor components."""
     return float(np.sum(a[:3] * b[:3]) + 2.0 * np.sum(a[3:] * b[3:]))
 
 
 def plastic_work(material: Body, after: Track, before: Track | None = None) -> float:
     """Plastic work of a body, the integral of sigma : d eps^p [J].
 
-    Isotropic hardening is integrated in closed form and depends on the state alone. The
-    backstresses of kinematic hardening are averaged between the two states, which is of second
-    order in the increment; with kinematic hardening, sum the work of all increments.
+    The work of isotropic hardening is integrated in closed form and depends on the state alone. The
+    work of kinematic hardening uses the mean backstress of the two states, with an error of second
+    order in the increment: sum the work of all increments.
 
     Parameters
     ----------
@@ -54,13 +54,13 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
     Returns
     -------
     float
-        Plastic work [J], >= 0 up to the error of the backstress. The work of the backstress can
-        partly be recovered later.
+        Plastic work [J], >= 0 apart from the error of the mean backstress. The work of the
+        backstress can partly be recovered later.
 
     Raises
     ------
     ValueError
-        The material has thermal softening, whose yield stress is not known from the state.
+        The material has thermal softening: its yield stress is not known from the state.
     """
     if not isinstance(material, Body):
         raise TypeError(
@@ -103,12 +103,13 @@ def residual_energy(track: Track) -> float:
     """Elastic energy of the residual stress of a body [J], -1/2 of the integral of sigma : eps^p.
 
     The residual stress is in equilibrium without tractions. Its work on the total strain therefore
-    vanishes, and in the integral its elastic strain can be replaced by minus the plastic strain. It
-    can be released again, but not by contact alone. Mura, *Micromechanics of Defects in Solids*
-    (1987), eq. (13.4).
+    vanishes, and in the integral its elastic strain can be replaced by minus the plastic strain.
+    This energy can be released, but not by contact alone. Mura, *Micromechanics of Defects in
+    Solids* (1987), eq. (13.4).
 
-    For a body with initial stress or eigenstrain, this is the change of its energy, which plastic
-    strain may reduce: that stress is in equilibrium as well, and counts twice.
+    For a body with initial stress or eigenstrain, the result is the change of its elastic energy
+    due to plastic strain, which may be negative. The initial stress is also in equilibrium, so its
+    work on the plastic strain counts in full, without the factor 1/2.
     """
     require_type("track", track, Track)
     stress = track.residual_stress() + track.initial_stress() + track.eigenstress()
@@ -118,8 +119,9 @@ def residual_energy(track: Track) -> float:
 def eigenstrain_energy(track: Track) -> float:
     """Elastic energy of the eigenstrain of a body alone [J], >= 0.
 
-    -1/2 of the integral of its stress times the eigenstrain, as in `residual_energy`. Tractions do
-    not change it, because their stress is practically orthogonal to that of the eigenstrain.
+    -1/2 of the integral of the stress due to the eigenstrain times the eigenstrain, as in
+    `residual_energy`. Tractions do not change this energy, because their stress is practically
+    orthogonal to the stress due to the eigenstrain.
     """
     require_type("track", track, Track)
     return -0.5 * _product(track.eigenstress(), track.eigenstrain()) * _cell_volume(track)
@@ -134,7 +136,7 @@ class EnergyBalance(HtmlTable):
     work_input : float
         Work input: sum over the increments with positive work [J].
     net_external_work : float
-        Net external work: work input minus the work recovered in other increments [J].
+        Net external work: work input minus the work recovered in increments with negative work [J].
     elastic_energy : float
         Elastic energy due to the current tractions [J].
     residual_energy : float
@@ -170,11 +172,11 @@ class EnergyBalance(HtmlTable):
 
 
 def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
-    """Energy balance of bodies with partial slip in a contact that does not roll.
+    """Return the energy balance of a contact with partial slip and without rolling.
 
-    The work between two increments is that of the mean force on the motion. The mean load assumes
-    a load proportional to the power 3/2 of the approach, which is exact for elastic balls under
-    normal load. The unaccounted part decreases with the size of the increments. The energy of the
+    The work of an increment is the mean force times the motion. The mean load is computed for a
+    load proportional to the power 3/2 of the approach, which is exact for elastic balls under
+    normal load. The unaccounted part decreases with the size of the increments. The energy in the
     first state counts as work input.
 
     Parameters
@@ -191,8 +193,9 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     Raises
     ------
     ValueError
-        Friction is a number; bodies have moved, soften or are heated; tractions are prescribed;
-        there are no states.
+        Friction is a number (full sliding); the contact rolls, is heated or is adhesive; a body
+        softens thermally; the eigenstrain changes; tractions are prescribed; or there are no
+        states.
     """
     from .simulation.simulation import Simulation
     from .solutions.state import State
@@ -202,15 +205,15 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     why = no_balance(simulation, states)
     if why:
         raise ValueError(why)
-    first, last = (_found(simulation, states[:n]) for n in (1, len(states)))
+    first, last = (_energies(simulation, states[:n]) for n in (1, len(states)))
     before, work = sum(first.values()) - first["eigenstrain_energy"], _work(states)
     given_back = float(work[work < 0].sum())
     net = before + float(work.sum())
     return EnergyBalance(work_input=net - given_back, net_external_work=net, **last)
 
 
-def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
-    """Energies of the last state, by the names of `EnergyBalance`."""
+def _energies(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
+    """Energies of the last state, by their names in `EnergyBalance`."""
     residual = plastic = given = 0.0
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if states[-1].has_eigenstrain(number):
@@ -251,24 +254,27 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
     if not friction_law(simulation.friction).sticks:
         return (
             f"friction must be samcontact.Coulomb(mu), got {simulation.friction!r}: full sliding "
-            "has no tangential motion"
+            "leaves the tangential motion undefined"
         )
     if simulation.contact_law.attracts:
         return (
-            "contact_law must not attract, because attraction stores energy too, got "
-            f"{simulation.contact_law!r}"
+            f"contact_law must not attract, got {simulation.contact_law!r}: the energy stored by "
+            "attraction is not included in the balance"
         )
     if any(any(state.travel) for state in states):
         return "states must have no travel: the energy balance does not support rolling"
     if not all(_have_equal_eigenstrain(states[0], state) for state in states):
-        return "states must have equal eigenstrain: adding eigenstrain does work too"
+        return (
+            "states must have equal eigenstrain: the work of adding eigenstrain is not included in "
+            "the balance"
+        )
     if not all(np.isfinite(state.approach) for state in states):
         return "states must be from load or approach control, got prescribed tractions"
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if body.thermal is not None and any(np.any(s.surface_temperature(number)) for s in states):
             return (
-                f"states must have no heating, but body {number} is heated: thermal expansion does "
-                "work too"
+                f"states must have no heating, but body {number} is heated: the work of thermal "
+                "expansion is not included in the balance"
             )
         if body.softening is not None:
             return f"bodies must have no thermal softening, got {body!r}"

@@ -3,8 +3,8 @@
 
 The heat flux into a body is its heat factor times the pressure, q = Q_f p with Q_f = beta mu V,
 where beta is the fraction of heat that enters this body, mu the coefficient of friction and V the
-sliding speed (Boucly 2008, section 2.1.3). With partial slip it is a fraction of the frictional
-power, q = beta s . w/t, with the slip w of an increment of duration t.
+sliding speed (Boucly 2008, section 2.1.3). With partial slip, the flux is a fraction of the
+frictional power, q = beta s . w/t, with the slip w of an increment of duration t.
 """
 
 from __future__ import annotations
@@ -54,17 +54,19 @@ class Heat:
         Duration for which the current heat flux has acted [s], > 0. Default: infinite (steady
         state).
     history : pair of floats, optional
-        (shortest, longest) [s], 0 < shortest <= longest, instead of `time`, for a `Simulation`:
-        transient heating with load history, in time steps of at least `shortest`, with heat
-        followed for `longest`. Each step then requires its `duration`.
+        Pair (shortest, longest) [s], 0 < shortest <= longest, for transient heating with load
+        history in a `Simulation`, instead of `time`. Time steps are at least `shortest` long, and
+        the effect of heat is followed for the time `longest`. Each step then requires its
+        `duration`.
     reference : float, optional
-        Distance [m] at which a steady point source at rest causes no displacement; the displacement
-        has no limit far away. It affects only the approach, and is required under approach control;
-        otherwise 1 m.
+        Distance [m] at which the displacement due to a steady point source at rest is defined as
+        zero, because it has no limit far away. Affects only the approach. Required under approach
+        control; default under load control: 1 m.
     partition : float, optional
-        With `Coulomb` friction in a `Simulation`, instead of `factor`: fraction beta of the
-        frictional power that enters body 2, in [0, 1]; the rest enters body 1. See the function
-        `partition`. Each step then requires its `duration`; the heat flux is the mean over it.
+        Fraction beta of the frictional power that enters body 2, in [0, 1]; the rest enters body 1.
+        See the function `partition`. Only with `Coulomb` friction in a `Simulation`, instead of
+        `factor`. Each step then requires its `duration`; the heat flux is the mean over this
+        duration.
 
     Raises
     ------
@@ -135,7 +137,7 @@ def _share(name: str, value: float) -> float:
 
 
 def _velocities(velocity: ArrayLike | None) -> tuple[Pair, Pair]:
-    """Velocities (Vx, Vy) of both bodies; a single one is that of body 2."""
+    """Velocities (Vx, Vy) of both bodies; a single velocity is for body 2."""
     if velocity is None:
         return _AT_REST
     if real_array("velocity", velocity).ndim == 1:
@@ -158,7 +160,7 @@ def _history(history: Sequence[float]) -> Pair:
 
 
 def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[float, float]:
-    """Heat flux per unit pressure, Q_f, of both bodies: the argument `factor` of `Heat`.
+    """Heat flux per unit pressure, Q_f, into each body: the argument `factor` of `Heat`.
 
     Parameters
     ----------
@@ -189,7 +191,7 @@ def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[floa
 def partition(
     body1: Material, body2: Material, radius: float, velocity1: float = 0.0, velocity2: float = 0.0
 ) -> float:
-    """Heat partition coefficient for equal maximum temperatures: fraction that enters body 2.
+    """Heat partition coefficient for equal maximum temperatures: fraction into body 2 [-].
 
     Parameters
     ----------
@@ -205,7 +207,7 @@ def partition(
     float
         beta in (0, 1). The maximum temperature of a parabolic source is taken as proportional to
         1/(k sqrt(1.273 + Pe)), Pe = V a/(2 kappa): X. Tian, F. E. Kennedy, J. Tribol. 116 (1994)
-        167-174, doi:10.1115/1.2927035. Without motion it is Charron's k2/(k1 + k2).
+        167-174, doi:10.1115/1.2927035. Without motion, beta is Charron's k2/(k1 + k2).
 
     Raises
     ------

@@ -5,17 +5,17 @@ The flux flows into the body; the rest of the surface is insulated. All results 
 q [W/m^2]. Heat causes a temperature rise and, by thermal expansion of the free half-space, stress
 and displacement (quasi-static, uncoupled).
 
-x, y (X, Y) are field point minus centre of the rectangle, whose HALF sizes are a and b [m]; they
-are fixed to the source. z >= 0 [m] is into the body. The `velocity` (Vx, Vy) [m/s] is that of the
-body relative to the source: the hot wake lies downstream. Stress is positive in tension,
-components xx, yy, zz, yz, xz, xy; u_z is positive into the body, so heated surfaces bulge to
-negative u_z.
+x, y (X, Y) [m] are the coordinates of the field point relative to the centre of the rectangle,
+whose HALF sizes are a and b [m]. The axes are fixed to the source; z >= 0 [m] points into the body.
+The `velocity` (Vx, Vy) [m/s] is the velocity of the body relative to the source: the hot wake lies
+downstream. Stress is positive in tension, components xx, yy, zz, yz, xz, xy; u_z is positive into
+the body, so heated surfaces bulge to negative u_z.
 
 conductivity k [W/(m K)], diffusivity kappa [m^2/s], expansion alpha [1/K], Young's modulus E [Pa].
 
 The functions `steady_...` are closed forms for a steady source at rest, at arbitrary points; arrays
-broadcast. The others tabulate all pairs of x and y. They sum Gaussians of all widths,
-f_a(x) f_b(y), so that a table costs little more than its points (docs/theory/heat.md).
+broadcast. The other functions tabulate all pairs of x and y: each table is a sum of products
+f_a(x) f_b(y), which is fast to evaluate (docs/theory/heat.md).
 """
 
 from __future__ import annotations
@@ -135,15 +135,15 @@ def temperature(
         Time since the source was switched on [s]; inf, the default, is the steady state.
     tol : float
         Tolerance relative to the maximum of the table, in [1e-12, 1e-2]; the error is usually far
-        below it. Values far away are accurate to several digits of their own.
+        below it. Small values far from the source are still accurate to several digits.
 
     Raises
     ------
     ValueError
         Times or depths are negative, sizes, conductivity or diffusivity are <= 0, numbers are not
         finite, or the speed is so high that the body crosses the extent L of the table in less than
-        1e-7 of its diffusion time L^2/kappa. The work is proportional to V L/kappa; near the limit
-        a table of displacements takes seconds.
+        1e-7 of its diffusion time L^2/kappa. The computing time is proportional to V L/kappa; near
+        the limit a table of displacements takes seconds.
 
     Notes
     -----

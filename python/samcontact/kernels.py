@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Influence coefficients of one rectangle or cuboid, in closed form.
 
-X, Y are field point minus centre of the source; a, b, c are HALF sizes; z is into the body. Arrays
-broadcast. Components: xx, yy, zz, yz, xz, xy, tensor (not engineering) shear strains.
+X, Y [m] are the coordinates of the field point relative to the centre of the source; a, b, c are
+HALF sizes; z points into the body. Arrays broadcast. Components: xx, yy, zz, yz, xz, xy, tensor
+(not engineering) shear strains.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ __all__ = [
     "shear_stress",
 ]
 
-_PRESSURE = 2  # tractions are named by the axis they act along
+_PRESSURE = 2  # tractions are numbered by the axis along which they act
 
 
 def _shear(along: str) -> int:
@@ -64,8 +65,8 @@ def pressure_displacement(
 ) -> FloatArray:
     """Displacement of the surface [m] per unit pressure [Pa] on a rectangle; shape of X.
 
-    Along `axis`: "z", into the body (Love 1929), "x" or "y", towards the rectangle (Boussinesq's
-    point force, Johnson 1985, section 3.2, integrated).
+    The displacement is along `axis`: "z", into the body (Love 1929); "x" or "y", towards the
+    rectangle (Boussinesq's point force, Johnson 1985, section 3.2, integrated).
     """
     return _displacement(_PRESSURE, axis, X, Y, a, b, E, nu)
 
@@ -136,10 +137,10 @@ def eigenstrain_displacement(
 ) -> FloatArray:
     """Displacement of the surface [m] per unit eigenstrain component of a cuboid, shape (6, ...).
 
-    Along `axis`: "z", into the body, "x" or "y". zc is the depth of the cuboid's centre; a shear
-    component counts once (with its transpose). Raises ValueError if the cuboid extends beyond the
-    half-space. u_z: Boucly (2008), eqs (2.64)-(2.71), corrected, with the term of the trace; u_x
-    and u_y by reciprocity, docs/theory/half_space.md.
+    The displacement is along `axis`: "z", into the body, "x" or "y". zc is the depth of the
+    cuboid's centre. A unit shear component includes its transpose. Raises ValueError if the cuboid
+    extends beyond the half-space. u_z: Boucly (2008), eqs (2.64)-(2.71), corrected, with the term
+    of the trace; u_x and u_y by reciprocity, docs/theory/half_space.md.
     """
     number = axis_number(axis)
     (x, y), shape = _points(X, Y)
@@ -162,8 +163,8 @@ def eigenstrain_stress(
 ) -> FloatArray:
     """Stress [Pa] per unit eigenstrain of a cuboid, shape (6, 6, ...): [stress, strain] component.
 
-    Inside the cuboid the stress of the eigenstrain itself is subtracted. Mindlin's half-space
-    solution integrated in closed form; docs/theory/half_space.md.
+    Inside the cuboid, the stress follows from the elastic strain: total strain minus eigenstrain.
+    Mindlin's half-space solution integrated in closed form; docs/theory/half_space.md.
     """
     (x, y, depth), shape = _points(X, Y, z)
     a, b, c = _sizes(a=a, b=b, c=c)

@@ -125,13 +125,14 @@ def residual_stress(
         Any symmetric strain, tensor components xx, yy, zz, yz, xz, xy, uniform in each cell.
     E, nu : float
     method : {"exact", "fast"}, optional
-        "exact": influence coefficients of cuboids in a half-space (Mindlin's solution integrated
-        in closed form), at the cell centres. "fast": the strain is band-limited in the plane and
+        "exact": influence coefficients of cuboids in a half-space (Mindlin's solution integrated in
+        closed form), at the cell centres. "fast": the strain is band-limited in the plane and
         uniform in each layer, the stress is averaged over each layer; for smooth fields, with time
-        and memory proportional to the cells. docs/theory/residual_stress.md describes both.
+        and memory proportional to the number of cells. docs/theory/residual_stress.md describes
+        both.
     image_tol : float, optional
-        With "fast": error due to the periodicity of the transforms, relative to the maximum
-        stress; in [1e-6, 0.1].
+        Only with "fast": limit of the error due to the periodicity of the transforms, relative to
+        the maximum stress, in [1e-6, 0.1].
     """
     _require_volume(grid)
     elastic = _core.Elastic.isotropic(number("E", E), number("nu", nu))
@@ -159,7 +160,8 @@ def residual_displacement(
         As in `residual_stress`.
     nu : float
     axis : {"x", "y", "z"}, optional
-        Axis; u_z is positive into the body. Periodic surfaces: relative to the body far below.
+        Axis; u_z is positive into the body. On periodic grids, the displacement is relative to the
+        body far below the surface.
 
     Notes
     -----

@@ -43,14 +43,14 @@ def steady(
 ) -> RollingSolution:
     """Solve the contact in steady rolling towards +x.
 
-    To the tolerance, it is the limit of a sequence of `ContactSolver.solve` with
-    advance = -d (1, 1) and the slip d (xi - phi y, eta + phi x) per step d of one cell.
+    To within the tolerance, the solution is the limit of a sequence of `ContactSolver.solve` calls
+    with advance = -d (1, 1) and the slip d (xi - phi y, eta + phi x) per step d of one cell.
 
     Parameters
     ----------
     grid : Grid
-        Grid not periodic along x. `periodic="y"`: rollers in plane strain; without it, one row of
-        cells is a strip of width dy.
+        Grid that is not periodic along x. `periodic="y"` models rollers in plane strain; without
+        it, a single row of cells is a strip of width dy.
     body1, body2 : Material
         Upper and lower body; at most one is rigid. Plastic materials are treated as elastic.
     gap : array_like, shape (nx, ny), or callable
@@ -70,12 +70,13 @@ def steady(
     tangential_load : pair of float, optional
         Force on body 2 along x and y [N], smaller than mu times the load.
     torque : float, optional
-        Moment about z on body 2 [N m]. A direction without prescribed value has no creepage.
+        Moment about z on body 2 [N m]. A direction without a prescribed creepage, spin, force or
+        torque has zero creepage.
     start : RollingSolution, optional
         Solution for similar creepages or forces, as initial guess of the iteration.
     tol, on_border, max_iterations
-        As in `ContactSolver`; tol also bounds the error of the shear, and that of prescribed forces
-        relative to the maximum forces.
+        As in `ContactSolver`; `tol` also bounds the error of the shear traction, and the error of
+        prescribed forces relative to the maximum forces.
 
     Returns
     -------
@@ -86,7 +87,7 @@ def steady(
     ValueError, TypeError
         Invalid arguments or forces above the friction limit, as for `ContactSolver.solve`.
     ConvergenceError
-        With .iterations and .residual.
+        No convergence; the error has the attributes `iterations` and `residual`.
 
     Notes
     -----
@@ -162,7 +163,7 @@ class _Rolling:
         *creepage, spin = found.pop("motion")
         *force, torque = found.pop("force")
         del found["fallbacks"], found["energy_gap"]
-        told = {
+        fields = {
             "creepage": np.array(creepage),
             "spin": spin,
             "friction": self.friction,
@@ -170,4 +171,4 @@ class _Rolling:
             "tangential_load": np.array(force),
             "torque": torque,
         }
-        return RollingSolution(grid=grid, **told, **found), complaint
+        return RollingSolution(grid=grid, **fields, **found), complaint

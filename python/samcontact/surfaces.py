@@ -29,7 +29,7 @@ __all__ = [
 
 
 class SurfaceGrid(Protocol):
-    """Surface attributes of `samcontact.Grid`."""
+    """Attributes of `samcontact.Grid` that describe its surface cells."""
 
     @property
     def nx(self) -> int: ...
@@ -172,7 +172,7 @@ def sinusoidal(
     Returns
     -------
     ndarray, shape (nx, ny)
-        Contribution to the gap [m], both signs.
+        Contribution to the gap [m], positive or negative.
 
     Raises
     ------
@@ -270,9 +270,9 @@ def rough_self_affine(
     Raises
     ------
     ValueError
-        An argument is outside its range, or no wave of the grid lies between the cut-offs.
+        An argument is outside its range, or no Fourier mode of the grid lies between the cut-offs.
     MemoryError
-        The grid requires more memory than is available. This applies to all surfaces.
+        The grid requires more memory than is available. The other surfaces also raise it.
     """
     rms_height = non_negative("rms_height", rms_height)
     if not 0.0 <= number("hurst", hurst) <= 1.0:

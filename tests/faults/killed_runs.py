@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scripts of runs that are killed: each has `computed(folder)`, a digest of all that came out."""
+"""Scripts of runs to be killed; `computed(folder)` of each returns a digest of all results."""
 
 from pathlib import Path
 

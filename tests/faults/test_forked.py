@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A child that was forked after the core was used: OpenMP's threads do not survive a fork."""
+"""Processes forked after use of the core, in which OpenMP threads do not survive."""
 
 import os
 import subprocess
@@ -79,12 +79,12 @@ def printed(script, threads):
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="forks")
 @pytest.mark.parametrize("script", [FORK, POOL], ids=["os.fork", "multiprocessing"])
 @pytest.mark.parametrize("threads", [1, 2])
-def test_a_forked_child_computes_the_same_digits(script, threads):
+def test_a_forked_child_computes_equal_digits(script, threads):
     digests = printed(script, threads)
     assert len(digests) >= 2
     assert len(set(digests)) == 1
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="forks")
-def test_a_fork_in_the_middle_of_another_thread_leaves_no_lock():
+def test_a_fork_during_work_of_another_thread_leaves_no_lock():
     assert printed(WHILE_OTHERS_WORK, 1) == ["done"]

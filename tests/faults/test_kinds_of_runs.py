@@ -20,7 +20,7 @@ def nursery():
 
 @pytest.fixture(scope="module", params=BODIES)
 def whole(request, nursery, tmp_path_factory):
-    """A kind, its digest, the time that it takes, its largest file, the most memory it asks for."""
+    """Return a kind of run, its digest, its duration, its largest file and its maximum memory."""
     folder = tmp_path_factory.mktemp("whole")
     told, _ = nursery.run(f"{request.param}|memory inf|{folder / 'first'}")
     assert told is not None, nursery.told()
@@ -54,9 +54,9 @@ def test_full_disk(whole, nursery, tmp_path):
 
 
 def test_not_enough_memory(whole, nursery, tmp_path):
-    """The folder is reported before it is used; its contents resume with bit-identical results."""
+    """The folder with results is reported, and its run resumes with bit-identical results."""
     kind, digest, *_, most = whole
-    # A search goes around loads whose runs do not fit, and tells it when none does.
+    # A search skips loads whose runs do not fit, and reports if none fits.
     there = 0.0 if kind == "found load" else 0.99 * most
     told, _ = nursery.run(f"{kind}|memory {there}|{tmp_path / 'run'}")
     assert re.search(r"requires about [\d.e+-]+ GB of memory, [\d.e+-]+ GB available", told)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shared tools of the fuzz tests: number of inputs, and how they are tried."""
+"""Shared tools of the fuzz tests: number of inputs, and calls with them."""
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -35,7 +35,7 @@ def tried(name):
 
 
 def try_all(check, count, **strategies):
-    """Call a check with that many inputs; the same ones in every run."""
+    """Call a check with `count` random inputs, equal in every run."""
 
     def tried(**drawn):
         check(**drawn)  # what it returns is for other callers

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values of a wrong kind in every field of every section: one line each, in plain words."""
+"""Values of a wrong type in every field of every section give a one-line message."""
 
 import datetime
 import math
@@ -38,13 +38,13 @@ BASE = {
 
 
 MAX_CASES = 2
-"""Cases in which a field is tried, each where it is given and where it is not."""
+"""Cases in which a field is changed, for each type of its given value."""
 
 
 def spoiled(model, content, replaced, tried):
-    """Copies of a section in each of which one field has another value, with what it was.
+    """Yield copies of a section with one changed field, and its name and value.
 
-    tried: in how many cases each field was, which is counted.
+    `tried` counts the cases of each field.
     """
     for name, field in model.model_fields.items():
         kind, _ = opened(field.annotation)
@@ -72,7 +72,7 @@ def spoiled(model, content, replaced, tried):
 
 
 def chosen(models, given):
-    """The section that its word selects."""
+    """Return the variant of a section selected by its keyword."""
     words = {given.get(key) for key in ("law", "shape", "kind")}
     return next((model for model in models if words & set(tags(model))), models[0])
 
@@ -128,7 +128,7 @@ def models_below(annotation):
         ("nx = 16", "nx = 16.0", "got 16.0: write it without a decimal point"),
     ],
 )  # fmt: skip
-def test_what_is_said(old, new, message):
+def test_messages_of_wrong_kinds(old, new, message):
     text = SCENE.replace(old, new, 1)
     with pytest.raises(CaseError) as error:
         parse_case(text, "scene.toml")

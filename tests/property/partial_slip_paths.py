@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random contacts with partial slip, and increments of them."""
+"""Random contacts with partial slip, and random increments."""
 
 import math
 
@@ -32,7 +32,7 @@ class Path:
         self.gap = self.gap + rough * self.draw.random(self.grid.surface_shape)
 
     def step(self):
-        """Arguments of an increment: of each direction and the turn a force, a motion, or none."""
+        """Draw an increment: a force, a motion or neither for each direction and the rotation."""
         load = 4 / 3 * self.modulus * 10 ** self.draw.uniform(-2, -0.3)
         most = 0.7 * min(self.mu, 1.0) * load  # along one, with the other within the bound
         shift, force = [None, None], [None, None]

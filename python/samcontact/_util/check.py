@@ -53,6 +53,6 @@ class Check:
 
     @property
     def condition(self) -> str:
-        """Limit with its sense, e.g. "≤ 1e-06"."""
+        """Limit with its relation sign, e.g. "≤ 1e-06"."""
         sign = "≥" if self.at_least else "≤"
         return f"{sign} {self.limit:.3g} {self.unit}".strip()

@@ -26,14 +26,14 @@ MAX_COUNT = (1 << 31) - 1
 MAX_CELLS_ALONG_AXIS = 1 << 24
 """Maximum number of cells along one axis; transforms need twice as many."""
 MAX_STRESS = 1e75
-"""Maximum stress [Pa], as for load and modulus: products stay in the floating-point range."""
+"""Maximum stress [Pa], also for load and modulus: products stay in the floating-point range."""
 MAX_INCREMENTS_OF_PATH = 100_000
-"""Maximum number of increments of a path: more take months, and a typing error fills the memory."""
+"""Maximum number of increments of a path: longer paths would take months."""
 MAX_FILE_NAME_BYTES = 200
-"""Maximum length of a file name [bytes]: file systems allow 255, and partial files need more."""
+"""Maximum length of a file name [bytes]: file systems allow 255, partial files add some."""
 MAX_NUMBER = 1e300
 """Maximum magnitude in SI units: products of larger numbers leave the floating-point range."""
-_NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)  # numbers to Python or NumPy
+_NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)  # numbers according to Python or NumPy
 
 
 def _has_unit(value: Any) -> bool:
@@ -46,7 +46,7 @@ def number(name: str, value: Any) -> float:
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
     if isinstance(value, _NON_REAL_TYPES) or not isinstance(value, Real):
-        raise TypeError(f"{name} must be a number, got {in_short(value)}{_slip(value)}")
+        raise TypeError(f"{name} must be a number, got {in_short(value)}{_remedy(value)}")
     try:
         found = float(value) + 0.0  # never -0.0
     except OverflowError:  # an integer of more than 308 digits
@@ -58,7 +58,7 @@ def number(name: str, value: Any) -> float:
     return found
 
 
-def _slip(value: Any) -> str:
+def _remedy(value: Any) -> str:
     """Return a remedy for a value that is not a number."""
     if _has_unit(value):
         return ": convert it with samcontact.units.si"
@@ -271,7 +271,7 @@ def _finite_end(end: np.ufunc, array: FloatArray) -> float:
 def _masked_values(value: ArrayLike) -> int:
     """Return the number of masked values.
 
-    Masked arrays are not loaded for the check, which would take longer than a small contact.
+    `numpy.ma` is not imported for the check: this would take longer than solving a small contact.
     """
     if "numpy.ma" not in sys.modules:
         return 0
@@ -319,13 +319,13 @@ def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...] | None = No
 
 
 def together(**given: ArrayLike) -> list[FloatArray]:
-    """Return coordinates as arrays of one shape, broadcast, with finite entries."""
+    """Return coordinates broadcast to arrays of one shape, with finite entries."""
     arrays = {name: finite_array(name, value) for name, value in given.items()}
     try:
         return list(np.broadcast_arrays(*arrays.values()))
     except ValueError:
         shapes = ", ".join(str(array.shape) for array in arrays.values())
-        allowed = "one shape, or shapes that extend to it"
+        allowed = "equal shapes, or shapes that broadcast together"
         raise ValueError(f"{', '.join(arrays)} must have {allowed}, got {shapes}") from None
 
 
@@ -347,7 +347,9 @@ def gap_array(
             f"{array[index]} at index {index}"
         )
     if not np.isfinite(array).any():
-        raise ValueError(f"{name} must be finite somewhere, got {nobody:+} (no body) everywhere")
+        raise ValueError(
+            f"{name} must be finite in at least one cell, got {nobody:+} (no body) everywhere"
+        )
     return array
 
 

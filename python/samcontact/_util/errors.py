@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Warnings of the package."""
 
+import warnings
+
 
 class GridTooSmallWarning(UserWarning):
     """Warning that the contact reaches the grid edge, or plastic strain is outside the fields."""
@@ -37,3 +39,11 @@ class IncrementWarning(UserWarning):
 
 class AccuracyWarning(UserWarning):
     """Warning that a prescribed accuracy is not reached."""
+
+
+def is_ignored(category: type[Warning]) -> bool:
+    """Whether Python's filters ignore all warnings of a category."""
+    for action, message, other, module, line in warnings.filters:
+        if issubclass(category, other) and not (message or module or line):
+            return action == "ignore"
+    return False

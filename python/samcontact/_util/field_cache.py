@@ -54,7 +54,7 @@ memory.CACHE_RELEASERS.append(forget)
 
 
 def _drop(most: float) -> None:
-    """Remove the oldest fields until the others have at most so many bytes."""
+    """Remove the oldest fields until the others have at most `most` bytes."""
     total = sum(field.nbytes for mine in _fields.values() for field in mine.values())
     for mine in list(_fields.values()):
         for name in list(mine):

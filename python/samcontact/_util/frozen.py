@@ -12,7 +12,7 @@ Value = TypeVar("Value")
 
 
 def read_only(array: FloatArray) -> FloatArray:
-    """Return the array, which must have no other owner, as read-only."""
+    """Make an array, which must have no other owner, read-only and return it."""
     array.flags.writeable = False
     return array
 

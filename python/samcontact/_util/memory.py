@@ -40,7 +40,8 @@ LIBRARY_BYTES, BLAS_BUFFER_BYTES, HDF5_FILE_BYTES = 400e6, 45e6, 64e6
 """Address space [bytes]: all libraries of a run with one thread of linear algebra, including the
 first block of the core (128 MB); each further thread, per library; a file while it is written."""
 VOLUME_FIELD_BYTES = 300.0
-"""Bytes per volume cell: field of a state; with exact residual stress as `EXACT_RESIDUAL_BYTES`."""
+"""Bytes per volume cell: field of a state; `EXACT_RESIDUAL_BYTES` applies to exact residual
+stress."""
 
 
 class CellCounts(Protocol):
@@ -87,12 +88,12 @@ def blas_threads() -> int:
 
 
 def require_address_space(what: str, needed: float) -> None:
-    """Raise MemoryError unless the process may allocate so many bytes more (``ulimit -v``).
+    """Raise MemoryError unless the process may allocate `needed` more bytes (``ulimit -v``).
 
     For libraries that do not survive a failed allocation: on loading, some versions of OpenBLAS
     retry indefinitely until SIGKILL, and HDF5 crashes.
     """
-    there = _of_process()
+    there = _process_memory()
     if there is not None and needed > there:
         raise MemoryError(
             f"not enough memory: {what} requires about {needed / 1e6:.0f} MB more address space, "
@@ -134,11 +135,13 @@ def available() -> float | None:
 
     None if the system provides no information.
     """
-    known = [amount for amount in (_of_machine(), _of_container(), _of_process()) if amount]
+    known = [
+        amount for amount in (_machine_memory(), _container_memory(), _process_memory()) if amount
+    ]
     return min(known, default=None)
 
 
-def _of_machine() -> float | None:
+def _machine_memory() -> float | None:
     try:
         lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
         amounts = {line.partition(":")[0]: 1024.0 * float(line.split()[1]) for line in lines}
@@ -151,7 +154,7 @@ def _of_machine() -> float | None:
         return None
 
 
-def _of_container() -> float | None:
+def _container_memory() -> float | None:
     for limit, used in (("memory.max", "memory.current"), (
         "memory/memory.limit_in_bytes", "memory/memory.usage_in_bytes"
     )):  # fmt: skip
@@ -163,7 +166,7 @@ def _of_container() -> float | None:
     return None
 
 
-def _of_process() -> float | None:
+def _process_memory() -> float | None:
     if not sys.platform.startswith("linux"):
         return None
     import resource

@@ -16,12 +16,12 @@ def progress_bar(
 ) -> Any:
     """Return a context with ``update()`` and ``set_postfix(**values)``; silent if not `shown`.
 
-    A bar is redrawn in place, which is impossible in a log: there, one line is written per tenth.
-    Without `leave`, for parts that `report_progress` reports with one line each, the bar is removed
-    when complete, and nothing is written to a log.
+    A bar is redrawn in place, which is impossible in a log: there, one line is written per tenth of
+    the total. Without `leave`, the bar is removed when complete and nothing is written to a log;
+    this is for parts that `report_progress` reports with one line each.
     """
     stream = sys.stderr if shown else None
-    if not _in_place(stream):
+    if not _can_overwrite(stream):
         return _LineProgress(total, unit, initial, stream if leave else None)
     from tqdm.auto import tqdm  # a widget in a notebook
 
@@ -35,7 +35,7 @@ def report_progress(text: str, *, shown: bool) -> None:
             print(text, file=sys.stderr, flush=True)
 
 
-def _in_place(stream: TextIO | None) -> bool:
+def _can_overwrite(stream: TextIO | None) -> bool:
     """Whether output can be overwritten, as on a terminal or in a notebook."""
     if stream is None:
         return False
@@ -50,7 +50,7 @@ class _LineProgress:
 
     def __init__(self, total: int, unit: str, initial: int, stream: TextIO | None) -> None:
         self.total, self.unit, self.count, self.stream = total, unit, initial, stream
-        self.told = initial * MAX_LINES // max(total, 1)
+        self.reported = initial * MAX_LINES // max(total, 1)
 
     def __enter__(self) -> _LineProgress:
         return self
@@ -61,8 +61,8 @@ class _LineProgress:
     def update(self, count: int = 1) -> None:
         self.count += count
         part = self.count * MAX_LINES // max(self.total, 1)
-        if part > self.told and self.told < MAX_LINES and self.stream is not None:
-            self.told = part
+        if part > self.reported and self.reported < MAX_LINES and self.stream is not None:
+            self.reported = part
             report_progress(f"{self.unit} {self.count} of {self.total}", shown=True)
 
     def set_postfix(self, **_: object) -> None:

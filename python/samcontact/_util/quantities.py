@@ -34,12 +34,12 @@ _COLOURS = {
 
 
 class Quantity(NamedTuple):
-    """Name and units of one quantity; a text left empty is not shown."""
+    """Name and units of one quantity; an empty text is not shown."""
 
     unit: str
     """SI unit of values in files and in Python; "1" for a pure number, "" for a text."""
     long_name: str
-    """Name in files. The body replaces "{body}", or is appended."""
+    """Name in files. The body number replaces "{body}", or is appended."""
     shown: str = ""
     """Unit in tables, reports and figures."""
     heading: str = ""
@@ -113,12 +113,12 @@ CONTACT = {
     "y": Q("m", "y coordinate of cell centres"),
     "z": Q("m", "depth of layer centres, positive into the body"),
     "increment": Q("1", "increment number"),
-    "cell": Q("1", "numbers of cells with plastic strain, counted along z, y, x"),
+    "cell": Q("1", "indices of cells with plastic strain, counted along z, y, x"),
     "output_increment": Q("1", "increments with stored volume fields"),
     "body": Q("1", "number of the body"),
     "component": Q("", "tensor component"),
     "side": Q("", "side of the interface"),
-    # of each increment
+    # scalars of each increment
     "load": Q("N", "normal load", "N", "load", "load", 6),
     "approach": Q("m", "rigid-body approach", "µm", "approach", "approach", 6),
     "tangential_load_x": Q(
@@ -233,7 +233,7 @@ CONTACT = {
     "layers_across_plastic_zone": Q(
         "1", "layers from top to bottom of the plastic zone", "layers", "across the plastic zone"
     ),
-    # of the surface
+    # surface fields
     "pressure": Q("Pa", "contact pressure", "GPa", "pressure", kind="magnitude"),
     "repulsion": Q("Pa", "contact pressure without the adhesive part", "GPa", "repulsion"),
     "gap": Q("m", "gap under load", "µm", "gap", kind="length"),
@@ -254,7 +254,7 @@ CONTACT = {
     "surface_temperature": Q(
         "K", "temperature rise of the surface", "K", "temperature rise", kind="heat"
     ),
-    # of the volume
+    # volume fields
     "stress": Q("Pa", "stress, positive in tension", "MPa", "stress", kind="signed"),
     "von_mises": Q("Pa", "von Mises stress", "MPa", "von Mises stress", kind="magnitude"),
     "hydrostatic": Q(
@@ -280,7 +280,7 @@ CONTACT = {
         "residual hydrostatic stress", kind="signed",
     ),
     "temperature": Q("K", "temperature rise", "K", "temperature rise", kind="heat"),
-    # of interfaces between layers
+    # interfaces between layers
     "interface": Q("m", "depth of the interfaces between layers"),
     "interface_stress": Q("Pa", "stress above and below the interfaces, positive in tension"),
 }  # fmt: skip
@@ -298,7 +298,7 @@ TRACK = {
 }
 
 ASPERITIES = {
-    # of each increment
+    # scalars of each increment
     "offset": Q("m", "horizontal distance of the centres"),
     "angle": Q("rad", "angle of the line of centres from the vertical"),
     "approach": Q("m", "approach along the line of centres"),
@@ -319,7 +319,7 @@ ASPERITIES = {
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
         long_name="layers from top to bottom of the plastic zone of a body"
     ),
-    # of each pass
+    # scalars of each pass
     "pass": Q("1", "pass number"),
     "net_energy": Q("J", "work of force_x over the pass", "J", "net energy", "net energy"),
     "dissipation": Q(
@@ -349,9 +349,9 @@ ASPERITIES = {
 WEAR = {
     "cycle": Q("1", "cycle number"),
     "body": Q("1", "number of the worn body"),
-    "state": Q("1", "number of cycles after which the surface is stored"),
+    "state": Q("1", "number of completed cycles"),
     "y": CONTACT["y"],
-    # of each cycle and body
+    # scalars of each cycle and body
     "volume": Q("m3", "volume of the removed material", "µm³", "removed volume", "removed\nvolume"),
     "lost_volume": Q("m3", "decrease of the volume below the surface"),
     "depth": Q("m", "maximum wear depth of the cycle", "µm", "wear depth", "wear\ndepth"),
@@ -366,7 +366,7 @@ WEAR = {
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
         long_name="layers from top to bottom of the plastic zone before removal"
     ),
-    # of each cycle
+    # scalars of each cycle
     "parts": Q("1", "number of parts into which the repeats of the cycle were divided"),
     "friction_work": Q("J", "frictional work in the cycle", "J", "frictional work"),
     "slip_distance": Q(
@@ -393,6 +393,6 @@ WEAR = {
 
 
 def described(name: str) -> tuple[Quantity, int | None]:
-    """Return the quantity of a variable name and its body; None for a quantity of both bodies."""
+    """Return quantity and body of a variable name; body None: the quantity is of both bodies."""
     kind, _, body = name.partition("_body")
     return CONTACT[kind], int(body) if body else None

@@ -23,7 +23,7 @@ def escaped(text: str) -> str:
 
 
 def in_short(value: Any, longest: int = MAX_CHARACTERS) -> str:
-    """Return the repr of a value in at most `longest` characters; large values by type and size."""
+    """Return a repr of at most `longest` characters; large values are given by type and size."""
     if isinstance(value, np.ndarray) and value.ndim > 0:
         return _array(value)
     if isinstance(value, int) and value.bit_length() > 3 * longest:

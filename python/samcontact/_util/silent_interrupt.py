@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Silent end of the command ``samcontact`` on Ctrl-C while it is loading.
 
-Python would print a traceback of an import. Nothing can be lost at this stage; later,
+Otherwise Python would print the traceback of an import. Nothing can be lost at this stage; later,
 `commands.signals` handles interruptions.
 """
 

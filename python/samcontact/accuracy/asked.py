@@ -50,12 +50,13 @@ def to_accuracy(
     max_memory : float, optional
         Memory limit of the finest grid [bytes]. Default: available memory.
     max_time : float, optional
-        Limit of the total time [s]. Default: 3600. Three grids are always solved.
+        Limit of the total time [s]. Default: 3600. At least three grids are always solved.
     progress : bool, optional
         Print one line per grid to stderr.
     checkpoint : path, optional
-        Folder for the values of each grid and the increments of the last grids. Repeating the call
-        continues from it, with bit-identical results. Remove the folder when no longer needed.
+        Folder that stores the values of each grid and the increments of the last grids. Repeating
+        the call continues from it, with bit-identical results. Remove the folder when no longer
+        needed.
 
     Returns
     -------
@@ -75,7 +76,7 @@ def to_accuracy(
         The accuracy requires more memory or time than allowed; the message states how much. The
         best values so far are returned with their errors.
     """
-    search = searched(case, accuracy, quantities, max_memory, max_time, progress=progress)
+    search = prepare_search(case, accuracy, quantities, max_memory, max_time, progress=progress)
     try:
         with search.solves.kept_in(checkpoint):
             return search.search()
@@ -84,7 +85,7 @@ def to_accuracy(
         raise
 
 
-def searched(
+def prepare_search(
     case: Case | str | Path | Mapping[str, Any],
     accuracy: float | Mapping[str, float] | None = None,
     quantities: Sequence[str] | None = None,
@@ -100,7 +101,7 @@ def searched(
     own = isinstance(case, Mapping) and "grid" not in case and accuracy is not None
     known = case_of_contact("case", case, **({"accuracy": accuracy} if own else {}))
     scene = RefinableCase(known)
-    asked = _asked(scene, known, accuracy, quantities)
+    asked = _prescribed_accuracy(scene, known, accuracy, quantities)
     scene.accept(min(asked.values()))
     scene.names = [name for name in scene.names if name in asked or name in INCREMENT_QUANTITIES]
     most = known.max_memory if max_memory is None else positive("max_memory", max_memory)
@@ -110,7 +111,7 @@ def searched(
     return AccuracySearch(scene, asked, most, HOUR if limit is None else limit, progress)
 
 
-def _asked(
+def _prescribed_accuracy(
     scene: RefinableCase,
     case: Case,
     accuracy: float | Mapping[str, float] | None,
@@ -129,7 +130,9 @@ def _asked(
         asked = dict(given)
         for name in chosen or ():
             if name not in asked:
-                raise ValueError(f"accuracy has no value for {in_short(name)} of quantities")
+                raise ValueError(
+                    f"accuracy must have a value for all quantities, got none for {in_short(name)}"
+                )
     else:
         asked = dict.fromkeys(scene.names if chosen is None else chosen, given)
     if not asked:
@@ -137,7 +140,7 @@ def _asked(
     for name, value in asked.items():
         if name not in scene.names:
             raise ValueError(
-                f"quantities must be of this case, {', '.join(scene.names)}, got {in_short(name)}"
+                f"quantities must be of this case ({', '.join(scene.names)}), got {in_short(name)}"
             )
         positive("accuracy", value)
         if not value < 1:

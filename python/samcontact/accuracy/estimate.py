@@ -20,10 +20,11 @@ MIN_ORDER, MAX_ORDER = 0.9, 4.0
 """Range of accepted observed orders; extrapolation uses at most `ASSUMED_ORDER`."""
 ASSUMED_ORDER = 2.0
 SAFETY_FACTOR = 1.5
-"""Error relative to the difference of neighbouring grids: a term of order 1.5 leaves 1.47 times the
-last difference, a term of order 2 leaves once the last difference."""
+"""Error relative to the difference of neighbouring grids: an error of order 1.5 is 1.47 times the
+last difference, an error of order 2 equals it."""
 MIN_RELATIVE_ERROR = 0.002
-"""Minimum relative error of the coarsest grid, decreasing with order 2: differences may vanish."""
+"""Minimum relative error of the coarsest grid, decreasing with order 2; differences alone may
+vanish."""
 MIN_EXTRAPOLATION_ERROR = 0.5
 """Minimum error of an extrapolated value, relative to the change by extrapolation."""
 MIN_CORRECTION_CHANGE = 0.03
@@ -56,15 +57,15 @@ def of_grids(series: ArrayLike) -> Estimate:
     Parameters
     ----------
     series : array_like, shape (grids, ...)
-        Values from the coarsest grid on. The errors of a single grid are infinite.
+        Values from the coarsest to the finest grid. The errors of a single grid are infinite.
 
     Returns
     -------
     Estimate
-        Extrapolated values, if three differences have one sign, decrease, and twice show an order
-        within limits. Otherwise values of the finest grid, whose error is the maximum of the last
-        three differences, each scaled to the finest grid with order 2, and at least
-        `MIN_RELATIVE_ERROR`.
+        Extrapolated values, if the last three differences have one sign and decrease, and both of
+        their ratios give an order within the limits. Otherwise values of the finest grid, whose
+        error is the maximum of the last three differences, each scaled to the finest grid with
+        order 2, and at least `MIN_RELATIVE_ERROR`.
     """
     f = np.asarray(series, dtype=np.float64)
     if len(f) == 1:
@@ -137,7 +138,7 @@ def irregular(more: FloatArray, twice: FloatArray) -> FloatArray:
     Returns
     -------
     ndarray
-        Zero where the ratio of the corrections is `FIRST_ORDER_RATIOS`.
+        Zero where the ratio of the corrections is within `FIRST_ORDER_RATIOS`.
     """
     low, high = FIRST_ORDER_RATIOS
     inside = (more * twice > 0) & (abs(more) >= low * abs(twice)) & (abs(more) <= high * abs(twice))

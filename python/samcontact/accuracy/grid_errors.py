@@ -97,10 +97,10 @@ class GridErrors(HtmlTable):
         return f"GridErrors({len(self.errors)} quantities of {len(self.states)} increments)"
 
     def add_to(self, dataset: xr.Dataset) -> None:
-        """Add ``X_error`` of each X, and X itself if the dataset has none.
+        """Add ``X_error`` for each quantity X, and X itself if the dataset does not have it.
 
-        The error is relative to the X of the dataset: its difference from the value interpolated
-        between cells is added. The relative error due to increments is the attribute
+        The error refers to X in the dataset: the difference between X and the value interpolated
+        between cells is added to it. The relative error due to increments is the attribute
         ``by_increments`` of ``X_error``; for whole fields it is the attribute
         ``increment_error_FIELD`` of the dataset.
         """
@@ -162,10 +162,11 @@ def estimate_errors(
     Warns
     -----
     ResolutionWarning
-        Elastic-plastic layers have no whole number of deeper cells: the errors do not include the
-        effect of dz.
+        The elastic-plastic layers cannot be divided into a whole number of deeper cells: the errors
+        do not include the effect of dz.
     IncrementWarning
-        More increments would change fields by more than 5 %; unless issued by the simulation.
+        More increments would change fields by more than 5 %. Not issued again if the simulation has
+        issued it.
     """
     from ..cases import Case
     from ..simulation.simulation import Simulation
@@ -228,7 +229,7 @@ def estimated(
         for name in known:
             values[name][at], errors[name][at] = fine[name], difference[name]
     if friction_law(run.friction).sticks:
-        for name, (value, error) in _of_slip(states, [found[n] for n in which]).items():
+        for name, (value, error) in _slip_errors(states, [found[n] for n in which]).items():
             values[name], errors[name] = value, error
     beyond = np.nan
     if not callable(run.engine.setup.surfaces.gap) and np.isfinite(run.initial_gap).all():
@@ -241,7 +242,7 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
     if grid.dz is not None and coarse.dz == grid.dz:
         warnings.warn(
             f"estimated errors exclude the effect of dz = {quantity(grid.dz, 'm')}: the "
-            "elastic-plastic layers have no whole number of deeper cells; halve dz",
+            "elastic-plastic layers cannot be divided into deeper cells; halve dz",
             ResolutionWarning,
             stacklevel=3,
         )
@@ -287,13 +288,13 @@ def _differences(
     return found | dict.fromkeys(endless, np.inf)
 
 
-def _of_slip(
+def _slip_errors(
     states: Sequence[State], coarse: Sequence[State]
 ) -> dict[str, tuple[FloatArray, FloatArray]]:
     """Return tangential forces, motions and frictional work with errors, unless prescribed.
 
     The error of each increment is at least a fraction of the largest error so far: where a quantity
-    reverses, both grids agree by chance.
+    reverses, both grids may agree by chance.
     """
     found = {}
     mine, other = along_surface(states), along_surface(coarse)

@@ -46,7 +46,7 @@ def trial_runs(runs: Runs) -> list[GridRun]:
 
 
 def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
-    """Return the correction of values of the finest grid for the used number of increments."""
+    """Return the correction, for more increments than used, of values of the finest grid."""
     made = []
     for run in trial_runs(runs)[:-1]:
         n = run.increments

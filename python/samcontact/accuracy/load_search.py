@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 __all__ = ["FoundLoad", "find_load"]
 
 _MAX_FACTOR, _MIN_FACTOR = 100.0, 1e-9
-"""Limits of the load, relative to the largest load of a case and to the initial load."""
+"""Upper limit of the load relative to the largest of a case; lower limit relative to the first."""
 _RTOL = 1e-2  # relative tolerance of the load on the coarse grid
 _MAX_FINE_SOLVES = 12  # maximum number of solutions on the fine grid
 
@@ -100,7 +100,7 @@ class LoadSearch:
         self, quantity: str, target: float, build: Callable[[float], Built], start: float,
         most: float, tolerance: float, progress: bool,
     ) -> None:  # fmt: skip
-        simulation, path = _made(build, most)
+        simulation, path = _checked_build(build, most)
         self.name, self.target = resolved(quantity, simulation), target
         self.build, self.start, self.most = build, start, most
         self.tolerance, self.progress = tolerance, progress
@@ -110,7 +110,7 @@ class LoadSearch:
         self.largest = (0.0, 0.0)
         """Largest value so far, and its load."""
         self._last: tuple[str, Built, list[State]] | None = None
-        self._told: set[str] = set()
+        self._reported: set[str] = set()
 
     def find(self) -> FoundLoad:
         return _refined(self, _enclosed(self, self.start, self.most), self.tolerance)
@@ -123,11 +123,11 @@ class LoadSearch:
             path, _ = coarsening.coarser_path(path, simulation.grid)
             return coarsened(simulation, simulation.heat), path
 
-        return self._missing(f"coarse_{load!r}", "coarse", load, made)
+        return self._excess(f"coarse_{load!r}", "coarse", load, made)
 
     def on_grid(self, load: float) -> float:
         """Return the relative difference from the target, on the fine grid."""
-        return self._missing(_name(load), "fine", load, lambda: self._built(load))
+        return self._excess(_name(load), "fine", load, lambda: self._built(load))
 
     def run(self, load: float) -> tuple[Built, list[State]]:
         """Return the last solution of `on_grid`, solved again if it is no longer in memory."""
@@ -137,7 +137,7 @@ class LoadSearch:
         return self._last[1:]
 
     def _built(self, load: float) -> Built:
-        simulation, path = _made(self.build, load)
+        simulation, path = _checked_build(self.build, load)
         return (elastic(simulation), path) if self.name == YIELD else (simulation, path)
 
     def _solve(self, name: str, built: Built) -> list[State]:
@@ -148,27 +148,27 @@ class LoadSearch:
         self._last = name, built, states
         return states
 
-    def _missing(self, name: str, where: str, load: float, make: Callable[[], Built]) -> float:
+    def _excess(self, name: str, where: str, load: float, make: Callable[[], Built]) -> float:
         if name not in self.solves.given:
             states = self._solve(name, make())
             marks = {len(states) - 1} if self.name == PERMANENT_DEFORMATION else _marks(states)
-            reached = max(self._reached(states[at]) for at in marks)
+            reached = max(self._value_of(states[at]) for at in marks)
             self.solves.add(name, {"reached": reached})
             self.solves.forget_increments([name])
         reached = self.solves.given[name]["reached"]
-        if name not in self._told:
-            self._told.add(name)
-            text = f"{where} grid, load {quantity(load, 'N', 6)}: {self._shown(reached)}"
+        if name not in self._reported:
+            self._reported.add(name)
+            text = f"{where} grid, load {quantity(load, 'N', 6)}: {self._progress_text(reached)}"
             report_progress(text, shown=self.progress)
         self.largest = max(self.largest, (reached, load))
         return float(reached / self.target - 1.0)
 
-    def _shown(self, reached: float) -> str:
+    def _progress_text(self, reached: float) -> str:
         label, unit = label_and_unit(self.name)
         wanted = quantity(self.target, unit)
         return f"{label} {quantity(reached, unit)} (target {wanted})"
 
-    def _reached(self, state: State) -> float:
+    def _value_of(self, state: State) -> float:
         if self.name == YIELD:
             return max(used_strength(state, n, body) for n, body in self.yielding.items())
         values = [error_controlled_quantities.value(state, name) for name in self.parts]
@@ -226,10 +226,11 @@ def find_load(
         factor; or a function of the maximum load [N] that returns simulation and path.
     quantity : str
         Quantity with an error in results files, e.g. "max_pressure" or "imprint_depth_body2";
-        without a body, the larger value of both. It is the larger of its values at maximum load and
-        at the end of the path. Special names: "permanent_deformation", the sum of the residual
+        without a body, the larger value of both. The larger of its values at maximum load and at
+        the end of the path counts. Special names: "permanent_deformation", the sum of the residual
         imprint depths of both bodies at the end of the path; "yield", the maximum ratio of von
-        Mises stress to yield stress in an elastic solution (1 at first yield), with depth profiles.
+        Mises stress to yield stress in an elastic solution (1 at first yield), including depth
+        profiles.
     value : float, optional
         Target value in SI units, > 0. Default: 1.
     tolerance : float, optional
@@ -239,8 +240,9 @@ def find_load(
     progress : bool, optional
         Print one line per trial load to stderr.
     checkpoint : path, optional
-        Folder for the values of all loads and the increments of the last. Repeating the call
-        continues from it, with bit-identical results. Remove the folder when no longer needed.
+        Folder that stores the values of all loads and the increments of the last load. Repeating
+        the call continues from it, with bit-identical results. Remove the folder when no longer
+        needed.
 
     Returns
     -------
@@ -254,7 +256,7 @@ def find_load(
         wear, or `checkpoint` belongs to another call. With "yield": bodies are not elastic-plastic,
         have layers, soften, or yield in the deepest layer of the grid.
     """
-    search = searched(
+    search = prepare_search(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
     )
     if checkpoint is not None and callable(case):  # its results at other loads are unknown
@@ -263,7 +265,7 @@ def find_load(
         return search.find()
 
 
-def searched(
+def prepare_search(
     case: Case | str | Path | Mapping[str, Any] | Callable[[float], Built],
     quantity: str,
     value: float,
@@ -293,7 +295,7 @@ def searched(
     return LoadSearch(quantity, target, build, min(start, most), most, relative, progress)
 
 
-def _made(build: Callable[[float], Built], load: float) -> Built:
+def _checked_build(build: Callable[[float], Built], load: float) -> Built:
     """Return simulation and path of a function of the load."""
     built = build(load)
     if not (isinstance(built, tuple) and len(built) == 2):

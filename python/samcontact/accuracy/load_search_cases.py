@@ -95,8 +95,8 @@ def resolved(name: str, simulation: Simulation) -> str:
     if not found:
         allowed = [one for one in known if one != "load"]
         raise ValueError(
-            "quantity must be available for these bodies and this grid, "
-            f"{', '.join(allowed)}, got {in_short(name)}"
+            "quantity must be available for these bodies and this grid "
+            f"({', '.join(allowed)}), got {in_short(name)}"
         )
     return name if name in found else ",".join(found)
 

@@ -48,7 +48,7 @@ class AccuracyResult(HtmlTable):
     runs: tuple[tuple[int, int, int, float], ...]
     """Cells along x and y, increments per segment and time [s] of all runs."""
     needs: str = ""
-    """Requirements of the prescribed accuracy, as text, if it was not reached."""
+    """Reason why the prescribed accuracy was not reached, as text; empty if it was reached."""
 
     @property
     def grid(self) -> Grid:

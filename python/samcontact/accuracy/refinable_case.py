@@ -30,17 +30,19 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 CELLS_OF_FIRST_GRID = math.sqrt(32.0)
-"""Cells per semi-axis of the Hertz contact on the first grid, times sqrt(2) on each next grid."""
+"""Cells per semi-axis of the Hertz contact on the first grid; sqrt(2) times as many on each next
+one."""
 HERTZ_MARGIN = 1.35
 """Half-width of the first grid, relative to the semi-axis."""
 HERTZ_MARGIN_ALONG_TRAVEL = 2.0
-"""Half-width along x for moving bodies, to keep plastic strain in the grid for this distance."""
+"""Half-width of the first grid along x for moving bodies, relative to the semi-axis: plastic strain
+then stays in the grid for this distance."""
 TOL_SHARE = 0.01
 """Tolerance of the iteration, relative to the accuracy; the error of the values is about a tenth of
 the tolerance."""
 _FRESH_START_FACTOR = 8
 """Factor on the increments of a segment with a `start`. The start may be beyond the value reached
-before; with few increments, the first increment would not be."""
+before; the end of the first increment must also be beyond it, which requires small increments."""
 _MIN_CELLS_OF_DETAIL = 4.0  # cells across the smallest detail of a surface, on the first grid
 _FIELDS_WITHOUT_EFFECT = {
     "title", "description", "output", "estimate_error", "accuracy", "quantities", "max_memory",
@@ -50,7 +52,7 @@ _FIELDS_WITHOUT_EFFECT = {
 _ELASTIC_DEPTH = 1.2  # depth of the grid of elastic bodies, relative to the smaller semi-axis
 _MIN_CELLS_IN_LAYER = 3
 """Minimum number of cells of the first grid in the common divisor of the elastic-plastic layer
-thicknesses: maxima at an interface are extrapolated from as many cells."""
+thicknesses: maxima at an interface are extrapolated from this number of cells."""
 _MAX_CELL_ASPECT = 8.0
 """Maximum ratio of the cell width of the first grid to this divisor."""
 
@@ -61,7 +63,7 @@ class GridSolution(NamedTuple):
     case: Case
     simulation: Simulation
     states: list[State]
-    told: list[warnings.WarningMessage]
+    issued: list[warnings.WarningMessage]
 
     @property
     def half(self) -> tuple[float, float]:
@@ -106,7 +108,7 @@ class GridSolution(NamedTuple):
 
 @dataclass(eq=False)
 class GridRun:
-    """Values of a case on one grid; all but `solved` is stored, which can be solved again."""
+    """Values of a case on one grid; all but `solved` are stored, because it can be solved again."""
 
     level: int
     increments: int
@@ -166,7 +168,7 @@ class RefinableCase:
 
     @property
     def parts(self) -> list[int]:
-        """Number of values of a run for each quantity, which is their maximum."""
+        """Number of values of a run behind each quantity, which is the maximum of these values."""
         return [error_controlled_quantities.has_parts(name, self.bodies) for name in self.names]
 
     @cached_property
@@ -262,9 +264,9 @@ class RefinableCase:
         part = common_part(depths)
         least = min(self._sizes(0)) / _MAX_CELL_ASPECT
         if part is None or part < least:
-            told = ", ".join(f"{depth:.6g}" for depth in depths)
+            listed = ", ".join(f"{depth:.6g}" for depth in depths)
             raise ValueError(
-                f"layers: the depths of the interfaces, {told} m, must be multiples of a common "
+                f"layers: the depths of the interfaces, {listed} m, must be multiples of a common "
                 f"length >= {least:.2g} m, so that cells fit all layers: round the thicknesses, or "
                 "specify [grid] instead of accuracy"
             )
@@ -282,11 +284,11 @@ class RefinableCase:
         """Solve the case on a grid, continuing stored increments."""
         solves = Solves(self.who) if solves is None else solves
         name, case = name_of(level, increments), self.on(level, increments)
-        with warnings.catch_warnings(record=True) as told:
+        with warnings.catch_warnings(record=True) as issued:
             warnings.simplefilter("always")
             simulation, path = case.build()
             states = solves.run(name, simulation, path, progress=progress)
-        return GridSolution(case, simulation, states, told)
+        return GridSolution(case, simulation, states, issued)
 
     def run(
         self, level: int, increments: int, solves: Solves | None = None, *, progress: bool = False
@@ -324,7 +326,7 @@ class RefinableCase:
             self.elastic = set(run.elastic)
 
     def accept(self, accuracy: float) -> None:
-        """Relax the tolerance of the iteration to a relative accuracy of the values."""
+        """Relax the tolerance of the iteration to suit a relative accuracy of the values."""
         if "tol" not in self.case.contact.model_fields_set:
             self.tol = max(self.tol, TOL_SHARE * accuracy)
 
@@ -343,7 +345,7 @@ def common_part(lengths: Sequence[float]) -> float | None:
 
 
 def marks_of(case: Case) -> list[int]:
-    """Return the positions of the last increments of segments, and of the last loaded of passes."""
+    """Return the position of the last increment (for passes: the last loaded) of each segment."""
     marks: list[int] = []
     count = 0
     for segment, made in zip(case.path, case.steps_of_segments(), strict=True):

@@ -72,13 +72,13 @@ class AccuracySearch:
             self.runs[key] = made
             self._forget(but=[made, *self.grids[-1:]])
             each = f", {increments} increments per segment" if self.scene.has_history else ""
-            told = f"grid {level + 1}: {counts(*made.cells)} cells{each}, {made.seconds:.2g} s"
-            _logger.info("%s", told)
-            report_progress(told, shown=self.progress)
+            line = f"grid {level + 1}: {counts(*made.cells)} cells{each}, {made.seconds:.2g} s"
+            _logger.info("%s", line)
+            report_progress(line, shown=self.progress)
         return self.runs[key]
 
     def _forget(self, but: list[GridRun]) -> None:
-        """Release states that are not of the finest grid."""
+        """Release the states of all grids except those of the runs to keep."""
         for run in self.runs.values():
             if run not in but:
                 run.solved = None
@@ -117,8 +117,8 @@ class AccuracySearch:
 
     def _leave_out_singular(self, run: GridRun) -> None:
         """Exclude quantities that do not converge with finer grids."""
-        told = () if run.solved is None else run.solved.told
-        if any(issubclass(warning.category, SingularPressureWarning) for warning in told):
+        issued = () if run.solved is None else run.solved.issued
+        if any(issubclass(warning.category, SingularPressureWarning) for warning in issued):
             endless = [is_singular(name) for name in self.asked]
             self.wanted = np.where(endless, np.inf, self.wanted)
             if any(endless):
@@ -136,7 +136,7 @@ class AccuracySearch:
         return f"  estimated errors: {', '.join(above) or 'all below the prescribed accuracy'}"
 
     def _judge_increments(self) -> None:
-        """Solve with more and more increments on a coarse grid, and choose the increments."""
+        """Choose the number of increments from runs with more and more of them on a coarse grid."""
         while True:
             series = trial_runs(self.runs)
             if len(series) >= 3:
@@ -213,7 +213,7 @@ class AccuracySearch:
         return np.asarray(np.max(share, axis=0)[self.chosen])
 
     def _error_ratio(self, grids: list[GridRun], errors: FloatArray) -> float:
-        """Return the maximum ratio of some errors alone to the prescribed accuracy."""
+        """Return the maximum ratio of the given errors to the prescribed accuracy."""
         return float(np.max(self._relative(self._join(grids[-1].values, errors)) / self.wanted))
 
     def _reduce_increment_error(self, grids: list[GridRun]) -> bool:
@@ -287,7 +287,7 @@ class AccuracySearch:
 
 def _warn_of(outcome: AccuracyResult, last: GridSolution) -> None:
     """Repeat the warnings of the last grid, and warn if the accuracy is not reached."""
-    for warning in last.told:
+    for warning in last.issued:
         warnings.warn(warning.message, stacklevel=4)
     if not outcome.reached:
         relative, asked = outcome.relative_errors, outcome.accuracy

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 @dataclass(repr=False)
 class CollisionResult(ShortRepr):
-    """Result of `collide`."""
+    """Result of an asperity collision, returned by `collide`."""
 
     collision: Collision
     simulation: Simulation
@@ -69,15 +69,17 @@ def collide(
     passes : int
         Number of passes of sphere 1, >= 1.
     cells_per_increment : int
-        Displacement of the contact over body 2 per increment, in cells of dx, >= 1. It is also
-        exact for body 1 if R1/R2 times this number is an integer.
+        Displacement of the contact over body 2 per increment, in cells of dx, >= 1. The
+        displacement over body 1 is also a whole number of cells if R1/R2 times this number is an
+        integer.
     back_and_forth : bool
         Whether every second pass is in the opposite direction. By default all are towards +X.
     relief1, relief2 : Relief, optional
-        Roughness of the spheres; its rows are those of the grid in the aligned position.
+        Roughness of the spheres; its rows coincide with rows of the grid when the spheres are
+        aligned.
     checkpoint : path, optional
-        Folder for a checkpoint of each increment. An equal call resumes from it, with bit-identical
-        results. Delete it when it is no longer needed.
+        Folder for a checkpoint of each increment. Repeating the call resumes from it, with
+        bit-identical results. Delete it when it is no longer needed.
     progress : bool
         Show a progress bar, or at most ten lines if there is no terminal.
     **settings
@@ -91,20 +93,21 @@ def collide(
         (along the line of centres), force_x, force_y, force_z (of sphere 1 on sphere 2: force_x > 0
         resists motion towards +X, force_z > 0 is compressive), load_ratio force_x/force_z (NaN
         without contact), work of force_x since the start of the pass, plastic_work of both bodies
-        since the first pass, max_pressure, contact_area, cells_across_contact (across the contact;
-        NaN without contact), and for each body max_equivalent_plastic_strain and
-        layers_across_plastic_zone (NaN without plastic strain). By pass: net_energy (work of the
-        pass), dissipation, residual_energy (after the pass), energy_imbalance (net energy minus
-        dissipation and increase of residual energy: the error due to grid and increments), and for
-        each body residual_displacement (its maximum).
+        since the first pass, max_pressure, contact_area, cells_across_contact (NaN without
+        contact), and for each body max_equivalent_plastic_strain and layers_across_plastic_zone
+        (NaN without plastic strain). By pass: net_energy (work of the pass), dissipation,
+        residual_energy (after the pass), energy_imbalance (net energy minus dissipation and
+        increase of residual energy: the error due to grid and increments), and for each body
+        residual_displacement (maximum of the field).
 
     Raises
     ------
     ValueError
-        A friction or heat setting (frictionless spheres without heating), a grid whose increment is
-        longer than a quarter of the contact path, or a `checkpoint` of another call; and as
-        `Simulation`. An error in a later increment holds the results of the completed increments in
-        its attribute `result`; quantities of an incomplete pass are NaN.
+        A setting for friction or heat is given (the spheres are frictionless and unheated),
+        increments are longer than a quarter of the contact path, or `checkpoint` belongs to another
+        call; also the errors of `Simulation`. An error in a later increment holds the results of
+        the completed increments in its attribute `result`; quantities of an incomplete pass are
+        NaN.
     """
     boolean("progress", progress)
     boolean("back_and_forth", back_and_forth)
@@ -125,7 +128,7 @@ def collide(
     if not (body1.is_plastic or body2.is_plastic):
         settings = {"tol": 1e-8, **settings}  # for a net energy of zero, at 20 % more work
     simulation = Simulation(grid, body1, body2, gap, relief1=relief1, relief2=relief2, **settings)
-    simulation.monitor.checks_steps = False  # contact is small in the first increments
+    simulation.monitor.checks_steps = False  # the first contact is always small
     simulation.monitor.checks_increments = False
     way = {"passes": count, "step": step, "back_and_forth": back_and_forth}
     rows: list[list[IncrementRow]] = []

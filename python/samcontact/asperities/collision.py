@@ -48,7 +48,7 @@ class Collision:
 
     @property
     def height(self) -> float:
-        """Height of the centre of sphere 1 above that of sphere 2 [m]."""
+        """Height of the centre of sphere 1 above the centre of sphere 2 [m]."""
         return self.R1 + self.R2 - self.interference
 
     @property
@@ -62,11 +62,11 @@ class Collision:
         return self.offset(self.half_angle)
 
     def offset(self, angle: float) -> float:
-        """Horizontal distance X of the centres [m] at an angle of their line to the vertical."""
+        """Horizontal distance X of the centres [m], for an angle of the line of centres [rad]."""
         return self.height * math.tan(finite("angle", angle))
 
     def separation(self, angle: float) -> float:
-        """Distance of the centres [m]."""
+        """Distance of the centres [m], for an angle of the line of centres [rad]."""
         return self.height / math.cos(finite("angle", angle))
 
     def approach(self, angle: float) -> float:
@@ -92,7 +92,7 @@ class Collision:
         dy: float = 1.0,
         dz: float = 1.0,
     ) -> Grid:
-        """Grid for `collide` with cells that fit its increments.
+        """Grid for `collide`, with cells that match its increments.
 
         Parameters
         ----------

@@ -21,12 +21,12 @@ if TYPE_CHECKING:
     from ..bodies.material import Material
 
 _ROUNDING_ERROR = 1e-9
-"""Relative value below which a step or an approach is rounding."""
+"""Relative value below which a step or an approach is attributed to rounding."""
 
 
-def whole_steps(ways: float) -> int:
-    """Number of whole steps that cover a distance in steps; independent of units."""
-    return math.ceil(ways * (1.0 - _ROUNDING_ERROR))
+def whole_steps(distance: float) -> int:
+    """Number of whole steps that cover a distance given in steps, regardless of rounding."""
+    return math.ceil(distance * (1.0 - _ROUNDING_ERROR))
 
 
 class CollisionPasses:
@@ -87,7 +87,7 @@ class CollisionPasses:
         return whole_steps(2.0 * math.asin(math.sqrt(0.5 * part)) / self.step)
 
     def _approach(self) -> float:
-        """Approach at the current position; 0 if contact is within rounding."""
+        """Approach at the current position [m]; 0 if it is within rounding."""
         approach = self.collision.approach(self.position * self.step)
         return 0.0 if abs(approach) < _ROUNDING_ERROR * self.collision.interference else approach
 
@@ -146,8 +146,8 @@ class CollisionPasses:
         """Force of sphere 1 on sphere 2 along the local x and y [N].
 
         The pressure acts along the normals of both surfaces. Slopes due to elastic displacement
-        have no resultant, and those due to curvature cancel in the sum given by the principle of
-        virtual work, (R1 Q1 - R2 Q2)/(distance of the centres).
+        have no resultant. Slopes due to curvature cancel in the sum that follows from the principle
+        of virtual work, (R1 Q1 - R2 Q2)/(distance of the centres).
         """
         collision, grid, state = self.collision, self.simulation.grid, self.state
         if state.load == 0:

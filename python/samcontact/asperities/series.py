@@ -31,9 +31,10 @@ BY_PASS = (
 
 @dataclass
 class IncrementRow:
-    """Results of one increment; the last three values belong to the pass and are in its last row.
+    """Results of one increment.
 
-    They are NaN in an incomplete pass.
+    The last three values belong to the whole pass and are stored in its last row; they are NaN in
+    an incomplete pass.
     """
 
     offset: float
@@ -100,7 +101,7 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[IncrementRow]]) -
 
 
 def cells_under_load(series: xr.Dataset) -> xr.DataArray:
-    """Cells across the contact of each pass at maximum load; NaN without contact."""
+    """Number of cells across the contact at the maximum load of each pass; NaN without contact."""
     where = series["normal_force"].fillna(0.0).argmax("increment")
     cells: xr.DataArray = series["cells_across_contact"].isel(increment=where)
     return cells

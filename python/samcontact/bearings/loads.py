@@ -16,8 +16,8 @@ POINT_CONTACT_EXPONENT = 1.5  # n of load ~ approach^n in point contacts
 def sjovall(epsilon: float, exponent: float = POINT_CONTACT_EXPONENT) -> tuple[float, float]:
     """Sjövall's integrals of the load distribution.
 
-    With Q(psi)/Q_max = (1 - (1 - cos psi)/(2 epsilon))^n where positive, the means over the
-    circumference of Q/Q_max cos psi (radial) and Q/Q_max (axial).
+    The integrals are the means over the circumference of (Q/Q_max) cos psi (radial) and of Q/Q_max
+    (axial), with Q(psi)/Q_max = (1 - (1 - cos psi)/(2 epsilon))^n, or 0 where the base is negative.
 
     Parameters
     ----------
@@ -51,9 +51,8 @@ def sjovall(epsilon: float, exponent: float = POINT_CONTACT_EXPONENT) -> tuple[f
 def stribeck_load(radial_load: float, balls: int, contact_angle: float = 0.0) -> float:
     """Maximum ball load by Stribeck's rule, 5 F_r/(Z cos(alpha)).
 
-    The rule is for the usual small clearance; `ball_load` has 4.37 instead, for zero clearance.
-    Source:
-    Harris, *Rolling Bearing Analysis*, chapter 7.
+    The rule is for the usual small clearance. For zero clearance, `ball_load` has the factor 4.37
+    instead of 5. Source: Harris, *Rolling Bearing Analysis*, chapter 7.
 
     Parameters
     ----------
@@ -96,8 +95,9 @@ def ball_load(
     contact_angle : float, optional
         Contact angle [rad], < pi/2.
     epsilon : float, optional
-        Load zone as in `sjovall`. The default 0.5 is a bearing without clearance, with 4.37
-        F_r/(Z cos(alpha)) for balls and 4.08 for rollers; clearance reduces it.
+        Loaded fraction of the diameter, as in `sjovall`. The default 0.5 is a bearing without
+        clearance, with a load of 4.37 F_r/(Z cos(alpha)) for balls, or 4.08 for rollers; clearance
+        reduces epsilon.
     exponent : float, optional
         1.5 for balls (default), 10/9 for rollers.
 
@@ -114,8 +114,8 @@ def ball_load(
     Notes
     -----
     Assumes rigid rings, equal contact angles, one element directly under the load, and many
-    elements: with few, the sum over elements differs from the integral (by 1.4 % for 6 balls,
-    0.2 % for 10).
+    elements: with few elements, their sum differs from the integral (by 1.4 % for 6 balls, 0.2 %
+    for 10).
     """
     return _mean_normal(radial_load, balls, contact_angle) / sjovall(epsilon, exponent)[0]
 
@@ -149,7 +149,7 @@ class LoadZone:
 
     @property
     def half_angle(self) -> float:
-        """Half the angle of the load zone [rad]."""
+        """Half-angle of the load zone [rad]."""
         return math.acos(max(-1.0, 1.0 - 2.0 * self.epsilon))
 
     def load(self, psi: float) -> float:

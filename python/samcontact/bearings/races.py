@@ -54,7 +54,7 @@ def _rolling_radius(diameter: float, pitch: float, contact_angle: float, race: s
 
 
 def angle_of(contact_angle: float) -> float:
-    """Check a contact angle [rad]."""
+    """Return a contact angle [rad] after checking that it is in [0, pi/2]."""
     angle = finite("contact_angle", contact_angle)
     if not 0.0 <= angle <= 0.5 * math.pi:
         raise ValueError(f"contact_angle must be in [0, pi/2] rad, got {contact_angle!r}")
@@ -84,7 +84,7 @@ def ball_on_race(
     contact_angle : float, optional
         Angle between the contact normal and the radial plane [rad], 0 to pi/2.
     race : {"inner", "outer"}
-        Ring.
+        Ring of the raceway.
 
     Returns
     -------
@@ -97,10 +97,10 @@ def ball_on_race(
 
     Notes
     -----
-    The radii are exact for a sphere in a torus. Half-space contact theory (Hertz and this
-    package) also requires a contact that is small compared with them. In the transverse
-    direction the contact ellipse of a loaded ball is often a tenth to a third of the ball
-    diameter, and its ends are less accurate than its centre.
+    The radii are exact for a sphere in a torus. Half-space contact theory (Hertz and this package)
+    also requires a contact that is small compared with these radii. In the transverse direction the
+    contact ellipse of a loaded ball is often a tenth to a third of the ball diameter, and its ends
+    are less accurate than its centre.
     """
     D, pitch = positive("ball_diameter", ball_diameter), positive("pitch_diameter", pitch_diameter)
     if (groove_radius is None) == (conformity is None):
@@ -139,7 +139,7 @@ def roller_on_race(
     contact_angle : float, optional
         Angle between the contact normal and the radial plane [rad], 0 to pi/2.
     race : {"inner", "outer"}
-        Ring.
+        Ring of the raceway.
 
     Returns
     -------

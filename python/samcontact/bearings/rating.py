@@ -13,7 +13,7 @@ from .loads import stribeck_load
 from .races import RaceContact
 
 STEEL_CONTACT_MODULUS = 2.07e11 / (1.0 - 0.3**2) / 2.0
-"""Contact modulus in the factors of ISO 76 [Pa]: both bodies with 207 GPa and 0.3."""
+"""Contact modulus behind the factors of ISO 76 [Pa]: E = 207 GPa and nu = 0.3 for both bodies."""
 PALMGREN_FACTOR = 1.3e-19
 """Palmgren's factor, 1.3e-7 with mm and N, in [m^4/N^2]."""
 
@@ -45,7 +45,7 @@ def static_load_rating(
         Maximum Hertz pressure [Pa]: 4.2e9 for ball bearings (default), 4.6e9 for self-aligning ball
         bearings, 4.0e9 for roller bearings.
     length : float, optional
-        Contact length of an uncrowned roller [m]. Only for uncrowned rollers.
+        Contact length of a roller [m]. Required for uncrowned rollers, not allowed otherwise.
     rows : int, optional
         Number of rows, >= 1.
     E_star : float, optional
@@ -65,10 +65,10 @@ def static_load_rating(
     -----
     The pressures correspond to a permanent deformation of element and raceway together of about
     1e-4 of the element diameter; plastic deformation is not computed here. The factors f_0 of the
-    standard (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) are reproduced to their digits, and so is
-    its 44 for rollers. They are based on the same formulas, so this does not validate the actual
-    capacity of a bearing.
-    Sources: ISO 76:2006, *Static load ratings*; ISO/TR 10657, *Explanatory notes on ISO 76*.
+    standard (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) are reproduced to all their digits, as is
+    the factor 44 for rollers. The standard uses the same formulas, so this agreement does not
+    validate the actual capacity of a bearing. Sources: ISO 76:2006, *Static load ratings*; ISO/TR
+    10657, *Explanatory notes on ISO 76*.
     """
     if not isinstance(races, Sequence) or not all(isinstance(r, RaceContact) for r in races):
         raise TypeError(
@@ -120,8 +120,8 @@ def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -
 
     Notes
     -----
-    This formula and the pressures of `static_load_rating` summarise the same experience: that both
-    give about 1e-4 of the diameter does not validate either of them.
+    This formula and the pressures of `static_load_rating` summarise the same experience. Their
+    agreement on about 1e-4 of the diameter therefore validates neither of them.
     """
     require_type("race", race, RaceContact)
     Q, D = non_negative("load", load), positive("ball_diameter", ball_diameter)

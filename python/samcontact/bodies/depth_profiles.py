@@ -24,7 +24,7 @@ PROFILE_ARGUMENTS: Mapping[str, Sequence[str]] = {
     "yield_profile": ("z", "factor"),
     "residual_stress": ("z", "sxx", "syy", "sxy"),
 }
-"""Profiles of a material, and the contents of each."""
+"""Profiles of a material, and the names of their parts."""
 
 MAX_PROFILE_POINTS = 4096
 """Maximum number of depths in a profile, limited by attributes of HDF5 files."""
@@ -32,7 +32,7 @@ MAX_PROFILE_POINTS = 4096
 
 def profile(kind: str, given: Any) -> Profile:
     """Convert a profile to equally many depths and values; the core checks their ranges."""
-    holds = f"{kind} must contain {', '.join(PROFILE_ARGUMENTS[kind])}, a list of numbers each"
+    holds = f"{kind} must contain {', '.join(PROFILE_ARGUMENTS[kind])}, each a list of numbers"
     if not isinstance(given, (list, tuple)):
         raise TypeError(f"{holds}, got {in_short(given)}")
     parts = tuple(given)
@@ -65,13 +65,14 @@ class HasDepthProfiles:
         """Return a copy with a yield stress that varies with depth, as in case hardening.
 
         Elastic constants are unchanged. At depth z the yield stress, including hardening, is
-        factor(z) times that of the law.
+        factor(z) times the yield stress of the law.
 
         Parameters
         ----------
         z : array_like, shape (n,)
-            Increasing depths below the surface [m], >= 0, at most 4096. The profile is piecewise
-            linear and constant beyond its ends; layers of a grid take its value at mid-depth.
+            Increasing depths below the surface [m], >= 0; at most 4096 values. The profile is
+            piecewise linear and constant beyond its ends; layers of a grid take its value at
+            mid-depth.
         factor : array_like, shape (n,)
             Ratio to the nominal yield stress [-], 1e-6 to 1e6; e.g. local over core hardness.
 
@@ -102,18 +103,20 @@ class HasDepthProfiles:
 
         The stress acts in the plane of the surface and varies with depth only. It is therefore in
         equilibrium for any profile and causes no displacement. A half-space needs no tension to
-        balance it; in a part of finite thickness the balancing stress must be added by the user. It
-        is included in the yield condition and in all stresses of states, also residual ones.
+        balance it; in a part of finite thickness the user must add the balancing stress. The
+        initial stress is included in the yield condition and in all stresses of states, including
+        residual stresses.
 
         Parameters
         ----------
         z : array_like, shape (n,)
-            Increasing depths below the surface [m], >= 0, at most 4096. The profile is piecewise
-            linear and constant beyond its ends: end it with 0 if the stress is to vanish below.
+            Increasing depths below the surface [m], >= 0; at most 4096 values. The profile is
+            piecewise linear and constant beyond its ends: end it with 0 if the stress is to vanish
+            below.
         sxx : array_like, shape (n,)
             Normal stress along x [Pa], tension positive.
         syy : array_like, shape (n,), optional
-            Normal stress along y [Pa]. Default: as along x.
+            Normal stress along y [Pa]. Default: `sxx`.
         sxy : array_like, shape (n,), optional
             In-plane shear stress [Pa]. Default: 0.
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Material laws with their constants and ranges.
 
-The core defines its hardening laws. A factory of `Material` by the same name creates a material of
-a law; checks, case files, tables and checkpoints follow from `LAWS`.
+The core defines its hardening laws. The class method of `Material` named after a law creates a
+material; checks, case files, tables and checkpoints follow from `LAWS`.
 """
 
 from __future__ import annotations
@@ -45,11 +45,12 @@ class Law:
     yields: bool = False
 
 
-def constant_of(told: _core.LawParameter) -> Constant:
+def constant_of(parameter: _core.LawParameter) -> Constant:
     """Convert the core's description of a parameter."""
-    low = {"gt" if told.above_low else "ge": told.low}
-    high = told.high if told.high < math.inf else None
-    return Constant(told.unit, **low, le=high, many=told.many, infinite=told.infinite is not None)
+    low = {"gt" if parameter.above_low else "ge": parameter.low}
+    high = parameter.high if parameter.high < math.inf else None
+    infinite = parameter.infinite is not None
+    return Constant(parameter.unit, **low, le=high, many=parameter.many, infinite=infinite)
 
 
 _ELASTIC_CONSTANTS = {"E": Constant("Pa", gt=0.0), "nu": Constant(ge=0.0, lt=0.5)}

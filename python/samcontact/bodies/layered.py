@@ -36,7 +36,7 @@ def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
         layers.append((material, positive(f"thickness of layers[{n}]", thickness)))
     if not layers:
         raise ValueError(
-            "layers must contain at least one layer: for none, use the substrate material as body"
+            "layers must contain at least one layer: otherwise use the substrate material as body"
         )
     return tuple(layers)
 
@@ -125,7 +125,7 @@ class Layered(HtmlTable):
 
     @property
     def is_rigid(self) -> bool:
-        """False: layers are elastic."""
+        """Always False, because the layers are deformable."""
         return False
 
     @property
@@ -134,7 +134,7 @@ class Layered(HtmlTable):
         return any(material.is_plastic for _, material in self._named_materials())
 
     def material_at(self, z: float) -> Material:
-        """Return the material at a depth z >= 0 [m]; at an interface, the lower one."""
+        """Return the material at a depth z >= 0 [m]; at an interface, the material below it."""
         depth = finite("z", z)
         if not depth >= 0:
             raise ValueError(f"z must be >= 0, got {z!r}")
@@ -171,13 +171,13 @@ class Layered(HtmlTable):
         Parameters
         ----------
         wavenumber : array_like
-            q = 2 pi over the wavelength [1/m], > 0.
+            Wavenumber q = 2 pi/wavelength [1/m], > 0.
 
         Returns
         -------
         ndarray
-            Compliance of the same shape: (1 - nu^2) 2/(E q) of the substrate for long waves, and of
-            the top layer for short waves.
+            Compliance, in the shape of `wavenumber`. Its limit is 2 (1 - nu^2)/(E q), with the
+            constants of the substrate for long waves and of the top layer for short waves.
         """
         q = real_array("wavenumber", wavenumber)
         bad = ~(np.isfinite(q) & (q > 0))
@@ -217,7 +217,7 @@ def require_bodies(*bodies: Any) -> None:
 
 
 def require_homogeneous(why: str, *bodies: Any) -> None:
-    """Raise TypeError for an object that is no body, ValueError with a reason for a layered one."""
+    """Raise TypeError unless each object is a body; ValueError with a reason for a layered body."""
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Layered):
             raise ValueError(f"body{n} must be a Material, got {len(body.layers)} layer(s): {why}")

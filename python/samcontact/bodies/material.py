@@ -47,7 +47,7 @@ class Material(HasDepthProfiles, HtmlTable):
     thermal : tuple of float, or None
         Conductivity, expansion and diffusivity, see `with_thermal`.
     softening : callable, or None
-        See `with_softening`.
+        Softening law, see `with_softening`.
     yield_profile, residual_stress : tuple of tuples of float, or None
         Depths [m] and values at each, see `with_yield_profile` and `with_residual_stress`.
     """
@@ -114,7 +114,8 @@ class Material(HasDepthProfiles, HtmlTable):
     def swift(cls, E: float, nu: float, B: float, C: float, n: float) -> Material:
         """Swift's law sigma_y(g) = B (C + 1e6 g)^n, B [Pa], C > 0 in microstrain, 0 <= n <= 1.
 
-        Boucly (2008), eq. (2.162), with the strain in microstrain as required by its values.
+        Boucly (2008), eq. (2.162), with the strain in microstrain, as its published constants
+        require.
         """
         return cls("swift", {"E": E, "nu": nu, "B": B, "C": C, "n": n})
 
@@ -173,23 +174,24 @@ class Material(HasDepthProfiles, HtmlTable):
         """Return a copy with a yield surface that translates with the plastic strain.
 
         Each backstress X follows the plastic strain e and its equivalent g by dX = 2/3 modulus de -
-        recovery X dg; several are added. The isotropic law of this material stays in effect: with
-        `perfect_plastic` the hardening is purely kinematic.
+        recovery X dg; several backstresses are added. The isotropic law of this material stays in
+        effect: with `perfect_plastic` the hardening is purely kinematic.
 
         Parameters
         ----------
         modulus : float or sequence of up to 4 floats
-            Contribution of each to the slope of uniaxial stress against plastic strain [Pa], > 0.
-            For a tangent modulus Et of the uniaxial curve, the sum must be E Et/(E - Et).
+            Contribution of each backstress to the slope of uniaxial stress against plastic strain
+            [Pa], > 0. For a tangent modulus Et of the uniaxial curve, the sum must be
+            E Et/(E - Et).
         recovery : float or sequence of floats, optional
             Dynamic recovery >= 0 [-]. 0: linear (Prager 1949). Otherwise X saturates at
-            modulus/recovery (Armstrong and Frederick 1966); several: Chaboche (1986),
+            modulus/recovery (Armstrong and Frederick 1966); several backstresses: Chaboche (1986),
             doi:10.1016/0749-6419(86)90010-0. Default: 0.
 
         Returns
         -------
         Material
-            Material in which this replaces any earlier kinematic hardening.
+            Material in which this hardening replaces any earlier kinematic hardening.
 
         Raises
         ------
@@ -245,11 +247,11 @@ class Material(HasDepthProfiles, HtmlTable):
             Function of the temperature rise [K] that returns the factor on the yield stress, in (0,
             1]; arrays of shape (nx, ny, nz). It is called once per increment, with the temperature
             rise of the first contact solution. `samcontact.softening.JohnsonCook` is such a
-            function; only this one is stored in checkpoints. Pass any other law again to
-            `Simulation.load`. A run with `checkpoint` resumes only with an identical law: its code
-            and all data it uses are compared (defaults, closures, globals, attributes). A law with
-            hidden state, such as a compiled object, must have an attribute `identity` with all that
-            it depends on, e.g. ``law.identity = ("my law", 2e-4)``.
+            function, and the only one that is stored in checkpoints: pass any other law to
+            `Simulation.load` again. A run with `checkpoint` resumes only with an identical law: its
+            code and all data it uses are compared (defaults, closures, globals, attributes). A law
+            with hidden state, such as a compiled object, must have an attribute `identity` with all
+            that it depends on, e.g. ``law.identity = ("my law", 2e-4)``.
 
         Returns
         -------
@@ -324,11 +326,12 @@ class Material(HasDepthProfiles, HtmlTable):
         return float(values[0]) if strain.ndim == 0 else values.reshape(strain.shape)
 
     def plastic_work(self, g: ArrayLike) -> float | FloatArray:
-        """Work of the yield stress up to equivalent plastic strain g, its integral [J/m^3].
+        """Plastic work up to equivalent plastic strain g, the integral of the yield stress [J/m^3].
 
-        Energy dissipated per volume, without the work of the backstress of kinematic hardening and
-        without the factors of thermal softening and of a yield profile. Scalar or array (same
-        shape); 0 for a body that cannot yield. Raises ValueError if g is negative or not finite.
+        This is the energy dissipated per volume, without the work of the backstress of kinematic
+        hardening and without the factors of thermal softening and of a yield profile. Scalar or
+        array (same shape); 0 for a body that cannot yield. Raises ValueError if g is negative or
+        not finite.
         """
         return self._at(g, self._core.work)
 

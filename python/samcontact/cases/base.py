@@ -39,7 +39,7 @@ def convert(value: Any, unit: str) -> Any:
         return [convert(item, unit) for item in value]
     if not isinstance(value, str):
         return value
-    if value == "inf":  # as a number, for a list in which others have units
+    if value == "inf":  # as a number: other items of a list may have units
         return math.inf
     try:
         return from_text(value, unit)
@@ -207,6 +207,6 @@ class HeightsFile(Section):
         return surface if self.mirror is None else surface.mirrored(self.mirror)
 
     def placement(self) -> dict[str, Any]:
-        """Arguments of `MeasuredSurface.on` and `MeasuredSurface.relief`, besides x."""
+        """Arguments of `MeasuredSurface.on` and `MeasuredSurface.relief`, except x."""
         names = ("y", "method", "average", "fill")
         return {n: getattr(self, n) for n in names if getattr(self, n) is not None}

@@ -170,7 +170,7 @@ def _models(part: str, *bases: type[_Solid]) -> Any:
     return Annotated[reduce(or_, models), Field(discriminator="law")]
 
 
-def _of_elastic(given: Any) -> Any:
+def _layer_law(given: Any) -> Any:
     """Return the law of a layer; without a law it is elastic."""
     if not isinstance(given, list):
         return given
@@ -185,7 +185,7 @@ else:
 
 class _Body(_Solid):
     layers: (
-        Annotated[list[LayerSection], Field(min_length=1), BeforeValidator(_of_elastic)] | None
+        Annotated[list[LayerSection], Field(min_length=1), BeforeValidator(_layer_law)] | None
     ) = None
 
     @property

@@ -68,7 +68,7 @@ def _accuracy(given: Any) -> Any:
 
 
 class Case(CaseFile):
-    """Validated case.
+    """Validated case of one contact.
 
     Read a case file with `load_case`, or validate a dictionary with its layout by
     ``Case.model_validate``. All quantities are in SI units.
@@ -199,7 +199,8 @@ class Case(CaseFile):
     def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
         """Return the Hertz contact of this case at a load [N] > 0; None if not applicable.
 
-        It exists for smooth paraboloids and spheres with finite radii, and bodies without layers.
+        It applies to smooth paraboloids and spheres with finite radii, and to bodies without
+        layers.
         """
         radii = self.surface.radii()
         periodic = self.grid is not None and self.grid.periodic
@@ -214,10 +215,10 @@ class Case(CaseFile):
             return _hertz.point(radii[0], E_star, load=load)
         return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
 
-    def _on(self, grid: Grid, section: Any) -> Any:
+    def _surface_on(self, grid: Grid, section: Any) -> Any:
         """Return a surface or relief, checked on the grid.
 
-        The result is a function of a grid if the surface is defined on any grid.
+        The result is a function of a grid if the surface is defined on every grid.
         """
         build = partial(section.build, folder=self._source.parent)
         built = build(grid)
@@ -235,7 +236,7 @@ class Case(CaseFile):
         Raises
         ------
         CaseError
-            A section has no valid object, e.g. a surface file of the wrong shape.
+            A section does not describe a valid object, e.g. a surface file has the wrong shape.
         """
         from ..problem.moving_topography import relief_rows
         from ..simulation.simulation import Simulation
@@ -253,11 +254,11 @@ class Case(CaseFile):
             section = "body2"
             body2 = self.body2.build()
             section = "surface"
-            lies_between = {"gap": self._on(grid, self.surface)}
+            lies_between = {"gap": self._surface_on(grid, self.surface)}
             for section in ("relief1", "relief2"):
                 given = getattr(self, section)
                 if given is not None:
-                    relief = lies_between[section] = self._on(grid, given)
+                    relief = lies_between[section] = self._surface_on(grid, given)
                     relief_rows(section, relief(grid) if callable(relief) else relief, grid)
             section = "heat"
             heat = None if self.heat is None else self.heat.build()
@@ -282,7 +283,7 @@ def load_case(path: str | Path) -> Case | AsperityCase:
     Returns
     -------
     Case or AsperityCase
-        A `AsperityCase` if the file has a section [asperities].
+        An `AsperityCase` if the file has a section [asperities].
 
     Raises
     ------
@@ -325,7 +326,7 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | AsperityCa
     Returns
     -------
     Case or AsperityCase
-        A `AsperityCase` if the text has a section [asperities].
+        An `AsperityCase` if the text has a section [asperities].
 
     Raises
     ------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks across the sections of a case: a field without effect is refused by its name."""
+"""Checks across the sections of a case: a field without effect is refused and named."""
 
 from __future__ import annotations
 

@@ -19,8 +19,8 @@ MAX_LINES = 20
 _NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
 _NAME = re.compile(r"[\w-]{1,60}")
 
-# Fields by other words for them, in lower case without separators.
-_ERROR_TEXTS = {
+# Fields by their synonyms, which are in lower case without separators.
+_SYNONYMS = {
     "radius": ("R", "Rx", "R1"),
     "radiusx": ("Rx",),
     "radiusy": ("Ry",),
@@ -80,7 +80,7 @@ def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
     if kind == "value_error":
         message = str(item["ctx"]["error"])
         return f"{where}: {message}" if where else message
-    given = _at(content, place.names, item["input"])
+    given = _value_at(content, place.names, item["input"])
     if kind in ("union_tag_not_found", "union_tag_invalid") and isinstance(given, Mapping):
         key = item["ctx"]["discriminator"].strip("'")
         if key not in given:
@@ -100,7 +100,7 @@ def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
             return f"{where}: must be a single table: write [{table}] instead of [[{table}]]"
         return f"{where}: must be a table, got {in_short(given)}"
     allowed = described(place.annotation, place.marks)
-    return f"{where}: must be {allowed}, got {in_short(given)}{_slip(allowed, given)}"
+    return f"{where}: must be {allowed}, got {in_short(given)}{_remedy(allowed, given)}"
 
 
 def _holds_tables(annotation: Any) -> bool:
@@ -110,7 +110,7 @@ def _holds_tables(annotation: Any) -> bool:
     return all(is_model(opened(one)[0]) for one in members(opened(get_args(annotation)[0])[0]))
 
 
-def _slip(allowed: str, given: Any) -> str:
+def _remedy(allowed: str, given: Any) -> str:
     """Return a remedy for a value of the wrong type, if it is obvious."""
     if isinstance(given, (date, time)):
         return ": this is a date or a time; write text in quotes"
@@ -123,7 +123,7 @@ def _slip(allowed: str, given: Any) -> str:
     return ""
 
 
-def _at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
+def _value_at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
     """Return the value in the file at a location, before unit conversion."""
     for name in names:
         try:
@@ -137,7 +137,7 @@ def nearest(name: str, fields: Sequence[str]) -> str | None:
     """Return the field that was probably meant: a synonym, or a similar spelling."""
     lower = {field.lower(): field for field in reversed(fields)}
     word = re.sub(r"[^a-z]", "", name.lower())
-    for meant in _ERROR_TEXTS.get(word, ()):
+    for meant in _SYNONYMS.get(word, ()):
         if meant in fields:
             return meant
     found = difflib.get_close_matches(name.lower(), lower, 1, cutoff=0.5)
@@ -174,7 +174,7 @@ class _FieldLocation(NamedTuple):
 def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _FieldLocation:
     """Follow the location of an error, which contains tags of unions, into the models.
 
-    A value of several possible types has one error for each type: these end at the field.
+    A value of several possible types has one error for each type; its location ends at the field.
     """
     place = _FieldLocation([], [], root, ())
     for element in loc:

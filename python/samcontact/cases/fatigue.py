@@ -60,7 +60,8 @@ class FatigueSection(Section):
     def fields(self, states: list[State], body: int) -> list[FatigueField]:
         """Evaluate each criterion over the increments.
 
-        With `passing`, the cycle is that of material passing through the most loaded increment.
+        With `steady_axis`, the cycle is the stress history of material that passes through the
+        contact of the increment with the highest load.
         """
         seen: Cycle
         if self.steady_axis is None:

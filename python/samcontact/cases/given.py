@@ -22,9 +22,9 @@ def case_of_contact(name: str, given: object, **defaults: Any) -> Case:
         made = validated({"title": "case", **defaults, **given}, Path(name))
     if not isinstance(made, Case):
         kind = type(made).__name__
-        tugging = ", which is an asperity collision" if kind == "AsperityCase" else ""
+        hint = ", which is an asperity collision" if kind == "AsperityCase" else ""
         raise ValueError(
             f"{name} must be a case of one contact, the path of its file, or a dict with the "
-            f"layout of a case file, got a {kind}{tugging}"
+            f"layout of a case file, got a {kind}{hint}"
         )
     return made

@@ -159,7 +159,7 @@ class Segment(TangentialSection):
         )
 
     def steps(self, reached: EndState) -> tuple[paths.Path, EndState]:
-        """Return the steps from the end of the previous segment, and the end of this one.
+        """Return the steps from the end of the previous segment, and the end of this segment.
 
         Raises ValueError if the segment is inconsistent with the end of the previous segment.
         """

@@ -256,7 +256,7 @@ def settings_section(name: str, module: str, without: tuple[str, ...] = (), **de
 
     module: module that defines the section under this name, for pickling.
     without: settings to omit.
-    defaults: defaults that differ from those of a simulation.
+    defaults: defaults that differ from the defaults of a simulation.
     """
     found: dict[str, Any] = {}
     for setting, allowed in allowed_of(Settings).items():
@@ -281,7 +281,7 @@ else:
 
 
 def settings_of(section: ContactSection) -> dict[str, Any]:
-    """Return the arguments of `Simulation`."""
+    """Return the settings of [contact] as arguments of `Simulation`."""
     laws = {"friction": friction_of(section.friction), "contact_law": contact_law_of(section)}
     return section.model_dump() | laws
 

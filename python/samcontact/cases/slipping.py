@@ -32,10 +32,7 @@ class EndState(NamedTuple):
 
 
 class TangentialSection(Section):
-    """Tangential motion of body 1 relative to body 2 in a segment, or forces on body 2 at its end.
-
-    The motion is that of the segment; the forces are those at its end.
-    """
+    """Tangential motion of body 1 relative to body 2 in a segment, or final forces on body 2."""
 
     shift_x: Position | None = None
     shift_y: Position | None = None

@@ -32,8 +32,8 @@ def write_fatigue(
     console.print(_sheet(fields, limits, body))
     dataset = xr.merge([field.to_dataset() for field in fields], combine_attrs="override")
     written = [directory / "fatigue.nc"]
-    told = {"title": case.title, "body": body, "samcontact_version": version}
-    results.save(dataset.assign_attrs(told), written[0])
+    attributes = {"title": case.title, "body": body, "samcontact_version": version}
+    results.save(dataset.assign_attrs(attributes), written[0])
     return written + (_figures(fields, limits, directory) if figures else [])
 
 

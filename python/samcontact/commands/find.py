@@ -42,17 +42,17 @@ def find(
     continue it.
     """
     with short_errors(files=True):
-        from ..accuracy.load_search import searched
+        from ..accuracy.load_search import prepare_search
         from ..cases.given import case_of_contact
         from .tables import Sheet, new_console
 
         case = case_of_contact("CASE.toml", case_file)
         name, value = _wanted(target)
-        search = searched(
+        search = prepare_search(
             case, name, value, tolerance=tolerance, largest_load=largest_load,
             progress=not quiet,
         )  # fmt: skip
-        found = _found(case, search)
+        found = _run_search(case, search)
         if quiet:
             click.echo(repr(found.load))
             return
@@ -63,7 +63,7 @@ def find(
         new_console().print(sheet)
 
 
-def _found(case: Case, search: LoadSearch) -> FoundLoad:
+def _run_search(case: Case, search: LoadSearch) -> FoundLoad:
     """Run the search, continuing an interrupted one; save its progress on interruption."""
     from ..files.atomic import undisturbed
     from ..restart.checkpoint_files import remove_checkpoints

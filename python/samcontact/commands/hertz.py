@@ -37,7 +37,8 @@ _PLAUSIBLE_LIMITS = {
     "approach": (False, 1e-3, "m", "5 um"),
     "p0": (True, 1e5, "Pa", "1.5 GPa"),
 }
-"""Bound on a number without a unit: whether it is a lower bound, its value, and an example."""
+"""Plausible bound of a number without a unit: whether it is a lower bound, its value, and an
+example of a number with a unit."""
 
 
 @click.command()
@@ -98,13 +99,13 @@ def hertz(
             rows += _stresses(contact, poisson_ratio("nu", nu), depths)
         elif depths:
             raise ValueError("nu is required for stresses at a depth: add --nu, e.g. --nu 0.3")
-        _warn_of_slips(contact, {"R": radius, "Ry": radius_y, "E_star": modulus, "length": length,
-                                 "load_per_length": per_length, **given})  # fmt: skip
+        numbers = {"R": radius, "Ry": radius_y, "E_star": modulus, "length": length}
+        _warn_of_unit_errors(contact, {**numbers, "load_per_length": per_length, **given})
         for label, value in rows:
             click.echo(f"{label:<40}{value:.9g}")
 
 
-def _warn_of_slips(contact: HertzContact, given: dict[str, float | None]) -> None:
+def _warn_of_unit_errors(contact: HertzContact, given: dict[str, float | None]) -> None:
     """Warn about unusual numbers without a unit, and about an implausible contact."""
     for name, value in given.items():
         at_least, limit, unit, example = _PLAUSIBLE_LIMITS[name]

@@ -25,7 +25,8 @@ FOREIGN_FOLDER = "checkpoints.old"
 FINISHED_MARK = ".checkpoints.done"
 REMEDY = "use another --output"
 MAX_INTERRUPT_DELAY = 20
-"""Number of increments above which writing checkpoints is announced: Ctrl-C has no effect then."""
+"""Number of increments above which writing checkpoints is announced; Ctrl-C has no effect
+meanwhile."""
 
 
 class Checkpoints:
@@ -53,12 +54,12 @@ class Checkpoints:
         if not self.folder.exists() or resume:
             return resume
         if _read(self.folder / CASE_FILE).key == self.key:
-            told = f"continuing from the checkpoints of an interrupted run: {self.folder}"
+            text = f"continuing from the checkpoints of an interrupted run: {self.folder}"
         else:
             remove_checkpoints(self.directory / FOREIGN_FOLDER)
             self.folder.rename(self.directory / FOREIGN_FOLDER)
-            told = f"checkpoints of a different run were moved to {self.directory / FOREIGN_FOLDER}"
-        click.echo(told, err=True)
+            text = f"checkpoints of a different run were moved to {self.directory / FOREIGN_FOLDER}"
+        click.echo(text, err=True)
         return self.folder.exists()
 
     def remember(self) -> Path:
@@ -75,7 +76,7 @@ class Checkpoints:
     def used(self) -> Iterator[Path]:
         """Folder of the checkpoints, which receives each increment as soon as it is solved.
 
-        The folder belongs to this case from here on, unless its checkpoints prove to be those of
+        From here on the folder belongs to this case, unless its checkpoints turn out to belong to
         another run.
         """
         before = _text(self.folder / CASE_FILE)
@@ -85,7 +86,7 @@ class Checkpoints:
         except Exception as error:
             if not any(folder.rglob("*.h5")):  # nothing to continue from
                 remove_checkpoints(folder)
-            elif isinstance(error, ForeignCheckpointError):  # still of the earlier run
+            elif isinstance(error, ForeignCheckpointError):  # of the earlier run
                 if before is None:
                     (folder / CASE_FILE).unlink(missing_ok=True)
                 else:

@@ -147,7 +147,7 @@ def _recorded(target: Path, default: Path) -> Iterator[None]:
 
 
 def _require_page(target: Path) -> None:
-    """Raise ValueError, before the work begins, if the page cannot be written or is no page."""
+    """Raise ValueError, before the work begins, unless the page can be written to the target."""
     if target.exists() and not target.is_file():  # a device would become a file
         kind = "directory" if target.is_dir() else "device or pipe"
         raise ValueError(f"--output must be a file, got {target}, a {kind}")

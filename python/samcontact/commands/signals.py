@@ -14,8 +14,8 @@ from ..files.atomic import TERMINATION_SIGNALS
 
 EXIT_INTERRUPTED = 130
 _REPEAT_INTERVAL = 1.0
-"""Interval [s] within which repeated signals count as one, as `timeout` signals a process and its
-group."""
+"""Interval [s] within which repeated signals count as one, because `timeout` signals both a process
+and its group."""
 
 
 class StopRequested(KeyboardInterrupt):

@@ -15,7 +15,7 @@ from rich.console import Console
 
 from .. import hertz, results
 from ..accuracy import AccuracyResult
-from ..accuracy.asked import searched
+from ..accuracy.asked import prepare_search
 from ..accuracy.grid_errors import (
     GridErrors,
     error_rows,
@@ -86,8 +86,8 @@ def solve_contact(
                     error = stop
             run = _ContactRun(case, checkpoints, console, simulation, on_common_grid(states))
             if error is not None:
-                told = run.partial(error, f"{len(states)} of {len(path)} increments", figures)
-                raise StoppedEarlyError(with_resume_hint(told, directory)) from error
+                text = run.partial(error, f"{len(states)} of {len(path)} increments", figures)
+                raise StoppedEarlyError(with_resume_hint(text, directory)) from error
             return run.write(figures=figures, animate=animate)
         except BaseException:
             if states and not journal:
@@ -102,7 +102,7 @@ def solve_to_accuracy(
 
     After an error or an interruption, the best values so far are written as results.
     """
-    search = searched(case, progress=not console.quiet)
+    search = prepare_search(case, progress=not console.quiet)
     written = written_names(case, "results", figures, False)
     with checkpoints_of(directory, case, written) as checkpoints:
         journal = checkpoints.claim(resume)
@@ -125,10 +125,10 @@ def solve_to_accuracy(
             )
             if error is None:
                 return run.write(figures=figures)
-            told = run.partial(error, f"values of {len(search.grids)} grids", figures)
+            text = run.partial(error, f"values of {len(search.grids)} grids", figures)
             if isinstance(error, Exception):
-                raise StoppedEarlyError(with_resume_hint(told, directory)) from error
-            click.echo(told, err=True)
+                raise StoppedEarlyError(with_resume_hint(text, directory)) from error
+            click.echo(text, err=True)
             raise error
         except BaseException:
             if not journal and search.solves.increments:
@@ -166,13 +166,13 @@ class _ContactRun:
         console.print(_summary(dataset, body))
         if (sheet := _errors_sheet(dataset)) is not None:
             console.print(sheet)
-        if told := said_of_increments(dataset.attrs):
-            console.print(told, markup=False, highlight=False)
-        if errors is not None and (told := said_of_slope(errors.slope_beyond)):
-            console.print(told, markup=False, highlight=False)
-        if self.accurate is None and (told := self.simulation.engine.enlargement):
-            told += "; [grid] specifies the initial grid"
-            console.print(told, markup=False, highlight=False)
+        if text := said_of_increments(dataset.attrs):
+            console.print(text, markup=False, highlight=False)
+        if errors is not None and (text := said_of_slope(errors.slope_beyond)):
+            console.print(text, markup=False, highlight=False)
+        if self.accurate is None and (text := self.simulation.engine.enlargement):
+            text += "; [grid] specifies the initial grid"
+            console.print(text, markup=False, highlight=False)
         peak = peak_of_dataset(dataset)
         load = float(dataset["load"].values[peak])
         reference = case.hertz(load) if load > 0.0 else None
@@ -186,7 +186,7 @@ class _ContactRun:
 
             with journal_column(case.output.column):
                 written += summary_figures(
-                    self._shown(dataset),
+                    self._with_figure_fields(dataset),
                     self.directory,
                     body=body,
                     hertz=reference,
@@ -219,11 +219,11 @@ class _ContactRun:
             with self.console.status("repeating the run on a coarsened grid"):
                 return estimate_errors(self.simulation, self.case.steps(), self.states)
         except Exception as error:
-            told = f"could not estimate the grid errors: {error}"
-            self.console.print(told, markup=False, highlight=False)
+            text = f"could not estimate the grid errors: {error}"
+            self.console.print(text, markup=False, highlight=False)
             return None
 
-    def _shown(self, dataset: xr.Dataset) -> xr.Dataset:
+    def _with_figure_fields(self, dataset: xr.Dataset) -> xr.Dataset:
         """Return the results with the volume fields that figures require, stored or not."""
         from ..plotting.summary import increments_shown
 

@@ -137,8 +137,8 @@ def _solve(
             if done is None:
                 raise
             what = kind.amount(done)
-            told = write_partial_results(lambda reason: write(done, reason), error, what, directory)
-            raise StoppedEarlyError(with_resume_hint(told, directory)) from error
+            text = write_partial_results(lambda reason: write(done, reason), error, what, directory)
+            raise StoppedEarlyError(with_resume_hint(text, directory)) from error
         return write(result)
 
 

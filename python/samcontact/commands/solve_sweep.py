@@ -161,13 +161,13 @@ def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | AsperityCase)
     else:
         columns = of_contact(dataset, CONTACT_COLUMNS, case.output.body)
     for name, quantity in columns.items():
-        values = [_shown(one, name, case) * quantity.factor for one in cases]
+        values = [_table_value(one, name, case) * quantity.factor for one in cases]
         sheet.add(quantity.column(), numbers(values, quantity.digits))
     sheet.add("status", [one["status"].item() for one in cases])
     return sheet
 
 
-def _shown(one: xr.Dataset, name: str, case: Case | AsperityCase) -> float:
+def _table_value(one: xr.Dataset, name: str, case: Case | AsperityCase) -> float:
     values = one[name].values
     if np.all(np.isnan(values)):
         return math.nan

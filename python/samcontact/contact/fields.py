@@ -92,9 +92,9 @@ class ContactFields(Configured):
         -------
         ndarray, shape (3, nx, ny)
             u_x, u_y, u_z [m] at the cell centres, zero far away (see Grid for periodic grids): u_x
-            and u_y along x and y, which both bodies share, u_z positive into the body. Shear s_x >
-            0 on body 2 displaces its surface towards +x; pressure draws the surrounding surface
-            towards itself. Without thermal expansion; zero for a rigid body.
+            and u_y are along x and y, axes that both bodies share; u_z is positive into the body.
+            Shear s_x > 0 on body 2 displaces its surface towards +x; pressure draws the surrounding
+            surface towards itself. Thermal expansion is not included; zero for a rigid body.
 
         Raises
         ------
@@ -104,9 +104,9 @@ class ContactFields(Configured):
         Notes
         -----
         Boussinesq's and Cerruti's point forces (Johnson 1985, sections 3.2 and 3.6), integrated
-        over each cell in closed form. The relative tangential displacement is that of body 2 minus
-        that of body 1; the normal displacements of both bodies add up to the approach of the
-        surfaces.
+        over each cell in closed form. The relative tangential displacement is the displacement of
+        body 2 minus the displacement of body 1; the normal displacements of both bodies add up to
+        the approach of the surfaces.
         """
         material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
         needed = 3 * memory.surface(self.grid, memory.DISPLACEMENT_BYTES)
@@ -120,7 +120,7 @@ class ContactFields(Configured):
     def _tractions_on(
         self, body: int, pressure: ArrayLike, shear: ArrayLike | None
     ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-        """Pressure, s_x and s_y on a body, from those on body 2; default shear from friction."""
+        """Pressure, s_x and s_y on a body, from tractions on body 2; shear None: from friction."""
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
         attracted = self.contact_law.attracts and self.friction != 0
         if shear is None and not (attracted or self._law.sticks):
@@ -169,9 +169,10 @@ class ContactFields(Configured):
         Parameters
         ----------
         solution : ContactSolution
-            Solution whose pressure and shear act; in full sliding, friction times the pressure.
+            Solution whose pressure and shear act; in full sliding, the shear is friction times
+            pressure.
         x, y, z : array_like
-            Points [m], of shapes that broadcast; z >= 0 is the depth in the body.
+            Points [m], with shapes that broadcast; z >= 0 is the depth in the body.
         body : {1, 2}, optional
 
         Returns
@@ -192,8 +193,8 @@ class ContactFields(Configured):
         Notes
         -----
         Sums the closed form of each loaded cell (Love 1929; Johnson 1985, section 3.4). At cell
-        centres the result equals that of `stress` to rounding. It takes a few microseconds per
-        point and loaded cell.
+        centres the result equals the result of `stress` to within rounding. The evaluation takes a
+        few microseconds per point and loaded cell.
         """
         require_type("solution", solution, ContactSolution)
         number = choice("body", body, (1, 2))

@@ -38,7 +38,7 @@ class ContactSolver(ContactFields):
     Exact Love and Cerruti coefficients are convolved by FFT; an active-set method with a spectral
     preconditioner starts from coarser grids. Friction given as a number means full sliding along x:
     the shear mu p acts on body 2 in +x and on body 1 in -x. `Coulomb` allows partial slip; the
-    shear is then solved for like the pressure. If the elastic constants couple shear to the normal
+    shear is then an unknown, like the pressure. If the elastic constants couple shear to the normal
     displacement, the coupling is iterated to convergence.
 
     Parameters
@@ -48,18 +48,19 @@ class ContactSolver(ContactFields):
         Upper and lower body; at most one is rigid. Plastic materials are treated as elastic.
     friction : float or Coulomb, optional
         Friction law. A float is a coefficient mu >= 0 [-] for full sliding along x; `Coulomb(mu)`
-            allows partial slip.
+        allows partial slip.
     tol : float, optional
         Convergence tolerance of the complementarity error `ContactSolution.error`, in [1e-13, 1).
     on_border : {"error", "warn"}, optional
         Action if the contact reaches the edge of a grid that cannot be enlarged: raise
-            `GridTooSmallError` or issue `GridTooSmallWarning`.
+        `GridTooSmallError` or issue `GridTooSmallWarning`.
     max_iterations : int, optional
     heat : Heat, optional
         Frictional heating; `history` is not supported. Default: none, `Heat(0.0)`.
     contact_law : ContactLaw, optional
-        Lower bound of the pressure across a gap. Default: `HardContact()`, p >= 0. Friction depends
-        on the repulsion only. Attraction acts over the whole grid, which is not enlarged.
+        Lower bound of the pressure across a gap. Default: `HardContact()`, p >= 0. Friction acts on
+        the repulsive part of the pressure only. Attraction acts over the whole grid, which is not
+        enlarged.
 
     Raises
     ------
@@ -93,7 +94,8 @@ class ContactSolver(ContactFields):
         self._law = settings.law
         self.heat = NO_HEAT if heat is None else heat
         require_type("heat", self.heat, Heat)
-        for name, instead in (("history", "set time, or"), ("partition", "slip takes time:")):
+        remedies = {"history": "set time, or", "partition": "a single contact has no duration;"}
+        for name, instead in remedies.items():
             if (given := getattr(self.heat, name)) is not None:
                 raise ValueError(
                     f"heat.{name} must be None for a single contact, got {given!r}: {instead} use "
@@ -143,7 +145,7 @@ class ContactSolver(ContactFields):
         gap : array_like, shape (nx, ny), or callable
             Initial separation of the undeformed bodies [m], inf where one of them is absent; or a
             function of a grid that returns it. With a function, the solution is on an enlarged grid
-            if that of the solver does not contain the contact, as in a `Simulation`; the solver
+            if the grid of the solver does not contain the contact, as in a `Simulation`; the solver
             keeps its own grid.
         load : float
             Normal load [N], >= 0, or down to the maximum tension of the contact law.
@@ -162,8 +164,7 @@ class ContactSolver(ContactFields):
             increment [rad]. Mutually exclusive with `torque`.
         torque : float, optional
             Moment about z on body 2 at the end of the increment [N m]. If neither `twist` nor
-            `torque`
-                 is given, rotation is prevented.
+            `torque` is given, rotation is prevented.
         previous : PartialSlipSolution or RollingSolution, optional
             With `Coulomb`: solution of the preceding increment, from which load and shear change
             together. If omitted, the normal load is applied first and the tangential load second.
@@ -171,12 +172,12 @@ class ContactSolver(ContactFields):
         advance : pair of float, optional
             With `Coulomb` and `previous`: displacements s_1, s_2 of both surfaces through the
             contact, positive along +x [m]. The contact rolls towards +x by -(s_1 + s_2)/2, a whole
-            number of cells. s_1 - s_2, at most a cell, is added to the shift along x (not under a
-            given force).
+            number of cells. s_1 - s_2, at most one cell, is added to the shift along x, unless a
+            force is prescribed there.
         initial_pressure : array_like, shape (nx, ny), optional
-            Initial pressure of the iteration [Pa]. A good one, such as the solution for a similar
-            gap or load, saves the coarser grids and most iterations. If the iteration does not
-            converge from it, the solve is repeated without it.
+            Initial pressure of the iteration [Pa]. A good initial pressure, such as the solution
+            for a similar gap or load, saves the coarser grids and most iterations. If the iteration
+            does not converge from it, the solve is repeated without it.
 
         Returns
         -------
@@ -189,7 +190,7 @@ class ContactSolver(ContactFields):
             Invalid arguments, or a tangential load or torque above the friction limit;
             GridTooSmallError if the contact reaches the edge of the grid.
         ConvergenceError
-            With .iterations and .residual.
+            No convergence; the error has the attributes `iterations` and `residual`.
 
         Warns
         -----
@@ -200,10 +201,12 @@ class ContactSolver(ContactFields):
             The maximum pressure exceeds half the contact modulus, or a body treated as elastic
             would yield under it.
         SingularPressureWarning
-            The pressure rises to a sharp edge, where that of elastic bodies is unbounded.
+            The pressure rises to a sharp edge, where the pressure between elastic bodies is
+            unbounded.
         UnitWarning
             Before the solve: the Hertz estimate is far outside the range of the grid, or material
-            constants are implausible; names the quantity that is probably in another unit.
+            constants are implausible. The message names the quantity that is probably in another
+            unit.
         GridTooSmallWarning
             With on_border="warn", instead of a GridTooSmallError.
         """

@@ -66,7 +66,7 @@ class TangentialDriver(Protocol):
 
     @property
     def previous(self) -> ShearedSolution | None:
-        """Solution on whose grid the present one must be."""
+        """Solution whose grid the new solution must use."""
 
     def solved(
         self,
@@ -118,7 +118,7 @@ class TangentialDrive:
         if start is None and moves and self.previous is not None:
             start = before_on(self.previous, grid)[0]  # the contact stays where it is
         x, y, turn = self.given.values
-        # rotation slips at the positions that cells have during the motion
+        # slip due to rotation: at the positions of the cells during the motion
         lead = _core.spin_lead * self.way
         if not self.given.is_force[0]:
             x += self.ways[0] - self.ways[1]
@@ -160,7 +160,7 @@ def carried(field: FloatArray, cells: int) -> FloatArray:
 
 
 def _require_kept(pressure: FloatArray, cells: int, grid: Grid) -> None:
-    """Raise ValueError if tractions would leave the grid, with their effect inside it."""
+    """Raise ValueError if tractions leave the grid: their effect inside it would be lost."""
     rows = np.flatnonzero(in_contact(pressure).any(axis=1))
     least, most = (-int(rows[0]), grid.nx - 1 - int(rows[-1])) if rows.size else (cells, cells)
     if not least <= cells <= most:
@@ -179,8 +179,7 @@ def given_along(
     torque: float | None,
     **more: Any,
 ) -> TangentialInput:
-    """Check the prescribed tangential quantities; None, and no further arguments, for full
-    sliding."""
+    """Check the prescribed tangential quantities; ValueError for any of them in full sliding."""
     motions, forces = (
         {"shift": shift, "twist": twist},
         {"tangential_load": tangential_load, "torque": torque},
@@ -206,7 +205,7 @@ def tangential_drive(
     advance: Sequence[float],
     grid: Grid,
 ) -> TangentialDrive:
-    """Checked tangential drive; None for full sliding."""
+    """Checked tangential drive; without prescribed motion or force in full sliding."""
     first, second = (float(way) for way in finite_array("advance", advance, (2,)))
     moves = None if first == second == 0 else advance
     along = given_along(

@@ -2,8 +2,8 @@
 """Critical values of a contact: onset of yield in an elastic-plastic body.
 
 I. Green, *Poisson ratio effects and critical values in spherical and cylindrical Hertzian
-contacts*, Int. J. Appl. Mech. Eng. 10 (2005) 451-462. C is the Hertz pressure at the onset of
-yield over the yield stress.
+contacts*, Int. J. Appl. Mech. Eng. 10 (2005) 451-462. C is the maximum Hertz pressure at the onset
+of yield divided by the yield stress.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class CriticalSphere(HtmlTable):
 
 @dataclass(frozen=True)
 class CriticalSlidingSphere(CriticalSphere):
-    """Onset of yield in a sliding point contact; the energy is that of the normal load.
+    """Onset of yield in a sliding point contact; the energy is the work of the normal load.
 
     Attributes
     ----------
@@ -221,7 +221,8 @@ def onset_sliding(
     CriticalSlidingSphere
         From the maximum von Mises stress in the half-space, including its surface, under a Hertz
         pressure p with the shear mu p (`hertz.PointContact.stress`). With nu = 0.3 the body yields
-        below the surface, ahead of the centre, up to mu = 0.304, and at the trailing edge above.
+        below the surface, ahead of the centre, up to mu = 0.304, and at the trailing edge for
+        higher friction.
 
     Raises
     ------
@@ -263,9 +264,9 @@ def onset_over_depth(
     -------
     CriticalSphereOverDepth
         Values at the smallest load for which the von Mises stress, including residual stress,
-        reaches the local yield stress: anywhere within 1.3 radii of the axis and down to 12 radii,
-        from the closed form of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02, to about
-        1e-5. C is relative to the yield stress of the law, without its profile.
+        reaches the local yield stress: anywhere within 1.3 radii of the axis and down to a depth of
+        12 radii, from the closed form of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02, to
+        about 1e-5. C is relative to the yield stress of the law, without its profile.
 
     Raises
     ------
@@ -304,8 +305,8 @@ def kogut_etsion(
     Returns
     -------
     CriticalSphere
-        K = 0.454 + 0.41 nu; load and energy are those of Hertz at this interference. Kogut and
-        Etsion (2002), doi:10.1115/1.1490373.
+        K = 0.454 + 0.41 nu; load and energy follow from Hertz theory at this interference. Kogut
+        and Etsion (2002), doi:10.1115/1.1490373.
 
     Raises
     ------
@@ -367,9 +368,9 @@ def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> Critic
     -------
     CriticalCylinderOverDepth
         Values at the smallest load for which the von Mises stress, including residual stress,
-        reaches the local yield stress: within 1.3 half-widths of the centre and down to 12, from
-        the closed form of McEwen (Johnson 1985, (4.49)), to about 1e-5. C is relative to the yield
-        stress of the law, without its profile.
+        reaches the local yield stress: within 1.3 half-widths of the centre and down to a depth of
+        12 half-widths, from the closed form of McEwen (Johnson 1985, (4.49)), to about 1e-5. C is
+        relative to the yield stress of the law, without its profile.
 
     Raises
     ------

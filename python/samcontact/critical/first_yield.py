@@ -104,10 +104,13 @@ def _unit_stress(
     return field(out * np.cos(turned), out * np.sin(turned), down, body.nu, friction)
 
 
-def _largest(
+def _max_excess(
     body: Material, stress: FloatArray, a: float, angle: FloatArray, r: FloatArray, z: FloatArray
 ) -> YieldPosition:
-    """Maximum excess. stress: contact stress [Pa], (6, angles, r, z); r, z in contact radii."""
+    """Maximum excess over the yield stress.
+
+    stress: contact stress [Pa], shape (6, angles, r, z), with r, z in contact radii.
+    """
     sxx, syy, sxy = body.residual_stress_at(a * z)
     total = stress.copy()
     for component, start in ((0, sxx), (1, syy), (5, sxy)):
@@ -141,7 +144,7 @@ class _GlobalSearch:
         between = self._stress[..., below - 1] * (1 - part) + self._stress[..., below] * part
         stress = p0 * np.concatenate([self._stress, between], axis=-1)
         z = np.concatenate([self._z, more])
-        return _largest(self._body, stress, a, self._angle, self._r, z)
+        return _max_excess(self._body, stress, a, self._angle, self._r, z)
 
 
 class _LocalSearch:
@@ -170,4 +173,4 @@ class _LocalSearch:
         inside = kinks[(kinks >= a * self._z[0]) & (kinks <= a * self._z[-1])]
         z = np.unique(np.concatenate([self._z, inside / a]))
         stress = p0 * _unit_stress(self._body, self._friction, self._angle, self._r, z)
-        return _largest(self._body, stress, a, self._angle, self._r, z)
+        return _max_excess(self._body, stress, a, self._angle, self._r, z)

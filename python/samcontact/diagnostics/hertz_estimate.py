@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 MAX_PARABOLOID_DEVIATION = 0.03
-"""Maximum deviation of a gap from a paraboloid, over its height: (r/R)^2/4 for a sphere."""
+"""Maximum deviation of a gap from a paraboloid, relative to its height: (r/R)^2/4 for a sphere."""
 _ROUNDING_MARGIN = 1e-6
 """Relative reduction of the range of loads known to pass a check, for rounding."""
 _FIT_POINTS_PER_SIDE = 17  # per side, to which a paraboloid is fitted
@@ -49,8 +49,8 @@ class PlasticBody(NamedTuple):
 class ContactSetup:
     """Gap between two bodies, with its Hertz estimate if the gap is a paraboloid.
 
-    relieved: there is a relief between the bodies, or they attract each other, so that there is no
-    Hertz estimate.
+    relieved: whether there is a relief between the bodies, or they attract each other; there is
+    then no Hertz estimate.
     """
 
     def __init__(
@@ -110,7 +110,7 @@ class ContactSetup:
 
     @cached_property
     def _paraboloid(self) -> tuple[float, float, float] | None:
-        """Larger and smaller radius [m], and cosine of the angle of the larger one's plane to x."""
+        """Larger and smaller radius [m]; cosine of the angle between x and the larger's plane."""
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None
@@ -142,7 +142,7 @@ class ContactSetup:
 
     @cached_property
     def E_star(self) -> float:
-        """Contact modulus [Pa]; with layers, that of the most compliant ones."""
+        """Contact modulus [Pa]; with layers, the modulus of the most compliant ones."""
         return hertz.effective_modulus(*self._solids)
 
     @cached_property
@@ -179,7 +179,7 @@ class ContactSetup:
         """Warn of the first quantity that is probably in a wrong unit, and return its check.
 
         Raises ValueError if the Hertz contact is far smaller than a cell, unless the bodies have
-        been loaded before.
+        been loaded before or a filter ignores `UnitWarning`.
         """
         before, after, (least, most) = self._checked(heat)
         of_contact: list[plausibility.PlausibilityCheck] = []
@@ -225,7 +225,7 @@ class ContactSetup:
 
     @cached_property
     def _reference(self) -> plausibility.ExpectedExtent | None:
-        """Hertz contact across about a quarter of the grid; other loads follow by powers."""
+        """Hertz contact across about a quarter of the grid, scaled by power laws to other loads."""
         if not self._is_hertzian or self.radii is None:
             return None
         side = min(self.grid.nx * self.grid.dx, self.grid.ny * self.grid.dy)
@@ -310,7 +310,7 @@ def _shares_of_grid(expected: ExpectedContact, grid: Grid) -> tuple[float, float
 
 
 def explain_digits(error: ConvergenceError, gap: FloatArray) -> None:
-    """Add to a solver error that the gap has a large offset, if so."""
+    """Add a note to a solver error if the gap has a large offset."""
     far = float(np.abs(gap).max())
     height = float(gap.max()) - float(gap.min())
     if 1e-16 * far > 1e-11 * height > 0:

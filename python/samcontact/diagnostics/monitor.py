@@ -72,7 +72,7 @@ class Monitor:
     def warn(
         self, state: State, scene: ContactSetup, complaints: list[str], *, stacklevel: int
     ) -> None:
-        """Issue warnings after an increment; complaints: messages of the core on the grid edge."""
+        """Issue warnings after an increment; complaints: core messages about the grid edge."""
         for complaint in complaints:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
         if scene.plastic and not self.clipping_warned and (text := _cut_text(state)):

@@ -22,7 +22,8 @@ LIMIT_PRESSURE_RATIO = 3.0
 """Mean pressure of a fully plastic contact over the yield stress."""
 _MAX_LIMIT_EXCESS = 1.05
 _MIN_ALTERNATION = 0.15
-"""Fraction of the maximum strain: zones of four layers stay below, patterns reach 0.2."""
+"""Alternation, relative to the maximum strain, above which a warning is issued: smooth plastic
+zones of four layers stay below it, grid artefacts reach 0.2."""
 
 
 def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
@@ -65,7 +66,7 @@ def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool
 def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
     """Warn of plastic strain that alternates between layers; return whether it did.
 
-    It occurs only with residual_stress="exact": see docs/theory/accuracy.md.
+    The alternation occurs only with residual_stress="exact": see docs/theory/accuracy.md.
     """
     if state.setup.settings.residual_stress != "exact":
         return False
@@ -89,8 +90,8 @@ def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
 def alternation(strain: FloatArray) -> float:
     """Amplitude of strain that alternates between layers, relative to the maximum strain.
 
-    strain: shape (6, nx, ny, nz). The amplitude is that of fourth differences, which smooth fields
-    hardly have over four or more layers; 0 for fewer layers.
+    strain: shape (6, nx, ny, nz). The amplitude is computed from fourth differences, which are
+    small for smooth fields over four or more layers; 0 for fewer layers.
     """
     largest = float(np.sqrt((strain**2).sum(0)).max())
     if strain.shape[-1] < 5 or np.count_nonzero(strain.any(axis=(0, 1, 2))) < 4:

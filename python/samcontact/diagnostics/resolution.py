@@ -36,7 +36,7 @@ ROUND_SPOT_AREA_ERROR = 16 / math.pi * AREA_PER_SIDE
 AREA_ERROR_WARNING, AREA_ERROR_LIMIT = 0.1, 0.2
 """Limits of the area uncertainty of a contact of several spots: warning, and failed check."""
 MAX_ELASTIC_STRAIN = 0.5
-"""Maximum pressure over E*: that of a Hertz contact with a/R = 0.8."""
+"""Limit of the maximum pressure over E*: a Hertz contact with a/R = 0.8 reaches it."""
 _MAX_STRESS_DEPTH = 0.8
 """Depth of maximum von Mises stress over half-width: 0.48 (point contact) to 0.79 (line)."""
 
@@ -66,7 +66,8 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
     pressure : array_like, shape (nx, ny)
         Contact pressure [Pa], >= 0.
     periodic : {"", "x", "y", "xy"}, optional
-        As for Grid: along these directions the maximum pressure is moved to the centre first.
+        Periodic directions, as for Grid; along them the maximum pressure is first moved to the
+        centre.
 
     Returns
     -------
@@ -80,7 +81,7 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
 
 
 def spots(pressure: ArrayLike, periodic: str = "") -> int:
-    """Number of spots of connected cells, corners included; arguments as for `main_spot`."""
+    """Number of spots of cells connected by sides or corners; arguments as for `main_spot`."""
     return int(_labelled(pressure, periodic)[0].max())
 
 
@@ -106,7 +107,8 @@ def cells_across(pressure: ArrayLike, periodic: str = "") -> float:
     pressure : array_like, shape (nx, ny)
         Contact pressure [Pa], >= 0.
     periodic : {"", "x", "y", "xy"}, optional
-        As for Grid: along these directions the maximum pressure is moved to the centre first.
+        Periodic directions, as for Grid; along them the maximum pressure is first moved to the
+        centre.
 
     Returns
     -------
@@ -150,7 +152,7 @@ def _uncertainty(outline: Outline) -> float:
 
 
 def _is_wide(pressure: FloatArray) -> bool:
-    """Whether the cell of maximum pressure lies in `RECOMMENDED_CELLS` contact cells along x and y.
+    """Whether the cell of maximum pressure lies in runs of `RECOMMENDED_CELLS` cells along x and y.
 
     This cheap check is sufficient for a wide contact spot, but not necessary.
     """
@@ -224,8 +226,8 @@ def warn_of_contact(
         )
     else:
         return False
-    told = f"under-resolved contact: at load {solution.load:.6g} N the contact {text}"
-    warnings.warn(told, ResolutionWarning, stacklevel=stacklevel + 1)
+    message = f"under-resolved contact: at load {solution.load:.6g} N the contact {text}"
+    warnings.warn(message, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
 
 
@@ -242,7 +244,7 @@ def warn_of_zone(
 ) -> bool:
     """Warn if fewer than `few` layers span the plastic zone of a body; return whether it did.
 
-    It considers the state with the deepest zone: strain of a moving body leaves the grid.
+    The state with the deepest zone counts, because the strain of a moving body leaves the grid.
     """
     heights = [layers_across_plastic_zone(strained_extent(state, body)) for state in states]
     layers = max((height for height in heights if height > 0), default=math.nan)
@@ -294,7 +296,7 @@ def warn_if_yield_unresolved(
 
 
 def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn, after any increment, of what later increments cannot correct; return whether it did."""
+    """Warn after an increment of faults that later ones cannot correct; return whether it did."""
     if math.isfinite(state.approach):
         if warn_of_contact(state, scene, MINIMUM_CELLS, stacklevel=stacklevel + 1):
             return True
@@ -347,7 +349,7 @@ def warn_of_sweep(dataset: xr.Dataset, *, stacklevel: int) -> None:
             found.append(f"{count} with {what}")
     if found:
         text = (
-            f"under-resolved cases: of {dataset['status'].size}, {', '.join(found)}; see "
+            f"under-resolved cases: {', '.join(found)}, of {dataset['status'].size} in all; see "
             "cells_across_contact and layers_across_plastic_zone_bodyN"
         )
         warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)

@@ -41,7 +41,7 @@ def warn_of_yield(
 ) -> bool:
     """Warn if an elastic-plastic body would yield under an elastic solution; return whether it did.
 
-    The stress is that below a Hertz contact of equal maximum pressure, width and friction. A rough
+    The stress is taken from a Hertz contact of equal maximum pressure, width and friction. A rough
     or non-smooth contact may therefore yield slightly earlier or later.
     """
     largest = float(solution.pressure.max())
@@ -80,7 +80,7 @@ def _traction(solution: ContactSolution, friction: FrictionLaw) -> float:
 def _over_yield(
     solution: ContactSolution, body: Body, friction: FrictionLaw
 ) -> tuple[float, float]:
-    """Maximum of von Mises stress over yield stress at its depth, and that stress [Pa]."""
+    """Maximum ratio of von Mises stress to the yield stress at its depth; von Mises stress [Pa]."""
     grid, largest = solution.grid, float(solution.pressure.max())
     spot = main_spot(solution.repulsion, grid.periodic)
     assert spot is not None  # there is a pressure above the yield stress

@@ -23,7 +23,8 @@ from .field import FatigueField
 __all__ = ["crossland", "dang_van", "fatemi_socie", "findley", "orthogonal_shear"]
 
 _MAX_SLOPE = 10.0
-"""Maximum slope: slopes are pure numbers below 1 for metals; a larger value is a stress."""
+"""Maximum slope: slopes are pure numbers below 1 for metals; a larger value is probably a
+stress."""
 
 Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
 
@@ -51,15 +52,16 @@ def dang_van(
     Raises
     ------
     ValueError, TypeError
-        The slope is missing or outside its range; and as `cycle`.
+        The slope is missing or outside its range; also the errors of `cycle`.
 
     Notes
     -----
-    tau is Tresca's shear stress, half the difference of the largest and smallest principal stress,
-    of s(t) - s*: Dang Van's own measure. s* is the residual deviator after elastic shakedown of the
-    grains, the centre of the smallest ball, in the norm sqrt(s:s), around the path of the deviator
-    s. The ball is exact. K. Dang Van, B. Griveau, O. Message (1989), *Biaxial and Multiaxial
-    Fatigue*, EGF 3, 479-496; P. Ballard et al. (1995), doi:10.1111/j.1460-2695.1995.tb00886.x.
+    tau, Dang Van's own measure, is Tresca's shear stress of s(t) - s*: half the difference of its
+    largest and smallest principal values. s* is the residual deviator after elastic shakedown of
+    the grains, the centre of the smallest ball, in the norm sqrt(s:s), around the path of the
+    deviator s. The ball is computed exactly. K. Dang Van, B. Griveau, O. Message (1989), *Biaxial
+    and Multiaxial Fatigue*, EGF 3, 479-496; P. Ballard et al. (1995),
+    doi:10.1111/j.1460-2695.1995.tb00886.x.
     """
     number = _slope("slope", slope)
     return _scalar("dang_van", {"slope": number}, states, body,
@@ -87,7 +89,7 @@ def crossland(
     Raises
     ------
     ValueError, TypeError
-        The slope is missing or outside its range; and as `cycle`.
+        The slope is missing or outside its range; also the errors of `cycle`.
 
     Notes
     -----
@@ -121,7 +123,7 @@ def orthogonal_shear(
     Raises
     ------
     ValueError, TypeError
-        As `cycle`.
+        The errors of `cycle`.
     """
     component = {"x": 4, "y": 3}[choice("axis", axis, ("x", "y"))]
 
@@ -153,7 +155,7 @@ def findley(
     Raises
     ------
     ValueError, TypeError
-        k is missing or outside its range; and as `cycle`.
+        k is missing or outside its range; also the errors of `cycle`.
 
     Notes
     -----
@@ -190,8 +192,8 @@ def fatemi_socie(
         Yield stress by which the normal stress is divided [Pa], > 0. Default: initial yield stress
         of the body.
     material : Material, optional
-        Material whose elastic constants convert stress to strain. Default: that of the body. A
-        stress array requires both.
+        Material whose elastic constants convert stress to strain. Default: material of the body. A
+        stress array requires both `yield_stress` and `material`.
 
     Returns
     -------
@@ -202,14 +204,14 @@ def fatemi_socie(
     ------
     ValueError, TypeError
         k is missing or outside its range; yield stress or material is missing and the body has
-        none; and as `cycle`.
+        none; also the errors of `cycle`.
 
     Notes
     -----
     gamma_a, gamma_max/2 in the source, is the radius of the smallest circle around the path of the
-    engineering shear strain in the plane, elastic and plastic; in a cycle without plastic flow it
-    is that of the elastic strain. A negative normal stress reduces the value, at least to 0. Planes
-    as in `findley`. A. Fatemi, D. F. Socie (1988), doi:10.1111/j.1460-2695.1988.tb01169.x.
+    engineering shear strain in the plane, elastic and plastic; in a cycle without plastic flow, of
+    the elastic strain alone. A negative normal stress reduces the value, at least to 0. Planes are
+    searched as in `findley`. A. Fatemi, D. F. Socie (1988), doi:10.1111/j.1460-2695.1988.tb01169.x.
     """
     number = _slope("k", k)
     given = _as_cycle(states, body)
@@ -311,11 +313,11 @@ def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
     return np.asarray(E / (2 * (1 + nu)), dtype=np.float64)
 
 
-def _yield_stress(given: Cycle, material: Material | None, told: float | None) -> float:
-    if told is not None:
-        given_stress = positive("yield_stress", told)
-        warn_if_implausible(strength("yield_stress", given_stress), stacklevel=4)
-        return given_stress
+def _yield_stress(given: Cycle, material: Material | None, given_stress: float | None) -> float:
+    if given_stress is not None:
+        checked = positive("yield_stress", given_stress)
+        warn_if_implausible(strength("yield_stress", checked), stacklevel=4)
+        return checked
     body = material if material is not None else given.body
     assert body is not None  # checked by _elasticity
     if not body.is_plastic:

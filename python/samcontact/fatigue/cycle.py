@@ -42,7 +42,7 @@ class Cycle(HtmlTable):
 
     @property
     def moments(self) -> int:
-        """Number of moments."""
+        """Number of moments (instants) of the cycle."""
         return self._paths.moments
 
     @property
@@ -88,7 +88,7 @@ def blocks(of: Cycle, fields: int) -> Iterator[slice]:
         memory.require(
             "one layer of a cycle",
             _COPIES_OF_BLOCK * one / _MAX_MEMORY_FRACTION,
-            "use fewer moments",
+            "use fewer states (moments)",
         )
     size = max(min(fit, last), 1)
     for first in range(0, last, size):
@@ -122,8 +122,8 @@ def cycle(
     Parameters
     ----------
     states : sequence of State, or array_like of shape (n, 6, ...)
-        At least two moments of one simulation: those of a pass or a loop in its steady state.
-        States that are not in the sequence, such as the unloaded body, are not in the cycle. Or
+        At least two states of one simulation, over a pass or a loop in its steady state. The cycle
+        consists of these states only: it does not add the unloaded body. Alternatively, an array of
         stress [Pa] from any source, components xx, yy, zz, yz, xz, xy, tension positive.
     body : {1, 2}, optional
         Body of the states. Default: 2.
@@ -133,7 +133,7 @@ def cycle(
     Returns
     -------
     Cycle
-        If the contact moves over the body, the points are those of the body: the cells inside the
+        If the contact moves over the body, the points are the cells of the body that lie inside the
         grids of all states.
 
     Raises
@@ -153,9 +153,9 @@ def cycle(
     if any(isinstance(one, State) for one in given):
         if plastic_strain is not None:
             raise ValueError("plastic_strain cannot be combined with states, which have their own")
-        return _of_states(given, 2 if body is None else choice("body", body, (1, 2)))
+        return _cycle_from_states(given, 2 if body is None else choice("body", body, (1, 2)))
     stress = _tensors("states", states, "(moments, 6, ...)", 1)
-    _of_no_body(body)
+    _require_no_body(body)
     if stress.shape[0] < 2:
         raise ValueError(f"states must have at least 2 moments, got shape {stress.shape}")
     strain = _strain_like(plastic_strain, stress)
@@ -170,8 +170,8 @@ def steady_cycle(
 ) -> Cycle:
     """Stress cycle of material that moves through a steady stress field along x or y.
 
-    For steady rolling or sliding one state suffices: every point undergoes the stress along its
-    line.
+    For steady rolling or sliding one state suffices: every point undergoes the stresses along its
+    line in turn.
 
     Parameters
     ----------
@@ -187,9 +187,10 @@ def steady_cycle(
     Returns
     -------
     Cycle
-        Its points are lines: fields have the axes y and z (x and z). Moments are the cells along a
-        line, without interpolation, and for a state also the initial stress far ahead of the
-        contact. This is not added to a stress array, nor along a periodic direction.
+        Its points are lines: fields have the axes y and z (x and z with `axis="y"`). Moments are
+        the cells along a line, without interpolation, and for a state also the initial stress far
+        ahead of the contact. The initial stress is not added to a stress array, nor along a
+        periodic direction.
 
     Raises
     ------
@@ -210,7 +211,7 @@ def steady_cycle(
         places = {across: getattr(state.grid, across), "z": state.depths}
         return Cycle(paths, _body_of(state, which), FrozenDict(places))
     stress = _tensors("state", state, "(6, nx, ny, nz)", 0)
-    _of_no_body(body)
+    _require_no_body(body)
     if stress.ndim != 4 or stress.shape[1 + number] < 2:
         raise ValueError(
             f"state must have shape (6, nx, ny, nz) with at least 2 cells along {axis}, "
@@ -221,7 +222,7 @@ def steady_cycle(
     return Cycle(GivenPaths(lines[0], lines[1] if len(lines) > 1 else None), None, FrozenDict({}))
 
 
-def _of_no_body(body: Any) -> None:
+def _require_no_body(body: Any) -> None:
     if body is not None:
         raise ValueError(f"body cannot be combined with a stress array, got {in_short(body)}")
 
@@ -254,7 +255,7 @@ def _body_of(state: State, body: int) -> Body:
     return state.setup.bodies[body - 1]
 
 
-def _of_states(given: list[Any], body: int) -> Cycle:
+def _cycle_from_states(given: list[Any], body: int) -> Cycle:
     wrong = [one for one in given if not isinstance(one, State)]
     if wrong:
         raise TypeError(f"states must all be samcontact.State, got {type(wrong[0]).__name__}")

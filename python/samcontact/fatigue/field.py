@@ -47,7 +47,7 @@ class FatigueField(ShortRepr, HtmlTable):
         Coordinates along each axis of `values` [m]: "x" (on the body), "y", "z"; empty for a
         stress array.
     moments : int
-        Number of moments of the cycle.
+        Number of moments (instants) of the cycle.
     normals : ndarray or None
         Normal of the critical plane at each point, shape (3, ...), for critical-plane criteria.
     """
@@ -130,9 +130,11 @@ class FatigueField(ShortRepr, HtmlTable):
                 "a field from a stress array has no coordinates: label its `values` directly"
             )
         unit = {"-": "1"}.get(self.unit, self.unit)
-        told = {"units": unit, "long_name": self.name, "moments": self.moments}
+        attributes = {"units": unit, "long_name": self.name, "moments": self.moments}
         axes = tuple(self.coordinates)
-        data: dict[str, Any] = {self.criterion: (axes, self.values, told | dict(self.parameters))}
+        data: dict[str, Any] = {
+            self.criterion: (axes, self.values, attributes | dict(self.parameters))
+        }
         coordinates: dict[str, Any] = {
             axis: (axis, values, {"units": "m"}) for axis, values in self.coordinates.items()
         }

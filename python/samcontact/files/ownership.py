@@ -34,7 +34,7 @@ _recording: ContextVar[OwnershipRecord | None] = ContextVar("recording", default
 
 
 def is_regular(file: Path) -> bool:
-    """Whether a path is a regular file: no link, folder, pipe or device."""
+    """Whether a path is a regular file, not a link, folder, pipe or device."""
     try:
         return stat.S_ISREG(file.lstat().st_mode)
     except OSError:

@@ -74,8 +74,8 @@ class EllipticContact(HtmlTable):
 
         Notes
         -----
-        Closed form equivalent to that of Sackfield and Hills (1983), Journal of Strain Analysis 18,
-        101. The error is rounding, about 1e-15 of the axial stress.
+        Closed form equivalent to the solution of Sackfield and Hills (1983), Journal of Strain
+        Analysis 18, 101. Only rounding errors occur, of about 1e-15 of the axial stress.
         """
         s = depth_ratio(z, self.a_x)
         sxx, syy, szz = elliptic_axis(s, self.k, poisson_ratio("nu", nu))
@@ -87,7 +87,7 @@ class EllipticContact(HtmlTable):
         return ratio * self.p0, depth * min(self.a_x, self.a_y)
 
 
-_MAX_RADIUS_RATIO = 1e100  # of radii; avoids overflow of squares
+_MAX_RADIUS_RATIO = 1e100  # larger over smaller radius; avoids overflow of squares
 
 
 def _axis_ratio(radius_ratio: float) -> float:
@@ -120,25 +120,25 @@ def elliptic(
 ) -> EllipticContact:
     """Exact Hertz elliptic contact from exactly one of load, approach or maximum pressure.
 
-        Parameters
-        ----------
-        Rx, Ry : float
-            Equivalent principal radii in the planes y = 0 and x = 0 [m]; either may be larger.
-        E_star : float
-            Contact modulus [Pa].
-        load, approach, p0 : float, optional
-            Normal load [N], rigid-body approach [m], maximum pressure [Pa]; give one.
-    Normal load [N], rigid-body approach [m], maximum pressure [Pa]. Exactly one must be given.
-        Returns
-        -------
-        EllipticContact
-            Johnson (1985), (3.60)-(3.62) with complete elliptic integrals.
+    Parameters
+    ----------
+    Rx, Ry : float
+        Equivalent principal radii in the planes y = 0 and x = 0 [m]; either may be larger.
+    E_star : float
+        Contact modulus [Pa].
+    load, approach, p0 : float, optional
+        Normal load [N], rigid-body approach [m], maximum pressure [Pa]. Exactly one must be given.
 
-        Raises
-        ------
-        ValueError
-            An argument is not finite and positive (for an infinite radius see `line`), not exactly
-            one of the three is given, or the contact dimensions overflow.
+    Returns
+    -------
+    EllipticContact
+        Johnson (1985), (3.60)-(3.62) with complete elliptic integrals.
+
+    Raises
+    ------
+    ValueError
+        An argument is not finite and positive (for an infinite radius see `line`), not exactly one
+        of the three is given, or the contact dimensions overflow.
     """
     Rx, Ry, E_star = positive("Rx", Rx), positive("Ry", Ry), positive("E_star", E_star)
     given = exactly_one(load=load, approach=approach, p0=p0)

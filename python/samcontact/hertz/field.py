@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Dimensionless stress at any point below a sliding point contact: over p0, at x, y, z over a.
 
-The potential of a Hertz pressure is that of point forces on an imaginary line,
+The potential of a Hertz pressure equals the potential of point forces on an imaginary line,
 
     integral of sqrt(1 - s^2)/distance over the disc = pi/2 integral of (1 - t^2)/R(z + i t) dt
 
@@ -36,7 +36,7 @@ def field(x: FloatArray, y: FloatArray, z: FloatArray, nu: float, friction: floa
     # z/R tends to zero at the rim, where R does
     z_R = np.divide(z, R, out=np.zeros_like(R), where=z > 0.0)
 
-    # (1/r d/dr)^k h_n as "hn_k"; those in 1/R, always needed times z, as "z_hn_k"
+    # (1/r d/dr)^k h_n as "hn_k"; functions in 1/R, always multiplied by z, as "z_hn_k"
     z_h0, z_h1_1, z_h2_2, z_h3_3 = z_R, z_R / T, z_R / T**2, z_R / T**3
     h1, h2 = log_T, zeta * log_T - R
     h2_1, h3_1 = -1.0 / T, -0.5 * (log_T + q)

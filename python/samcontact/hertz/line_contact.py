@@ -17,7 +17,7 @@ from .points import coordinates, depth_ratio, require_range, semi_ellipsoid
 
 @dataclass(frozen=True)
 class LineContact(HtmlTable):
-    """Hertz contact of a cylinder (axis y) and a half-space in plane strain (section 4.2(c)).
+    """Hertz contact of a cylinder (axis y) and a half-space in plane strain (Johnson 1985, 4.2(c)).
 
     Attributes
     ----------
@@ -74,8 +74,8 @@ class LineContact(HtmlTable):
         Notes
         -----
         Closed form from the complex potential of the pressure (Johnson 1985, section 2.5;
-        Muskhelishvili 1953), equivalent to that of McEwen (1949). The effect of shear on the normal
-        displacement, zero for identical materials, is neglected.
+        Muskhelishvili 1953), equivalent to the solution of McEwen (1949). The effect of shear on
+        the normal displacement, zero for identical materials, is neglected.
         """
         across, depth = together(x=x, z=z)
         points = across / self.b, depth_ratio(depth, self.b)

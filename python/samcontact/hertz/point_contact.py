@@ -101,11 +101,11 @@ class PointContact(HtmlTable):
 
         Notes
         -----
-        Closed form equivalent to that of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02,
-        derived from the potentials of Boussinesq and Cerruti (Johnson 1985, section 3.2). The error
-        is rounding, about 1e-15 p0 near the contact and r/a times as much at the distance r. The
-        pressure is that of Hertz: the effect of shear on the normal displacement, zero for
-        identical materials, is neglected.
+        Closed form equivalent to the solution of Hamilton (1983),
+        doi:10.1243/PIME_PROC_1983_197_076_02, derived from the potentials of Boussinesq and Cerruti
+        (Johnson 1985, section 3.2). Only rounding errors occur, of about 1e-15 p0 near the contact
+        and r/a times as much at the distance r. The pressure is the Hertz pressure: the effect of
+        shear on the normal displacement, zero for identical materials, is neglected.
         """
         across, along, depth = together(x=x, y=y, z=z)
         points = across / self.a, along / self.a, depth_ratio(depth, self.a)

@@ -17,10 +17,10 @@ from .plain import error_text, profile, written_positions
 from .surface import MeasuredSurface, library
 
 OWN_FORMATS = ("array", "xyz")
-"""Formats read without SurfaceTopography; it also supports the second one."""
+"""Formats read without SurfaceTopography, which also supports "xyz"."""
 _COMPRESSION_MAGIC = {b"\x1f\x8b": "gzip", b"BZh": "bzip2", b"\xfd7zXZ": "xz"}
-_NMS_STEPS = 1376  # where NanoFocus files hold the steps along x and y
-_NMS_FIELDS = 2e-5, 5e-2  # of microscope objectives [m]
+_NMS_STEPS = 1376  # byte offset of the steps along x and y in NanoFocus files
+_NMS_FIELDS = 2e-5, 5e-2  # smallest and largest field of view of the microscopes [m]
 
 
 class ReaderArguments(NamedTuple):
@@ -88,8 +88,8 @@ def with_library(path: Path, format: str | None, given: ReaderArguments) -> Meas
                     reasons.append((rank, f"{reader.name()} ({reader.format()}): {refusal}"))
     except OSError as error:
         raise ValueError(f"path: cannot read heights from {path}: {error_text(error)}") from error
-    told = [text for rank, text in sorted(reasons, key=lambda r: r[0]) if rank < _UNKNOWN_FORMAT]
-    reason = told[0] if told else f"no format supported by SurfaceTopography{_expected(io, path)}"
+    texts = [text for rank, text in sorted(reasons, key=lambda r: r[0]) if rank < _UNKNOWN_FORMAT]
+    reason = texts[0] if texts else f"no format supported by SurfaceTopography{_expected(io, path)}"
     raise ValueError(f"path: cannot read heights from {path}: {reason}")
 
 
@@ -118,7 +118,7 @@ def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterat
 
 
 def _expected(io: Any, path: Path) -> str:
-    """Hint that the content of a file does not match the suffix of its name."""
+    """Hint that content and file name suffix do not match; "" for an unknown suffix."""
     ending = path.suffix.lower()[1:]
     names = [reader.name() for reader in io.readers if ending in reader.file_extensions()]
     return f"; it does not begin like a {names[0]} file" if names else ""
@@ -127,7 +127,7 @@ def _expected(io: Any, path: Path) -> str:
 def _read(
     io: Any, path: Path, file: BinaryIO, format: str, given: ReaderArguments
 ) -> MeasuredSurface:
-    """Surface in an open file; _ReaderError if the reader fails, other errors for arguments."""
+    """Read a surface; raise _ReaderError if the reader fails, other errors for wrong arguments."""
     reader = _tried(io, lambda: io.open_topography(file, format=format))
     with reader:
         if not len(_tried(io, lambda: list(reader.channels))):
@@ -155,7 +155,7 @@ def _read(
 
 
 def _tried(io: Any, call: Any) -> Any:
-    """Result of a reader; _ReaderError for any error, since damaged files raise all kinds."""
+    """Call a reader; raise _ReaderError for any error, since damaged files raise all kinds."""
     try:
         return call()
     except (ImportError, _ReaderError):
@@ -172,8 +172,8 @@ def _tried(io: Any, call: Any) -> Any:
 def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None) -> MeasuredSurface:
     """Convert a line scan to a surface with one row of samples.
 
-    written: its positions [m] if known from the file; the library regards steps as equal if their
-    positions differ by less than 1e-6 of any unit.
+    written: its positions [m] if known from the file; the library regards steps as equal if
+    positions differ by less than 1e-6, whatever their unit.
     """
     x, z = np.asarray(topography.positions(), dtype=float), np.ma.asarray(topography.heights())
     if written is not None and len(written) == len(x):
@@ -196,7 +196,7 @@ def _nms_steps(file: BinaryIO, shape: tuple[int, ...], steps: Any) -> Any:
 
 
 def _provenance(path: Path, format: str, info: Any, topography: Any) -> dict[str, Any]:
-    """Attributes about the origin of heights."""
+    """Attributes that state the origin of the heights."""
     attrs = {"source": str(path), "format": format, "channel": info.name}
     if info.unit is not None:
         attrs["unit"] = info.unit
@@ -231,7 +231,7 @@ def _missing(
     """Quantities that a file does not specify for a channel, from the arguments."""
     for name, known, given in (("dx", info.physical_sizes, steps), ("unit", info.unit, unit)):
         if known is not None and given is not None:
-            raise ValueError(f"{name} must be None: {path} has its own")
+            raise ValueError(f"{name} must be None, got {in_short(given)}: {path} has its own")
         if known is None and given is None:
             raise ValueError(f"{name} is required, because {path} does not contain it")
     metadata: dict[str, Any] = {}

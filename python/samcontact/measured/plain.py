@@ -26,7 +26,7 @@ _READ_ERRORS = (
     SyntaxError, TokenError, BadZipFile, KeyError, NotImplementedError,
 )  # fmt: skip
 _MIN_POSITION_ROWS = 4  # minimum number of rows for columns of positions
-# a comment that holds no value: those stand after a colon (in Japanese a wide one) or equals sign
+# a comment without a value: values follow a colon (in Japanese a wide one) or an equals sign
 _COMMENT = re.compile("\\s*(#[^:=\N{FULLWIDTH COLON}]*)?")
 _UNITS = {
     "nm": r"nm|nanomet\w+",
@@ -52,7 +52,7 @@ def error_text(error: BaseException) -> str:
 
 
 def is_array(path: Path) -> bool:
-    """Whether a file begins like one of numpy.save; ValueError for a pipe or device."""
+    """Whether a file begins as numpy.save writes it; ValueError for a pipe or device."""
     try:
         mode = path.stat().st_mode
         if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
@@ -136,7 +136,7 @@ def _unit_of(label: str) -> str | None:
 def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
     """Indices of the columns x, (y,) z; None if the table is rows of heights.
 
-    ValueError if it is neither: x of a profile that reverses, or points without a grid.
+    Raises ValueError if x of a profile reverses. Whether points fill a grid is not checked.
     """
     if len(values) < _MIN_POSITION_ROWS or not np.isfinite(values[:, :-1]).all():
         return None
@@ -163,7 +163,7 @@ def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
 
 
 def _counts(column: FloatArray) -> bool:
-    """Whether a column numbers its rows."""
+    """Whether a column contains consecutive row numbers."""
     return bool(np.array_equal(column - column[0], np.arange(len(column))))
 
 
@@ -257,7 +257,7 @@ def _lines(path: Path) -> list[str]:
     """Lines of a text from a spreadsheet or instrument, with or without a byte-order mark."""
     content = path.read_bytes()
     is_wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
-    # a file that is not text has no numbers, and is refused as such
+    # a file that is not text contains no numbers, and is refused for that reason
     return content.decode("utf-16" if is_wide else "utf-8-sig", errors="replace").splitlines()
 
 

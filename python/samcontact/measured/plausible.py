@@ -20,7 +20,7 @@ MAX_RMS_SLOPE = 2.0
 def warn_of_size(
     heights: FloatArray, steps: tuple[float, float], source: str, *, stacklevel: int
 ) -> None:
-    """Warn of heights whose unit or sample spacing is probably in another unit.
+    """Warn of heights or sample spacings that are probably in another unit.
 
     heights: shape (nx, ny) [m], NaN where undefined; steps: sample spacing [m]. Issues a
     UnitWarning if the area is longer than 1 m, the rms slope is above 2, or the height range

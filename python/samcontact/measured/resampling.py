@@ -87,7 +87,7 @@ def resampled(
 
 
 def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling: Sampling) -> Any:
-    """Whether positions, with an edge around them, are measured; without fill all must be."""
+    """Whether positions, with an edge around them, are measured; ValueError without fill."""
     half = 0.5 * size
     inside = np.abs(positions) + edge <= half * (1.0 + 1e-9)
     if sampling.fill is None and not inside.all():

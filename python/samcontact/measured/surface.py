@@ -34,7 +34,7 @@ def library(module: str = "SurfaceTopography") -> Any:
     """Import a module of SurfaceTopography; ImportError with instructions if it is missing."""
     try:
         with warnings.catch_warnings():
-            # it reports missing MPI, which is not needed here
+            # importing it warns of missing MPI, which is not needed here
             warnings.simplefilter("ignore", ImportWarning)
             return importlib.import_module(module)
     except ImportError as error:
@@ -59,7 +59,7 @@ class MeasuredSurface(ShortRepr):
     Parameters
     ----------
     heights : array_like, shape (nx, ny) or (nx,)
-        Heights [m], positive out of the body; the first index runs along x. NaN, or masked, where
+        Heights [m], positive out of the body; the first index runs along x. NaN or masked where
         undefined. At least two samples in each direction, or one along y for a profile, which
         applies at every y.
     dx, dy : float
@@ -70,7 +70,7 @@ class MeasuredSurface(ShortRepr):
     Raises
     ------
     ValueError
-        Heights have another shape, are infinite or all undefined; a spacing is not positive.
+        Heights have an invalid shape, are infinite or all undefined; or a spacing is not positive.
 
     Notes
     -----
@@ -139,8 +139,8 @@ class MeasuredSurface(ShortRepr):
         trend : {"center", "height", "slope", "curvature"}
             "center": mean; "height": plane of minimum rms height; "slope": plane of minimum rms
             slope; "curvature": second-order polynomial, which also removes the shape of a ball. For
-            maps, all but the mean require SurfaceTopography. Profiles: line instead of plane, and
-            parabola.
+            maps, all but the mean require SurfaceTopography. For profiles, a line replaces the
+            plane, and a parabola the polynomial.
 
         Returns
         -------
@@ -163,9 +163,9 @@ class MeasuredSurface(ShortRepr):
     def filled(self) -> MeasuredSurface:
         """Return the surface with undefined points interpolated.
 
-        Maps are interpolated by harmonic functions, profiles linearly. It requires
-        SurfaceTopography if there are any in a map (ImportError). `attrs` contains their number;
-        above 5 % of all points a UserWarning is issued.
+        Maps are interpolated by harmonic functions, profiles linearly. Undefined points in a map
+        require SurfaceTopography (ImportError). `attrs` contains the number of interpolated points;
+        if they exceed 5 % of all points, a UserWarning is issued.
         """
         count = self.undefined
         if count == 0:
@@ -223,10 +223,11 @@ class MeasuredSurface(ShortRepr):
         method : {"cubic", "linear"}
             Spline through the samples: bicubic (exact for cubic polynomials) or bilinear.
         average : bool, optional
-            Whether to average over each cell instead of using the value at its centre, which
-            removes wavelengths shorter than a cell. For cells larger than the sample spacing.
+            Whether to average over each cell, which removes wavelengths shorter than a cell,
+            instead of using the value at its centre. Use it for cells larger than the sample
+            spacing.
         fill : float, optional
-            Height outside the measured area [m], or -inf: no body there. By default the grid must
+            Height outside the measured area [m]; -inf if there is no body. By default the grid must
             lie inside the measured area.
         periodic : {"", "x", "y", "xy"}, optional
             Directions in which the measured area, nx dx long and ny dy wide, is one period, with
@@ -236,8 +237,9 @@ class MeasuredSurface(ShortRepr):
         Returns
         -------
         ndarray, shape (grid.nx, grid.ny)
-            Heights [m], positive out of the body: `surfaces.from_heights(grid, heights)` for body
-            2, `surfaces.from_heights(grid, lower, -heights)` for body 1.
+            Heights [m], positive out of the body. For a surface of body 2, the initial gap is
+            `surfaces.from_heights(grid, heights)`; for a surface of body 1,
+            `surfaces.from_heights(grid, lower, -heights)`.
 
         Raises
         ------
@@ -262,7 +264,7 @@ class MeasuredSurface(ShortRepr):
         average: bool = False,
         fill: float | None = None,
     ) -> Relief:
-        """Convert all heights along x to a relief that moves with a body.
+        """Convert the whole measured length along x to a `Relief`, which moves with a body.
 
         Parameters
         ----------
@@ -271,20 +273,21 @@ class MeasuredSurface(ShortRepr):
         x, y : float, optional
             Position of the centre of the measured area on the body [m].
         periodic : bool, optional
-            Whether to repeat it along x. By default the body is flat (height 0) beyond it.
+            Whether to repeat the measured area along x. By default the body is flat (height 0)
+            beyond it.
         method, average, fill : optional
             As in `on`.
 
         Returns
         -------
         Relief
-            Argument `relief1` or `relief2` of a `Simulation`. For body 1 use the surface
-            `mirrored`.
+            Argument `relief1` or `relief2` of a `Simulation`. For body 1, use the `mirrored`
+            surface.
 
         Raises
         ------
         ValueError
-            As `on`; or the measured area is shorter than a cell.
+            As for `on`; or the measured area is shorter than a cell.
         """
         require_surface(grid)
         centre = finite("x", x)

@@ -34,19 +34,20 @@ def tangential(
     shift : pair of float
         Total tangential rigid-body displacement of body 1 relative to body 2 [m]; excludes `force`.
     start : pair of float
-        Force before the first step [N].
+        Force before the first step [N]; only with `force`.
     increments : int
         Number of steps, from 1 to 100000.
 
     Returns
     -------
     list of dict
-        For `Simulation.run` with friction=samcontact.Coulomb(mu).
+        Steps for `Simulation.run` with ``friction=samcontact.Coulomb(mu)``.
 
     Raises
     ------
     ValueError
-        Both or neither of load and approach, or of force and shift; a value outside its range.
+        Both or neither of load and approach, or of force and shift, are given; or a value is
+        outside its range.
 
     Examples
     --------
@@ -85,7 +86,7 @@ def fretting_loop(
         Amplitude of the force on body 2 along x and y [N]; excludes `shift`.
     shift : pair of float
         Amplitude of the tangential rigid-body displacement of body 1 relative to body 2 [m];
-            excludes `force`.
+        excludes `force`.
     cycles : int
         Number of cycles, from 1 to 100000.
     increments : int
@@ -94,12 +95,13 @@ def fretting_loop(
     Returns
     -------
     list of dict
-        For `Simulation.run` with friction=samcontact.Coulomb(mu).
+        Steps for `Simulation.run` with ``friction=samcontact.Coulomb(mu)``.
 
     Raises
     ------
     ValueError
-        Both or neither of load and approach, or of force and shift; a value outside its range.
+        Both or neither of load and approach, or of force and shift, are given; or a value is
+        outside its range.
     """
     name, amplitude = _force_or_shift(force, shift)
     quarter, count = step_count("increments", increments), step_count("cycles", cycles)

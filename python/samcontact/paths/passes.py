@@ -22,7 +22,7 @@ from .._util.checks import (
 
 Steps = list[dict[str, Any]]
 
-# Fraction of a step below which the rest of a distance is rounding, not a further step.
+# Fraction of a step below which the rest of a distance is a rounding error, not a further step.
 _ROUNDING_ERROR = 1e-9
 
 
@@ -35,7 +35,7 @@ class CreepageInput:
     force_x: float | None = None
 
     def over(self, length: float) -> dict[str, Any]:
-        """Arguments of a step over a length."""
+        """Arguments of a step in which the contact travels a length [m]."""
         given: dict[str, Any] = {}
         if self.lateral != 0.0:
             given["shift"] = (None if self.force_x is not None else 0.0, self.lateral * length)
@@ -102,7 +102,7 @@ class RollingPasses:
 
     def _advance(self, length: float) -> tuple[float, float]:
         first, second = self.shares
-        return 0.0 - first * length, 0.0 - second * length  # 0 - 0: no minus zero
+        return 0.0 - first * length, 0.0 - second * length  # 0.0 - 0.0 avoids minus zero
 
     def _moved(self, length: float) -> dict[str, Any]:
         step = {self.quantity: self.value, "advance": self._advance(length)}
@@ -112,7 +112,7 @@ class RollingPasses:
         return self._timed({self.quantity: value}, self.step)
 
     def _timed(self, step: dict[str, Any], length: float) -> dict[str, Any]:
-        """Add to a step the time in which the contact travels a length."""
+        """Add to a step its duration: the time in which the contact travels a length."""
         if self.speed is not None:
             step["duration"] = abs(length) / positive("speed", self.speed)
         return step
@@ -157,40 +157,41 @@ def rolling(
 ) -> Steps:
     """Load, roll over both bodies and unload, once per pass.
 
-    Each pass starts at the initial position. The path begins and ends unloaded, at the end of the
-    last pass.
+    Each pass starts at the initial position. The path begins and ends unloaded; after the last pass
+    the contact does not return.
 
     Parameters
     ----------
     load, approach : float
         Load [N] or approach [m] while rolling, > 0. Exactly one must be given.
     distance : float
-        Distance that the contact travels over the bodies in a pass [m]: positive towards +x. With
-        sliding, the mean of the distances over both bodies.
+        Distance that the contact travels over the bodies in a pass [m]: positive towards +x. If it
+        travels different distances over the two bodies (slide_to_roll), their mean.
     step : float
         Length of a step [m], > 0; preferably a whole number of cells dx. The last step of a pass is
         shorter if the steps do not divide the distance.
     passes : int
         Number of passes, >= 1. Between passes the bodies return unloaded, in one step.
     increments, unload_increments : int
-        Number of steps of each loading and unloading, in place. Default for unloading: as loading.
+        Number of steps of each loading and each unloading, without travel. Default for unloading:
+        as for loading.
     slide_to_roll : float
         Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) of the surface speeds u1, u2 of the bodies
-        through the contact, in [-2, 2] [-]: the bodies move (1 + slide_to_roll/2) and
-        (1 - slide_to_roll/2) times the distance. With full sliding, body 1 must slide towards +x:
-        distance and slide_to_roll then have opposite signs. With `Coulomb` any sign is allowed; it
-        is minus the creepage of `samcontact.rolling.steady`.
+        through the contact, in [-2, 2] [-]: bodies 1 and 2 move (1 + slide_to_roll/2) and (1 -
+        slide_to_roll/2) times the distance. With full sliding, body 1 must slide towards +x:
+        distance and slide_to_roll then have opposite signs. With `Coulomb`, both signs are allowed;
+        slide_to_roll is minus the creepage of `samcontact.rolling.steady`.
     lateral_creepage, spin : float
         With `Coulomb`: motion of body 1 relative to body 2 along y [-], and rotation about z [1/m],
-        per distance of the contact towards +x, as in `samcontact.rolling.steady`.
+        per distance that the contact travels towards +x, as in `samcontact.rolling.steady`.
     tangential_load_x : float, optional
         With `Coulomb`: force on body 2 while rolling [N], which determines the creepage.
     back_and_forth : bool
         Whether passes alternate in direction under load, with a single loading and unloading.
     speed : float, optional
         Speed of the contact over the bodies [m/s], > 0, for a simulation with heat.history: each
-        step, also of a return, lasts its length over the speed, and each load increment lasts as
-        long as a full step. The `velocity` of the heat should be that of the bodies: for
+        step, also of a return, lasts its length divided by the speed, and each load increment lasts
+        as long as a full step. The `velocity` of the heat should be that of the bodies: for
         distance > 0, -speed (1 + slide_to_roll/2) and -speed (1 - slide_to_roll/2).
     heat_factor : float or pair of floats, optional
         Heat flux per unit pressure from the first step on [m/s].
@@ -198,13 +199,13 @@ def rolling(
     Returns
     -------
     list of dict
-        For `Simulation.run`.
+        Steps for `Simulation.run`.
 
     Raises
     ------
     ValueError
-        Both or neither of load and approach; a value outside its range; slide_to_roll combined with
-        tangential_load_x.
+        Both or neither of load and approach are given; a value is outside its range; or
+        slide_to_roll is combined with tangential_load_x.
 
     Examples
     --------
@@ -282,12 +283,12 @@ def sliding(
     Returns
     -------
     list of dict
-        For `Simulation.run`.
+        Steps for `Simulation.run`.
 
     Raises
     ------
     ValueError
-        Both or neither of load and approach, or a value outside its range.
+        Both or neither of load and approach are given, or a value is outside its range.
 
     Examples
     --------

@@ -86,7 +86,7 @@ def draw_pressure(
     position: float,
     label: str = "computed",
 ) -> Axes:
-    """Draw `pressure_profile`, also for prescribed tractions, which may be tensile."""
+    """Draw a `pressure_profile`, also of prescribed tractions, which may be tensile."""
     style: dict[str, Any] = {"marker": "o", "markersize": 3}
     ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
     s = np.asarray(grid.x if axis == "x" else grid.y)
@@ -136,8 +136,8 @@ def load_approach(
     """Draw the load–approach curve, with the Hertz curve (load ~ approach^1.5).
 
     Increments are points. Between two increments, the approach along the thin line is linear in
-    load^(2/3), as for elastic loading and unloading, also in an imprint (Johnson, Contact
-    Mechanics, section 6.4). On periodic grids the line is straight and only shows the order.
+    load^(2/3), as in elastic loading and unloading, also of an imprint (Johnson, Contact Mechanics,
+    section 6.4). On periodic grids the line is straight and only shows the order of the increments.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def load_approach(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     hertz : PointContact or EllipticContact, optional
-        Hertz contact of these bodies at any load.
+        Hertz contact of the two bodies, at any load.
 
     Returns
     -------
@@ -282,7 +282,7 @@ def axis_profile(
     components : sequence of str
         Any of "von_mises", "hydrostatic", "xx", "yy", "zz", "yz", "xz", "xy".
     body : Material or Layered, optional
-        Body; adds its initial yield stress and initial normal stresses.
+        Body whose initial yield stress and initial normal stresses are added.
     interfaces : array_like, shape (n,), optional
         Depths of the interfaces between layers [m], e.g. `Layered.interfaces`.
 

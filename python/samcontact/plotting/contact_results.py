@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class ContactResults:
-    """Results of a contact, one of its bodies, and the Hertz contact at the load of the peak."""
+    """Results of a contact, one of its bodies, and the Hertz contact at the load of the `peak`."""
 
     dataset: xr.Dataset
     body: int
@@ -40,12 +40,12 @@ class ContactResults:
 
     @cached_property
     def peak(self) -> int:
-        """Position of the increment with maximum stress."""
+        """Index (from 0) of the increment with maximum stress."""
         return peak_of_dataset(self.dataset)
 
     @cached_property
     def hottest(self) -> int | None:
-        """Position of the increment with the hottest surface; None without heating."""
+        """Index (from 0) of the increment with the hottest surface; None without heating."""
         rise = self.dataset.get(f"surface_temperature_body{self.body}")
         return None if rise is None else int(np.argmax(rise.values.max(axis=(1, 2))))
 
@@ -60,7 +60,7 @@ class ContactResults:
         return graded_of(self.dataset, self.body)
 
     def number(self, position: int) -> int:
-        """Return the number of an increment, from 1."""
+        """Return the number (from 1) of the increment at an index (from 0)."""
         return int(self.dataset["increment"].values[position])
 
     def surface(self, name: str, position: int) -> FloatArray:

@@ -35,7 +35,7 @@ def fatigue_depth(
     Parameters
     ----------
     fields : FatigueField, or several
-        Fields of states, with a common unit; the maxima are marked.
+        Fields computed from states, with a common unit; their maxima are marked.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     limit : float, optional
@@ -89,7 +89,7 @@ def fatigue_section(
     Parameters
     ----------
     field : FatigueField
-        Field of states.
+        Field computed from states.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     plane : {"y", "x"}, optional
@@ -132,7 +132,7 @@ def fatigue_map(field: FatigueField, ax: Axes | None = None) -> Axes:
     Parameters
     ----------
     field : FatigueField
-        Field of states of a pass or loop.
+        Field computed from the states of a pass or loop.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
 

@@ -46,7 +46,7 @@ class Plane(NamedTuple):
         return float((self.down[-1] - self.down[0]) / (self.across[-1] - self.across[0]))
 
     def smooth(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return coordinates [µm] and values at centres, extended constantly to the edges."""
+        """Return coordinates [µm] and values at the cell centres, repeated at the edges."""
         sides = [
             np.concatenate([side[:1], 0.5 * (side[1:] + side[:-1]), side[-1:]]) * 1e6
             for side in (self.across, self.down)
@@ -68,8 +68,8 @@ def show_section(
     """Draw a plane of a volume field with a colour bar, depth downward.
 
     `values` is the field in SI units, `name` the name of the coordinate. `titled`: the label is the
-    title; it always is for sections too flat for a label at the colour bar. `equal`: equal scales
-    along both sides. `cells`: cell by cell.
+    title, as always for sections too flat for a label at the colour bar. `equal`: equal scales
+    along both sides. `cells`: one colour per cell.
     """
     ax = axes_or_new(ax)
     titled = titled or plane.ratio < _FLAT_SECTION_RATIO
@@ -134,8 +134,8 @@ def outline(ax: Axes, plane: Plane, inside: FloatArray, **style: Any) -> None:
 def inside_of_contact(contact: FloatArray) -> FloatArray:
     """Return a field that is positive in the contact and crosses zero along its edge.
 
-    `contact` is the pressure, or 1, where the bodies touch, else 0. Near the edge of smooth bodies
-    the squared pressure is about linear in the distance from it.
+    `contact` is the pressure, or 1, where the bodies touch, and 0 elsewhere. In a contact of smooth
+    bodies, the squared pressure is about linear in the distance from the edge.
     """
     return _crossing(np.square(contact))
 
@@ -204,7 +204,7 @@ def scale_of(values: FloatArray, quantity: Quantity) -> tuple[Normalize, FloatAr
     first, last = np.floor(low / band), np.floor(high / band) + 2
     bands = np.arange(first, last) * band
     if quantity.signed:
-        bands = np.arange(first, last + 1) * band - 0.5 * band  # zero is in the middle of one
+        bands = np.arange(first, last + 1) * band - 0.5 * band  # zero is in the middle of a band
     elif quantity.kind == "strain" and high > 0:
         bands[0] = _MIN_SHOWN_STRAIN * high
     return norm, bands, lines[(lines > low) & (lines < high) & (np.abs(lines) > 1e-3 * band)]

@@ -52,8 +52,8 @@ def interface_profile(
     """Draw normal, shear and in-plane stress at an interface.
 
     The in-plane stress is discontinuous: it is drawn for the layers above and below. Normal and
-    shear traction are continuous: the mean of both sides is drawn, because the cells of the plastic
-    strain cause a small difference. A side without stress, such as a rigid substrate, is omitted.
+    shear traction are continuous: the mean of both sides is drawn, because the discretised plastic
+    strain causes a small difference. A side without stress, such as a rigid substrate, is omitted.
     The maximum tension is marked.
 
     Parameters
@@ -136,7 +136,7 @@ def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
 
 
 def interface_figure(scene: ContactResults, number: int) -> Figure:
-    """Draw the interfaces of a body at an increment, or those with the highest tension.
+    """Draw the stress at the interfaces of a body; of many, only those with the highest tension.
 
     Panels are stacked, along the row of cells in which the in-plane stress varies most.
     """

@@ -53,9 +53,9 @@ _in_column: ContextVar[str] = ContextVar("_in_column", default="screen")
 
 @contextmanager
 def journal_column(width: str = "single") -> Iterator[None]:
-    """Create figures with the width and font size of a journal column.
+    """Set the width and font size of figures to those of a journal column, within a context.
 
-    Create and save figures within it: ``with plotting.journal_column("double"):
+    Create and save the figures in the context: ``with plotting.journal_column("double"):
     summary_figures(...)``. Figures with several panels side by side take the double column.
     Functions that receive an `ax` draw into its figure.
 
@@ -83,7 +83,7 @@ def journal_column(width: str = "single") -> Iterator[None]:
 
 
 def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
-    """Return a figure of this size [in], scaled to the column width within `column`."""
+    """Return a figure of a given size [in], scaled to the column width within `journal_column`."""
     given = _in_column.get()
     name = "double" if given == "single" and width > _MIN_DOUBLE_COLUMN_WIDTH else given
     size = _COLUMNS[name][0] / 25.4 if name in _COLUMNS else width
@@ -95,7 +95,7 @@ def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
 
 
 def save(figure: Figure | None, path: Path) -> Path:
-    """Write a figure without blank margins; the figure of an axes must not be None."""
+    """Write a figure without blank margins; it must not be None, as `Axes.figure` may be."""
     assert figure is not None
     with replacing(path) as part:
         draw(figure, part, format=path.suffix[1:] or "png", **_SAVE_OPTIONS.get(path.suffix, {}))
@@ -106,7 +106,7 @@ _SAVE_OPTIONS: dict[str, dict[str, Any]] = {
     ".pdf": {"dpi": 400, "metadata": {"CreationDate": None}},
     ".svg": {"dpi": 400, "metadata": {"Date": None}},
 }
-"""Options of vector files: fields are rasterised, and no date is stored, so that repeated runs give
+"""Options of vector files: resolution of rasterised fields, and no date, so that repeated runs give
 identical files."""
 
 
@@ -139,12 +139,12 @@ def require_volume(grid: Grid) -> None:
 
 
 def section_height(width: float, across: float, depth: float) -> float:
-    """Return the height of the figure of one section [in] that leaves no blank space."""
+    """Return the figure height [in] at which a single section leaves no blank space."""
     return min(max(0.75 * width * depth / across, 0.5), 1.5 * width) + 0.95
 
 
 def map_height(width: float, across: float, down: float) -> float:
-    """Return the height of the figure of a map [in]; flat maps have their colour bar below."""
+    """Return the figure height [in] of a map; flat maps have their colour bar below."""
     return section_height(width, across, down) + (
         0.55 if down < MAX_FLAT_MAP_RATIO * across else 0.0
     )
@@ -175,7 +175,7 @@ def nearest(values: ArrayLike, position: float) -> int:
 
 
 def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
-    """Return the index of the middle row, or of the row with a clearly larger magnitude.
+    """Return the index of the middle row, or of the maximum if that is clearly larger.
 
     `values` has the maximum magnitude of each row.
     """

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 _ROUNDING_ERROR = 1e-6
 """Negative values up to this fraction of the maximum, or of the grid size, are rounding errors."""
 _HEAT_ROUNDING_ERROR = 1e-3
-"""Error of transforms and quadrature in the temperature outside a source, relative."""
+"""Relative error of transforms and quadrature in the temperature outside a source."""
 _MAX_VALUES = {"strain": 1e2, "heat": 1e6}
 _MAX_LENGTH_RATIO = 1e3
 """Maximum plausible length, relative to the size of the grid."""
@@ -31,7 +31,7 @@ def quantity_of(
     argument: str = "field",
     label: str | None = None,
 ) -> Quantity:
-    """Return the quantity of this name, with its label; without a name a neutral quantity.
+    """Return the named quantity with its label; without a name, a neutral quantity.
 
     Values without a name are shown without conversion, with a diverging colour map if both signs
     occur. Raises ValueError for values that are impossible for the named quantity.
@@ -45,7 +45,7 @@ def quantity_of(
 
 
 def of_either_sign(name: str, values: FloatArray, grid: Grid) -> Quantity:
-    """Return the quantity of this name, with a diverging colour map for negative values.
+    """Return the named quantity, with a diverging colour map if values are negative.
 
     Prescribed tractions may be tensile, and may cause interpenetration.
     """

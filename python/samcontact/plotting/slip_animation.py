@@ -78,14 +78,14 @@ def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) 
 
     draw(0)
     figure.draw_without_rendering()
-    figure.set_layout_engine("none")  # panels must not shift between frames
+    figure.set_layout_engine("none")  # panels must not move between frames
     return FuncAnimation(
         figure, draw, frames=len(states), interval=interval, cache_frame_data=False, blit=False
     )
 
 
 def course_of(states: Sequence[State]) -> ForceHistory:
-    """Return force and motion in the direction of the maximum force, or about z without a force."""
+    """Return motion and force in the direction of maximum force; twist and torque without force."""
     forces = np.array([state.tangential_load for state in states])
     motions = np.array([state.shift for state in states])
     direction = int(np.argmax(np.abs(forces).max(axis=0)))

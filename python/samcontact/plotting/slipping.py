@@ -159,7 +159,7 @@ def shear_profile(
     grid : Grid
         Grid of both fields.
     friction : float or Coulomb
-        Coefficient of friction >= 0 [-], or a friction law; `math.inf`: no limits.
+        Coefficient of friction >= 0 [-], or a friction law; with `math.inf`, no limits are drawn.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     component : {"x", "y"}
@@ -260,8 +260,8 @@ def creep_curve(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     largest : float, optional
-        Force at full sliding, coefficient of friction times load [N]: a dashed line, for each sign
-        that occurs.
+        Force at full sliding, coefficient of friction times load [N]; drawn as a dashed line for
+        each sign of the force that occurs.
     label : str, optional
         Label of the curve.
 
@@ -291,7 +291,7 @@ def creep_curve(
 
 
 def _bounds(ax: Axes, forces: FloatArray, largest: float) -> None:
-    """Draw lines of the maximum force, for each sign that occurs."""
+    """Draw a line of the maximum force for each sign of the force that occurs."""
     small = 1e-6 * np.abs(forces).max(initial=0.0)
     sides = [side for side in (-1, 1) if np.any(side * forces > small)]
     for side in sides:
@@ -324,7 +324,7 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
     require_slip(dataset)
     choice("direction", direction, ("x", "y"))
     if "travel_body1" not in dataset:
-        raise ValueError("dataset must be of rolling bodies, but has no travel")
+        raise ValueError("dataset must be from rolling bodies, got one without travel")
     force = CONTACT[FORCE_AND_MOTION[direction][0]]
     way = -0.5 * sum(dataset[f"travel_body{body}"].values for body in (1, 2))
     pull = np.where(
@@ -343,7 +343,10 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
 def require_slip(dataset: xr.Dataset) -> None:
     """Raise ValueError for results without partial slip."""
     if "friction_work" not in dataset:
-        raise ValueError("dataset must be of a contact with partial slip: use friction=Coulomb(mu)")
+        raise ValueError(
+            "dataset must be from a contact with partial slip, got one with full sliding: use "
+            "friction=Coulomb(mu)"
+        )
 
 
 def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArray]:

@@ -254,7 +254,7 @@ def _row_of_residual(track: xr.Dataset) -> float:
 
 
 def _strained_part(track: xr.Dataset) -> xr.Dataset:
-    """Return the yielded part of a track with layers, extended by half of its length."""
+    """Return the yielded part of a track with layers, with half its length added at each end."""
     x, strain = track["x"].values, track["equivalent_plastic_strain"].values
     left, right = _extent(x, strain.max(axis=(1, 2)))
     part: xr.Dataset = track.isel(x=(x >= left) & (x <= right))
@@ -262,7 +262,7 @@ def _strained_part(track: xr.Dataset) -> xr.Dataset:
 
 
 def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
-    """Return the limits of the nonzero part, extended by at most its own length."""
+    """Return the limits of the part above 2 % of the maximum, plus half its length at each end."""
     there = x[sizes > 0.02 * sizes.max()] if np.any(sizes) else x
     margin = 0.5 * float(np.ptp(there)) + 2.0 * float(x[1] - x[0])
     return max(float(x[0]), float(there[0]) - margin), min(float(x[-1]), float(there[-1]) + margin)

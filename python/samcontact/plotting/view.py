@@ -114,7 +114,7 @@ def _drawn(pv: Any, scene: ContactResults, number: int, quantity: str) -> Any:
 
 
 def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
-    """Return the surface of the body without the quarter towards +x and -y of the maximum."""
+    """Return the surface of the body without the quarter beyond the maximum towards +x and -y."""
     size = np.abs(field)
     middle = [
         float(0.5 * (side[at] + side[at + 1]))

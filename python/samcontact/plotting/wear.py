@@ -82,14 +82,14 @@ def worn_profile(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        Worn body; default: the last one.
+        Worn body. Default: the last of the worn bodies.
     axis : {"x", "y"}
         Direction of the profile.
     position : float, optional
         Coordinate of the profile across its direction [m]; the nearest row of cells is used.
         Default: the middle row, or the row of maximum wear if that is much deeper.
     cycles : sequence of int, optional
-        Numbers of cycles; 0: before the first. Default: all.
+        Numbers of cycles; 0: before the first cycle. Default: all.
 
     Returns
     -------
@@ -149,7 +149,7 @@ def surface_map(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        Worn body; default: the last one.
+        Worn body. Default: the last of the worn bodies.
     cycle : int
         Number of the cycle; default: the last one.
     cells : bool, optional
@@ -210,7 +210,7 @@ def wear_rate(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 def fretting_panels(
     first: Sequence[State], last: Sequence[State], *, position: float | None = None
 ) -> Figure:
-    """Draw pressure and sliding distance per repeat along x, for the first and the last cycle.
+    """Draw pressure and sliding distance per repeat along x, in the first and the last cycle.
 
     Parameters
     ----------
@@ -261,7 +261,7 @@ def cycle_panels(
     width: float | None = None,
     depth: float | None = None,
 ) -> Figure:
-    """Draw pressure and Tresca stress under load, and mean stress and plastic strain after it.
+    """Draw pressure and Tresca stress under load, mean stress and plastic strain after unloading.
 
     Parameters
     ----------

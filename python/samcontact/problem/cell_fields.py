@@ -20,7 +20,7 @@ from .grid import Grid
 def shear_components(
     grid: Grid, shear: ArrayLike | None
 ) -> tuple[FloatArray | None, FloatArray | None]:
-    """Split shear of shape (nx, ny) or (2, nx, ny) into contiguous s_x, s_y [Pa]."""
+    """Split shear of shape (nx, ny) or (2, nx, ny) into contiguous arrays s_x and s_y [Pa]."""
     require_type("grid", grid, Grid)
     if shear is None:
         return None, None
@@ -32,7 +32,7 @@ def shear_components(
 
 
 def depths_of(z: ArrayLike) -> FloatArray:
-    """Check depths [m], a scalar or one-dimensional."""
+    """Check depths [m], scalar or one-dimensional; return them as a one-dimensional array."""
     depths = np.atleast_1d(real_array("z", z))
     if depths.ndim != 1 or not ((depths <= 1e75) & (depths >= 0)).all():
         raise ValueError(

@@ -8,7 +8,7 @@ from .grid import Grid
 
 
 def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
-    """Whether the layers of bodies may yield; ValueError if plastic flow in one is unsupported."""
+    """Whether a layered body can yield; ValueError if its plastic flow is not supported."""
     flows = False
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Layered) or not body.is_plastic:
@@ -22,8 +22,7 @@ def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bo
         if residual_stress == "exact":
             raise ValueError(
                 f'residual_stress must be "fast" because body{n} has layers, got "exact": there '
-                "are "
-                "no closed-form kernels for layered bodies"
+                "are no closed-form kernels for layered bodies"
             )
         for place, depth in enumerate(body.interfaces if grid.dz is not None else ()):
             cells = depth / grid.dz

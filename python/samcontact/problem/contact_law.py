@@ -36,7 +36,7 @@ class ContactLaw(HtmlTable):
     """Name of the law in case files, results and the core."""
 
     def to_core(self) -> _core.ContactLaw:
-        """Contact law of the core."""
+        """Return the law as an object of the core."""
         return _core.ContactLaw(self.kind, list(astuple(self)))
 
     @cached_property
@@ -61,7 +61,7 @@ class ContactLaw(HtmlTable):
         Raises
         ------
         ValueError, TypeError
-            Something that the law excludes, or an argument of the wrong kind.
+            The law does not support an argument, or an argument has the wrong type.
         """
         if not self.attracts:
             return
@@ -97,11 +97,12 @@ class TensileLimit(ContactLaw):
 
     Surfaces separate where the tension reaches the limit, and open cells carry this tension at any
     gap: Dugdale's attraction (1960, doi:10.1016/0022-5096(60)90013-2) with infinite range. An
-    evacuated gap acts in this way, and so does a liquid in the gap whose pressure is lower by the
-    limit (capillary pressure). For attraction across gaps, the law is the limit of a range that is
-    large compared with the gaps, as in the adhesion theory of Derjaguin, Muller and Toporov. The
-    solution is unique and independent of the path. The attractive force is the limit times the area
-    of the grid; on a grid that is not periodic it grows with the grid and bends the surfaces.
+    evacuated gap acts in this way, and so does a liquid in the gap whose pressure is below ambient
+    by the limit (capillary pressure). For attraction across gaps, the law is the limiting case of a
+    range much larger than the gaps, as in the adhesion theory of Derjaguin, Muller and Toporov. The
+    solution is unique and independent of the path. The attractive force is the tensile limit times
+    the area of the grid; on a grid that is not periodic it grows with the grid and bends the
+    surfaces.
 
     Attributes
     ----------
@@ -126,7 +127,7 @@ LAWS: tuple[type[ContactLaw], ...] = (HardContact, TensileLimit)
 
 
 def law_of(tree: Mapping[str, Any]) -> ContactLaw:
-    """Contact law from a tree of `ContactLaw.to_tree`.
+    """Return the contact law of a tree from `ContactLaw.to_tree`.
 
     Raises ValueError for an unknown kind, TypeError for parameters of another law.
     """

@@ -37,7 +37,7 @@ class Domain:
 
 @dataclass(frozen=True, eq=False)
 class SurfaceGeometry:
-    """Gap and reliefs of two bodies: fields on one grid, or functions of any grid."""
+    """Gap and reliefs of two bodies, as fields on one grid or functions of any grid."""
 
     gap: ArrayLike | Callable[[Grid], ArrayLike]
     relief1: Relief | Callable[[Grid], Relief] | None = None
@@ -45,12 +45,12 @@ class SurfaceGeometry:
 
     @property
     def are_known(self) -> bool:
-        """Whether they are known on any grid."""
+        """Whether gap and reliefs are functions, and thus known on any grid."""
         reliefs = (self.relief1, self.relief2)
         return callable(self.gap) and all(r is None or callable(r) for r in reliefs)
 
     def over(self, grid: Grid) -> Domain:
-        """Return the checked domain of a grid."""
+        """Return the domain of a grid, with checked surfaces."""
         gap = self.gap(grid) if callable(self.gap) else self.gap
         reliefs = [r(grid) if callable(r) else r for r in (self.relief1, self.relief2)]
         for number, relief in enumerate(reliefs, 1):

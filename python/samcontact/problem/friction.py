@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction laws: each class corresponds to the law of this name in the core.
+"""Friction laws; each class corresponds to the law of its name in the core.
 
 The core defines the parameters of a law, their ranges and its shear bound; checks, case files,
 results and checkpoints follow from these definitions.
@@ -30,12 +30,12 @@ LAWS: dict[str, type[FrictionLaw]] = {}
 
 @dataclass(frozen=True)
 class FrictionLaw(HtmlTable):
-    """Bound of the shear as a function of the pressure."""
+    """Friction law: bound of the shear traction as a function of the pressure."""
 
     law: ClassVar[str]
     """Name of the law in case files and results."""
     sticks: ClassVar[bool]
-    """Whether the bodies stick below the bound; otherwise full sliding along x everywhere."""
+    """Whether cells stick below the bound; if not, all cells slide along x."""
     constants: ClassVar[Mapping[str, Constant]]
     """Parameters of the law and their ranges."""
 
@@ -111,7 +111,8 @@ class GrossSliding(FrictionLaw):
 class Coulomb(FrictionLaw):
     """Coulomb friction with partial slip, for `ContactSolver` and `Simulation`.
 
-    The shear is at most mu p. Cells stick where it is smaller, and slip along it where it is mu p.
+    The shear is at most mu p. Cells stick where the shear is smaller, and slip in its direction
+    where it equals mu p.
 
     Attributes
     ----------
@@ -132,8 +133,8 @@ class Tresca(FrictionLaw):
     """Friction with a constant shear strength of the interface, independent of the pressure.
 
     The shear is at most k in all contact cells. It jumps at the edge of the contact: with
-    dissimilar materials, cells at the edge may then neither touch nor separate, and there may be no
-    solution to a small tolerance.
+    dissimilar materials, cells at the edge may then neither touch nor separate, and a small
+    tolerance may not be reached.
 
     Attributes
     ----------
@@ -180,7 +181,7 @@ def is_law(friction: Any) -> bool:
 def friction_law(
     friction: float | FrictionLaw, of_number: Callable[[float], FrictionLaw] = GrossSliding
 ) -> FrictionLaw:
-    """Friction law of a value that is a law or, for full sliding, a coefficient."""
+    """Return a friction law, given as a law or, for full sliding, as a coefficient."""
     return friction if isinstance(friction, FrictionLaw) else of_number(friction)
 
 
@@ -194,7 +195,7 @@ def sticking_law(friction: Any) -> FrictionLaw:
 
 
 def law_of(tree: Mapping[str, Any]) -> FrictionLaw:
-    """Friction law from its name and parameters; raises LookupError, TypeError or ValueError."""
+    """Return the law of a name and parameters; raises LookupError, TypeError or ValueError."""
     given = dict(tree)
     return LAWS[given.pop("law")](**given)
 

@@ -20,7 +20,7 @@ class Grid(HtmlTable):
     """Regular grid of cells.
 
     Cell centres are x_i = (i - (nx - 1)/2) dx, likewise y. Layer k spans [k dz, (k + 1) dz], with z
-    positive into the body; its point is at mid-depth.
+    positive into the body; its values refer to mid-depth.
 
     Parameters
     ----------

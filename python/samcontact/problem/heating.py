@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of heat against bodies and grid, and its conversion for the core."""
+"""Checks of heating against bodies and grid, and its conversion for the core."""
 
 from __future__ import annotations
 
@@ -37,15 +37,15 @@ def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: Fricti
 
 
 def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = None) -> list[Any]:
-    """Return one entry for each body; refuse heating that is not supported.
+    """Return the heating of each body for the core; ValueError if it is not supported.
 
-    duration: of an increment of transient heating [s].
+    duration: length of the increment under transient heating [s].
     """
     age = math.inf if heat.time is None else heat.time
     reference = 1.0 if heat.reference is None else heat.reference
     entries = []
     of_slip = heat.partition is not None
-    name = "fraction of the heat" if of_slip else "heat.factor"
+    name = "heat.partition: fraction of the heat" if of_slip else "heat.factor"
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
         if isinstance(body, Layered):
             if factor > 0:
@@ -82,7 +82,7 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
 
 
 def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> None:
-    """Refuse a speed beyond the range of the heat kernels."""
+    """Raise ValueError for a speed beyond the range of the heat kernels."""
     extent = max(grid.nx * grid.dx, grid.ny * grid.dy)
     fastest = MAX_PECLET_NUMBER * diffusivity / extent
     if speed > fastest:
@@ -98,7 +98,7 @@ def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> N
 
 
 def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float) -> None:
-    """Refuse too short a step of the history before anything is solved."""
+    """Raise ValueError, before any solve, if the shortest step of the history is too short."""
     cell = max(grid.dx, grid.dy)
     if math.sqrt(diffusivity * shortest) < MIN_DIFFUSION_LENGTH * cell:
         least = (MIN_DIFFUSION_LENGTH * cell) ** 2 / diffusivity
@@ -129,7 +129,7 @@ def core_law(body: Body) -> Callable[[FloatArray], FloatArray] | None:
 
 
 def require_reference(heat: Heat) -> None:
-    """Require a reference distance for steady heat at rest under approach control."""
+    """Require a reference distance for a steady stationary source under approach control."""
     if heat.reference is not None or heat.time is not None or heat.history is not None:
         return
     if any(f > 0 and not any(v) for f, v in zip(heat.shares, heat.velocity, strict=True)):
@@ -140,7 +140,7 @@ def require_reference(heat: Heat) -> None:
 
 
 def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
-    """Raise ValueError if the kind of heat does not suit the friction law."""
+    """Raise ValueError if the heating is given in a way that the friction law does not support."""
     if friction.sticks and any(heat.factor):
         raise ValueError(
             f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: with "

@@ -27,17 +27,17 @@ class Relief(ShortRepr):
     Parameters
     ----------
     heights : array_like, shape (rows, ny)
-        Heights [m], positive out of the body, on cells equal in size to those of the grid; any
-        number of rows along x.
+        Heights [m], positive out of the body, on cells of the size of the grid cells; any number of
+        rows along x.
     first : int, optional
-        Grid row of the first of these rows; may be negative. As a body moves towards +x, rows
-        before it enter the grid.
+        Row of the grid at which the first row of heights lies; may be negative. As the body moves
+        towards +x, rows at negative positions enter the grid.
     periodic : bool, optional
         Whether the rows repeat along x. By default the surface is flat (0) beyond them.
     worn : array_like, shape (rows, ny), optional
-        Depth of material already removed by wear [m], >= 0. Yield profile and residual stress of
-        the body are counted from the unworn surface. The heights are not changed. Default: 0; 0
-        beyond these rows.
+        Depth of material already removed by wear [m], >= 0. The depths of yield profile and
+        residual stress are counted from the unworn surface. The heights are not changed. Default:
+        0, as beyond the rows.
 
     Raises
     ------

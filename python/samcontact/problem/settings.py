@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings of solver and simulation, each with its default and its range.
+"""Settings of solver and simulation, each defined with its default and its range.
 
-Checks, repr, checkpoints, section [contact] of case files and arguments of the core follow from it.
+Checks, repr, checkpoints, section [contact] of case files and arguments of the core use them.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ class CountSetting:
 
 @dataclass(frozen=True)
 class ChoiceSetting:
-    """One of several words."""
+    """One of several allowed words."""
 
     allowed: tuple[str, ...]
 
@@ -98,7 +98,7 @@ Allowed = RangeSetting | CountSetting | ChoiceSetting | ContactLawSetting
 
 
 def _setting(default: Any, allowed: Allowed) -> Any:
-    """Field of a setting; it may be None if that is its default."""
+    """Return the dataclass field of a setting, which may be None if that is its default."""
     return field(default=default, metadata={"allowed": allowed})
 
 
@@ -158,7 +158,7 @@ class Settings(ContactSettings):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        # Near tol, the difference of two solutions is dominated by their residuals.
+        # For increment_tol near tol, residuals dominate the difference of two solutions.
         if self.increment_tol is not None and self.increment_tol < 10 * self.tol:
             raise ValueError(
                 f"increment_tol must be in [10 tol, 1) with tol = {self.tol!r}, "

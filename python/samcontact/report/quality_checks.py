@@ -32,7 +32,7 @@ DEFAULT_TOL = 1e-6  # tolerance [-] assumed for files without one
 
 
 def all_checks(dataset: xr.Dataset, case: Case | None) -> list[Check]:
-    """Check balance, complementarity, yield, edges, resolution, strain and errors, if stored.
+    """Check load balance, complementarity, yield, edges, resolution, strain and errors, if stored.
 
     Plausibility checks of the input are included, marked `of_input`.
     """
@@ -182,7 +182,7 @@ def _strains(dataset: xr.Dataset) -> Iterator[Check]:
 def _errors(dataset: xr.Dataset) -> Iterator[Check]:
     """Check the maximum estimated error, or each error with a prescribed accuracy.
 
-    For surfaces known on the grid only, also check the slope in short wavelengths.
+    For surfaces given on the grid only, also check the slope at short wavelengths.
     """
     rows = error_rows(dataset)
     estimated = [row for row in rows if row.asked is None and np.isfinite(row.relative)]

@@ -187,7 +187,9 @@ def maxima_table(
                 shown = quantities[name].fitting(float(sizes[at]))
                 cells = [cell(numbers[at], 1.0), cell(values[at], shown.factor)]
                 rows.append((shown.of(body), cells))
-    return Table([dim, "value"], rows, "quantity", f"Maximum magnitude, and the {dim} it is from.")
+    return Table(
+        [dim, "value"], rows, "quantity", f"Maximum magnitude, and the {dim} in which it occurs."
+    )
 
 
 def slipping_tables(dataset: xr.Dataset) -> list[tuple[str, str, Table]]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Canonical text of functions and objects of users: code, and all data on which it depends."""
+"""Canonical text of user-defined functions and objects: their code, and all data it depends on."""
 
 from __future__ import annotations
 
@@ -31,7 +31,8 @@ _COMPILED_TYPES = (
     BuiltinFunctionType, MethodDescriptorType, MethodWrapperType, WrapperDescriptorType, np.ufunc,
 )  # fmt: skip
 _PACKAGE_FOLDERS = {"site-packages", "dist-packages"}
-"""Folders of packages, whose code is identified by its version; all other code is user code."""
+"""Folders of installed packages, whose code is identified by its version; other code is user
+code."""
 _STATELESS_SLOTS = {"__dict__", "__weakref__", "__doc__", "__module__", "__annotations__"}
 _STATELESS_SLOTS |= {
     "__firstlineno__",
@@ -42,7 +43,7 @@ _STATELESS_SLOTS |= {
 
 
 class UnidentifiedError(ValueError):
-    """Function or object whose dependencies cannot be determined."""
+    """Error for a function or object whose dependencies cannot be determined."""
 
 
 def text_of_object(value: Any, text: Text) -> str:
@@ -117,7 +118,7 @@ def _used(
 ) -> Iterator[tuple[str, Any]]:
     """Yield the used parts of a scope by name; for user modules, their possibly used parts.
 
-    Attributes are selected by name only, wherever they occur: additional parts do no harm.
+    Attributes are selected by name only, whatever they belong to; superfluous parts do no harm.
     """
     for name in sorted(names & set(scope)):
         value = scope[name]

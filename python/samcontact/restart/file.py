@@ -31,15 +31,15 @@ READ_ERRORS = (
 
 
 class CheckpointError(ValueError):
-    """File that is not a checkpoint of this package, or is damaged."""
+    """Error for a file that is not a checkpoint of this package, or is damaged."""
 
 
 class DamagedCheckpointError(CheckpointError):
-    """Damaged checkpoint of this package; an earlier checkpoint may be usable."""
+    """Error for a damaged checkpoint of this package; an earlier one may be usable."""
 
 
 class ForeignCheckpointError(CheckpointError):
-    """Checkpoint of another run."""
+    """Error for a checkpoint of another run."""
 
 
 def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckpointError:
@@ -74,8 +74,8 @@ def write(path: str | os.PathLike[str], kind: str, tree: Mapping[str, Any]) -> N
 def read(path: str | os.PathLike[str], kind: str) -> Tree:
     """Read a tree written by `write`.
 
-    Raises FileNotFoundError, CheckpointError for a file of another program, format or kind, and
-    DamagedCheckpointError if the bytes have changed.
+    Raises FileNotFoundError without a file, CheckpointError for a file of another program, format
+    or kind, and DamagedCheckpointError if the bytes have changed.
     """
     if not file_path("path", path).is_file():
         raise FileNotFoundError(f"no checkpoint at {os.fspath(path)!r}")
@@ -130,17 +130,17 @@ def require_self_contained(file: h5py.Group) -> None:
 
 
 def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> None:
-    """Raise ForeignCheckpointError for the file of another computation."""
+    """Raise ForeignCheckpointError for a file of another computation or version."""
     before = tree.get("run")
-    if told := other_version(path, tree):
+    if text := other_version(path, tree):
         raise ForeignCheckpointError(
-            f"{told}, whose results may differ in the last digits: continue with that version, or "
+            f"{text}, whose results may differ in the last digits: continue with that version, or "
             "start again with another path"
         )
     if now != before:
-        told = differences(now, before) if isinstance(before, dict) else "a single simulation"
+        text = differences(now, before) if isinstance(before, dict) else "a single simulation"
         raise ForeignCheckpointError(
-            f"{os.fspath(path)!r} is of another run ({told}): remove it, or use another path"
+            f"{os.fspath(path)!r} is of another run ({text}): remove it, or use another path"
         )
 
 

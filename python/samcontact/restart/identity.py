@@ -56,23 +56,23 @@ def digest(who: Identity) -> str:
 def differences(now: Identity, before: Identity) -> str:
     """Return the differences of two identities as text."""
 
-    def told(name: str) -> str:
+    def change_of(name: str) -> str:
         new, old = (str(who.get(name, "nothing")) for who in (now, before))
         digests = new.count("#") + old.count("#")
         return f"different {name}" if digests else f"{name} {new} instead of {old}"
 
-    return ", ".join(told(n) for n in {**now, **before} if now.get(n) != before.get(n))
+    return ", ".join(change_of(n) for n in {**now, **before} if now.get(n) != before.get(n))
 
 
 def canonical(value: Any) -> str:
-    """Return a text that is equal in every process; numbers of equal value are equal: 1 is 1.0.
+    """Return a text that is equal in every process, and equal for equal numbers, 1 and 1.0.
 
     Raises UnidentifiedError for a function or object whose dependencies cannot be determined.
     """
     try:
         return _IdentityTexts().text(value)
     except RecursionError:
-        raise UnidentifiedError("it is nested too deeply, or without end") from None
+        raise UnidentifiedError("it is nested too deeply, or endlessly") from None
 
 
 class _IdentityTexts:

@@ -15,7 +15,7 @@ from ..files.ownership import is_regular, remove_leftovers
 
 LOCK_FILE = ".samcontact.lock"
 LOCK_FILES = (LOCK_FILE, ".cycle.h5.lock")
-"""Names of locks in folders of checkpoints: of the folder, and of the file of a wear simulation."""
+"""Names of lock files in folders of checkpoints: of the folder, and of a wear checkpoint."""
 
 
 @contextmanager
@@ -61,7 +61,7 @@ def _take(directory: Path, remedy: str, name: str) -> int:
     path = directory / name
     while True:
         if os.path.lexists(path) and not is_regular(path):
-            raise _of_others(path, remedy)
+            raise _foreign_lock(path, remedy)
         try:
             handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o666)
         except OSError as error:
@@ -81,7 +81,7 @@ def _take(directory: Path, remedy: str, name: str) -> int:
         if _is(path, handle):
             if not re.fullmatch(rb"\d*\s*", os.read(handle, 20)):
                 os.close(handle)
-                raise _of_others(path, remedy)
+                raise _foreign_lock(path, remedy)
             try:
                 os.truncate(handle, 0)
                 os.lseek(handle, 0, os.SEEK_SET)
@@ -101,7 +101,7 @@ def _is(path: Path, handle: int) -> bool:
         return False
 
 
-def _of_others(path: Path, remedy: str) -> OSError:
+def _foreign_lock(path: Path, remedy: str) -> OSError:
     return OSError(f"{path} is not a lock of samcontact: move it, or {remedy}")
 
 

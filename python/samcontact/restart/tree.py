@@ -73,9 +73,10 @@ def _array(name: str, values: h5py.Dataset) -> Any:
 def array(
     tree: Tree, name: str, shape: tuple[int | None, ...], *, may_end: bool = False
 ) -> FloatArray:
-    """Return an array of finite float64; raises ValueError for others, KeyError if missing.
+    """Return an array of finite float64; ValueError for another array, KeyError if missing.
 
-    shape: None: any extent. may_end: +inf is allowed, a gap outside a body.
+    shape: expected shape; None for any extent. may_end: whether +inf is allowed, as in a gap
+    outside a body.
     """
     values: FloatArray = tree[name]
     if not isinstance(values, np.ndarray) or values.dtype != np.float64:

@@ -23,7 +23,7 @@ def hertz_rows(
     dataset : xarray.Dataset
         Results.
     peak : int
-        Position of the increment, from 0.
+        Index of the increment, from 0.
     reference : PointContact or EllipticContact
         Hertz contact at the load of the increment.
     body : {1, 2}

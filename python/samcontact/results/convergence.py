@@ -84,9 +84,9 @@ def _add_area_uncertainty(
 
 
 def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], list[float]]:
-    """Return the distance from the volume edge and the number of yielded layers per increment.
+    """Return, per increment, the plastic zone: its distance from the volume edge, and its layers.
 
-    Plastic strain of a moving body leaves the grid along x: the sides across x do not count.
+    Plastic strain of a moving body leaves the grid along x, so the sides across x do not count.
     """
     margins, layers, moved = [], [], False
     for state in states:

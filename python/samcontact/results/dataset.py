@@ -81,9 +81,10 @@ def to_dataset(
         Body whose stresses are stored even if it is elastic. Default: the body of the case, or
         body 2, or body 1 if body 2 is rigid. Elastic-plastic bodies are always stored.
     volume : {"none", "last", "peak_and_last", "all"} or sequence of int, optional
-        Increments whose volume fields are stored, by a word or by their numbers. Default: from the
-        case, or "peak_and_last". The peak is the increment of maximum von Mises stress; if several
-        agree to 0.1 %, of maximum pressure among them, then of maximum load.
+        Increments whose volume fields are stored, as a word or as their numbers. Default: from the
+        case, or "peak_and_last". The peak is the increment of maximum von Mises stress; if the
+        stress of several agrees to 0.1 %, that of maximum pressure among them, then of maximum
+        load.
     stopped_by : str, optional
         Reason why a run did not reach the end of its path, e.g. the text of the error that has the
         states as its attribute `states`. The attribute ``complete`` is then 0.
@@ -92,11 +93,12 @@ def to_dataset(
     -------
     xarray.Dataset
         Dimensions increment, x, y and, for a grid with layers, output_increment, z, component. If
-        the plastic strain of a body is in several subdomains, the dimension is cell_body1 or
-        cell_body2 instead of x, y, z (see `on_grid`). With partial slip, the dataset has tangential
-        forces and motions, slip, sticking cells and the energy balance. For an elastic-plastic body
-        that moved, track_position_body1 or track_position_body2 is the dimension of its whole track
-        at the end. Every variable has ``units`` (SI) and ``long_name``.
+        the plastic strain of a body is in several subdomains, its volume fields have the dimension
+        cell_body1 or cell_body2 instead of x, y, z (see `on_grid`). With partial slip, the dataset
+        has tangential forces and motions, slip, sticking cells and the energy balance. For an
+        elastic-plastic body that moved, track_position_body1 or track_position_body2 is the
+        dimension of its whole track at the end. Every variable has ``units`` (SI) and
+        ``long_name``.
 
     Raises
     ------
@@ -147,7 +149,7 @@ def _coordinates(domain: Domain) -> dict[str, xr.Variable]:
 
 
 def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
-    """Return states with the depth of the deepest stored state and of the last, for its track."""
+    """Return states with the depth of the deepest stored state and of the last (for its track)."""
     layers = max(len(state.depths) for state in (*stored, states[-1]))
     return [state.at_layers(layers) for state in states]
 

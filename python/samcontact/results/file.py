@@ -55,10 +55,10 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
         for name, variable in dataset.data_vars.items()
         if variable.ndim > 1
     }
-    told = dataset.assign_attrs(Conventions=CONVENTIONS, history=_history(dataset))
+    labelled = dataset.assign_attrs(Conventions=CONVENTIONS, history=_history(dataset))
     with replacing_hdf5(target) as opened, h5netcdf.File(opened, "w") as file:
         # in memory: to_netcdf would let HDF5 write directly to disk
-        told.dump_to_store(xr.backends.H5NetCDFStore(file), encoding=encoding)
+        labelled.dump_to_store(xr.backends.H5NetCDFStore(file), encoding=encoding)
     return target
 
 
@@ -108,10 +108,10 @@ def open_results(path: str | Path) -> xr.Dataset:
         raise
     except (*READ_ERRORS, xr.SerializationWarning) as error:
         # without the advice of h5netcdf, which concerns its own arguments
-        told = next(iter(str(error).splitlines()), type(error).__name__).strip()
-        raise ValueError(f"path must be a netCDF4 file, got {source}: {told}") from error
+        text = next(iter(str(error).splitlines()), type(error).__name__).strip()
+        raise ValueError(f"path must be a netCDF4 file, got {source}: {text}") from error
     if "samcontact_version" not in dataset.attrs or "format_version" in dataset.attrs:
-        found = dataset.attrs.get("format", "of another program")
+        found = dataset.attrs.get("format", "a file of another program")
         dataset.close()
         raise ValueError(
             f"path must be a results file written by samcontact, got {source}: {found}"
@@ -120,7 +120,7 @@ def open_results(path: str | Path) -> xr.Dataset:
 
 
 def _check_structure(path: Path) -> None:
-    """Refuse values in other files, and dimension links to objects that are no dimensions.
+    """Raise ValueError for values in other files, and for links to objects that are no dimensions.
 
     HDF5 follows dimension links without checking their type and crashes on other numbers.
     """

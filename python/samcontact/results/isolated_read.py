@@ -88,11 +88,13 @@ def _read_all(path: Path, call: float) -> None:
             part.attrs.get(found.name)
         if isinstance(part, h5py.Dataset):
             if part.nbytes > MAX_COMPRESSION_RATIO * size:
-                raise ValueError(f"{name} claims {part.nbytes} bytes, more than a file of {size}")
+                raise ValueError(
+                    f"{name} has {part.nbytes} bytes, too many for a file of {size} bytes"
+                )
             for dimension in part.dims:
                 begin()
                 len(dimension)
-            if not (part.external or part.is_virtual):  # such values are refused later
+            if not (part.external or part.is_virtual):  # values in other files are refused later
                 _read_values(part, begin)
 
     begin()

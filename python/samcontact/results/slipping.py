@@ -74,7 +74,7 @@ def _share(state: State) -> float:
 
 
 def moved_along(dataset: xr.Dataset) -> list[str]:
-    """Return the names of the tangential scalars of increments, without rounding errors."""
+    """Return the names of the tangential scalars that are not merely rounding errors."""
     if "friction_work" not in dataset:
         return []
     values = {name: dataset[name].values for name in TANGENTIAL_QUANTITIES}

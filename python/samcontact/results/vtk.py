@@ -61,7 +61,8 @@ def to_vtk(
     Returns
     -------
     list of Path
-        Files of the volume (if volume fields are stored), of the surface, and of a track.
+        Files of the volume (if volume fields are stored), of the surface, and of the track (if
+        any).
 
     Raises
     ------
@@ -153,9 +154,9 @@ def stored_number(dataset: xr.Dataset, increment: int, volume: bool) -> int:
     if -len(stored) <= increment < 0:
         return int(stored[increment])
     if increment not in stored:
-        what = "with volume fields" if volume else "of the file"
+        what = "increments with volume fields" if volume else "increments of the file"
         listed = ", ".join(str(number) for number in stored)
-        raise ValueError(f"increment must be one of those {what}, {listed}, got {increment}")
+        raise ValueError(f"increment must be one of the {what}, {listed}, got {increment}")
     return increment
 
 

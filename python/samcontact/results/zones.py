@@ -57,7 +57,7 @@ def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> Non
     dataset.coords[dim] = dataset[dim].assign_attrs(compress=" ".join(_AXES))
     for name, has_components in _FIELDS.items():
         shape = (6, cells.size) if has_components else (cells.size,)
-        data = np.full((len(states), *shape), _beside(name))
+        data = np.full((len(states), *shape), _value_outside(name))
         for values, (numbers, fields) in zip(data, parts, strict=True):
             values[..., np.searchsorted(cells, numbers)] = fields.pop(name)
         dims = ("output_increment", *(["component"] if has_components else []), dim)
@@ -89,7 +89,7 @@ def on_grid(field: xr.DataArray, dataset: xr.Dataset) -> xr.DataArray:
     shape = tuple(dataset.sizes[axis] for axis in _AXES)
     others = [other for other in field.dims if other != dim]
     rows = field.transpose(*others, dim).values
-    whole = np.full((*rows.shape[:-1], int(np.prod(shape))), _beside(str(field.name)))
+    whole = np.full((*rows.shape[:-1], int(np.prod(shape))), _value_outside(str(field.name)))
     whole[..., dataset[dim].values] = rows
     kept = {name: c for name, c in field.coords.items() if dim not in c.dims}
     coordinates = kept | {axis: dataset[axis] for axis in _AXES}
@@ -106,7 +106,7 @@ def cells_of(field: xr.DataArray, dataset: xr.Dataset) -> NDArray[np.int64] | No
     return None
 
 
-def _beside(name: str) -> float:
+def _value_outside(name: str) -> float:
     """Return the value of a field in cells without plastic strain; NaN for unknown stress."""
     return 0.0 if "strain" in name else np.nan
 

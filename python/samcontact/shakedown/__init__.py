@@ -3,8 +3,9 @@
 
 Closed-form limits of the pressure of rolling and sliding contacts: `line`, exact by Melan's
 theorem; `point` and `elliptic`, upper bounds; `point_lower_bound`, lower bound; `line_kinematic`
-and `point_kinematic` for linear kinematic hardening. For any cycle of a `Simulation`, `run` repeats
-it until flow has ceased, is closed in each cycle, or continues. See docs/theory/shakedown.md.
+and `point_kinematic` for linear kinematic hardening. `run` repeats any cycle of a `Simulation`
+until its plastic flow ceases, cancels over each cycle, or adds strain in each cycle. See
+docs/theory/shakedown.md.
 """
 
 from .cycling import run

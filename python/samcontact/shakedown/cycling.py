@@ -31,9 +31,9 @@ from .results import (
 )
 
 _MAX_FLOW_CHANGE = 0.02
-"""Maximum change of the flow per cycle, relative to that of the preceding cycle."""
+"""Maximum difference between the plastic flow of successive cycles, relative to the last."""
 _MAX_RATE_CHANGE = 0.1
-"""Maximum change of the ratcheting rate over `_RATE_CYCLES` cycles, relative."""
+"""Maximum relative change of the ratcheting rate over `_RATE_CYCLES` cycles."""
 _RATE_CYCLES = 20
 
 
@@ -47,13 +47,13 @@ def run(
     progress: bool = True,
     checkpoint: str | os.PathLike[str] | None = None,
 ) -> ShakedownResult:
-    """Repeat a cycle until plastic flow has ceased, is closed in each cycle, or continues steadily.
+    """Repeat a cycle until plastic flow ceases, cancels over each cycle, or adds strain steadily.
 
     Parameters
     ----------
     simulation : Simulation
-        Simulation with an elastic-plastic body; afterwards it is in the state at the end of the
-        last cycle. Its grid must contain all plastic strain.
+        Simulation with an elastic-plastic body; it is left in the state at the end of the last
+        cycle. Its grid must contain all plastic strain.
     cycle : iterable of dict
         Steps of `Simulation.step` that return both bodies to their initial position: `passes`, or
         ``[*paths.rolling(...), {"load": 0.0, "advance": (s, s)}]``, or a fretting loop.
@@ -74,17 +74,18 @@ def run(
     -------
     ShakedownResult
         "elastic shakedown": a cycle adds less than tol yield strains of equivalent plastic strain.
-        "plastic shakedown": it ends within tol of its initial plastic strain, and its flow equals
-        that of the preceding cycle to 2 %. "ratcheting": the added strain has changed by less than
-        10 % over the last 20 cycles; a more slowly decreasing rate cannot be distinguished from a
-        steady one.
+        "plastic shakedown": a cycle changes the plastic strain by less than tol yield strains, and
+        its flow equals that of the preceding cycle to 2 %. "ratcheting": the strain added per cycle
+        has changed by less than 10 % over the last 20 cycles; a rate that decreases more slowly
+        cannot be distinguished from a steady rate.
 
     Raises
     ------
     ValueError
-        No body can yield; the cycle has no steps or does not return a body; plastic strain lies
-        outside the volume fields; a value is outside its range. An error in a later cycle, or
-        Ctrl-C, holds the result of the completed cycles in its attribute `result`.
+        No body can yield; the cycle has no steps or does not return both bodies to their initial
+        position; plastic strain lies outside the volume fields; a value is outside its range. An
+        error in a later cycle, or Ctrl-C, holds the result of the completed cycles in its attribute
+        `result`.
     TypeError
         simulation is not a Simulation.
 
@@ -95,8 +96,8 @@ def run(
 
     Notes
     -----
-    The ends of a track constrain a contact that passes in one direction: use a surface that is
-    periodic along x, with `passes`, or a track much longer than the contact.
+    If the contact always passes in one direction, the ends of the track constrain the plastic flow:
+    use a surface that is periodic along x, with `passes`, or a track much longer than the contact.
     """
     require_type("simulation", simulation, Simulation)
     boolean("accelerate", accelerate)
@@ -196,7 +197,7 @@ class _RepeatedCycles:
             self._changes = []
         flow, net = (max(getattr(c, name) for c in found.values()) for name in ("flow", "net"))
         self.cycles.append(Cycle(self._number, flow, net))
-        self.response = self._judged()
+        self.response = self._classified()
         if self.response == UNDECIDED and self.accelerate and len(self._changes) == 3:
             self._jump = jump(self.simulation, self._changes, self._most)
             if self._jump is not None:
@@ -240,7 +241,7 @@ class _RepeatedCycles:
             self._number -= self._jump.cycles
             self._jump = None
 
-    def _judged(self) -> str:
+    def _classified(self) -> str:
         last = self.cycles[-1]
         if last.flow <= self.small:
             return SHAKEDOWN if any(c.flow > 0 for c in self.cycles) else ELASTIC
@@ -253,10 +254,10 @@ class _RepeatedCycles:
         earlier = [c.net for c in self.cycles if c.number <= last.number - _RATE_CYCLES]
         steady = bool(earlier) and abs(earlier[-1] - last.net) <= _MAX_RATE_CHANGE * last.net
         settled = len(self._changes) == 3  # the first cycle after a jump corrects the jump
-        return RATCHETING if steady and settled and self._alike() else UNDECIDED
+        return RATCHETING if steady and settled and self._adds_equal_strain() else UNDECIDED
 
-    def _alike(self) -> bool:
-        """Whether the last two cycles left approximately equal plastic strain."""
+    def _adds_equal_strain(self) -> bool:
+        """Whether the last two cycles added approximately equal plastic strain."""
         older, last = (
             [c.of("plastic_strain") for c in each.values()] for each in self._changes[-2:]
         )

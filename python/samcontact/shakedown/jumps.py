@@ -7,7 +7,8 @@ flow ceases. With e = d_n - d_(n-1), which is mu times the preceding difference,
     d_(n+j) = d_n + (mu + ... + mu^j) e .
 
 A jump over many cycles (Cojocaru and Karlsson 2006, Int. J. Fatigue 28, 1677-1689) adds their sum.
-It is made where it is expected to hold, and kept if the next cycle agrees with the prediction.
+The jump is made if its error is expected to be small, and kept if the next cycle agrees with the
+prediction.
 """
 
 from __future__ import annotations
@@ -62,16 +63,16 @@ class Trend:
         return min(max(cross / size, 0.0), _MAX_DECAY_RATIO) if size > 0 else 0.0
 
     @cached_property
-    def unlike(self) -> float:
+    def misfit(self) -> float:
         """Norm of the latest difference minus mu times the earlier one."""
         return norm([b - self.factor * a for a, b in zip(*self.steps, strict=True)])
 
     def weight(self, cycles: int) -> float:
-        """Weight of the latest difference in the change of a cycle a number of cycles later."""
+        """Weight of the latest difference in the change of a later cycle, a number of cycles on."""
         return float(np.sum(self.factor ** np.arange(1, cycles + 1)))
 
     def total(self, cycles: int) -> float:
-        """Sum of the weights of all cycles up to that one."""
+        """Sum of the weights of all cycles up to a number of cycles later."""
         return float(np.sum(self.factor ** np.arange(1, cycles + 1) * np.arange(cycles, 0, -1)))
 
     def later(self, cycles: int) -> list[FloatArray]:
@@ -93,7 +94,7 @@ class Trend:
             most = min(most, math.ceil(math.log(_MIN_REMAINING_FRACTION) / math.log(self.factor)))
         counts = range(1, most + 1)
         # The misfit may accumulate like the differences, and at least like that of a single cycle.
-        missed = [self.unlike * max(self.total(n), n) for n in counts]
+        missed = [self.misfit * max(self.total(n), n) for n in counts]
         return sum(miss <= _MAX_PREDICTION_ERROR * size for miss in missed)
 
 
@@ -134,8 +135,9 @@ class Jump:
     def error(self, first: Changes, second: Changes | None = None) -> float:
         """Estimated error of the plastic strain left by the jump [-], from the cycles after it.
 
-        The first cycle corrects the error of the jump; a deviation of the second has grown
-        uniformly over the skipped cycles. Without a second cycle, all of the deviation has.
+        The deviation of the first cycle corrects the error of the jump. The deviation of the second
+        cycle is assumed to have grown uniformly over the skipped cycles; without a second cycle,
+        the deviation of the first is used instead.
         """
         missed = max(map(max_equivalent, self.away(first)))
         grown = (

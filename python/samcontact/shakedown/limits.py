@@ -26,7 +26,7 @@ _PATH_POSITIONS = np.concatenate(
         [1e4],
     ]
 )
-"""Positions of a material point relative to the contact, in half-widths; denser at edges."""
+"""Positions of a material point relative to the contact, in half-widths; denser at the edges."""
 _MAX_FRICTION = 10.0
 EXACT, UPPER, LOWER = "exact", "upper", "lower"
 
@@ -71,10 +71,10 @@ def _coefficient(friction: float) -> float:
 
 def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
     """Maximum of the required k/p0 over all depths, and its depth."""
-    asked = [strength(depth) for depth in _DEPTHS]
-    worst = int(np.argmax(asked))
+    required_k = [strength(depth) for depth in _DEPTHS]
+    worst = int(np.argmax(required_k))
     if worst == 0:
-        return asked[0], 0.0
+        return required_k[0], 0.0
     bounds = (_DEPTHS[worst - 1], _DEPTHS[min(worst + 1, len(_DEPTHS) - 1)])
     found = scipy.optimize.minimize_scalar(
         lambda depth: -strength(depth),
@@ -82,7 +82,7 @@ def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
         method="bounded",
         options={"xatol": 1e-7},
     )
-    return max((-float(found.fun), float(found.x)), (asked[worst], float(_DEPTHS[worst])))
+    return max((-float(found.fun), float(found.x)), (required_k[worst], float(_DEPTHS[worst])))
 
 
 def _deviator(stress: FloatArray) -> FloatArray:
@@ -108,7 +108,7 @@ def _tresca(deviator: FloatArray) -> float:
     """Minimum k by Tresca's criterion, for free residual stresses xx and yy."""
     half, across, shear = deviator[:, 0], math.sqrt(3.0) * deviator[:, 1], deviator[:, 2]
 
-    def asked(shift: float) -> float:
+    def required_k(shift: float) -> float:
         # In-plane stresses lie within the radius of their mean, yy at `across` from it. The optimum
         # residual yy places the mean at both ends of (across - radius, across + radius).
         radius = np.hypot(half - shift, shear)
@@ -116,7 +116,7 @@ def _tresca(deviator: FloatArray) -> float:
         return float(max(radius.max(), out_of_plane))
 
     found = scipy.optimize.minimize_scalar(
-        asked, bounds=(half.min(), half.max()), method="bounded", options={"xatol": 1e-10}
+        required_k, bounds=(half.min(), half.max()), method="bounded", options={"xatol": 1e-10}
     )
     return float(found.fun)
 
@@ -144,15 +144,15 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> S
     friction : float, optional
         Traction over pressure of a contact in full sliding, in [0, 10] [-].
     nu : float, optional
-        Poisson's ratio, in [0, 0.5]; it has an effect if sigma_yy has.
+        Poisson's ratio, in [0, 0.5]; it affects the limit only through sigma_yy.
     criterion : {"tresca", "von_mises"}, optional
         Yield criterion.
 
     Returns
     -------
     ShakedownLimit
-        4.000 without friction, at a depth of half a half-width, where the shear sigma_xz
-        alternates. With Tresca's criterion 1/friction at the surface for friction >= 0.367.
+        p0/k = 4.000 without friction, at a depth of 0.5 half-widths, where the shear sigma_xz
+        alternates. With Tresca's criterion and friction >= 0.367, p0/k = 1/friction at the surface.
 
     Raises
     ------
@@ -166,12 +166,12 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> S
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     if choice("criterion", criterion, ("tresca", "von_mises")) == "tresca":
-        asked, depth = _worst_depth(lambda z: _tresca(_line_path(z, nu, friction)))
+        required_k, depth = _worst_depth(lambda z: _tresca(_line_path(z, nu, friction)))
     else:
-        asked, depth = _worst_depth(
+        required_k, depth = _worst_depth(
             lambda z: _smallest_ball(_both_signs(_line_path(z, nu, friction)))
         )
-    return ShakedownLimit(1.0 / asked, depth, EXACT)
+    return ShakedownLimit(1.0 / required_k, depth, EXACT)
 
 
 def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
@@ -201,16 +201,17 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Melan (1938); Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
-    asked, depth = _worst_depth(lambda z: _smallest_ball(_line_path(z, nu, friction)))
-    return ShakedownLimit(1.0 / asked, depth, EXACT)
+    required_k, depth = _worst_depth(lambda z: _smallest_ball(_line_path(z, nu, friction)))
+    return ShakedownLimit(1.0 / required_k, depth, EXACT)
 
 
 def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Upper bound of elastic shakedown of a circular contact on a perfectly plastic body.
 
-    Residual stress cannot shrink the path of the deviator of a point, so its smallest enclosing
-    ball is a bound; without friction, given by the maximum orthogonal shear, 0.21389 p0. At the
-    surface residual shear sigma_xz must vanish, which gives a bound of 1/friction or less.
+    Residual stress cannot shrink the path of the stress deviator at a point, so the smallest ball
+    that encloses this path gives a bound; without friction, it follows from the maximum orthogonal
+    shear, 0.21389 p0. At the surface residual shear sigma_xz must vanish, which gives a bound of
+    1/friction or less.
 
     Parameters
     ----------
@@ -220,8 +221,7 @@ def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Returns
     -------
     ShakedownLimit
-        Limit with von Mises' criterion at points in the plane y = 0; 4.675 without
-        friction.
+        Limit with von Mises' criterion at points in the plane y = 0; p0/k = 4.675 without friction.
 
     Raises
     ------
@@ -230,16 +230,16 @@ def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
 
     Notes
     -----
-    Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the surface
-    residual shear is admitted without regard to equilibrium: with friction the limit may be lower.
+    Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the surface residual
+    shear is admitted without regard to equilibrium: with friction the true limit may be lower.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
 
-    def asked(depth: float) -> float:
+    def required_k(depth: float) -> float:
         path = _point_path(depth, nu, friction)
         return _smallest_ball(path if depth > 0.0 else _both_signs(path))
 
-    largest, depth = _worst_depth(asked)
+    largest, depth = _worst_depth(required_k)
     return ShakedownLimit(1.0 / largest, depth, UPPER)
 
 
@@ -248,7 +248,7 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
 
     Residual stress sigma_xx along the rolling direction can have any profile transverse to it: it
     is in equilibrium by itself. By Melan's theorem a body shakes down if this stress keeps the
-    passage within the yield surface; other residual stresses may give a higher bound.
+    passage within the yield surface; other residual stresses may allow a higher pressure.
 
     Parameters
     ----------
@@ -258,8 +258,8 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Returns
     -------
     ShakedownLimit
-        Limit with von Mises' criterion at points in the plane y = 0, where it is lowest;
-        3.23 without friction, 3 % below `point` for a coefficient of 0.4.
+        Limit with von Mises' criterion at points in the plane y = 0, where it is lowest; p0/k =
+        3.23 without friction, and 3 % below `point` for a coefficient of 0.4.
 
     Raises
     ------
@@ -269,7 +269,7 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     along = np.array([0.5, -0.5 / math.sqrt(3.0), 0.0])  # shift of the centre due to sigma_xx
 
-    def asked(depth: float) -> float:
+    def required_k(depth: float) -> float:
         path = _point_path(depth, nu, friction)
         reach = 2.0 * float(np.abs(path).max())
         found = scipy.optimize.minimize_scalar(
@@ -280,7 +280,7 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
         )
         return float(found.fun)
 
-    largest, depth = _worst_depth(asked)
+    largest, depth = _worst_depth(required_k)
     return ShakedownLimit(1.0 / largest, depth, LOWER)
 
 
@@ -303,8 +303,8 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
         An argument is outside its range.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
-    asked, depth = _worst_depth(lambda z: _smallest_ball(_point_path(z, nu, friction)))
-    return ShakedownLimit(1.0 / asked, depth, EXACT)
+    required_k, depth = _worst_depth(lambda z: _smallest_ball(_point_path(z, nu, friction)))
+    return ShakedownLimit(1.0 / required_k, depth, EXACT)
 
 
 def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
@@ -325,7 +325,7 @@ def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
     Returns
     -------
     ShakedownLimit
-        4.675 for a circle (k = 1), 4.000 for a line.
+        p0/k = 4.675 for a circle (k = 1), 4.000 for a line.
 
     Raises
     ------
@@ -355,19 +355,19 @@ def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
 def first_yield(
     friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca"
 ) -> ShakedownLimit:
-    """First yield of a line contact: the elastic limit, below shakedown.
+    """Elastic limit of a line contact: pressure at first yield, below the shakedown limit.
 
     Parameters and errors as for `line`.
 
     Returns
     -------
     ShakedownLimit
-        From the maximum stress at any point (`hertz.LineContact.stress`).
+        Limit from the maximum stress at any point (`hertz.LineContact.stress`).
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     tresca = choice("criterion", criterion, ("tresca", "von_mises")) == "tresca"
 
-    def asked(depth: float) -> float:
+    def required_k(depth: float) -> float:
         half, across, shear = _line_path(depth, nu, friction).T
         radius = np.hypot(half, shear)
         if tresca:
@@ -375,5 +375,5 @@ def first_yield(
             return float(np.maximum(radius, beside).max())
         return float(np.hypot(radius, across).max())
 
-    largest, depth = _worst_depth(asked)
+    largest, depth = _worst_depth(required_k)
     return ShakedownLimit(1.0 / largest, depth, EXACT)

@@ -15,9 +15,9 @@ from ..problem.grid import Grid
 def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, Any]]:
     """Move a prescribed pressure once over a surface that is periodic along x.
 
-    It moves towards +x through one period, from its given position. Every point of the surface
-    undergoes an equal history, as below a train of equal rollers, one per period. The contact is
-    not solved. In full sliding the shear along +x moves with the pressure.
+    The pressure moves towards +x through one period, from its given position. Every point of the
+    surface has an equal stress history, as below a train of equal rollers, one per period. The
+    contact is not solved. In full sliding the shear along +x moves with the pressure.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, An
     Returns
     -------
     list of dict
-        For `run` or `Simulation.run`.
+        Steps for `run` or `Simulation.run`.
 
     Raises
     ------

@@ -21,7 +21,7 @@ _SHEAR_WEIGHTS = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])[:, None, None, None]
 
 @dataclass(frozen=True)
 class PlasticChange:
-    """Change of a body in one cycle; the first row of its cells is at row `first` of the grid."""
+    """Plastic change of a body in one cycle; its first row of cells is row `first` of the grid."""
 
     first: int
     before: dict[str, FloatArray]
@@ -82,7 +82,7 @@ def tracks(simulation: Simulation, state: State, bodies: Sequence[int]) -> dict[
 
 
 def change(before: Track, after: Track) -> PlasticChange:
-    """Change of a body between two tracks."""
+    """Return the change of the plastic state of a body between two tracks."""
     pairs = {name: on_common_cells(before, after, name) for name in FIELDS}
     start = min(before.x[0], after.x[0])
     first = after.first - round((after.x[0] - start) / after.grid.dx)

@@ -41,8 +41,8 @@ class ShakedownResult(ShortRepr, HtmlTable):
     ----------
     response : str
         "elastic": no plastic flow. "elastic shakedown": flow has ceased. "plastic shakedown":
-        flow is closed in each cycle. "ratcheting": each cycle adds as much plastic strain as the
-        preceding one. "undecided": none of these yet.
+        plastic flow cancels over each cycle. "ratcheting": each cycle adds as much plastic strain
+        as the preceding one. "undecided": none of these so far.
     rate : float
         `net` of the last cycle: plastic strain left by each cycle [-].
     flow : float
@@ -54,7 +54,7 @@ class ShakedownResult(ShortRepr, HtmlTable):
     error : float
         Estimated error of any plastic strain component due to extrapolation [-]; 0 without it.
     rejected : int
-        Number of extrapolations that were not confirmed by a cycle, and undone.
+        Number of extrapolations that were undone because the next cycle did not confirm them.
     yield_strain : float
         Yield stress over Young's modulus of the body that yields first, as a reference for strains.
     state : State

@@ -33,8 +33,8 @@ def coarser(setup: SimulationSetup, domain: Domain) -> tuple[SimulationSetup, Do
     """Return the setup and domain on cells twice as long, wide and deep.
 
     With elastic-plastic layers, the coarse cells are two to three times as deep, so that they fit
-    the layers, or as deep as before. Surfaces given as functions are evaluated on the coarser grid.
-    Heights known on one grid only are averaged over its cells (interpolated for a smooth
+    the layers, or keep their depth. Surfaces given as functions are evaluated on the coarser grid.
+    Heights given on one grid only are averaged over the coarser cells (interpolated for a smooth
     paraboloid).
 
     Raises
@@ -159,13 +159,14 @@ def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
     Returns
     -------
     float
-        In [0, 1]: waves shorter than 4 dx along x or 4 dy along y. NaN for a smooth surface, and
-        for fewer than 8 cells per side.
+        Fraction in [0, 1] that is due to waves shorter than 4 dx along x or 4 dy along y. NaN for a
+        smooth surface, and for fewer than 8 cells per side.
 
     Notes
     -----
     If the slope spectrum is a power law of the wavenumber, as for a self-affine surface, the next
-    octave, beyond the grid itself, contains at least this fraction times the ratio of the last two.
+    octave, beyond the grid itself, contains at least this fraction times the ratio of the last two
+    octaves.
     """
     field = np.asarray(heights, dtype=np.float64)
     finite_array("heights", field, field.shape)
@@ -187,7 +188,7 @@ def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
 
 def _gap(setup: SimulationSetup, domain: Domain, grid: Grid) -> FloatArray:
     body = np.isfinite(domain.initial_gap)
-    if not body.all():  # cells mostly covered by a body take its height
+    if not body.all():  # cells mostly covered by a body get its height
         share = _averaged(body.astype(np.float64), domain.grid, grid)
         height = _averaged(np.where(body, domain.initial_gap, 0.0), domain.grid, grid)
         kept = share >= 0.5
@@ -239,7 +240,9 @@ def _relief(relief: Relief, fine: Grid, grid: Grid) -> Relief:
     """Average the rows of a relief over the cells of a coarser grid."""
     rows = len(relief.heights)
     if relief.periodic and rows % 2 != 0:
-        raise ValueError(f"a relief with a period of {rows} rows cannot be coarsened by two")
+        raise ValueError(
+            f"periodic relief must have an even number of rows to be coarsened, got {rows}"
+        )
     begins = relief.first - 0.5 * fine.nx  # from the centre of the grid, in fine cells
     first = math.floor(0.5 * begins + 0.5 * grid.nx)
     ends = math.ceil(0.5 * (begins + rows) + 0.5 * grid.nx)

@@ -54,7 +54,7 @@ class Engine:
         """The domain before any enlargement."""
 
     def _open(self, domain: Domain, stand: Callable[[Any], object] | None = None) -> None:
-        """Switch to another domain; `stand` sets the state of the new core, by default the start.
+        """Switch to another domain; `stand` sets the state of the new core. Default: initial state.
 
         After an error or interrupt the old domain and core remain in use.
         """
@@ -112,9 +112,9 @@ class Engine:
         return State(core, self.setup, self.domain, heat, lambda: dict(self.core.counters))
 
     def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, Any, Any]:
-        """Solve an increment; return its arguments and the core state.
+        """Solve an increment; return it, the core state before it, and the core state after it.
 
-        The second item is the core state before the increment if the bodies might overlap, or None.
+        The state before it is None unless the bodies might overlap.
         """
         with self.access:
             while True:
@@ -186,16 +186,16 @@ class Engine:
                 beside = max(-first, first + cells - n, 0)
                 needed[axis] = max(needed[axis], n + 2 * beside)
         counts = [even_more(n, m) for n, m in zip(shape, needed, strict=True)]
-        if self._stays or tuple(counts) == shape:
+        if self._why_fixed or tuple(counts) == shape:
             return False
         try:
-            self._go_on_over(counts)
+            self._switch_to(counts)
         except (ValueError, MemoryError):  # the increment is done; a warning reports it
             return False
         return True
 
     @property
-    def _stays(self) -> str:
+    def _why_fixed(self) -> str:
         """Reason why the domain cannot be enlarged; empty if it can."""
         setup = self.setup
         if setup.settings.on_border != "error" or self.domain.grid.periodic:
@@ -211,8 +211,8 @@ class Engine:
     def _enlarge(
         self, error: GridTooSmallError, load: float | None = None, approach: float | None = None
     ) -> None:
-        """Switch to a larger domain; raise the error if there is none."""
-        if why := self._stays:
+        """Switch to a larger domain; raise the error if the domain cannot be enlarged."""
+        if why := self._why_fixed:
             if why == ENLARGEMENT_HINT and not callable(self.setup.surfaces.gap):
                 told_of_fixed(error, self.estimate)
             elif why != "it stays":
@@ -220,10 +220,10 @@ class Engine:
             raise error
         with told_in(error, self.domain.grid):
             counts = counts_for(error, self.first.grid, self.estimate, load, approach)
-            self._go_on_over(counts)
+            self._switch_to(counts)
 
-    def _go_on_over(self, counts: Sequence[int]) -> None:
-        """Switch to a larger domain at the same state."""
+    def _switch_to(self, counts: Sequence[int]) -> None:
+        """Switch to a larger domain in the current state."""
         grid = replace(self.domain.grid, nx=counts[0], ny=counts[1])
         domain, smaller = self._checked_domain(grid, self.domain), self.core
         self._open(domain, lambda core: core.take_over(smaller))

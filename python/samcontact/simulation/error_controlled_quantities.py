@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Quantities of a state that have an error estimate, interpolated between cells.
 
-A maximum is that of parabolas through its cell and the neighbouring cells. Under grid refinement it
-jumps far less than the maximum over cells, and so does `contact_area` compared with a cell count.
+Maxima are interpolated by parabolas through the cell of the maximum and its neighbours. Under grid
+refinement they jump far less than maxima over cells, as `contact_area` does compared with a cell
+count.
 """
 
 from __future__ import annotations
@@ -31,8 +32,8 @@ BODY_QUANTITIES = (
     "max_residual_von_mises",
     "imprint_depth",
 )
-"""Quantities of a body, followed by `_body1` or `_body2`; all but the first require an
-elastic-plastic body."""
+"""Quantities of a body, whose names are followed by `_body1` or `_body2`; all but the first require
+an elastic-plastic body."""
 _FIELDS = {
     "max_von_mises": "stress",
     "max_equivalent_plastic_strain": "equivalent_plastic_strain",
@@ -41,7 +42,7 @@ _FIELDS = {
 
 
 def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list[str]:
-    """Names of all quantities of a case: of each elastic-plastic body, or else of the given one."""
+    """Names of all quantities of a case: of each elastic-plastic body or, if none, of `body`."""
     inelastic = [n for n, material in enumerate(bodies, 1) if material.is_plastic]
     found = list(CONTACT_QUANTITIES)
     if not volume:
@@ -136,14 +137,14 @@ def _parts_of_material(cells: FloatArray, *, is_layer: bool) -> list[float]:
 
 
 def _count(materials: int) -> int:
-    """Number of parts for a number of materials."""
+    """Number of parts of a quantity for a number of materials."""
     return 3 * materials - 1
 
 
 def _bounds(state: State, body: int, ranges: Sequence[slice]) -> FloatArray:
     """Return the yield stress of each material, an upper bound of the interpolated stress.
 
-    Infinite where it is unknown.
+    It is infinite where it is unknown.
     """
     bounds = np.full(_count(len(ranges)), np.inf)
     if state.max_plastic_strain_magnitude(body) == 0:
@@ -183,8 +184,8 @@ def peak_value(field: ArrayLike) -> float:
     Returns
     -------
     float
-        Maximum over the cells, plus along each axis the rise above it of the parabola through its
-        cell and the two neighbouring cells.
+        Maximum over the cells plus, for each axis, the amount by which the parabola through its
+        cell and the two neighbouring cells exceeds it.
     """
     values = np.asarray(field, dtype=np.float64)
     if values.size == 0:
@@ -193,7 +194,7 @@ def peak_value(field: ArrayLike) -> float:
 
 
 def _risen(values: FloatArray, at: tuple[np.intp, ...]) -> float:
-    """Value of a cell plus the rise of the parabolas through it and its neighbours above it."""
+    """Value of a cell plus the excess over it of the parabolas through it and its neighbours."""
     risen = float(values[at])
     for axis in range(values.ndim):
         line = np.moveaxis(values, axis, -1)[tuple(np.delete(at, axis))]

@@ -7,7 +7,7 @@ import threading
 
 
 class ExclusiveAccess:
-    """Context that refuses a second thread, or a softening law, that would change a simulation."""
+    """Context in which no other thread, and no softening law, may change a simulation."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()

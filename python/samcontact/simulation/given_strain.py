@@ -79,7 +79,7 @@ def plastic_fields(
 
 
 def _require_over_grid(grid: Grid, strain: FloatArray, first: int) -> None:
-    """Refuse a plastic strain that lies entirely outside the grid."""
+    """Raise ValueError for a plastic strain that lies entirely outside the grid."""
     rows = np.flatnonzero(strain.any(axis=(0, 2, 3))) + first
     if rows.size and not ((rows >= 0) & (rows < grid.nx)).any():
         raise ValueError(

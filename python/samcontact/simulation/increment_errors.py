@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error of results due to the size of increments, from a run with another number of them."""
+"""Error of results due to the size of increments, from a run with twice or half as many."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from .._util.display import HtmlTable, Rows, percent
-from .._util.errors import IncrementWarning
+from .._util.errors import IncrementWarning, is_ignored
 from ..bodies.layered import materials_of
 from ..diagnostics.resolution import cells_across, spots
 from ..solutions.peak import peak
@@ -35,7 +35,7 @@ MAX_ERROR_WITHOUT_WARNING = 0.05
 """Relative error above which a warning is issued."""
 _MIN_CELLS = {True: 6.0, False: 16.0}
 """Cells across the contact on the coarsest grid used, with and without yielding. Without plastic
-flow, increments affect only few cells, between stick and slip zones."""
+flow, increments affect only a few cells, between stick and slip zones."""
 _MIN_INCREMENTS = 3
 _DOUBLING_FACTORS = 2.0, 2.0
 """Ratio of the error of n increments to the difference between n and 2n, for plastic strain and for
@@ -61,8 +61,8 @@ class IncrementErrors(HtmlTable):
         and increments, relative to the maximum value of the run (for plastic strain at least the
         yield strain, and only at the increment of maximum load and the last one).
     values : dict of float
-        Errors of the quantities with error control, by their names in results files, at these two
-        increments, relative to the larger value.
+        Errors of the quantities with error control, by their names in results files, at the
+        increment of maximum load and the last one, relative to the larger value.
     compared : str
         Description of the runs that were compared.
     """
@@ -99,7 +99,7 @@ def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
 def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
     """Whether some states depend on the number of increments.
 
-    They do if a body has yielded, unless `increment_tol` controls the error, or with partial slip.
+    They do with partial slip, and if a body has yielded, unless `increment_tol` controls the error.
     """
     last = states[-1]
     if setup.friction.sticks:
@@ -120,7 +120,7 @@ def check_errors(
     *,
     stacklevel: int,
 ) -> None:
-    """Warn, once in a simulation, of increments that are too large.
+    """Warn, once per simulation, of increments that are too large.
 
     Nothing is estimated if a filter ignores the warning.
 
@@ -130,21 +130,13 @@ def check_errors(
     history = engine.history
     if not monitor.checks_increments or not states or not history.is_due(factor):
         return
-    if not is_path_dependent(engine.setup, states) or _is_ignored(IncrementWarning):
+    if not is_path_dependent(engine.setup, states) or is_ignored(IncrementWarning):
         return
     steps = history.steps or []
     found = estimated(engine, steps, states, history.heat, repeat)
     if found is not None:
         history.checked = len(steps)
         monitor.checks_increments = not warn_of_errors(found, stacklevel=stacklevel + 1)
-
-
-def _is_ignored(category: type[Warning]) -> bool:
-    """Whether Python's filters ignore all warnings of a category."""
-    for action, message, other, module, line in warnings.filters:
-        if issubclass(category, other) and not (message or module or line):
-            return action == "ignore"
-    return False
 
 
 def estimated(

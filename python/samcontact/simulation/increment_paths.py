@@ -50,7 +50,8 @@ def halved(
 ) -> tuple[list[dict[str, Any]], Ends] | None:
     """Merge neighbouring increments that continue in one direction; leave the others unchanged.
 
-    None if this reveals too little: few can be merged, or an unmerged one is larger than those.
+    Returns None if a comparison would reveal too little: few increments can be merged, or an
+    unmerged increment is larger than the merged ones.
     """
     steps: list[dict[str, Any]] = []
     ends: Ends = []
@@ -59,9 +60,9 @@ def halved(
     while number < len(path):
         step = path[number]
         before = _before(number, path, states, start)
-        joins = number + 1 < len(path) and _goes_on(before, step, path[number + 1])
+        joins = number + 1 < len(path) and _continues(before, step, path[number + 1])
         if joins:
-            step = _joined(step, path[number + 1])
+            step = _merged(step, path[number + 1])
             number += 1
         for name, size in _sizes(before, step).items():
             sizes[joins][name] = max(size, sizes[joins].get(name, 0.0))
@@ -128,7 +129,7 @@ def _halves(step: Step, before: Step, dx: float, heat: Heat) -> list[dict[str, A
     return [first, second]
 
 
-def _goes_on(before: Step, step: Step, after: Step) -> bool:
+def _continues(before: Step, step: Step, after: Step) -> bool:
     """Whether two increments continue in one direction from the targets reached before."""
     if step.keys() != after.keys():
         return False
@@ -154,7 +155,7 @@ def _is_one_way(a: float, b: float | None, c: float | None) -> bool:
     return a == b == c or (b != a and 1 / _MAX_SIZE_RATIO <= (c - b) / (b - a) <= _MAX_SIZE_RATIO)
 
 
-def _joined(step: Step, after: Step) -> dict[str, Any]:
+def _merged(step: Step, after: Step) -> dict[str, Any]:
     joined = dict(after)
     for name in _MOTIONS:
         if name in step:

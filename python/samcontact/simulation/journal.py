@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs that survive being killed: a checkpoint after each increment, and resuming from them."""
+"""Checkpoints after each increment of a run, from which a killed run is resumed."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ class Simulation(Configured, HtmlTable):
 
     Each increment solves contact and plastic flow together, implicitly: the plastic strain
     increment is the fixed point of residual displacement -> contact -> stress -> radial return
-    (backward Euler), accelerated by Anderson mixing and halved where it does not converge.
+    (backward Euler), accelerated by Anderson mixing. An increment that does not converge is halved.
 
     Parameters
     ----------
@@ -58,12 +58,12 @@ class Simulation(Configured, HtmlTable):
         Convergence tolerance of an increment [-], in [1e-11, 1): bound on the relative change of
         the plastic strain increment and on the relative violation of the yield condition.
     increment_tol : float, optional
-        Tolerance of automatic sub-increments [-], in [10 tol, 1), of pressure and of equivalent
-        plastic strain relative to their maxima. Each part is solved as a whole and in halves, and
+        Tolerance of automatic sub-increments [-], in [10 tol, 1), on pressure and equivalent
+        plastic strain relative to their maxima. Each part is solved as a whole and in halves, then
         extrapolated to second order. ValueError if more than 64 parts would be needed; the message
         gives a tolerance for which 64 suffice. Default: no subdivision, first order.
     on_border : {"error", "warn"}, optional
-        Action if the contact reaches the edge of the grid; with "warn" it is never enlarged.
+        Action if the contact reaches the edge of the grid; with "warn" the grid is never enlarged.
     max_iterations : int, optional
         Maximum number of fixed-point iterations before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
@@ -72,7 +72,7 @@ class Simulation(Configured, HtmlTable):
         of the layers, memory is 1 kB per cell. With little hardening and cubic cells, plastic
         strain may alternate between layers (`ResolutionWarning`) or not converge.
     image_tol : float, optional
-        Error of "fast" due to periodic transforms, over maximum residual stress; in [1e-6, 0.1].
+        Error of "fast" by periodic transforms, relative to maximum residual stress; in [1e-6, 0.1].
     zones : {"auto", "one"}, optional
         Domain of the plastic strain. "auto": several boxes where this reduces the work, as on rough
         surfaces; "one": a single box. Results differ by about 1e-3 of the residual stress.
@@ -99,7 +99,7 @@ class Simulation(Configured, HtmlTable):
     a paraboloid (in a run, at its maximum load), else by half in each direction whose edge was
     reached. `grid` and arrays of its shape then refer to the larger grid. A state keeps its grid;
     `run` returns all states on the last one. Above 64 times the cells, GridTooSmallError is raised.
-    Grids that are periodic, or with heat.history or thermal softening, are not enlarged.
+    Grids that are periodic, or with heat.history, softening or attraction, are not enlarged.
     """
 
     _last = "engine"
@@ -200,7 +200,7 @@ class Simulation(Configured, HtmlTable):
         Parameters
         ----------
         load, approach : float
-            Normal load [N], >= 0 or down to the tension of the contact law; approach [m].
+            Normal load [N], >= 0 or, with attraction, >= minus the attractive force; approach [m].
         pressure : array_like, shape (nx, ny)
             Prescribed pressure [Pa]; the contact is not solved. Exactly one of the three is given.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
@@ -208,9 +208,9 @@ class Simulation(Configured, HtmlTable):
             Default: friction * pressure.
         advance : pair of floats, optional
             Displacement of the surfaces of bodies 1 and 2 through the contact during the increment,
-            positive along +x [m]. Equal: rolling towards -x; different: sliding by the difference,
-            or creepage with `Coulomb`. Plastic strain moves with its body; the grid stays with the
-            contact. Whole cells are exact; for fractions of a cell see `State.origin`.
+            positive along +x [m]. Equal values: rolling towards -x; different values: sliding by
+            the difference, or creepage with `Coulomb`. Plastic strain moves with its body; the grid
+            stays with the contact. Whole cells are exact; fractions: see `State.origin`.
         shift : pair of floats, optional
             With `Coulomb`: tangential rigid-body displacement of body 1 relative to body 2 in this
             increment [m]. None for a component leaves that direction to `tangential_load`.
@@ -238,7 +238,7 @@ class Simulation(Configured, HtmlTable):
         ValueError
             Invalid arguments, or GridTooSmallError.
         ConvergenceError
-            With .iterations and .residual. After any error the previous state is kept.
+            See its .iterations and .residual. After any error the previous state is kept.
         MemoryError
             The plastic zone requires more memory than is available.
         RuntimeError
@@ -272,7 +272,7 @@ class Simulation(Configured, HtmlTable):
         Parameters
         ----------
         path : iterable of dict
-            See `samcontact.paths` for helpers.
+            Arguments of each step, e.g. from `samcontact.paths`.
         progress : bool, optional
             Show a progress bar, or at most ten lines if there is no terminal.
         checkpoint : path, optional
@@ -393,8 +393,8 @@ class Simulation(Configured, HtmlTable):
     ) -> Simulation:
         """Read a checkpoint. Continuing from it gives bit-identical results on the same machine.
 
-        softening: laws of bodies 1 and 2 that are not from `samcontact.softening`. gap: the
-        function of a grid used before; without it the grid is not enlarged. Raises CheckpointError
-        (a ValueError) for a damaged file, another kind of file, or a different surface.
+        softening: laws of bodies 1 and 2, if not from `samcontact.softening`. gap: the function of
+        a grid used before; without it the grid is not enlarged. Raises CheckpointError (a
+        ValueError) for a damaged file, another kind of file, or a different surface.
         """
         return loaded(cls, path, softening, gap)

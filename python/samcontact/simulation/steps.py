@@ -36,7 +36,7 @@ STEP_ARGUMENTS = (
 
 @dataclass(frozen=True)
 class Step:
-    """Targets of an increment, and the heat from then on."""
+    """Targets of an increment, and the heat from this increment on."""
 
     kind: str
     value: float
@@ -123,7 +123,7 @@ class StepArguments:
         return Step(kind, value, heat, heated, lasts or 0.0, ways, tangential, **given)
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
-        """Entries of the heat for the core; duration: of an increment of transient heating [s]."""
+        """Heating of each body for the core; duration: length of a transient increment [s]."""
         known = self._heated
         if known is None or known[0] is not heat or known[1] != duration:
             require_heat_of(self.friction, heat)

@@ -15,10 +15,10 @@ from .outline import Sides, around, sides_of, steps_beside
 AREA_PER_SIDE = (math.pi - 1 + math.log(2)) / 24
 """Mean excess of the counted area per side of the outline of a smooth spot [cells]."""
 MAX_LOCATED_CORRECTION, MIN_COUNTED_CORRECTION = 0.08, 0.14
-"""Perimeter correction over the counted area (on a periodic grid in nearly full contact, over the
-open area) below which the edge is located from the pressure, and above which it is not. They
-correspond to round spots of 7.5 and 4.3 cells across."""
-_EXTRAPOLATION_CELLS = range(1, 5)  # from the edge, used to extrapolate the pressure
+"""Limits of the perimeter correction, relative to the counted area (in nearly full contact on a
+periodic grid, to the open area): below the first, the edge is located from the pressure; above the
+second, it is not. They correspond to round spots of 7.5 and 4.3 cells across."""
+_EXTRAPOLATION_CELLS = range(1, 5)  # numbered from the edge; used to extrapolate the pressure
 _PADDING_CELLS = 4  # cells added around a field
 
 
@@ -32,9 +32,9 @@ def contact_area(
     falls linearly to zero at the edge of a smooth contact (second order). If they are not, or if
     the located area would exceed the count (nearly full contact), each side of the outline reduces
     the count by (pi - 1 + ln 2)/24 of a cell: the mean excess of counting over all directions of a
-    smooth edge (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). Between
-    the two limits both values are blended. Sides at the edge of the grid or at a step of the gap
-    do not reduce the count, because the contact edge lies on them.
+    smooth edge (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). In
+    between, both values are blended. Sides at the edge of the grid or at a step of the gap do not
+    reduce the count, because the contact edge lies on them.
 
     Parameters
     ----------
@@ -86,11 +86,11 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
         return by_perimeter, taken_off
     steps = [(sides, fixed) for sides, fixed in zip(outline, on_cells, strict=True) if fixed.any()]
     by_pressure = _inside_of_zero_line(field, periodic, steps)
-    # edges along one grid direction all lie alike within their cells: up to half a cell off
+    # straight edges along the grid all have one position within their cells: up to half a cell off
     straight = smooth[0] + smooth[1] == 0 or smooth[2] + smooth[3] == 0
     slack = 0.25 * sum(smooth) if straight else 0.0
     beyond = (by_pressure - count - slack) / (slack or taken_off)
-    if beyond > 0:  # nearly full contact: smaller, the more it exceeds the count
+    if beyond > 0:  # nearly full contact: trust decreases with the excess over the count
         trust = min(trust, 1.0) * max(0.0, 1.0 - beyond)
         by_pressure = count + slack
     trust = min(trust, 1.0)
@@ -109,10 +109,10 @@ def _inside_of_zero_line(
 ) -> float:
     """Number of cells inside the zero line of the extrapolated squared pressure.
 
-    A parabola through the second to fourth cell from the edge (the first depends on the position
-    of the edge within it) extrapolates it over the first cells without pressure, at most to zero
-    at their centres. At a step it vanishes half-way. The area is that of the triangles between
-    the centres.
+    A parabola through the second to fourth cell from the edge (the first depends on the position of
+    the edge within it) extrapolates the squared pressure over the first cells without pressure, at
+    most to zero at their centres. At a step of the gap it vanishes half-way. The area is that of
+    the triangles between the centres.
     """
     field = (pressure / pressure.max()) ** 2
     held = np.full(field.shape, np.nan)

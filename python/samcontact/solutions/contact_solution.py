@@ -144,19 +144,20 @@ class PartialSlipSolution(ShearedSolution):
         Moment on body 2 about z at the origin [N m].
     shift : ndarray, shape (2,)
         Tangential rigid-body displacement of body 1 relative to body 2 along x and y, accumulated
-            since the first increment [m].
+        since the first increment [m].
     twist : float
-        Rotation of body 1 relative to body 2 about z at the origin, accumulated likewise [rad].
+        Rotation of body 1 relative to body 2 about z at the origin, accumulated since the first
+        increment [rad].
     friction_work : float
         Frictional dissipation since the first increment [J].
     tangential_error : float
         Natural residual of the slip conditions: change of the shear when it is moved along its slip
         and cut at mu p, relative to the maximum of mu p, or to ten times the maximum shear if that
         is smaller [-]. With dissimilar materials it refers to the final pressure, and `error` is
-        that of the pressure for the final shear.
+        the complementarity error of the pressure for the final shear.
     energy_gap : float
-        Bound on the energy that friction could still dissipate with these slips [J]; twice the
-        elastic energy of the shear error is smaller. NaN for infinite friction.
+        Upper bound of the energy that friction could still dissipate with these slips, and of twice
+        the elastic energy of the shear error [J]. NaN for infinite friction.
     sweeps : int
         Iterations between pressure and shear; 1 if they are uncoupled.
     tangential_iterations : int
@@ -177,7 +178,7 @@ class PartialSlipSolution(ShearedSolution):
         return [
             ("shift", both(self.shift, "m")),
             ("twist", quantity(self.twist, "rad")),
-            ("friction work", quantity(self.friction_work, "J")),
+            ("frictional work", quantity(self.friction_work, "J")),
         ]
 
 
@@ -198,7 +199,7 @@ class RollingSolution(ShearedSolution):
     friction_work_per_distance : float
         Frictional dissipation per distance rolled [J/m].
     shear, sticking, tangential_load, torque
-        As in `PartialSlipSolution`; errors and counts as well.
+        As in `PartialSlipSolution`; also errors and counts.
     """
 
     creepage: FloatArray
@@ -210,7 +211,7 @@ class RollingSolution(ShearedSolution):
         return [
             ("creepage", both(self.creepage, "")),
             ("spin", quantity(self.spin, "1/m")),
-            ("friction work per distance", quantity(self.friction_work_per_distance, "J/m")),
+            ("frictional work per distance", quantity(self.friction_work_per_distance, "J/m")),
         ]
 
 

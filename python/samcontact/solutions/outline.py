@@ -89,7 +89,7 @@ def away_from_border(sides: Sides, shape: tuple[int, ...], periodic: str) -> Sid
 def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
     """Sides between cells in contact and open cells, in four directions.
 
-    The edge of the grid is no side, except in a periodic direction.
+    The edge of the grid is not a side, except in a periodic direction.
     """
     return sides_between(inside, ~inside, periodic)
 
@@ -151,7 +151,7 @@ def may_have_steps(gap: FloatArray, periodic: str) -> bool:
         return True
     for axis, name in enumerate("xy"):
         heights = gap if axis == 0 else gap.T
-        if name in periodic:  # the cells around its end, several times of few
+        if name in periodic:  # also across the end of the period; few cells are repeated
             heights = heights.take(range(len(heights) + 5), axis=0, mode="wrap")
         columns = max(1, _BLOCK_CELLS // len(heights))
         for first in range(0, heights.shape[1], columns):

@@ -19,10 +19,11 @@ _ROUNDING_ERROR = 1e-9
 
 
 def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
-    """Position of the increment with the maximum von Mises stress.
+    """Index (from 0) of the increment with the maximum von Mises stress.
 
-    Among equal ones, that with the maximum pressure, then with the maximum load, then the first:
-    in rolling contact the load is constant, and a rough spot on the track is the most informative.
+    Among increments of equal stress, it is the one with the maximum pressure, then with the maximum
+    load, then the first: in rolling contact the load is constant, and a rough spot on the track is
+    the most informative.
 
     Parameters
     ----------
@@ -43,7 +44,7 @@ def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
 
 
 def peak_of_dataset(dataset: xr.Dataset) -> int:
-    """Position of the increment with the maximum von Mises stress in a results dataset."""
+    """Index (from 0) of the increment with maximum von Mises stress in a results dataset."""
     names = [f"max_von_mises_body{body}" for body in (1, 2)]
     stress = [dataset[name].values for name in names if name in dataset]
     largest = np.max(stress, axis=0) if stress else None

@@ -75,7 +75,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         """Mid-layer depths of the volume fields [m], shape (nz,).
 
         These are the depths of the grid. Without nz, they include all plastic strain of both bodies
-        so far, and the stress down to 1.5 radii below the contact spots; at least 8 layers.
+        so far and the stress down to 1.5 radii below the contact spots, in at least 8 layers.
         """
         return self.grid.depths(self.layers)
 
@@ -117,17 +117,17 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def origin(self) -> float:
         """Position of the contact origin (x = 0) relative to the grid centre [m].
 
-        It is at most half a cell. The cells of the grid are those of the body whose plastic strain
-        is tracked (body 2 if it is elastic-plastic), so the contact moves in the grid by the
-        fraction of a cell.
+        It is at most half a cell. Grid cells coincide with cells of the body whose plastic strain
+        is tracked (body 2 if it is elastic-plastic), so the contact is displaced in the grid by the
+        remaining fraction of a cell.
         """
         return float(self._core.origin) * self.grid.dx
 
     def offset(self, body: int = 2) -> float:
         """Offset of the volume fields of a body from the cells of the grid along x [m].
 
-        At most half a cell; not zero only if two elastic-plastic bodies moved by different
-        fractions of a cell.
+        At most half a cell; zero unless two elastic-plastic bodies moved by different fractions of
+        a cell.
         """
         return -float(self._core.offset[choice("body", body, (1, 2)) - 1]) * self.grid.dx
 
@@ -165,8 +165,8 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         -------
         tuple of Zone
             The subdomains in which the plastic strain was solved, if there are several (see
-            `Simulation`); else a single one, or none without plastic strain. Their fields take the
-            memory of the subdomains instead of that of all layers of the grid.
+            `Simulation`); otherwise a single one, or none without plastic strain. Their fields
+            require memory for the subdomains only, not for all layers of the grid.
         """
         found = ZoneStress(self._core, choice("body", body, (1, 2)))
         return tuple(Zone(self.grid, body, number, found) for number in range(len(found.boxes)))
@@ -236,7 +236,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
 
         Shape (2, 6, nx, ny, m): above and below each of the m interfaces, see `Layered.interfaces`.
         The tractions between layers, zz, yz and xz, are continuous up to the grid error; xx, yy and
-        xy jump. Stress due to tractions is exact at its depth; stress due to plastic strain is
+        xy jump. Stress due to tractions is exact at the interface; stress due to plastic strain is
         extrapolated from three cells on each side (fewer in thinner layers). Raises ValueError for
         a body without layers, or with an `offset`.
         """
@@ -312,8 +312,8 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
         """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
-        It is due to the plastic strain. With axis="x" or "y" it is tangential, along the directions
-        that both bodies share. On a periodic surface it is relative to the body far below.
+        It is due to the plastic strain. With axis="x" or "y" it is tangential, along the x or y
+        axis common to both bodies. On a periodic surface it is relative to the body far below.
         """
         number = axis_number(axis)
         core, index = self._core, choice("body", body, (1, 2)) - 1
@@ -389,7 +389,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
             *rows,
             ("plastic iterations", str(self.iterations)),
             ("plastic residual", quantity(self.plastic_strain_residual)),
-            ("yield excess", quantity(self.yield_violation)),
+            ("yield violation", quantity(self.yield_violation)),
             ("converged", "yes" if self.converged else "no"),
         ]
 

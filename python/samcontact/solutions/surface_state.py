@@ -100,8 +100,8 @@ class SurfaceState:
     def shift(self) -> FloatArray:
         """Accumulated tangential rigid-body displacement [m], shape (2,).
 
-        Of body 1 relative to body 2 along x and y; it includes the difference of their travel.
-        Raises ValueError in full sliding.
+        It is the displacement of body 1 relative to body 2 along x and y, and includes the
+        difference of their travel. Raises ValueError in full sliding.
         """
         _require_sticking("shift", self.setup)
         return np.array(self._core.motion[:2])
@@ -126,7 +126,7 @@ class SurfaceState:
 
     @cached_property
     def gap(self) -> FloatArray:
-        """Separation [m], shape (nx, ny); under prescribed tractions, that for zero approach."""
+        """Separation [m], shape (nx, ny); under prescribed tractions, at zero approach."""
         field: FloatArray = self._core.gap()
         field.flags.writeable = False
         return field
@@ -140,7 +140,7 @@ class SurfaceState:
     def contact_area(self) -> float:
         """Contact area [m^2], with the edge located between the cells; see the theory page.
 
-        Under prescribed tractions it is the area of their pressure.
+        Under prescribed tractions it is the area under pressure.
         """
         repulsion, grid = self.repulsion, self.grid
         gap = self.gap if np.isfinite(self.approach) and self.outline.rises else None
@@ -179,7 +179,7 @@ def rows_along_surface(state: SurfaceState) -> Rows:
     rows = [
         ("tangential load", both(state.tangential_load, "N")),
         ("shift", both(state.shift, "m")),
-        ("friction work", quantity(state.friction_work, "J")),
+        ("frictional work", quantity(state.friction_work, "J")),
         ("sticking cells", f"{np.count_nonzero(state.sticking)} of {touching} in contact"),
     ]
     if state.twist != 0.0:

@@ -33,7 +33,7 @@ class Track(FixedAttributes):
         start, rows = core.history_rows(body - 1) or (0, grid.nx)
         self._first_row = start - margin
         self.first = self._first_row + core.first_cell[body - 1]
-        """Row of the grid, in its initial position, at the first row of the track."""
+        """Row of the grid, at its initial position, at which the track begins."""
         self.grid = Grid(
             rows + 2 * margin,
             grid.ny,
@@ -42,7 +42,7 @@ class Track(FixedAttributes):
             nz=layers if grid.has_volume else 0,
             dz=grid.dz,
         )
-        """Grid of the track; its own x has its origin at the centre, see `x`."""
+        """Grid of the track, with the origin at its centre, unlike `x` of the track."""
         # Cell n of the body was initially at (n - (nx - 1)/2) dx of the grid at the start.
         cells = self.first + np.arange(self.grid.nx)
         self.x: FloatArray = read_only((cells - 0.5 * (grid.nx - 1)) * grid.dx)
@@ -125,7 +125,8 @@ class Track(FixedAttributes):
         Parameters
         ----------
         volume : bool, optional
-            Whether to include volume fields if the grid has layers; else only the residual imprint.
+            Whether to include volume fields if the grid has layers; otherwise only the residual
+            imprint is included.
 
         Returns
         -------

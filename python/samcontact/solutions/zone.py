@@ -44,15 +44,15 @@ class ZoneStress:
 class Zone(FixedAttributes):
     """Plastic subdomain: a box of cells of one body, from the surface down.
 
-    Made by `State.zones`. It may extend beyond the cells of the state's volume fields, outside the
-    grid and below its layers. Fields are read-only.
+    Created by `State.zones`. It may extend beyond the cells of the state's volume fields, outside
+    the grid and below its layers. Fields are read-only.
     """
 
     def __init__(self, grid: Grid, body: int, number: int, zones: ZoneStress) -> None:
         self._box = i0, j0, nx, ny, nz = zones.boxes[number]
         self.body = body
         self.first = i0, j0
-        """Grid cell of its first cell; negative outside the grid."""
+        """Position of its first cell in the grid; may be negative, outside the grid."""
         self.shape = nx, ny, nz
         """Numbers of cells along x and y, and of layers."""
         self.x: FloatArray = _centres(i0, nx, grid.nx, grid.dx)
@@ -76,7 +76,7 @@ class Zone(FixedAttributes):
         """Residual stress [Pa], shape (6, nx, ny, nz).
 
         Stress due to all plastic strain of the body, and initial stress. With several subdomains it
-        is computed by the operators of the solution: see the theory.
+        is computed by the operators of the solution: see the theory page.
         """
         return self._zones.stress(self._number, loaded=False)
 

@@ -34,7 +34,7 @@ class Plan:
     """All cases of a parameter study, and the labels of its dimensions."""
 
     dims: dict[str, int]
-    """Name and size of each dimension, slowest first."""
+    """Name and size of each dimension, the slowest-varying first."""
     cases: list[CaseFile]
     """Cases in the order of the dimensions."""
     coordinates: dict[str, tuple[str, Any, dict[str, str]]]

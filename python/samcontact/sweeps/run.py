@@ -38,10 +38,10 @@ Take = Callable[[str, Outcome], None]
 
 
 class SweepInterrupted(KeyboardInterrupt):
-    """Interruption of a sweep by Ctrl-C; the attribute `dataset` has the finished cases."""
+    """Interruption of a sweep by Ctrl-C; the attribute `dataset` contains the finished cases."""
 
     def __init__(self, dataset: xr.Dataset) -> None:
-        super().__init__("sweep interrupted; the attribute dataset has the finished cases")
+        super().__init__("sweep interrupted; the attribute dataset contains the finished cases")
         self.dataset = dataset
 
 
@@ -63,15 +63,16 @@ def sweep(
     case : Case, AsperityCase or path
         Base case, or case file.
     parameters : mapping of str to sequence
-        Values of fields in SI units, by dotted name: "body2.yield_stress", "path[0].load". A whole
-        section can be given by dictionaries.
+        Values of fields in SI units, by dotted name: "body2.yield_stress", "path[0].load". Values
+        of a whole section are dictionaries.
     executor : optional
-        None: this process solves the cases one after the other. A number: so many worker processes
-        on this machine, with one thread each. An executor of `concurrent.futures` or with its
-        interface, or a Dask client.
+        None: this process solves the cases one after the other. A number: the cases are solved by
+        this number of worker processes on this machine, with one thread each. Otherwise an executor
+        with the interface of `concurrent.futures`, or a Dask client.
     output : path, optional
         Folder of the results: each case is written as soon as it is solved, and all cases in
-        `sweep.nc` at the end. A later call reads solved cases and solves failed cases again.
+        `sweep.nc` at the end. A later call reads the cases already solved, and solves failed cases
+        again.
     progress : bool, optional
         Show a progress bar; without a terminal, at most ten lines.
     mode : {"product", "zip"}, optional
@@ -219,7 +220,7 @@ def _resolved(executor: Any) -> Iterator[Any]:
 
 
 class _WorkerPool(ProcessPoolExecutor):
-    """Pool of worker processes that end with a sweep.
+    """Pool of worker processes that are terminated at the end of a sweep.
 
     The processes are spawned: a fork of a process that used OpenMP hangs.
     """
@@ -243,7 +244,7 @@ class _WorkerPool(ProcessPoolExecutor):
 
 @contextmanager
 def _one_thread() -> Iterator[None]:
-    """Limit processes started within to one thread each, unless the user has set a number."""
+    """Limit processes started in this context to one thread each, unless the user set a number."""
     name = "OMP_NUM_THREADS"
     given = os.environ.get(name)
     os.environ.setdefault(name, "1")

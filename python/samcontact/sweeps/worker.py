@@ -109,7 +109,7 @@ def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
 
 
 def _digest(case: CaseFile, name: str, digests: dict[Path, str]) -> str | None:
-    """Return the hash of the file named by a section; None without a file."""
+    """Return the hash of the file of heights named in a section; None without a file."""
     from ..cases.base import CaseError
 
     path = getattr(getattr(case, name, None), "path", None)

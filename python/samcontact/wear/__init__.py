@@ -3,8 +3,8 @@
 
 `run`: Boucly (2008), part 5. After each load cycle, material with too much accumulated plastic
 strain is removed from the surface down; the next cycle starts from the worn surface and the
-remaining plastic strain. `fretting`: elastic bodies in oscillating slip lose depth in proportion to
-the frictional work, or to pressure times slip. See docs/theory/wear.md.
+remaining plastic strain. `fretting`: surfaces of elastic bodies under oscillating slip recede in
+proportion to the frictional work, or to pressure times slip. See docs/theory/wear.md.
 """
 
 from .by_slip import fretting

@@ -28,7 +28,7 @@ from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
-"""Maximum pressure relieved by the wear of one part, relative to the pressure, for the shortest
+"""Maximum pressure drop due to the wear of one part, relative to the pressure, for the shortest
 wave.
 
 From 2 on, the shortest waves would grow from part to part.
@@ -71,20 +71,21 @@ def fretting(
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``: load or
         approach, shift or tangential_load, twist or torque. The last step must repeat an earlier
-        one. Steps up to the first step with an equal load and tangential drive are a lead-in and
-        cause no wear, and neither do the first repetitions, until the shear is periodic.
+        one. The steps up to this earlier step are a lead-in, which causes no wear. The first
+        repetitions, until the shear is periodic, cause no wear either.
     friction : Coulomb
         Friction law, with a coefficient > 0, finite.
     energy : float or pair of floats
-        Wear depth per frictional work on an area [m/(J/m^2) = 1/Pa], for body 2, or for body 1 and
-        body 2, >= 0. Fouvry et al. (2003), doi:10.1016/S0043-1648(03)00117-0. Excludes `archard`.
+        Wear depth per frictional work per area [m/(J/m^2) = 1/Pa], >= 0: a number for body 2, or a
+        pair for bodies 1 and 2. Fouvry et al. (2003), doi:10.1016/S0043-1648(03)00117-0. Excludes
+        `archard`.
     archard : float or pair of floats
         Wear depth per pressure times slip distance [1/Pa]: wear coefficient over hardness. Archard
         (1953), doi:10.1063/1.1721448. Equivalent to an energy of archard/mu.
     cycles : int, optional
         Maximum number of cycles, >= 1.
     repeats : int, optional
-        Number of repeats of the loop per cycle, >= 1. The surface is solved again whenever the wear
+        Number of repeats of the loop per cycle, >= 1. The contact is solved again whenever the wear
         since the last solve would change the pressure of the shortest waves of the grid by 100 %.
     checkpoint, progress
         As for `run`.
@@ -135,7 +136,7 @@ class _Repeat:
     """Wear depth for a coefficient of 1, per unit pressure [m]."""
 
 
-def _gone_through(scene: FrettingSetup, heights: Mapping[int, list[FloatArray]]) -> _Repeat:
+def _solve_repeat(scene: FrettingSetup, heights: Mapping[int, list[FloatArray]]) -> _Repeat:
     """Solve one repeat on the current surfaces, after a lead-in from bodies without history."""
     relief1, relief2 = reliefs_of(scene, WearProgress(dict(heights)))
     simulation = Simulation(
@@ -184,11 +185,11 @@ def _advance(
     """Advance by one cycle, in as many parts as stability requires."""
     heights = {body: [*before, before[-1]] for body, before in standing.heights.items()}
     left, parts, work, removed = float(scene.repeats), 0, 0.0, np.zeros(scene.grid.surface_shape)
-    first = _gone_through(scene, heights)
+    first = _solve_repeat(scene, heights)
     if not standing.cycles and not any(state.in_contact.any() for state in first.states):
         raise ValueError("cycle must have contact in its repeated part, got none")
     while left > 0:
-        now = _gone_through(scene, heights) if parts else first
+        now = _solve_repeat(scene, heights) if parts else first
         most = _most_repeats(scene, now)
         if left > (_MAX_PARTS - parts) * most:
             raise ValueError(
@@ -209,7 +210,7 @@ def _advance(
 
 
 def _most_repeats(scene: FrettingSetup, now: _Repeat) -> float:
-    """Number of repeats after which the surface must be solved again.
+    """Number of repeats after which the contact must be solved again.
 
     Wear of depth c p changes the pressure of a wave with wavenumber k by -c E* k/2, relative to the
     pressure.

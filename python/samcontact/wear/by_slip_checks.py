@@ -30,7 +30,7 @@ from .results import FrettingCycle
 
 _ALLOWED_ARGUMENTS = ("load", "approach", "shift", "tangential_load", "twist", "torque")
 _ROUNDING_ERROR = 1e-9
-"""Difference of drives, relative to the maximum of a cycle, below which they are equal."""
+"""Difference of drives, relative to the maximum of a cycle, below which they count as equal."""
 
 
 @dataclass(frozen=True)

@@ -96,7 +96,7 @@ def require_own(path: str | os.PathLike[str] | None) -> None:
 
 
 def write(path: str | os.PathLike[str], scene: WearProblem, standing: WearProgress) -> None:
-    """Write a checkpoint; the old file is kept on failure, and a copy of it in any case."""
+    """Write a checkpoint; keep the old file if this fails, and a copy of it in any case."""
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)
@@ -117,7 +117,7 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
 
 
 def latest(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | None:
-    """Read a file like `read`; if it is damaged, that of the preceding cycle, with a warning."""
+    """Read a file like `read`; if damaged, read that of the preceding cycle, with a warning."""
     require_identified(_identity(scene))
     try:
         return read(path, scene)
@@ -131,7 +131,7 @@ def latest(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | N
 def read(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | None:
     """Read the state in a file; None without a file.
 
-    Raises CheckpointError for a file of other arguments, of another kind, or a damaged one.
+    Raises CheckpointError for a file of other arguments or another kind, or a damaged file.
     """
     if not Path(path).exists():
         return None

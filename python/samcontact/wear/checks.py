@@ -68,7 +68,7 @@ class WearSetup:
         return Cycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """First and number of the rows of a body that meet the grid during a cycle."""
+        """First row and number of rows of a body that pass through the grid during a cycle."""
         cells = travels(self.cycle)[:, body - 1] / self.grid.dx
         beside = max(self.filter.sides) + _MARGIN_ROWS
         first = -int(np.ceil(cells.max())) - beside
@@ -88,7 +88,7 @@ def make_setup(
     friction: float,
     settings: dict[str, Any],
 ) -> WearSetup:
-    """Check all arguments; the contact is solved once elastically for its size."""
+    """Check all arguments; solve the elastic contact once to determine its size."""
     require_type("grid", grid, Grid)
     if not grid.has_volume:
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
@@ -132,7 +132,7 @@ def make_setup(
 def make_filter(
     grid: Grid, smoothing_length: float | None, window: Window, order: int | None
 ) -> Gaussian | Polynomials:
-    """Filter that smooths the edge of the wear, from exactly one of two arguments."""
+    """Return the filter that smooths the edge of the wear, from exactly one of two arguments."""
     require_type("grid", grid, Grid)
     if (smoothing_length is None) == (window is None):
         given = "none" if window is None else f"{smoothing_length!r} and {window!r}"
@@ -181,9 +181,9 @@ def travels(path: list[dict[str, Any]]) -> FloatArray:
 
 
 def _check_filter(scene: WearSetup) -> None:
-    """Refuse a filter wider than the contact, which would spread wear beyond it."""
+    """Raise ValueError for a filter wider than the contact, which would spread wear beyond it."""
     with warnings.catch_warnings():
-        # its pressure is not reached in the cycles, where bodies yield
+        # in the cycles, bodies yield and do not reach this elastic pressure
         warnings.simplefilter("ignore", ElasticStrainWarning)
         pressure = _elastic_pressure(scene)
     touched_cells = in_contact(pressure)

@@ -71,22 +71,22 @@ def run(
         Elastic-plastic bodies that wear.
     smoothing_length : float, optional
         Standard deviation of the Gaussian that smooths the edge of the wear [m], from one cell to
-        0.29 times the contact size. It is a material length, with which results converge as cells,
-        layers and increments are refined. Exactly one of it and `window` must be given.
+        0.29 times the contact size. With this material length, results converge as cells, layers
+        and increments are refined. Exactly one of `smoothing_length` and `window` must be given.
     window : int or pair of int, optional
         Window of Boucly's filter in cells, see `smooth`; not larger than the contact. Its results
         depend on the cell size. 1: no smoothing.
     order : int, optional
         Order of Boucly's filter. Default: 2.
     strain_depth : {"exact", "smoothed"}, optional
-        Depth by which the plastic strain moves up. "exact": the depth to which it exceeded the
-        threshold, so that it nowhere exceeds the threshold at the new surface. "smoothed": the
-        depth removed from the surface, so that material above the threshold remains where the
-        filter removes less, and wears in a later cycle.
+        Depth by which the remaining plastic strain is moved up to the new surface. "exact": the
+        depth to which it exceeded the threshold, so that it nowhere exceeds the threshold at the
+        new surface. "smoothed": the depth removed from the surface, so that material above the
+        threshold remains where the filter removes less, and wears in a later cycle.
     checkpoint : str or Path, optional
         File written after each cycle. A later call with equal arguments (more `cycles` are allowed)
-        resumes from it with bit-identical results; delete it to start again. The checkpoint of the
-        preceding cycle, with the suffix .before, is used if it is damaged.
+        resumes from it with bit-identical results; delete it to start again. If the file is
+        damaged, the checkpoint of the preceding cycle is used, with the suffix .before.
     progress : bool, optional
         Show a progress bar, or at most ten lines if there is no terminal.
     **settings

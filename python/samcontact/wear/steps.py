@@ -25,7 +25,7 @@ _MAX_RELATIVE_TRACE = 1e-9
 
 
 def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
-    """Depth to which the plastic strain exceeds a threshold, contiguously from the surface.
+    """Depth of the zone at the surface in which the plastic strain exceeds a threshold.
 
     Parameters
     ----------
@@ -130,7 +130,7 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
     Returns
     -------
     ndarray, shape (nx, ny)
-        Wear depth [m], >= 0, with an equal sum to rounding.
+        Wear depth [m], >= 0; its sum is unchanged, to rounding.
 
     Raises
     ------
@@ -156,7 +156,7 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
                 padded, cells, degree, axis=axis, mode="constant", cval=0.0
             )
             result = padded[cells:-cells] if axis == 0 else padded[:, cells:-cells]
-    return _with_volume_of(given, np.maximum(result, 0.0))  # it undershoots near a step
+    return _with_volume_of(given, np.maximum(result, 0.0))  # the filter undershoots near a step
 
 
 def _with_volume_of(given: FloatArray, result: FloatArray) -> FloatArray:
@@ -189,7 +189,7 @@ class Gaussian:
 
     @property
     def sides(self) -> tuple[int, int]:
-        """Cells along x and y over which a cell is spread."""
+        """Numbers of cells along x and y over which the wear of a cell is spread."""
         x, y = (2 * math.ceil(_CUTOFF_DEVIATIONS * cells) + 1 for cells in self.deviation)
         return x, y
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The environment of OpenMP: what it cannot use neither crashes nor changes a digit."""
+"""OpenMP environment variables: invalid settings neither crash nor change a digit."""
 
 import os
 import subprocess
@@ -38,7 +38,7 @@ def solved(**environment):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
-def test_what_openmp_cannot_use_does_no_harm():
+def test_invalid_openmp_settings_do_no_harm():
     digits, threads, told = solved(OMP_NUM_THREADS="1")
     assert (threads, told) == (1, "")
     most = 8 * os.cpu_count()
@@ -63,7 +63,7 @@ def test_a_wrong_number_of_threads_is_named(given):
     assert len(str(told[0].message)) < 200
 
 
-def test_settings_that_are_right_stay():
+def test_valid_settings_are_kept():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert load_core._number_of_threads("2,1") == "2,1"

@@ -22,7 +22,7 @@ def case_file(tmp_path):
     return path
 
 
-def test_it_is_the_call_that_it_describes(case_file):
+def test_a_case_gives_the_results_of_the_equivalent_call(case_file):
     case = load_case(case_file)
     assert isinstance(case, AsperityCase)
     which = Collision(1.0, 2.0, 6e-4)
@@ -96,7 +96,7 @@ def test_errors_name_field_and_remedy(case_file, old, new, text):
         load_case(case_file)
 
 
-def test_a_relief_of_another_width(case_file):
+def test_a_relief_of_wrong_width_is_refused(case_file):
     np.save(case_file.parent / "h.npy", np.zeros((5, 3)))
     case_file.write_text(ASPERITIES + '[relief1]\nkind = "file"\npath = "h.npy"\n')
     with pytest.raises(CaseError, match=r"\[relief1\] relief1 must have heights of shape"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files: what is read, what is refused and in which words, and a real build."""
+"""Case files: accepted and refused fields, messages, and a built simulation."""
 
 import re
 from pathlib import Path

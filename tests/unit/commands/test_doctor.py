@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The check-up: what it says of the installation is true, and it notices what is broken."""
+"""The command doctor: correct versions, and detection of a broken installation."""
 
 import os
 import platform
@@ -24,7 +24,7 @@ def invoke():
 
 
 def verdict_lines(text):
-    """Word, name, number, sense and limit of each line of the self-check."""
+    """Return result, name, number, sense and limit of each line of the self-test."""
     return [LINE.fullmatch(line).groups() for line in text.split("\n\n")[1].splitlines()]
 
 
@@ -130,7 +130,7 @@ def test_an_absent_library_is_named_with_its_extra(monkeypatch):
 
 
 def failing(monkeypatch, name, value):
-    """Lines of a check-up in which a property of states is wrong."""
+    """Return the lines of a self-test in which a property of states is wrong."""
     monkeypatch.setattr(sc.State, name, property(lambda self: value))
     outcome = invoke()
     assert outcome.exit_code == 1
@@ -153,7 +153,7 @@ def test_wrong_pressures_fail(monkeypatch):
     }
 
 
-def test_ctrl_c_ends_it_as_any_command(monkeypatch):
+def test_ctrl_c_ends_the_doctor(monkeypatch):
     def stopped():
         raise KeyboardInterrupt
 
@@ -162,7 +162,7 @@ def test_ctrl_c_ends_it_as_any_command(monkeypatch):
     assert (outcome.exit_code, outcome.stderr) == (130, "interrupted\n")
 
 
-def test_an_error_is_told_and_the_others_go_on(monkeypatch):
+def test_an_error_is_reported_and_other_checks_continue(monkeypatch):
     def refuse(self, path):
         raise OSError("disk full")
 

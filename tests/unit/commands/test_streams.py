@@ -51,7 +51,7 @@ def test_a_terminal_without_some_characters(case, encoding):
 
 
 @pytest.mark.parametrize("both", [False, True], ids=["stdout", "stdout and stderr"])
-def test_a_reader_that_leaves(case, both):
+def test_a_closed_pipe(case, both):
     reading, writing = os.pipe()
     os.close(reading)
     out = case.with_name("out")
@@ -67,7 +67,7 @@ def test_a_reader_that_leaves(case, both):
         assert b"rror" not in told
 
 
-def test_no_room_for_what_is_printed(case):
+def test_output_to_a_full_disk(case):
     with open("/dev/full", "w") as full:
         ended, files = run(case, "--no-figures", stdout=full)
     assert (ended.returncode, files) == (1, {"results.nc"})
@@ -76,7 +76,7 @@ def test_no_room_for_what_is_printed(case):
 
 
 @pytest.mark.parametrize("words", ["doctor", "run --help", "--help", "--version"])
-def test_what_cannot_be_printed_is_no_success(words):
+def test_unprintable_output_is_a_failure(words):
     with open("/dev/full", "w") as full:
         command = [*COMMAND, *words.split()]
         ended = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, check=False)
@@ -85,20 +85,20 @@ def test_what_cannot_be_printed_is_no_success(words):
     assert ended.stderr.decode() == told
 
 
-def test_a_stream_that_is_closed(case):
+def test_a_closed_stream(case):
     out = case.with_name("out")
     script = f"{' '.join(COMMAND)} run {case} --output {out} --no-figures >&- 2>&-"
     assert subprocess.run(["sh", "-c", script], check=False).returncode == 0
     assert [path.name for path in out.iterdir()] == ["results.nc"]
 
 
-def test_names_that_no_text_can_hold(capsysbinary):
+def test_undecodable_file_names(capsysbinary):
     with guarded_output():
         print("results\udcff.nc", "σ", "½")
     assert capsysbinary.readouterr().out == "results?.nc σ ½\n".encode()
 
 
-def test_streams_and_signals_are_given_back(case):
+def test_streams_and_signals_are_restored(case):
     before = sys.stdout, sys.stderr, signal.getsignal(signal.SIGTERM)
     assert invoke("hertz", "--R", "1", "--E-star", "1", "--load", "1").exit_code == 0
     with pytest.raises(click.UsageError, match="modulus"):

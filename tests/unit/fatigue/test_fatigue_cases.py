@@ -38,7 +38,7 @@ def states_of(more):
     return simulation.run(path, progress=False)
 
 
-def test_the_path_is_the_cycle(run, undrawn):
+def test_the_cycle_is_the_path(run, undrawn):
     outcome, folder = run(FATIGUE)
     assert outcome.exit_code == 0, outcome.output
     assert "Fatigue of body 2 over 3 instants" in outcome.stdout
@@ -62,7 +62,7 @@ def test_the_path_is_the_cycle(run, undrawn):
     }
 
 
-def test_material_that_passes(run, undrawn):
+def test_passing_material(run, undrawn):
     """Passing material uses the increment of maximum load, independent of the rest of the path."""
     outcome, folder = run(PASSING)
     assert outcome.exit_code == 0, outcome.output
@@ -72,13 +72,13 @@ def test_material_that_passes(run, undrawn):
         assert found["fatemi_socie"].dims == ("y", "z")
         np.testing.assert_array_equal(found["fatemi_socie"].values, field.values)
     assert not (folder / "fatigue_depth.png").exists()
-    # a later run without it leaves nothing of it behind
+    # a later run without [fatigue] removes its results
     outcome, _ = run("")
     assert outcome.exit_code == 0
     assert [file.name for file in folder.iterdir() if "fatigue" in file.name] == []
 
 
-def test_what_cannot_be_judged_is_told_before_the_run(run):
+def test_unsupported_criteria_are_refused_before_the_run(run):
     outcome, _ = run("[fatigue]\ndang_van = 300e6")
     check_failure(outcome, 2, "fatigue.dang_van", "must be a number in [0, 10]")
     outcome, _ = run("[fatigue]\nfatemi_socie = 0.5\n[output]\nbody = 1")
@@ -111,6 +111,6 @@ SINGLE = MINIMAL.replace("increments = 2", "increments = 1").split("[[path]]")
         (f"{'[[path]]'.join(SINGLE[:2])}\n[fatigue]\ndang_van = 0.3", "at least 2 increments"),
     ],
 )
-def test_what_does_not_go_together_is_refused(text, message):
+def test_incompatible_fields_are_refused(text, message):
     with pytest.raises(cases.CaseError, match=message):
         cases.parse_case(text)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checkpoints of increments: damaged ones are solved again, states are kept with their heat."""
+"""Checkpoints of increments: damaged ones are solved again, states keep their heat."""
 
 import re
 
@@ -51,7 +51,7 @@ def test_an_empty_file_is_damaged(tmp_path, expected):
     assert_same(again[0], expected[0])
 
 
-def test_states_that_are_kept_later_go_on_with_their_own_heat(tmp_path):
+def test_states_stored_later_keep_their_own_heat(tmp_path):
     """Stored states keep their own heat source and run description, not those of the last state."""
     steel = sc.Material.elastic(210e9, 0.3).with_thermal(50.0, 1e-5, 1.4e-5)
     heat = {"heat": sc.Heat(1e-3, time=1e-3)}

@@ -40,7 +40,7 @@ def moved(sim, cells):
     ],
     ids=["rolling", "between the cells", "with creepage"],
 )
-def test_zones_left_behind_act_as_in_one_box(bodies, cells, steps, options):
+def test_subdomains_left_behind_act_as_in_one_box(bodies, cells, steps, options):
     sims = [rolling(*bodies, zones=zones, **options) for zones in ("auto", "one")]
     inelastic = [n for n in (1, 2) if bodies[n - 1].is_plastic]
     counts = []
@@ -53,7 +53,7 @@ def test_zones_left_behind_act_as_in_one_box(bodies, cells, steps, options):
     assert sum(count > 1 for count in counts) >= 2
 
 
-def test_a_steady_motion_begins_with_the_flow_before():
+def test_ploughing_takes_as_many_iterations_in_subdomains_as_in_one_box():
     """A rough body at rest ploughs: as many iterations as in one box."""
     sims = [
         simulation(RIGID, STEEL, grid=WIDE_GRID, gap=rough_gap(grid=WIDE_GRID), zones=zones)
@@ -66,7 +66,7 @@ def test_a_steady_motion_begins_with_the_flow_before():
     assert zone_counts(sims[0])[1] > 1
 
 
-def test_going_on_from_a_file_changes_no_digit(tmp_path):
+def test_continuation_from_a_file_changes_no_digit(tmp_path):
     sim = rolling(STEEL, RIGID, friction=0.2)
     for cells in ((0, 0), (24, 24)):
         moved(sim, cells)

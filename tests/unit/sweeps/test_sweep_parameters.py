@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parameters of a sweep: what is refused before any case is solved, and units of fields."""
+"""Parameters of a sweep: refusals before any solve, and units of fields."""
 
 import numpy as np
 import pytest
