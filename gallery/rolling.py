@@ -60,13 +60,14 @@ def compute(quick: bool) -> Results:
         for name, steel in (("52100", STEEL_52100), ("M50", STEEL_M50))
     }
     strains = {}
-    for cells in (4.0, 6.0, 9.0) if quick else (8.0, fine, 16.0):
-        run = roll(BODIES, ellipse(1), Mesh(cells, cells), 2e-3, cycles=2)
+    for cells in (4.0, 5.0, 7.0) if quick else (8.0, fine, 16.0):
+        run = roll(BODIES, ellipse(1), Mesh(cells, cells), 1.4e-3 if quick else 2e-3, cycles=2)
         strains[cells] = run.cycles[1].peak("gamma")[0]
+    repeated = roll(BODIES, ellipse(1), mesh, 2.4e-3 if quick else 2e-3, cycles=3)
     return Results(
         bearing,
-        roll(BODIES, ellipse(1), mesh, 3e-3 if quick else 4e-3, cycles=2),
-        roll(BODIES, ellipse(1), mesh, 1.6e-3 if quick else 2e-3, cycles=3),
+        repeated if quick else roll(BODIES, ellipse(1), mesh, 4e-3, cycles=2),
+        repeated,
         strains,
         str(mesh),
         str(coarse),
@@ -194,7 +195,7 @@ def stated_largest(results: Results) -> list[Number | Statement]:
 
 def stated_residual(results: Results) -> list[Number | Statement]:
     mesh, a = results.mesh, BALL.a
-    first, second = results.rolled.cycles
+    first, second = results.rolled.cycles[:2]
     stress, depth = second.peak("von_mises")
     band = surface_peak(second.y, second.von_mises_across)
     tension = surface_peak(second.y, second.hydrostatic_across)

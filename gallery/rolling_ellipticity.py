@@ -50,7 +50,7 @@ class Results:
 def compute(quick: bool) -> Results:
     table = Mesh(5, 6, 2.5, 1.45, 3.8, 5) if quick else Mesh(10, 10, 2.5, 1.8, 3.6)
     exact = Mesh(5, 6, 2.5, 1.45, 4.5, 5) if quick else Mesh(8, 8, 2.5, 1.8, 4.5)
-    way = 2.2e-3 if quick else 4e-3
+    way = 1.8e-3 if quick else 4e-3
     kept = (1, 2, 8, 16) if quick else (1, *RATIOS)
     runs = {k: roll(BODIES, table_ellipse(k, k * LOAD), table, way, 2) for k in kept}
     others = {k: roll(BODIES, ellipse(k), exact, way) for k in kept if k < 16 or not quick}

@@ -54,7 +54,9 @@ def compute(quick: bool) -> Results:
         layers = max(cells, 6)
         depth = 2.6 if pressure < 5 else 4.3 if pressure < 7 else 4.6
         mesh = Mesh(cells, layers, 2.5, 1.45 if quick else 1.8, depth, 5 if quick else 10)
-        runs[pressure] = roll(BODIES, table_ellipse(K, load), mesh, 4e-3, cycles=2)
+        # the second cycle changes little but the tension below, which is stated for 8 GPa
+        cycles = 1 if quick and pressure < 8 else 2
+        runs[pressure] = roll(BODIES, table_ellipse(K, load), mesh, 4e-3, cycles)
     contact = runs[8.0].contact
     grid = mesh.grid(contact)
     flat = sc.Simulation(

@@ -252,6 +252,6 @@ def both_cycles(
 ) -> None:
     """Draw one curve per run after one (dashed) and two cycles; `name` is a format for its key."""
     for n, (key, run) in enumerate(runs.items()):
-        for cycle, style in enumerate(("--", "-")):
-            label = name.format(key) if cycle else None
+        for cycle, style in zip(range(len(run.cycles)), ("--", "-"), strict=False):
+            label = name.format(key) if cycle == len(run.cycles) - 1 else None
             ax.plot(*points(run, cycle), f"C{n}{style}", label=label)

@@ -59,7 +59,7 @@ class Results:
 
 
 def compute(quick: bool) -> Results:
-    dx, dz, side = (60e-6, 24e-6, 4.2e-3) if quick else (45e-6, 12e-6, 3.6e-3)
+    dx, dz, side = (75e-6, 30e-6, 4.2e-3) if quick else (45e-6, 12e-6, 3.6e-3)
     cells = int(side / dx) | 1
     grid = sc.Grid(cells, cells, dx, dx, int(650e-6 / dz), dz)
     exact, smoothed = (

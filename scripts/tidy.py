@@ -2,9 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Run clang-tidy on core, bindings and C++ tests; unchanged files that have passed are skipped.
 
-    python scripts/tidy.py [--paths] [PATTERN ...]      e.g. src/contact; all files by default
+    python scripts/tidy.py [--paths] [--since REVISION] [PATTERN ...]      e.g. src/contact
+
+All files by default.
 
 --paths: run only the path-sensitive checks of clang-analyzer; this takes two to three times longer.
+--since: check only files that differ from this revision, and files that include one; check all if
+the checks or the build differ, or if the revision does not exist.
 
 A file counts as passed while its included sources, the checks and clang-tidy are unchanged, in any
 checkout; ~/.cache/samcontact-tidy contains a mark for each file that has passed.
@@ -12,6 +16,7 @@ checkout; ~/.cache/samcontact-tidy contains a mark for each file that has passed
 
 from __future__ import annotations
 
+import argparse
 import hashlib
 import json
 import os
@@ -70,7 +75,36 @@ def check(entry: dict[str, str], checker: str, options: list[str]) -> tuple[str,
     return entry["file"], done.stdout + done.stderr
 
 
-def main(patterns: list[str], paths: bool) -> int:
+def with_includes(file: Path) -> set[Path]:
+    """Return the file and all files of the project that it includes, directly or indirectly."""
+    found, left = set(), [file]
+    while left:
+        file = left.pop()
+        if file not in found:
+            found.add(file)
+            left += included(file)
+    return found
+
+
+@cache
+def included(file: Path) -> list[Path]:
+    names = re.findall(r'^#include "(.+)"', file.read_text(encoding="utf-8"), re.MULTILINE)
+    places = (folder / name for name in names for folder in (file.parent, ROOT / "cpp" / "include"))
+    return [place.resolve() for place in places if place.exists()]
+
+
+def differing(revision: str) -> set[Path] | None:
+    """Return the files that differ from a revision, or None if all files must be checked."""
+    try:
+        names = output("git", "diff", "--name-only", revision, "--").splitlines()
+        names += output("git", "ls-files", "--others", "--exclude-standard").splitlines()
+    except (FileNotFoundError, subprocess.CalledProcessError):
+        return None
+    build = re.compile(r"(.*/)?\.clang-tidy|CMake\w+\.\w+|cmake/.*|scripts/tidy\.py")
+    return None if any(build.fullmatch(name) for name in names) else {ROOT / n for n in names}
+
+
+def main(patterns: list[str], paths: bool, since: str | None) -> int:
     bindings = output(sys.executable, "-m", "pybind11", "--cmakedir").strip()
     output("cmake", "--preset", "tidy", f"-DPython_EXECUTABLE={sys.executable}",
            f"-Dpybind11_DIR={bindings}")  # fmt: skip
@@ -88,6 +122,8 @@ def main(patterns: list[str], paths: bool) -> int:
         for entry in json.loads((BUILD / "compile_commands.json").read_text())
         if not patterns or any(re.search(pattern, entry["file"]) for pattern in patterns)
     ]
+    if since and (changed := differing(since)) is not None:
+        entries = [entry for entry in entries if with_includes(Path(entry["file"])) & changed]
     # the longest files first, so that none of them runs alone at the end
     entries.sort(key=lambda entry: (
         "/bindings/" not in entry["file"], -Path(entry["file"]).stat().st_size))  # fmt: skip
@@ -101,5 +137,9 @@ def main(patterns: list[str], paths: bool) -> int:
 
 
 if __name__ == "__main__":
-    words = sys.argv[1:]
-    sys.exit(main([word for word in words if word != "--paths"], "--paths" in words))
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--paths", action="store_true", help="paths of clang-analyzer alone")
+    parser.add_argument("--since", metavar="REVISION", help="what differs from it")
+    parser.add_argument("patterns", nargs="*", metavar="PATTERN", help="part of a file's path")
+    asked = parser.parse_args()
+    sys.exit(main(asked.patterns, asked.paths, asked.since))

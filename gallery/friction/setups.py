@@ -19,6 +19,7 @@ F1_LOAD, F2_LOAD = 800.0, 5000.0
 F1_FRICTION = (0.0, 0.2, 0.4)
 SHOWN = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
 MORE = (0.15, 0.25, 0.31, 0.32, 0.33, 0.35, 0.45)
+MORE_QUICK = (0.15, 0.25, 0.35)
 LAYERS = 1.85  # depth of the volume grid over a
 HERTZ_DEPTH = 0.48
 
@@ -140,20 +141,21 @@ def residual_by_load(grid: sc.Grid, increments: int) -> dict[float, np.ndarray]:
 
 def compute(quick: bool) -> Results:
     rigid, ball = hertz(RIGID, F1_LOAD), hertz(ELASTIC, F2_LOAD)
-    cells, per_cell, increments = (10, 2, 10) if quick else (16, 4, 20)
+    cells, per_cell, increments = (10, 2, 5) if quick else (16, 4, 20)
     small_cells, small_layers = (16, 1) if quick else (24, 2)
     small = square(rigid.a, small_cells, 1.4, 1.6, small_layers)
     elastic = {mu: elastic_case(rigid, mu, small_cells) for mu in F1_FRICTION}
     plastic = {mu: plastic_case(RIGID, small, mu, F1_LOAD, increments) for mu in F1_FRICTION}
     grid = square(ball.a, cells, 2.0, LAYERS, per_cell)
     sliding = {
-        mu: plastic_case(ELASTIC, grid, mu, F2_LOAD, increments) for mu in sorted(SHOWN + MORE)
+        mu: plastic_case(ELASTIC, grid, mu, F2_LOAD, increments)
+        for mu in sorted(SHOWN + (MORE_QUICK if quick else MORE))
     }
     by_load = residual_by_load(grid, increments)
     layers = []
     for count in (1, 2, 4) if quick else (1, 2, 4, 8):
         thin = square(ball.a, 12, 2.0, LAYERS, count)
-        found = plastic_case(ELASTIC, thin, 0.5, F2_LOAD, 10)
+        found = plastic_case(ELASTIC, thin, 0.5, F2_LOAD, 5 if quick else 10)
         layers.append((float(thin.z[0]) / ball.a, float(found.gamma_max[-1])))
     return Results(
         rigid,

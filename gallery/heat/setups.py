@@ -123,7 +123,7 @@ def plastic_case(
     width: float,
     layer: float,
     depth: float,
-    increments: int = 10,
+    increments: int,
 ) -> Plastic:
     """Solve on a grid of half-width `width` a, depth `depth` a and layer thickness `layer` [m]."""
     grid = square(hertz(load).a, cells, width, depth, layer=layer)
@@ -179,7 +179,7 @@ def onset(cells: int, factors: np.ndarray) -> Onset:
 
 
 def pressure_curves(
-    plastic: dict[float, list[Plastic]], cells: int, plastic_cells: int
+    plastic: dict[float, list[Plastic]], cells: int, plastic_cells: int, increments: int
 ) -> dict[str, tuple[float, list[tuple[str, np.ndarray, np.ndarray]]]]:
     """Curves of figure 2.21, from the computed cases of 1500 N and additional ones."""
     depths = np.linspace(0.0, 1.6, 65) * HERTZ.a
@@ -194,7 +194,7 @@ def pressure_curves(
                 plastic_ = plastic[factor][0]
             else:
                 deep = 2.6 if load > LOAD else depth
-                plastic_ = plastic_case(load, heat, plastic_cells, width, a / 20, deep)
+                plastic_ = plastic_case(load, heat, plastic_cells, width, a / 20, deep, increments)
             found.append((f"{name}elastic-plastic", plastic_.x, plastic_.pressure))
         curves[f"{load:.0f} N, Q_f = {factor:g} m/s"] = (load, found)
     return curves
@@ -219,16 +219,19 @@ def compute(quick: bool) -> Results:
     cells = 16 if quick else 32
     elastic = {factor: elastic_case(LOAD, factor, cells, fine_depths) for factor in FACTORS}
 
+    increments = 5 if quick else 10
     small_cells = 12 if quick else 24
     plastic = {
-        factor: [plastic_case(LOAD, factor, small_cells, 1.6, 10e-6, 1.7)] for factor in (0.0, 0.05)
+        factor: [plastic_case(LOAD, factor, small_cells, 1.6, 10e-6, 1.7, increments)]
+        for factor in (0.0, 0.05)
     }
     # heat alone causes plastic flow far outside the contact
-    large_cells = 8 if quick else 12
+    large_cells = 6 if quick else 12
     layers = (10e-6, 5e-6) if quick else (20e-6, 10e-6, 5e-6, 2.5e-6)
     for factor, width, depth in ((0.12, 2.6, 1.25), (0.20, 4.0, 1.6)):
         plastic[factor] = [
-            plastic_case(LOAD, factor, large_cells, width, layer, depth) for layer in layers
+            plastic_case(LOAD, factor, large_cells, width, layer, depth, increments)
+            for layer in layers
         ]
 
     steps = np.linspace(0.0, 0.14, 29 if quick else 57)
@@ -236,9 +239,10 @@ def compute(quick: bool) -> Results:
     fine_cells = 24 if quick else 48
     curve = onset(fine_cells, np.unique(np.concatenate([steps, *near]).round(6)))
 
+    small_layer = hertz(SMALL_LOAD).a / 20
     small = {
         factor: plastic_case(
-            SMALL_LOAD, factor, 8 if quick else 16, 3.0, hertz(SMALL_LOAD).a / 20, 1.7
+            SMALL_LOAD, factor, 8 if quick else 16, 3.0, small_layer, 1.7, increments
         )
         for factor in SMALL_LOAD_FACTORS
     }
@@ -246,7 +250,7 @@ def compute(quick: bool) -> Results:
         elastic,
         plastic,
         curve,
-        pressure_curves(plastic, cells, large_cells),
+        pressure_curves(plastic, cells, large_cells, increments),
         strain_curve(small_cells, 9 if quick else 25),
         small,
         {

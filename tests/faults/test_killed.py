@@ -12,6 +12,7 @@ from faulting import Nursery, start, tried
 BEGIN = """
 import hashlib, sys, warnings
 import numpy as np
+import h5netcdf, scipy.ndimage, scipy.optimize, scipy.special, xarray, samcontact.cases  # once
 import samcontact as sc
 warnings.simplefilter("ignore")
 elastic = sc.Material.elastic(210e9, 0.3)

@@ -97,10 +97,12 @@ def open_results(path: str | Path) -> xr.Dataset:
     if not source.is_file():
         raise FileNotFoundError(f"no results file at {source}")
     try:
-        if not check_seal(source):  # modified by another program, or damaged
+        unchanged = check_seal(source)
+        if not unchanged:  # modified by another program, or damaged
             try_to_read(source)
         _check_structure(source)
-        _try(source)
+        if not unchanged:
+            _try(source)
         dataset = xr.open_dataset(source, engine="h5netcdf")
     except PermissionError:
         raise

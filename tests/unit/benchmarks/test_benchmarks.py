@@ -244,7 +244,9 @@ class TestSlip:
     def rows(cls, tmp_path_factory):
         tasks = slip.tasks(True, tmp_path_factory.mktemp("data"))
         small = [t for t in tasks if t.arguments.get("n", 64) in (64, [72, 81])]
-        return harness.run_tasks([t for t in small if t.case != "Q = 0.1 mu P"])
+        with pytest.MonkeyPatch.context() as patch:  # the work is that of any process
+            patch.setattr(harness, "measure", harness.run_here)
+            return harness.run_tasks([t for t in small if t.case != "Q = 0.1 mu P"])
 
     def test_work_is_bounded(self, rows):
         assert not [row for row in rows if "failed" in row]

@@ -324,7 +324,7 @@ heat_factor = 0.0
 """
 
 
-def test_heat(write, tmp_path):
+def test_heat(write, tmp_path, undrawn):
     case = load_case(write(HEATED))
     body = case.body2.build()
     assert body.thermal == (50.2, 11.7e-6, 1.367e-5)

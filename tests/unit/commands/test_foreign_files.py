@@ -155,7 +155,7 @@ class TestCommands:
         assert (tmp_path / "out" / name).read_text() == FOREIGN
 
 
-def test_a_changed_figure_is_not_replaced(tmp_path):
+def test_a_changed_figure_is_not_replaced(tmp_path, undrawn):
     """A figure edited by the user is kept; unchanged figures are replaced without a message."""
     data = dataset()
     written = plotting.summary_figures(data, tmp_path)
@@ -181,7 +181,7 @@ def test_unchanged_files_of_a_second_run_are_listed_again(tmp_path):
             pass
 
 
-def test_a_figure_is_listed_before_it_gets_its_name(tmp_path, monkeypatch):
+def test_a_figure_is_listed_before_it_gets_its_name(tmp_path, monkeypatch, undrawn):
     """A figure left by a killed run must not be regarded as a foreign file."""
     data = dataset()
 

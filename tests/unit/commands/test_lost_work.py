@@ -300,7 +300,7 @@ class TestOneRunAtATime:
         assert list(tmp_path.iterdir()) == []
 
 
-def test_a_run_replaces_the_files_of_the_previous_run(case_file, tmp_path, monkeypatch):
+def test_a_run_replaces_the_files_of_the_previous_run(case_file, tmp_path, monkeypatch, undrawn):
     """A run removes old figures, reports and exports once new results exist, but no other files."""
     command = ("run", case_file, "--output", tmp_path, "--quiet")
     assert invoke(*command).exit_code == 0

@@ -38,7 +38,7 @@ def states_of(more):
     return simulation.run(path, progress=False)
 
 
-def test_the_cycle_is_the_path(run):
+def test_the_cycle_is_the_path(run, undrawn):
     outcome, folder = run(FATIGUE)
     assert outcome.exit_code == 0, outcome.output
     assert "Fatigue of body 2 over 3 instants" in outcome.stdout
@@ -62,7 +62,7 @@ def test_the_cycle_is_the_path(run):
     }
 
 
-def test_passing_material(run):
+def test_passing_material(run, undrawn):
     """Passing material uses the increment of maximum load, independent of the rest of the path."""
     outcome, folder = run(PASSING)
     assert outcome.exit_code == 0, outcome.output

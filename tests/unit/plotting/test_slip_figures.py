@@ -142,7 +142,7 @@ def test_the_map_is_that_of_the_largest_force(fretting, rolling):
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_runs_write_slip_figures(fretting, rolling, tmp_path):
+def test_runs_write_slip_figures(fretting, rolling, tmp_path, undrawn):
     names = [path.name for path in plotting.summary_figures(fretting[1], tmp_path)]
     assert names[-2:] == ["partial_slip.png", "fretting_loop.png"]
     names = [path.name for path in plotting.summary_figures(rolling[1], tmp_path)]

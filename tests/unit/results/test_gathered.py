@@ -103,7 +103,7 @@ def test_vtk_files_contain_the_gathered_cells(solved, body, tmp_path):
     np.testing.assert_array_equal(tensor.T[[0, 3, 5]], expected[[0, 5, 4]] * [[1], [1], [up]])
 
 
-def test_figures_and_a_report_show_the_strain(solved, tmp_path):
+def test_figures_and_a_report_show_the_strain(solved, tmp_path, undrawn):
     _, dataset = solved
     drawn = {file.stem for file in plotting.summary_figures(dataset, tmp_path)}
     assert {"sections", "imprint"} <= drawn

@@ -81,7 +81,7 @@ def flowing_steel(E):
 @pytest.fixture(scope="module")
 def homogeneous():
     """Return the states and the simulation of the body without layers."""
-    return indented(flowing_steel(210e9), loads=(3.0, 6.0, 0.0), image_tol=1e-6)
+    return indented(flowing_steel(210e9), loads=(6.0, 0.0), image_tol=1e-6)
 
 
 @pytest.mark.parametrize(("apart", "tol"), [(0.0, 1e-9), (1e-12, 2e-5)])
@@ -91,7 +91,7 @@ def test_nearly_equal_layers_agree_with_the_homogeneous_body(apart, tol, homogen
     usual, other = flowing_steel(210e9), flowing_steel(210e9 * (1 + apart))
     layered = sc.Layered([(other, 6e-6), (usual, 9e-6), (other, 3e-6)], usual)
     _, expected = homogeneous
-    _, found = indented(layered, loads=(3.0, 6.0, 0.0), image_tol=1e-6)
+    _, found = indented(layered, loads=(6.0, 0.0), image_tol=1e-6)
     assert expected[-1].max_equivalent_plastic_strain() > 1e-3
     for one, same in zip(found, expected, strict=True):
         assert one.approach == pytest.approx(same.approach, rel=tol, abs=tol * 1e-7)

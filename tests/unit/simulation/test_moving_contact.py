@@ -47,8 +47,8 @@ def test_moving_the_frame_equals_moving_the_contact(body1, body2, shape, setting
     settings = {"tol": 1e-10, "residual_stress": "exact", **settings}
     cells = grid()
     load = 0.7 * LOAD
-    there, back = roll(7, 0.0, -CELL, load), roll(7, 0.0, CELL, load)
-    moved_there, moved_back = roll(7, CELL, 0.0, load), roll(7, -CELL, 0.0, load)
+    there, back = roll(5, 0.0, -CELL, load), roll(5, 0.0, CELL, load)
+    moved_there, moved_back = roll(5, CELL, 0.0, load), roll(5, -CELL, 0.0, load)
     start = [{"load": 0.5 * load}, {"load": load}]
     moving = ball(body1, body2, cells, shape, **settings)
     fixed = fixed_frame(cells, shape, body1, body2, **settings)

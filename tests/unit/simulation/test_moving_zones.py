@@ -34,7 +34,7 @@ def moved(sim, cells):
 @pytest.mark.parametrize(
     ("bodies", "cells", "steps", "options"),
     [
-        ((STEEL, RIGID), (24, 24), 4, {"reach": 48 * SIZE, "friction": 0.2}),
+        ((STEEL, RIGID), (24, 24), 3, {"reach": 48 * SIZE, "friction": 0.2}),
         ((SOFT, KINEMATIC), (16, 12.5), 2, {"friction": 0.1}),
         ((STEEL, RIGID), (16, 15.9), 2, {"friction": sc.Coulomb(0.2)}),
     ],

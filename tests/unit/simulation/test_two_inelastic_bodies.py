@@ -34,13 +34,17 @@ FIELDS = (
 )
 
 
-@pytest.mark.parametrize("method", ["exact", "fast"])
+# Every pair of values of two parameters occurs.
 @pytest.mark.parametrize(
-    ("material", "again"),
-    [(STEEL, STEEL_AGAIN), (KINEMATIC, KINEMATIC_AGAIN)],
-    ids=["52100", "kin"],
+    ("method", "material", "again", "control"),
+    [
+        ("exact", KINEMATIC, KINEMATIC_AGAIN, {}),
+        ("fast", STEEL, STEEL_AGAIN, {}),
+        ("exact", STEEL, STEEL_AGAIN, {"increment_tol": 2e-3}),
+        ("fast", KINEMATIC, KINEMATIC_AGAIN, {"increment_tol": 2e-3}),
+    ],
+    ids=["given-kin-exact", "given-52100-fast", "automatic-52100-exact", "automatic-kin-fast"],
 )
-@pytest.mark.parametrize("control", [{}, {"increment_tol": 2e-3}], ids=["given", "automatic"])
 def test_one_body_represents_two_identical_ones(method, material, again, control):
     settings = {"residual_stress": method, "tol": 1e-9, **control}
     short = balls(material, material, **settings).run(CYCLE, progress=False)

@@ -112,7 +112,7 @@ def test_under_a_prescribed_pressure(options):
 )
 def test_heat_not_proportional_to_the_pressure(friction, heat, motion, tmp_path):
     zones, one = both(ELASTIC.with_thermal(*METAL), HOT, friction=friction, heat=heat)
-    for percent in (2, 2.5, 1.0):
+    for percent in (2, 1.0):
         step = {"load": percent * PERCENT, "duration": 5e-7, **motion}
         state, expected = zones.step(**step), one.step(**step)
         assert_close(state, expected, [2])
