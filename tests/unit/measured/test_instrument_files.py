@@ -142,7 +142,9 @@ def test_reasons_are_sentences(tmp_path):
     def fails():
         raise IndexError("list index out of range")
 
-    with pytest.raises(instruments._ReaderError, match=r"IndexError: list.*damaged, or a variant"):
+    with pytest.raises(
+        instruments._ReaderError, match=r"IndexError: list.*damaged, or is a variant"
+    ):
         instruments._tried(instruments.library("SurfaceTopography.IO"), fails)
 
 
