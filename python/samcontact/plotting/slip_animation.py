@@ -33,7 +33,7 @@ class ForceHistory(NamedTuple):
 
 
 def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) -> FuncAnimation:
-    """Animate stick and slip zones beside a plot of tangential force against displacement.
+    """Animate stick and slip zones next to a plot of tangential force against displacement.
 
     For rolling bodies, the force is shown versus the distance rolled.
 
