@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two elastic-plastic asperities that slide past each other: part 4."""
+"""Two elastic-plastic asperities that slide past each other: Boucly (2008), part 4."""
 
 from __future__ import annotations
 
@@ -82,13 +82,13 @@ def critical_values(results: Results) -> list[Number | Statement]:
 
 
 def curve(result: CollisionResult, name: str) -> tuple[np.ndarray, np.ndarray]:
-    """Return offset and one force component of the first pass."""
+    """Return the offset of the centres and one force component in the first pass."""
     series = result.series.isel({"pass": 0})
     return series["offset"].values, series[name].values
 
 
 def unlike(result: CollisionResult, name: str, sign: float) -> float:
-    """Return the maximum deviation of a curve from its (anti)symmetric image, over its maximum."""
+    """Return the maximum deviation of a curve from (anti)symmetry, relative to the maximum."""
     x, f = curve(result, name)
     return float(np.abs(f - sign * np.interp(-x, x, f)).max() / np.abs(f).max())
 
@@ -136,7 +136,7 @@ def forces(results: Results) -> list[Number | Statement]:
 
 
 def at_exit(result: CollisionResult) -> float:
-    """Load ratio where the contact ends, by the parabola through the last four increments."""
+    """Extrapolate the load ratio to the end of contact by a parabola fitted to four increments."""
     series = result.series.isel({"pass": 0})
     touching = np.flatnonzero(series["normal_force"].values > 0)[-4:]
     end = result.collision.half_distance

@@ -24,7 +24,7 @@ def square(
     per_cell: int = 1,
     layer: float | None = None,
 ) -> sc.Grid:
-    """Return a grid of half-width `width` a and depth `depth` a (0: surface only).
+    """Return a square grid of half-width `width` times a and depth `depth` times a (0: no layers).
 
     The centre of one cell lies at the origin. cells: number of cells per length a [m]; per_cell:
     number of layers per cell size, unless `layer` gives the layer thickness [m].

@@ -19,7 +19,7 @@ def axes(
     layout: Any = "constrained",
     **shared: Any,
 ) -> tuple[Figure, Any]:
-    """Return a figure with rows x columns of axes; `shared` is passed to `Figure.subplots`."""
+    """Return a figure with the given number of axes; `shared` is passed to `Figure.subplots`."""
     figure = Figure(figsize=size, layout=layout)
     return figure, figure.subplots(rows, columns, **shared)
 
@@ -32,7 +32,7 @@ def gridded() -> tuple[Figure, Axes]:
 
 
 def finish(ax: Axes, xlabel: str = "", ylabel: str = "", legend: bool = True) -> None:
-    """Add labels, grid and legend to axes."""
+    """Add axis labels, grid lines and a legend to axes."""
     ax.set(xlabel=xlabel, ylabel=ylabel)
     ax.grid(True, linewidth=0.4, alpha=0.5)
     if legend:
@@ -46,6 +46,6 @@ def hertz_curve(
     reach: float = 1.5,
     label: str = "Hertz",
 ) -> None:
-    """The elastic pressure against x/a, up to `reach`, in `unit` [Pa]."""
+    """Draw the Hertz pressure, in units of `unit` [Pa], against x/a up to `reach`."""
     x = np.linspace(-reach, reach, round(200 * reach) + 1)
     ax.plot(x, contact.pressure(x * contact.a) / unit, "k--", linewidth=1, label=label)

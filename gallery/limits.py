@@ -10,7 +10,7 @@ from itertools import pairwise
 
 @dataclass(frozen=True)
 class Limit:
-    """An extrapolated value and its error."""
+    """Value extrapolated to infinitely fine cells or increments, and its estimated error."""
 
     value: float
     error: float

@@ -30,7 +30,7 @@ error.
 
 @dataclass(frozen=True, order=True)
 class Move:
-    """Change of a value [%], and whether it was computed on the mesh of the page."""
+    """Change of a value with the mesh [%], and whether the mesh is the mesh of the page."""
 
     percent: float
     own: bool
@@ -38,7 +38,7 @@ class Move:
 
 @dataclass(frozen=True)
 class Moves:
-    """Stated value, its numbers, and their changes by the kind of mesh change."""
+    """Row of a page: quantity, computed numbers, and their change for each kind of mesh change."""
 
     quantity: str
     values: list[float]
@@ -61,7 +61,7 @@ def kept() -> list[dict[str, Any]]:
 
 
 def of_part(name: str, records: list[dict[str, Any]]) -> list[Moves]:
-    """Return changes on the mesh of the page, or on the coarse mesh if not computed on it."""
+    """Return the changes on the mesh of the page or, where missing, on the coarse mesh."""
     found: dict[bool, list[Moves]] = {True: [], False: []}
     for record in (record for record in records if record["of"] == name):
         own = record["mesh"] == "page"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Nano-indentation of nitrided steel: figures 2.9, 2.14 and 2.15 of the thesis."""
+"""Nano-indentation of nitrided steel: figures 2.9, 2.14 and 2.15 of Boucly (2008)."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ SHOWN = 4
 
 @dataclass(frozen=True)
 class Results:
-    """States of both runs, each with loading followed by unloading."""
+    """States of both runs, with prescribed load or interference; each run loads and unloads."""
 
     grid: sc.Grid
     by_load: list[sc.State]
@@ -56,13 +56,13 @@ class Results:
 
 
 def hertz(load: float) -> sc.hertz.PointContact:
-    """Elastic contact of tip and steel."""
+    """Return the Hertz contact of the spherical tip and the steel."""
     E_star = sc.hertz.effective_modulus(RIGID, STEEL)
     return sc.hertz.point(R=TIP, E_star=E_star, load=load)
 
 
 def compute(quick: bool) -> Results:
-    """Compute on the mesh and increments of the thesis if quick, else on twice as many of both."""
+    """Solve both runs, on the mesh of the thesis if quick, else with half-size cells and steps."""
     finer = 1 if quick else 2
     # odd numbers of cells along x and y, so that one cell centre lies on the axis
     nx, ny = ((n - 1) * finer + 1 for n in MESH[:2])
@@ -85,7 +85,7 @@ def curve(states: list[sc.State]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def difference_of_the_drives(results: Results) -> float:
-    """Largest difference in load between the two runs at the same interference, over the peak."""
+    """Return the maximum load difference of both runs at equal interference, over the peak load."""
     split = results.top + 1
     found = []
     for part in (slice(0, split), slice(split - 1, None)):
@@ -102,7 +102,10 @@ def difference_of_the_drives(results: Results) -> float:
 
 
 def prints(states: list[sc.State]) -> np.ndarray:
-    """Imprint depth at the centre [m]; unloading is elastic, so it equals that under load."""
+    """Return the residual imprint depth at the centre [m] after unloading from each load.
+
+    Unloading is elastic, so the depth follows from the plastic strain under load.
+    """
     return np.array([s.residual_displacement().max() for s in states])
 
 
@@ -135,7 +138,7 @@ def stated(results: Results) -> list[Number | Statement]:
 
 
 def figures(results: Results) -> list[Picture]:
-    """Figures 2.9, 2.14 and 2.15."""
+    """Draw figures 2.9, 2.14 and 2.15."""
     return [
         Picture(
             "nano_imprint",
@@ -151,7 +154,7 @@ def figures(results: Results) -> list[Picture]:
         Picture(
             "nano_pressure",
             "Figure 2.15: pressure along x in the plane y = 0 for increasing load up to 0.650 N; "
-            "stated: flattened against Hertz's (dashed), the same by load and by interference.",
+            "thesis: flatter than Hertz's (dashed), equal by load and by interference.",
             pressure_figure(results),
         ),
     ]
@@ -182,9 +185,9 @@ def print_figure(results: Results) -> Figure:
 def load_figure(results: Results) -> Figure:
     figure, ax = gridded()
     w, load = (np.append(0.0, values) for values in curve(results.by_load))
-    ax.plot(w * 1e9, load * 1e3, "-", label="given load")
+    ax.plot(w * 1e9, load * 1e3, "-", label="prescribed load")
     w, load = curve(results.by_approach)
-    ax.plot(w * 1e9, load * 1e3, "o", ms=4, mfc="none", label="given interference")
+    ax.plot(w * 1e9, load * 1e3, "o", ms=4, mfc="none", label="prescribed interference")
     elastic = np.linspace(0, LOAD, 60)
     hertzian = [0.0, *(hertz(value).approach for value in elastic[1:])]
     ax.plot(np.multiply(hertzian, 1e9), elastic * 1e3, "k-", linewidth=0.8, label="elastic (Hertz)")
@@ -213,7 +216,7 @@ def pressure_figure(results: Results) -> Figure:
     top = results.by_approach[results.top]
     ax.plot(
         x, top.pressure[:, row] * 1e-9, "o", ms=4, mfc="none", color=line.get_color(),
-        label=f"given interference, {top.approach * 1e9:.0f} nm",
+        label=f"prescribed interference, {top.approach * 1e9:.0f} nm",
     )  # fmt: skip
     ax.plot([], [], "k--", lw=0.9, label="Hertz, same load")
     ax.set_xlabel("x [µm]")

@@ -26,7 +26,7 @@ _IMAGE: dict[str, Any] = {
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure; its name is that of its file, its caption starts with the thesis's numbers."""
+    """Figure with file name and caption, which starts with the figure number in the thesis."""
 
     name: str
     caption: str

@@ -16,7 +16,7 @@ def von_mises(stress: np.ndarray) -> np.ndarray:
 
 
 def succession(values: np.ndarray, negligible: float) -> list[str]:
-    """Return the signs of a stress from the surface down; negligible values are skipped."""
+    """Describe the signs of a stress from the surface down, without negligible values."""
     found: list[str] = []
     for value in values[np.abs(values) > negligible]:
         sign = "tensile" if value > 0 else "compressive"
@@ -26,7 +26,7 @@ def succession(values: np.ndarray, negligible: float) -> list[str]:
 
 
 def top(x: np.ndarray, values: np.ndarray) -> tuple[float, float]:
-    """Return the maximum and its position, by a parabola through the largest samples."""
+    """Return the maximum of a profile and its position, by a parabola through three samples."""
     k = int(values.argmax())
     if k in (0, len(values) - 1):
         return float(values[k]), float(x[k])

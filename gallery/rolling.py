@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A ceramic ball that rolls over a flat of steel: sections 3.2.1.1 and 3.2.1.2."""
+"""A ceramic ball rolling over a steel flat: Boucly (2008), sections 3.2.1.1 and 3.2.1.2."""
 
 from __future__ import annotations
 
@@ -162,7 +162,7 @@ def stated_cycles(results: Results) -> list[Number | Statement]:
 
 
 def surface_peak(y: np.ndarray, values: np.ndarray) -> float:
-    """Return the distance of the maximum in the first layer from the middle of the track."""
+    """Return the y position of the maximum stress in the first layer of cells [m]."""
     return abs(float(y[int(values[:, 0].argmax())]))
 
 

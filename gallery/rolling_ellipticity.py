@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ellipsoids that roll along the minor axis of their contact: section 3.2.1.3, table 3.2."""
+"""Ellipsoids rolling along the minor axis of the contact: Boucly (2008), section 3.2.1.3."""
 
 from __future__ import annotations
 
@@ -204,7 +204,7 @@ def figures(results: Results) -> list[Picture]:
 
 
 def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
-    """Draw profiles on the axis."""
+    """Draw profiles of one quantity below the middle of the track, for each ellipticity."""
 
     def points(run: Run, n: int) -> tuple[np.ndarray, np.ndarray]:
         return run.cycles[n].z / BALL.a, scale * run.cycles[n].profile(name)
@@ -280,7 +280,7 @@ def stresses(results: Results) -> Picture:
     figure, (left, right) = axes()
     curves(left, results, "von_mises", 1 / BALL.p0)
     curves(right, results, "hydrostatic", 1 / BALL.p0)
-    left.axhline(0.1, color="k", linestyle=":", linewidth=1, label="stated: 10 % for k = 1")
+    left.axhline(0.1, color="k", linestyle=":", linewidth=1, label="Boucly (2008): 10 % for k = 1")
     right.axhline(0, color="k", linewidth=0.6)
     finish(left, "depth z/a", "residual von Mises stress / p0")
     finish(right, "depth z/a", "residual hydrostatic stress / p0")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An ellipsoid of k = 8 that rolls under four loads: end of section 3.2.1.3, table 3.3."""
+"""An ellipsoid of ellipticity k = 8 rolling under four loads: Boucly (2008), table 3.3."""
 
 from __future__ import annotations
 
@@ -158,7 +158,7 @@ def figures(results: Results) -> list[Picture]:
 
 
 def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
-    """Draw profiles on the axis."""
+    """Draw profiles of one quantity below the middle of the track, for each load."""
 
     def points(run: Run, n: int) -> tuple[np.ndarray, np.ndarray]:
         return 1e6 * run.cycles[n].z, scale * run.cycles[n].profile(name)
@@ -183,7 +183,7 @@ def strains(results: Results) -> Picture:
     return Picture(
         "rolling_load_strain",
         "Figures 3.25 and 3.26: plastic strain and residual von Mises stress below the middle of "
-        "the steady track after one (dashed) and two cycles. Triangles: stated largest values.",
+        "the steady track after one (dashed) and two cycles. Triangles: maxima of the thesis.",
         figure,
     )
 
@@ -192,7 +192,7 @@ def hydrostatic(results: Results) -> Picture:
     figure, ax = axes(1, 1, (5.4, 3.8))
     curves(ax, results, "hydrostatic", 1e-6)
     ax.axhline(0, color="k", linewidth=0.6)
-    ax.axhspan(-390, 180, color="C3", alpha=0.08, label="stated range, 8 GPa")
+    ax.axhspan(-390, 180, color="C3", alpha=0.08, label="Boucly (2008): range at 8 GPa")
     finish(ax, "depth [µm]", "residual hydrostatic stress [MPa]")
     return Picture(
         "rolling_load_hydrostatic",
@@ -207,7 +207,7 @@ def prints(results: Results) -> Picture:
                 lambda run, n: (1e3 * run.cycles[n].x, -1e6 * run.cycles[n].along))  # fmt: skip
     for depth in (6.93, 2.96):
         ax.axhline(-depth, color="k", linestyle=":", linewidth=1,
-                   label="stated: 6.93 and 2.96 µm" if depth == 2.96 else None)  # fmt: skip
+                   label="Boucly (2008): 6.93 and 2.96 µm" if depth == 2.96 else None)  # fmt: skip
     ax.set_xlim(-1.2, 5.2)
     finish(ax, "rolling direction x [mm]", "height of the surface [µm]")
     return Picture(

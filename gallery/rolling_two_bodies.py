@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loading without and with rolling, one or two elastic-plastic bodies, linear hardening: 3.2.2."""
+"""Indentation and rolling of one or two elastic-plastic bodies: Boucly (2008), section 3.2.2."""
 
 from __future__ import annotations
 
@@ -190,7 +190,7 @@ def again(results: Results) -> float:
 
 
 def lean(run: Run) -> tuple[float, float]:
-    """Position of the largest pressure and of the resultant, rolled, over a."""
+    """Return x/a of the maximum pressure and of the resultant force under a rolling ball."""
     p = run.pressure_along[-1]
     return top(run.x, p)[1] / run.a, float(np.sum(p * run.x) / np.sum(p)) / run.a
 

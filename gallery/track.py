@@ -23,7 +23,7 @@ BALL = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(CERAMIC, STEEL_52100), 
 
 
 def ellipse(k: float, p0: float = BALL.p0, E_star: float = BALL.E_star) -> sc.hertz.EllipticContact:
-    """Return the exact contact of ellipticity k; its semi-axis along x equals that of the ball."""
+    """Return the Hertz contact of ellipticity k whose semi-axis along x equals the ball's."""
     across, reference = 1.0, sc.hertz.point(RADIUS, E_star, p0=p0)
     if k > 1:
 
@@ -37,13 +37,13 @@ def ellipse(k: float, p0: float = BALL.p0, E_star: float = BALL.E_star) -> sc.he
 
 
 def table_ellipse(k: float, load: float) -> sc.hertz.EllipticContact:
-    """Return the contact of tables 3.2 and 3.3: R_x of the ball, R_y / R_x = k^(pi/2), load."""
+    """Return the Hertz contact for the radii and loads of tables 3.2 and 3.3 of Boucly (2008)."""
     return sc.hertz.elliptic(RADIUS, RADIUS * k ** (0.5 * np.pi), BALL.E_star, load=load)
 
 
 @dataclass(frozen=True)
 class Mesh:
-    """Cells per semi-axis, extent of the grid in semi-axes, and load and rolling steps."""
+    """Mesh of a rolling contact: cells, grid size in semi-axes, numbers of steps."""
 
     cells: float
     layers: float
@@ -111,7 +111,7 @@ class Cycle:
         return top(self.z, self.profile(name))
 
     def shoulders(self) -> tuple[float, float, float]:
-        """Heights before the start, beyond the end and at the sides of the steady track [m]."""
+        """Return the heights of the shoulders [m]: at the start, the end and the sides."""
         middle = self.x < self.steady
         return (
             -float(self.along[middle].min()),
@@ -130,7 +130,7 @@ class Cycle:
 
 @dataclass
 class Run:
-    """Loading, rolling and unloading, in one or several passes."""
+    """Results of loading, rolling and unloading in one or several passes."""
 
     contact: sc.hertz.EllipticContact
     x: np.ndarray
@@ -203,7 +203,7 @@ def roll(
     cycles: int = 1,
     steady: float = 0.6,
 ) -> Run:
-    """Press, roll by `way` [m] towards +x over both bodies, unload and return, `cycles` times.
+    """Load, roll a distance `way` [m] towards +x over both bodies, and unload, `cycles` times.
 
     steady: position of the section across the track, as a fraction of `way`.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear of a flat surface: section 5.2.1, figures 5.9 to 5.11."""
+"""Wear of a flat surface: Boucly (2008), section 5.2.1, figures 5.9 to 5.11."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures 2.10 to 2.13, and both empirical models."""
+"""Figures 2.10 to 2.13 of Boucly (2008), and a figure of two empirical models."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ SMALL_INTERFERENCES, LARGE_INTERFERENCES = (
 
 
 def figures(results: Results) -> list[Picture]:
-    """Figures 2.10 to 2.13, and load, area and mean pressure against both models."""
+    """Draw figures 2.10 to 2.13, and load, area and mean pressure with both empirical models."""
     return [
         Picture(
             "flattening_zone_small",
             "Figure 2.10: outlines of the plastic zone in the plane y = 0, for 2 to 11 critical "
-            "interferences. Stated: elastic core at the surface at 2, zone at the surface at 6.",
+            "interferences. Thesis: elastic core at the surface at 2, zone at the surface at 6.",
             zones(results, SMALL_INTERFERENCES, zoom=True),
         ),
         Picture(
@@ -44,7 +44,7 @@ def figures(results: Results) -> list[Picture]:
         ),
         Picture(
             "flattening_friction",
-            "Figure 2.13: interference at which the plastic zone reaches the surface. Stated: 6 "
+            "Figure 2.13: interference at which the plastic zone reaches the surface. Thesis: 6 "
             "without friction, less with friction, below 1 for high friction.",
             friction_figure(results),
         ),
@@ -89,7 +89,7 @@ def outline(ax: Axes, at: Point, colour: np.ndarray) -> None:
 
 
 def surface(ax: Axes, reached: float) -> None:
-    """The part of the first figure near the surface, with what the thesis states about it."""
+    """Draw the plastic zones near the surface, with the values that the thesis states."""
     ax.set_title("near the surface", fontsize=10)
     ax.set_xlim(0, 4.4)
     ax.set_ylim(1.0, 0)

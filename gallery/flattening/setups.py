@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact of a rigid sphere and a half-space, by interference."""
+"""Simulations of a rigid sphere that flattens a half-space, for a range of interferences."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ FRICTION = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5)
 
 @dataclass(frozen=True)
 class Point:
-    """Results at an interference: relative to critical values, strain relative to Y/E."""
+    """Results at one interference, relative to the critical values; strain relative to Y/E."""
 
     ratio: float
     load: float
@@ -73,7 +73,7 @@ class Results:
 
 
 def compute(quick: bool) -> Results:
-    """Solve all cases; on coarse grids if quick."""
+    """Solve all cases of the page, on coarse grids if quick."""
     cells, per_critical, study = (14, 6, ()) if quick else (28, 12, (6, 9, 16))
     points = []
     for above, top in pairwise(RANGES):
@@ -142,7 +142,7 @@ def point(ratio: float, state: sc.State) -> Point:
 
 
 def reach_surface(friction: float, cells: int, limit: float = 6.0) -> Surface:
-    """Return the interferences at which the first two layers yield.
+    """Return the interferences at which the first and the second layer of cells yield.
 
     cells: number of cells per critical contact radius.
     """
@@ -165,7 +165,7 @@ def reach_surface(friction: float, cells: int, limit: float = 6.0) -> Surface:
 
 
 def models() -> dict[str, sc.flattening.Flattening]:
-    """Evaluate both empirical models on a fine range of interferences."""
+    """Evaluate both empirical models at closely spaced interferences."""
     w = np.geomspace(1.0, 110.0, 300) * CRITICAL.interference
     return {
         "Kogut-Etsion": sc.flattening.kogut_etsion(w, RADIUS, E_STAR, NU, YIELD),

@@ -37,7 +37,7 @@ class Elastic:
 
 @dataclass
 class Plastic:
-    """Results at a friction coefficient: at the largest load, after unloading, at each load."""
+    """Results for one coefficient of friction: at each load, the largest load and unloaded."""
 
     x: np.ndarray
     z: np.ndarray
@@ -127,7 +127,7 @@ def plastic_case(
 
 
 def residual_by_load(grid: sc.Grid, increments: int) -> dict[float, np.ndarray]:
-    """Residual hydrostatic stress on the axis after 1000, 2000, ... 5000 N, µ = 0."""
+    """Return the residual hydrostatic stress on the axis after 1000, 2000, ... 5000 N, µ = 0."""
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     simulation = sc.Simulation(grid, ELASTIC, STEEL_M50, gap)
     middle, found = grid.nx // 2, {}

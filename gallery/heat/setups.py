@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contacts heated by the flux Q_f p, elastic and elastic-plastic."""
+"""Simulations of elastic and elastic-plastic contacts heated by the flux Q_f p."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ SMALL_LOAD_FACTORS = (0.0, 0.075, 0.15, 0.225, 0.3)
 
 @dataclass
 class Elastic:
-    """Thermo-elastic contact."""
+    """Results of a thermo-elastic contact."""
 
     x: np.ndarray
     pressure: np.ndarray
@@ -41,7 +41,7 @@ class Elastic:
 
 @dataclass
 class Plastic:
-    """Thermo-elastic-plastic contact, under load and after unloading."""
+    """Results of a thermo-elastic-plastic contact, under load and after unloading."""
 
     x: np.ndarray
     z: np.ndarray
@@ -63,7 +63,7 @@ class Plastic:
 
 @dataclass
 class Onset:
-    """Onset of yield against the heat factor."""
+    """Hertz pressure and position of first yield, as functions of the heat factor."""
 
     factor: np.ndarray
     p0: np.ndarray
@@ -125,7 +125,7 @@ def plastic_case(
     depth: float,
     increments: int,
 ) -> Plastic:
-    """Solve on a grid of half-width `width` a, depth `depth` a and layer thickness `layer` [m]."""
+    """Solve the elastic-plastic contact; width, depth: half-width and depth of the grid over a."""
     grid = square(hertz(load).a, cells, width, depth, layer=layer)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, heat=sc.Heat(factor))
@@ -181,7 +181,7 @@ def onset(cells: int, factors: np.ndarray) -> Onset:
 def pressure_curves(
     plastic: dict[float, list[Plastic]], cells: int, plastic_cells: int, increments: int
 ) -> dict[str, tuple[float, list[tuple[str, np.ndarray, np.ndarray]]]]:
-    """Curves of figure 2.21, from the computed cases of 1500 N and additional ones."""
+    """Return the pressure curves of figure 2.21: the cases of 1500 N and additional cases."""
     depths = np.linspace(0.0, 1.6, 65) * HERTZ.a
     curves = {}
     for load, factor, width, depth in ((LOAD, 0.20, 4.0, 1.6), (LARGE_LOAD, 0.05, 3.0, 1.6)):
@@ -201,7 +201,7 @@ def pressure_curves(
 
 
 def strain_curve(cells: int, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Figure 2.22: `count` Hertz pressures, and largest plastic strains."""
+    """Return the points of figure 2.22: `count` Hertz pressures, and maximum plastic strains."""
     p0, gamma = [], []
     largest = sc.hertz.point(R=RADIUS, E_star=E_STAR, p0=8.12e9)
     grid = square(largest.a, cells, 1.9, 2.6, layer=largest.a / 20)
@@ -264,5 +264,5 @@ def compute(quick: bool) -> Results:
 
 
 def at_surface(profile: np.ndarray) -> float:
-    """Extrapolated to z = 0 from the first two layers."""
+    """Extrapolate a profile over the depth to z = 0 from the first two layers."""
     return float(1.5 * profile[0] - 0.5 * profile[1])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact of a tool that heats the flat, at rest and moving."""
+"""Simulations of a tool that heats a flat, at rest and in motion."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Elastic:
 
     @property
     def hottest(self) -> tuple[float, float]:
-        """Maximum temperature rise and its x."""
+        """Maximum temperature rise [K], and its x position [m]."""
         k = int(self.flash.argmax())
         return float(self.flash[k]), float(self.x[k])
 

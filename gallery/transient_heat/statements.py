@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Statements of the thesis on transient heat."""
+"""Statements of Boucly (2008) on transient heat, compared with the computed values."""
 
 from __future__ import annotations
 

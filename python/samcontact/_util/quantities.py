@@ -74,11 +74,11 @@ class Quantity(NamedTuple):
 
     @property
     def label(self) -> str:
-        """Label with unit, for the axis of a figure or the column of a report."""
+        """Label of an axis or report column: name and unit."""
         return self.of()
 
     def of(self, body: int | None = None) -> str:
-        """Return the label with the number of a body."""
+        """Return the label, with the number of a body if given."""
         name = self.heading if body is None else f"{self.heading}, body {body}"
         return f"{name} [{self.shown}]" if self.shown else name
 
@@ -90,7 +90,7 @@ class Quantity(NamedTuple):
         return f"{name} [{self.shown}]" if "\n" in name else f"{name}\n[{self.shown}]"
 
     def fitting(self, largest: float) -> Quantity:
-        """Return a copy whose display unit suits a given area [m^2]."""
+        """Return the quantity, with the unit µm² if it is an area and `largest` [m^2] is small."""
         small = self.unit == "m2" and largest < _MAX_AREA_IN_SQUARE_MICRONS
         return self._replace(shown="µm²") if small else self
 
@@ -114,7 +114,7 @@ CONTACT = {
     "z": Q("m", "depth of layer centres, positive into the body"),
     "increment": Q("1", "increment number"),
     "cell": Q("1", "indices of cells with plastic strain, counted along z, y, x"),
-    "output_increment": Q("1", "increments with stored volume fields"),
+    "output_increment": Q("1", "number of an increment with stored volume fields"),
     "body": Q("1", "number of the body"),
     "component": Q("", "tensor component"),
     "side": Q("", "side of the interface"),
@@ -145,8 +145,8 @@ CONTACT = {
     "friction_work": Q(
         "J", "frictional work since the start", "µJ", "frictional work", "frictional\nwork"
     ),
-    "work_input": Q("J", "work input since the start (increments with positive work)"),
-    "net_external_work": Q("J", "net external work since the start", "", "net work"),
+    "work_input": Q("J", "sum of the positive work increments since the start"),
+    "net_external_work": Q("J", "net external work since the start", "", "net external work"),
     "elastic_energy": Q(
         "J", "elastic energy of the surface tractions after the last increment", "",
         "elastic energy of tractions",
@@ -204,13 +204,14 @@ CONTACT = {
     "substeps": Q("1", "number of sub-increments", "", "sub-increments"),
     "contact_edge_distance": Q(
         "1", "minimum distance between contact and grid edge, in cells", "cells",
-        "contact to grid edge",
+        "distance of contact from grid edge",
     ),
     "cells_across_contact": Q(
-        "1", "cells across the contact spot with maximum pressure", "cells", "across the contact"
+        "1", "width of the contact spot with maximum pressure, in cells", "cells", "contact width"
     ),
     "sharp_edge_cells": Q(
-        "1", "contact cells at sharp edges, where the pressure is singular", "", "at sharp edges"
+        "1", "number of contact cells at sharp edges, where the pressure is singular", "",
+        "contact cells at sharp edges",
     ),
     "area_uncertainty": Q(
         "1", "relative uncertainty of the contact area", "%", "contact area uncertainty"
@@ -228,10 +229,10 @@ CONTACT = {
     ),
     "plastic_edge_distance": Q(
         "1", "minimum distance between plastic zone and volume edge, in cells", "cells",
-        "plastic zone to volume edge",
+        "distance of plastic zone from volume edge",
     ),
     "layers_across_plastic_zone": Q(
-        "1", "number of layers across the plastic zone", "layers", "across the plastic zone"
+        "1", "thickness of the plastic zone, in layers", "layers", "thickness of the plastic zone"
     ),
     # surface fields
     "pressure": Q("Pa", "contact pressure", "GPa", "pressure", kind="magnitude"),
@@ -245,7 +246,7 @@ CONTACT = {
     ),
     "slip_x": Q("m", "slip of body 1 relative to body 2 in the increment, along +x"),
     "slip_y": Q("m", "slip of body 1 relative to body 2 in the increment, along +y"),
-    "sticking": Q("1", "1: contact cell sticks in the increment"),
+    "sticking": Q("1", "1 in contact cells that stick in the increment, else 0"),
     "residual_displacement": Q(
         "m", "residual normal surface displacement of body {body}, positive into the body", "µm",
         "residual displacement", kind="signed",
@@ -268,7 +269,7 @@ CONTACT = {
         "1", "plastic strain (tensor components)", "%", "plastic strain", kind="signed"
     ),
     "residual_stress": Q(
-        "Pa", "residual stress, without tractions and heat", "MPa", "residual stress",
+        "Pa", "residual stress (without surface tractions and heat)", "MPa", "residual stress",
         kind="signed",
     ),
     "residual_von_mises": Q(
@@ -317,7 +318,7 @@ ASPERITIES = {
     "max_equivalent_plastic_strain": Q("1", "maximum equivalent plastic strain of a body"),
     "cells_across_contact": CONTACT["cells_across_contact"],
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
-        long_name="number of layers across the plastic zone of a body"
+        long_name="thickness of the plastic zone of a body, in layers"
     ),
     # scalars of each pass
     "pass": Q("1", "pass number"),
@@ -330,7 +331,7 @@ ASPERITIES = {
         "energy of the residual stress", "stored\nenergy",
     ),
     "energy_imbalance": Q(
-        "J", "net energy less dissipation and increase of residual energy", "J",
+        "J", "net energy minus dissipation and minus increase of residual energy", "J",
         "unaccounted net energy",
     ),
     "residual_displacement": Q(
@@ -364,7 +365,7 @@ WEAR = {
         "plastic\nstrain",
     ),
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
-        long_name="number of layers across the plastic zone before removal"
+        long_name="thickness of the plastic zone before removal, in layers"
     ),
     # scalars of each cycle
     "parts": Q("1", "number of parts into which the repeats of the cycle were divided"),
@@ -374,7 +375,7 @@ WEAR = {
         "sliding\ndistance",
     ),
     "stick_area": Q(
-        "m2", "area in contact that sticks during a whole repeat", "µm²", "stick area",
+        "m2", "contact area that sticks during a whole repeat", "µm²", "stick area",
         "stick\narea",
     ),
     "max_pressure": CONTACT["max_pressure"],
@@ -393,6 +394,6 @@ WEAR = {
 
 
 def described(name: str) -> tuple[Quantity, int | None]:
-    """Return the quantity and the body number of a variable name; None for no single body."""
+    """Return the quantity and the body of a variable; None: the variable is not of one body."""
     kind, _, body = name.partition("_body")
     return CONTACT[kind], int(body) if body else None

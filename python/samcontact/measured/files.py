@@ -35,17 +35,17 @@ def read(
     ----------
     path : str or path
         File in any format of SurfaceTopography (.al3d, .sur, .x3p, .opd, .vk4, .nc, text, ...), or
-        a plain array (.npy) or text (.txt, .dat or .asc separated by blanks, .csv by commas or
-        semicolons; decimal points) whose header, if any, states no sizes. A plain file contains
-        rows of heights, which require `dx`; two columns x and z of a profile; or three columns x,
-        y, z of points that fill a grid, in any order.
+        a plain array (.npy) or plain text with decimal points and without sizes in its header.
+        Columns of .txt, .dat and .asc are separated by blanks, of .csv by commas or semicolons. A
+        plain file contains one of the following: rows of heights, which require `dx`; two columns x
+        and z of a profile; or three columns x, y, z of points that fill a grid, in any order.
     format : str, optional
-        Reader: its name in SurfaceTopography ("sur", "x3p", "nms", ...), "array" for rows of
+        Name of a reader in SurfaceTopography ("sur", "x3p", "nms", ...), "array" for rows of
         heights, or "xyz" for columns of positions. Default: determined from content and suffix.
     channel : int or str, optional
         Number (from 0) or name of the map in the file. Default: the first map of heights.
     detrend : {"center", "height", "slope", "curvature"} or None
-        Trend to remove, see `MeasuredSurface.detrended`; None leaves the heights unchanged.
+        Trend to remove, see `MeasuredSurface.detrended`. None leaves the heights unchanged.
     undefined : {"fill", "error", "keep"}
         Treatment of undefined points: interpolate them (`MeasuredSurface.filled`), raise
         ValueError, or keep them as NaN.
@@ -58,30 +58,30 @@ def read(
     Returns
     -------
     MeasuredSurface
-        Surface whose `attrs` contain source, format, channel, unit of the file, trend and number of
-        filled points, and, if available, instrument and acquisition_time. A profile has one row,
-        heights of shape (n, 1). If its points are not equally spaced, it is interpolated, and
-        `attrs` contains the original steps.
+        Surface. Its `attrs` contain source, format, channel, unit of the file, trend and number of
+        filled points, and, if available, instrument and acquisition_time. A profile has heights of
+        shape (n, 1). A profile with unequal steps is interpolated, and `attrs` contains the
+        original steps.
 
     Raises
     ------
     ValueError
-        The file cannot be read or is not a map or profile of heights; a spacing or unit is neither
-        given nor in the file, or is both; or an argument is outside its range.
+        The file cannot be read, or is not a map or profile of heights. A spacing or unit is missing
+        in both the arguments and the file, or present in both. An argument is outside its range.
     ImportError
         SurfaceTopography is required and not installed.
 
     Warns
     -----
     UnitWarning
-        Implausible sizes or slopes: longer than 1 m, an rms slope above 2, or a height range
-        larger than the length.
+        The surface is implausible: it is longer than 1 m, has an rms slope above 2, or has a height
+        range larger than its length.
 
     Notes
     -----
-    The first index of the heights runs along x, for every format. A line of a plain text contains
-    the ny heights at one x, as NumPy writes such an array. A text with a header, from an instrument
-    or from SurfaceTopography, is an image, whose lines contain the nx heights at one y.
+    In every format the first index of the heights runs along x. A line of a plain text contains the
+    ny heights at one x, as written by NumPy. A text with a header, from an instrument or from
+    SurfaceTopography, is an image: a line contains the nx heights at one y.
     """
     choice("undefined", undefined, ("fill", "error", "keep"))
     choice("detrend", detrend, (*TRENDS, None))
@@ -124,7 +124,7 @@ def _read(source: Path, format: str | None, given: ReaderArguments) -> MeasuredS
 
 
 def _of_rows(source: Path, given: ReaderArguments) -> MeasuredSurface:
-    """Read rows of heights."""
+    """Read a surface from a plain file with rows of heights."""
     heights = plain_heights(source)
     if given.steps is None:
         raise ValueError(f"dx is required, because {source} does not contain it")
@@ -141,10 +141,10 @@ def _of_rows(source: Path, given: ReaderArguments) -> MeasuredSurface:
 def _of_columns(
     source: Path, found: Table, which: tuple[int, ...], given: ReaderArguments
 ) -> MeasuredSurface:
-    """Read a profile of two columns x and z, or a map of three columns x, y, z."""
+    """Read a profile from two columns x and z, or a map from three columns x, y, z."""
     names = ("x", "z") if len(which) == 2 else ("x", "y", "z")
     what = "a profile, columns x and z" if len(names) == 2 else "points, columns x, y and z"
-    rows = f'{source} contains {what} (if these are rows of heights, set format="array")'
+    rows = f'{source} contains {what} (if it contains rows of heights, set format="array")'
     if len(names) == 3:
         grid_of_points(found.values, source)
     if given.steps is not None:
@@ -158,7 +158,7 @@ def _of_columns(
         raise ValueError(f'unit is required, e.g. unit="um": {rows}, and {stated}')
     if given.unit is not None and None not in units:
         raise ValueError(
-            f"unit must be None, got {in_short(given.unit)}: {source} has its own, {units[0]}"
+            f"unit must be None, got {in_short(given.unit)}: {source} has the unit {units[0]}"
         )
     known_units = [given.unit if unit is None else unit for unit in units]
     points = found.values[:, list(which)] * [metres(str(unit)) for unit in known_units]

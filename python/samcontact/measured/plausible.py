@@ -20,11 +20,11 @@ MAX_RMS_SLOPE = 2.0
 def warn_of_size(
     heights: FloatArray, steps: tuple[float, float], source: str, *, stacklevel: int
 ) -> None:
-    """Warn of heights or sample spacings that are probably in another unit.
+    """Warn if the unit of heights or sample spacings is probably wrong.
 
-    heights: shape (nx, ny) [m], NaN where undefined; steps: sample spacing [m]. Issues a
-    UnitWarning if the area is longer than 1 m, the rms slope is above 2, or the height range
-    exceeds the longer side.
+    heights: shape (nx, ny) [m], NaN where undefined; steps: sample spacing along x and y [m].
+    Issues a UnitWarning if the measured area is longer than 1 m, the rms slope is above 2, or the
+    height range exceeds the longer side.
     """
     size = [n * step for n, step in zip(heights.shape, steps, strict=True)]
     sides = size[:1] if heights.shape[1] == 1 else size
@@ -50,7 +50,7 @@ def warn_of_size(
 
 
 def _rms_slope(heights: FloatArray, steps: tuple[float, float]) -> float:
-    """Root-mean-square slope between neighbours, along x and y together."""
+    """Return the rms slope between neighbouring samples [-], along x and y together."""
     total = 0.0
     with np.errstate(over="ignore", invalid="ignore"):
         for axis, step in enumerate(steps):

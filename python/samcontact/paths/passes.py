@@ -28,14 +28,14 @@ _ROUNDING_ERROR = 1e-9
 
 @dataclass(frozen=True)
 class CreepageInput:
-    """Lateral creepage, spin and longitudinal force of a contact with partial slip."""
+    """Lateral creepage [-], spin [1/m] and longitudinal force [N] of a rolling contact."""
 
     lateral: float = 0.0
     spin: float = 0.0
     force_x: float | None = None
 
     def over(self, length: float) -> dict[str, Any]:
-        """Arguments of a step in which the contact travels a length [m]."""
+        """Return the tangential arguments of a step in which the contact travels `length` [m]."""
         given: dict[str, Any] = {}
         if self.lateral != 0.0:
             given["shift"] = (None if self.force_x is not None else 0.0, self.lateral * length)
@@ -112,14 +112,14 @@ class RollingPasses:
         return self._timed({self.quantity: value}, self.step)
 
     def _timed(self, step: dict[str, Any], length: float) -> dict[str, Any]:
-        """Add to a step its duration: the time in which the contact travels a length."""
+        """Return a step with the duration in which the contact travels `length` [m]."""
         if self.speed is not None:
             step["duration"] = abs(length) / positive("speed", self.speed)
         return step
 
 
 def _lengths(distance: float, step: float) -> list[float]:
-    """Signed steps that add up to a distance: full steps and a remainder."""
+    """Divide a signed distance [m] into full steps and a remainder with the same sign."""
     total, whole = finite("distance", distance), positive("step", step)
     if total == 0.0:
         raise ValueError("distance must not be 0")
@@ -157,24 +157,24 @@ def rolling(
 ) -> Steps:
     """Load, roll over both bodies and unload, once per pass.
 
-    Each pass starts at the initial position. The path begins and ends unloaded; after the last pass
-    the contact does not return.
+    Each pass starts at the initial position. The path begins and ends unloaded. After the last
+    pass, the contact does not return to the initial position.
 
     Parameters
     ----------
     load, approach : float
         Load [N] or approach [m] while rolling, > 0. Exactly one must be given.
     distance : float
-        Distance that the contact travels over the bodies in a pass [m]: positive towards +x. If it
-        travels different distances over the two bodies (slide_to_roll), their mean.
+        Distance that the contact travels over the bodies in a pass [m]: positive towards +x. With
+        `slide_to_roll`, the mean of the distances over the two bodies.
     step : float
         Length of a step [m], > 0; preferably a whole number of cells dx. The last step of a pass is
         shorter if the steps do not divide the distance.
     passes : int
-        Number of passes, >= 1. Between passes the bodies return unloaded, in one step.
+        Number of passes, >= 1. Between two passes the unloaded bodies return in one step.
     increments, unload_increments : int
-        Number of steps of each loading and each unloading, without travel. Default for unloading:
-        as for loading.
+        Number of steps of each loading and of each unloading; the contact does not travel in these
+        steps. Default of `unload_increments`: `increments`.
     slide_to_roll : float
         Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) of the surface speeds u1, u2 of the bodies
         through the contact, in [-2, 2] [-]: bodies 1 and 2 move (1 + slide_to_roll/2) and (1 -
@@ -190,8 +190,8 @@ def rolling(
         Whether passes alternate in direction under load, with a single loading and unloading.
     speed : float, optional
         Speed of the contact over the bodies [m/s], > 0, for a simulation with heat.history: each
-        step, also of a return, lasts its length divided by the speed, and each load increment lasts
-        as long as a full step. The `velocity` of the heat should be that of the bodies: for
+        rolling or return step lasts its length divided by the speed, and each load increment lasts
+        as long as a full step. Set `velocity` of the heat to the velocities of the bodies: for
         distance > 0, -speed (1 + slide_to_roll/2) and -speed (1 - slide_to_roll/2).
     heat_factor : float or pair of floats, optional
         Heat flux per unit pressure from the first step on [m/s].
@@ -277,8 +277,8 @@ def sliding(
     slider : {1, 2}
         The body on which the contact stays.
     speed : float, optional
-        Sliding speed [m/s], > 0, as in `rolling`. The `velocity` of the heat should be 0 for the
-        slider and, for distance > 0, -speed for the other body.
+        Sliding speed [m/s], > 0, as in `rolling`. Set `velocity` of the heat to 0 for the slider
+        and, for distance > 0, to -speed for the other body.
 
     Returns
     -------

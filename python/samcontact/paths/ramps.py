@@ -24,7 +24,7 @@ Path = list[dict[str, Any]]
 
 
 def fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
-    """Increasing fractions of a ramp, the last exactly 1, as used by `ramp`."""
+    """Return the fractions of a ramp that are reached after each step; the last is exactly 1."""
     choice("spacing", spacing, ("linear", "power"))
     count = step_count("increments", increments)
     parts = np.arange(1, count + 1, dtype=np.float64) / count
@@ -44,7 +44,7 @@ def _with_parts(
     duration: float | None,
     heat_factor: float | Sequence[float] | None,
 ) -> Path:
-    """Add equal parts of a travel and a duration to steps; the first step sets the heat factor."""
+    """Divide travel and duration equally among steps, and add the heat factor to the first step."""
     if advance is not None:
         first, second = (float(s) / len(steps) for s in finite_array("advance", advance, (2,)))
         steps = [{**step, "advance": (first, second)} for step in steps]
@@ -117,7 +117,7 @@ def ramp(
     increments : int
         Number of steps, from 1 to 100000.
     start : float
-        Value before the first step [N] or [m].
+        Load [N] or approach [m] before the first step.
     spacing : {"linear", "power"}
         "power" uses fractions (i/increments)^exponent: small steps first for exponent > 1.
     exponent : float
@@ -165,11 +165,12 @@ def load_unload(
     load, approach : float
         Peak load [N] or approach [m]. Exactly one must be given.
     increments, unload_increments : int
-        Number of steps up and down, from 1 to 100000. Default for unloading: as for loading.
+        Numbers of loading and unloading steps, from 1 to 100000. Default of `unload_increments`:
+        `increments`.
     end : float
-        Value of the last step [N] or [m], below the peak; a load < 0 only with attraction.
+        Load [N] or approach [m] of the last step, below the peak; a load < 0 only with attraction.
     spacing, exponent
-        As in `ramp`; unloading mirrors loading, so that the small steps are near zero load.
+        As in `ramp`. Unloading mirrors loading, so that the small steps are near zero load.
 
     Returns
     -------

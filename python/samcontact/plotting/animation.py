@@ -32,8 +32,8 @@ def rolling_animation(
 ) -> FuncAnimation:
     """Animate a moving contact: pressure, longitudinal section and residual imprint of each state.
 
-    All fields are shown in the plane y = 0 and in the frame of the body, so that the contact moves
-    and the track is at rest.
+    All fields are shown in the plane y = 0 and in the frame of reference of the body: the contact
+    moves, and the track is at rest.
 
     Parameters
     ----------
@@ -44,10 +44,10 @@ def rolling_animation(
         Body whose frame of reference, section and residual imprint are shown.
     quantity : {"von_mises", "residual_von_mises", "equivalent_plastic_strain"}
         Quantity of the section. With "von_mises", the stress under load is shown inside the grid,
-        which moves with the contact and is framed. Outside the grid, the residual stress is shown
-        where the body has yielded. Cells without a computed stress are grey.
+        which moves with the contact and is marked by a frame. Outside the grid, the residual stress
+        is shown where the body has yielded. Cells without a computed stress are grey.
     interval : float, optional
-        Time between two frames on a screen [ms], > 0.
+        Interval between frames during playback [ms], > 0.
 
     Returns
     -------
@@ -165,7 +165,7 @@ def _imprint_panel(ax: Axes, imprints: list[tuple[FloatArray, FloatArray]], body
 def _section(
     state: State, body: int, quantity: str, row: int, window: FloatArray, x: FloatArray
 ) -> FloatArray:
-    """Return a field in the plane y = 0 of the body, shape (len(x), nz); NaN: not computed."""
+    """Return a field in the plane y = 0 of the body, shape (len(x), nz); NaN if not computed."""
     # outside the track nothing has yielded, but stresses exist
     beyond = 0.0 if quantity == "equivalent_plastic_strain" else np.nan
     values = np.full((len(x), len(state.depths)), beyond)

@@ -29,7 +29,7 @@ Results = Sequence["xr.Dataset"]
 
 
 def _offset(series: xr.Dataset) -> FloatArray:
-    """Return the offset of the centres, relative to the equivalent radius."""
+    """Return the offset of the sphere centres divided by the equivalent radius R [-]."""
     first, second = (float(series.attrs[name]) for name in ("R1", "R2"))
     offset: FloatArray = series["offset"].values / (first * second / (first + second))
     return offset
@@ -67,7 +67,7 @@ def force(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     component : {"x", "z"}
-        Tangential force (required to move the upper sphere along +X), or normal force.
+        "x": tangential force, required to move the upper sphere along +X; "z": normal force.
     number : int
         Number of the pass, from 1.
     critical : CriticalSphere, optional

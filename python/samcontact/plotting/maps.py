@@ -88,7 +88,7 @@ def surface_map(
 
 
 def peak_map(scene: ContactResults, name: str, ax: Axes) -> Axes:
-    """Draw a `surface_map` of pressure or gap at the peak of a run, solved or prescribed."""
+    """Draw a `surface_map` of pressure or gap at the increment with maximum stress of a run."""
     values, repulsion = scene.surface(name, scene.peak), scene.surface("repulsion", scene.peak)
     shown = of_either_sign(name, values, scene.grid)
     solved = np.isfinite(scene.dataset["approach"].values[scene.peak])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Common parts of the figures: figures without pyplot, labels and units, lines through fields."""
+"""Common functions of the figures: creation without pyplot, labels, units, lines through fields."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ _in_column: ContextVar[str] = ContextVar("_in_column", default="screen")
 
 @contextmanager
 def journal_column(width: str = "single") -> Iterator[None]:
-    """Set the width and font size of figures to those of a journal column, within a context.
+    """Set width and font size of figures for a journal column within the context.
 
     Create and save the figures in the context: ``with plotting.journal_column("double"):
     summary_figures(...)``. Figures with several panels side by side take the double column.
@@ -95,7 +95,7 @@ def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
 
 
 def save(figure: Figure | None, path: Path) -> Path:
-    """Write a figure without blank margins; it must not be None, as `Axes.figure` may be."""
+    """Write a figure to a file without blank margins, and return the path."""
     assert figure is not None
     with replacing(path) as part:
         draw(figure, part, format=path.suffix[1:] or "png", **_SAVE_OPTIONS.get(path.suffix, {}))
@@ -111,7 +111,7 @@ identical files."""
 
 
 def draw(figure: Figure, target: Path | BinaryIO, **options: Any) -> None:
-    """Write a figure to a file or a buffer, with options of Matplotlib."""
+    """Write a figure to a file or a buffer; options: arguments of `Figure.savefig`."""
     box: Any = "tight"
     try:
         if figure.get_gid() == _COLUMN_WIDTH_ID:  # full column width, not cropped
@@ -144,7 +144,7 @@ def section_height(width: float, across: float, depth: float) -> float:
 
 
 def map_height(width: float, across: float, down: float) -> float:
-    """Return the figure height [in] of a map; flat maps have their colour bar below."""
+    """Return the figure height [in] of a map, with space for the colour bar below a flat map."""
     return section_height(width, across, down) + (
         0.55 if down < MAX_FLAT_MAP_RATIO * across else 0.0
     )
@@ -162,7 +162,7 @@ def finish(ax: Axes) -> Axes:
 
 
 def counted(ax: Axes) -> Axes:
-    """Place ticks along x at whole numbers only, for passes, cycles and increments."""
+    """Place the x ticks at whole numbers only (passes, cycles, increments), and return the axes."""
     ax.xaxis.set_major_locator(FittedLocator(integer=True))
     left, right = ax.get_xlim()
     if right - left < 1.0:  # a single number
@@ -175,9 +175,9 @@ def nearest(values: ArrayLike, position: float) -> int:
 
 
 def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
-    """Return the index of the middle row, or of the maximum if that is clearly larger.
+    """Return the index of the middle row, or of the row with a clearly larger maximum.
 
-    `values` has the maximum magnitude of each row.
+    values: maximum magnitude in each row. coordinate: positions of the rows [m].
     """
     sizes = np.asarray(values, dtype=np.float64)
     middle = nearest(coordinate, 0.0)
@@ -189,13 +189,13 @@ def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
 
 
 def place(name: str, value: float) -> str:
-    """Return the position of a row as text."""
+    """Return the position of a row as text, e.g. "y = 12 µm"; value: position [m]."""
     shown = value * 1e6 + 0.0
     return f"{name} = {shown:{'.4g' if abs(shown) < 1e4 else '.0f'}} µm"
 
 
 def elsewhere(name: str, value: float, cell: float) -> str:
-    """Return the position of a row as text; "" for the middle row."""
+    """Return the position of a row as text, or "" for the middle row."""
     return "" if abs(value) <= 0.5 * cell else place(name, value)
 
 
@@ -204,7 +204,7 @@ def add_to_title(ax: Axes, *texts: str) -> None:
 
 
 def prefixed(largest: float, unit: str) -> tuple[float, str]:
-    """Return factor and unit, with a suitable prefix for values up to the largest."""
+    """Return the factor and the prefixed unit in which values up to `largest` are shown."""
     place = int(np.clip(np.floor(np.log10(largest) / 3), -4, 3)) if largest > 0 else 0
     return 10.0 ** (-3 * place), "pnµm kMG"[place + 4].strip() + unit
 
@@ -217,7 +217,7 @@ def edges(centres: ArrayLike, step: float) -> FloatArray:
 def surface_line(
     field: ArrayLike, name: str, grid: Grid, axis: str, position: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return coordinates and values of a surface field along an axis, in the nearest row."""
+    """Return the coordinates [m] and values of a surface field in a row of cells along an axis."""
     choice("axis", axis, ("x", "y"))
     values = finite_array(name, field, (grid.nx, grid.ny))
     finite("position", position)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Standard figures of a run, as files."""
+"""Standard figures of a run, written to files."""
 
 from __future__ import annotations
 
@@ -43,10 +43,10 @@ def summary_figures(
     hertz: HertzContact | None = None,
     format: str = "png",
 ) -> list[Path]:
-    """Write the standard figures of a run as files.
+    """Write the standard figures of a run to files.
 
-    Profiles and sections pass through the middle of the grid or, if values are clearly larger
-    elsewhere, as on rough surfaces, through the row of cells with the maximum.
+    Profiles and sections pass through the middle of the grid. If values are clearly larger
+    elsewhere, as on rough surfaces, they pass through the row of cells with the maximum.
 
     Parameters
     ----------
@@ -108,7 +108,7 @@ def summary_figures(
 
 
 def increments_shown(dataset: xr.Dataset, body: int) -> set[int]:
-    """Return the increments whose volume fields are shown: peak, hottest and last increment."""
+    """Return the numbers of the increments with maximum stress and temperature, and of the last."""
     scene = ContactResults(dataset, body, None)
     shown = {scene.peak, dataset.sizes["increment"] - 1}
     if scene.hottest is not None:
@@ -127,7 +127,7 @@ def _load_text(scene: ContactResults, position: int) -> str:
 
 
 def _peak_figures(scene: ContactResults) -> dict[str, Figure]:
-    """Draw pressure, gap and stresses at maximum stress."""
+    """Draw pressure, gap and stresses at the increment with the maximum stress."""
     grid, number = scene.grid, scene.number(scene.peak)
     _, size = scene.map_look
     figures = {"pressure": _panel(), "pressure_map": _panel(*size), "gap_map": _panel(*size)}

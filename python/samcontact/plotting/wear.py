@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of wear and running-in. Each takes an `ax` (a new figure by default) and returns it.
+"""Figures of wear and running-in. Functions draw on an `ax` (of a new figure) and return it.
 
-Like `samcontact.plotting`: no pyplot, lengths in micrometres, depth downward.
+As in `samcontact.plotting`, pyplot is not used, lengths are in micrometres, and depth is downward.
 """
 
 from __future__ import annotations
@@ -140,7 +140,7 @@ def surface_map(
     cycle: int = -1,
     cells: bool = False,
 ) -> Axes:
-    """Draw a map of the heights of a worn body after a cycle (0: before the first).
+    """Draw a map of the heights of a worn body after a cycle; cycle 0 is the initial surface.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ def surface_map(
 
 
 def _heights(dataset: xr.Dataset, body: int | None) -> tuple[FloatArray, FloatArray]:
-    """Return the heights of a worn body after each cycle, and their x coordinates."""
+    """Return the heights of a worn body after each cycle [m], and the x coordinates [m]."""
     worn = tuple(dataset["body"].values.tolist())
     chosen = choice("body", worn[-1] if body is None else body, worn)
     return dataset[f"heights_body{chosen}"].values, dataset[f"x_body{chosen}"].values

@@ -47,7 +47,7 @@ _LEGEND_ABOVE: Any = {
 
 
 class ReportFigure(NamedTuple):
-    """Figure with caption, description for screen readers, and image."""
+    """Figure of a report: caption, description for screen readers, and image as text."""
 
     caption: str
     description: str
@@ -57,7 +57,7 @@ class ReportFigure(NamedTuple):
 def contact_figures(
     dataset: xr.Dataset, body: int, hertz: HertzContact | None
 ) -> list[ReportFigure]:
-    """Yield all figures of a contact for which fields are stored."""
+    """Return all figures of a contact for which the required fields are stored."""
     scene = ContactResults(dataset, body, hertz)
     drawn = []
     for part in (_contact, slipping.figures, _volume, _temperature, _imprint, _track, _convergence):
@@ -74,7 +74,7 @@ Made = tuple[str, str, Figure]
 
 
 def embedded(caption: str, description: str, figure: Figure) -> ReportFigure:
-    """Return the figure with its image as text, so that the page needs no other file."""
+    """Encode the image of a figure as text, so that the page does not need a separate file."""
     buffer = io.BytesIO()
     draw(figure, buffer, format="png", dpi=DOTS_PER_INCH)
     text = base64.b64encode(buffer.getvalue()).decode("ascii")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Assembly of the page of a report."""
+"""Assembly of the HTML page of a report."""
 
 from __future__ import annotations
 
@@ -119,7 +119,7 @@ def _kind(dataset: xr.Dataset) -> ModuleType:
 
 
 def _end(dataset: xr.Dataset) -> list[Check]:
-    """Return a failed check for an incomplete run, and no check for a complete one."""
+    """Return a failed check if the run is incomplete, and an empty list if it is complete."""
     if dataset.attrs.get("complete", 1):
         return []
     dim = next(dim for dim in ("pass", "cycle", "increment") if dim in dataset.sizes)

@@ -28,7 +28,7 @@ def require_cycles(dataset: xr.Dataset) -> None:
 
 
 def table(dataset: xr.Dataset) -> Table:
-    """Return a table of the strains of each solved cycle."""
+    """Return a table of net plastic strain and plastic strain increment of each solved cycle."""
     numbers = dataset["cycle"].values.tolist()
     columns = [dataset[name].values for name in _CYCLE_LABELS]
     rows = [

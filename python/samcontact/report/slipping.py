@@ -29,7 +29,7 @@ MAX_MISSING_ENERGY = 0.05
 
 
 def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check]:
-    """Check friction law, tangential forces and energy; no checks with full sliding."""
+    """Check friction law, tangential forces and energy; yield no checks with full sliding."""
     if "friction_work" not in dataset:
         return
     law = law_of_attributes(dataset.attrs)
@@ -57,7 +57,7 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
 
 
 def _shear(dataset: xr.Dataset) -> FloatArray:
-    """Return the shear, shape (2, increment, x, y); zero in a direction that is not stored."""
+    """Return the shear traction [Pa], shape (2, increment, x, y); 0 in directions not stored."""
     shape = dataset["pressure"].shape
     names = ("shear_x", "shear_y")
     return np.stack([dataset[n].values if n in dataset else np.zeros(shape) for n in names])
@@ -76,7 +76,7 @@ def _force_difference(dataset: xr.Dataset, shear: FloatArray, steps: list[dict[s
 
 
 def figures(scene: ContactResults) -> Iterator[tuple[str, str, Figure]]:
-    """Yield caption, description and figure."""
+    """Yield caption, description and figure for each figure of partial slip."""
     data = scene.dataset
     for name, figure in slip_figures(scene).items():
         title = figure.axes[0].get_title()

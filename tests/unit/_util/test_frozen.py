@@ -119,7 +119,7 @@ def test_a_step_changes_the_heat_factor_of_later_steps():
     assert first.surface_temperature().max() > 10 * cooler.surface_temperature().max()
     with pytest.raises(ValueError, match="heat_factor must be a finite number >= 0, got -1"):
         run.step(load=0.5, heat_factor=-1.0)
-    with pytest.raises(ValueError, match=r"heat.factor of body1 must be 0 because it is rigid"):
+    with pytest.raises(ValueError, match=r"heat.factor must be 0 for rigid body1"):
         run.step(load=0.5, heat_factor=(0.1, 0.0))
     assert run.heat == hot
 

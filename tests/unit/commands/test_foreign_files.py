@@ -133,7 +133,7 @@ class TestCommands:
         make(out / LOCK_FILE)
         before = snapshot(tmp_path)
         outcome = invoke("run", case, "--output", out)
-        check_failure(outcome, 1, str(out / LOCK_FILE), "is not a lock of samcontact: move it")
+        check_failure(outcome, 1, str(out / LOCK_FILE), "is not a lock file of samcontact: move it")
         assert snapshot(tmp_path) == before
 
     def test_a_case_file_by_the_name_of_a_result(self, tmp_path):
@@ -386,5 +386,5 @@ def test_an_unsealed_checkpoint_is_refused_without_being_opened(tmp_path, monkey
         raise AssertionError("opened")
 
     monkeypatch.setattr(h5py, "File", opened)
-    with pytest.raises(sc.CheckpointError, match="digest at its end is missing"):
+    with pytest.raises(sc.CheckpointError, match="digest at the end is missing"):
         sc.Simulation.load(file)

@@ -187,5 +187,5 @@ def test_states_of_several_simulations_are_refused():
     with pytest.raises(ValueError, match="different grids"):
         dang_van([ball_on().step(load=10.0), other], slope=0.3)
     other = ball_on(body=sc.Material.elastic(200e9, 0.3)).step(load=10.0)
-    with pytest.raises(ValueError, match="one body 2"):
+    with pytest.raises(ValueError, match="same body 2"):
         dang_van([ball_on().step(load=10.0), other], slope=0.3)

@@ -234,7 +234,7 @@ class TestBadInput:
         [
             ((0.1, 0.0), {}, "heat.factor of body1 must be 0 without thermal constants, got 0.1"),
             (0.1, {"body2": COLD}, "heat.factor of body2 must be 0 without thermal"),
-            ((0.1, 0.0), {"body1": sc.Material.rigid()}, "must be 0 because it is rigid"),
+            ((0.1, 0.0), {"body1": sc.Material.rigid()}, "must be 0 for rigid body"),
         ],
     )
     @pytest.mark.parametrize("kind", ["solver", "simulation"])

@@ -142,7 +142,9 @@ def test_reasons_are_sentences(tmp_path):
     def fails():
         raise IndexError("list index out of range")
 
-    with pytest.raises(instruments._ReaderError, match=r"IndexError: list.*damaged, or a variant"):
+    with pytest.raises(
+        instruments._ReaderError, match=r"IndexError: list.*damaged, or is a variant"
+    ):
         instruments._tried(instruments.library("SurfaceTopography.IO"), fails)
 
 
@@ -226,8 +228,8 @@ class TestColumns:
         x, y = np.meshgrid(np.arange(4.0), np.arange(5.0), indexing="ij")
         points = np.column_stack([x.ravel(), y.ravel(), x.ravel()])
         for wrong, text in (
-            (points[:-1], "19 points lie at 4 x and 5 y"),
-            (np.vstack([points[:-1], points[:1]]), "20 points lie at 4 x and 5 y"),
+            (points[:-1], "19 points at 4 values of x and 5 of y"),
+            (np.vstack([points[:-1], points[:1]]), "20 points at 4 values of x and 5 of y"),
             (points * [1, 1, 1] + (points[:, :1] == 3) * [0.5, 0, 0], "equal steps along x"),
         ):
             np.savetxt(tmp_path / "c.txt", wrong)

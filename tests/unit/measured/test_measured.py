@@ -90,7 +90,7 @@ def test_units_and_sizes_missing_in_the_file(tmp_path, rough):
     with pytest.raises(ValueError, match=r"dx is required, because .*h\.npy does not contain it"):
         measured.read(tmp_path / "h.npy")
     Topography(rough, (1.0, 1.0), unit="um").to_netcdf(str(tmp_path / "s.nc"))
-    with pytest.raises(ValueError, match=r"dx must be None, got .*s\.nc has its own"):
+    with pytest.raises(ValueError, match=r"dx must be None, got .*s\.nc contains it"):
         measured.read(tmp_path / "s.nc", dx=1e-6)
     with pytest.raises(ValueError, match="unit must be None"):
         measured.read(tmp_path / "s.nc", unit="nm")

@@ -233,7 +233,7 @@ def test_unreadable_state_is_not_guessed(hidden):
     with pytest.raises(UnidentifiedError):
         canonical(by_closure(hidden))
     who = identity(law=by_closure(hidden), load=1.0)
-    with pytest.raises(UnidentifiedError, match=r"law has no identity .* law\.identity = "):
+    with pytest.raises(UnidentifiedError, match=r"law cannot be identified.* law\.identity = "):
         require_identified(who)
 
 
@@ -256,7 +256,7 @@ def test_a_run_is_not_continued_with_another_law(tmp_path):
         return np.full_like(rise, float(not lock.locked()))
 
     run(hidden, None)
-    with pytest.raises(ValueError, match=r"softening law of body 2 has no identity"):
+    with pytest.raises(ValueError, match=r"softening law of body 2 cannot be identified"):
         run(hidden, tmp_path / "hidden")
 
 
