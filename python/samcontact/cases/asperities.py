@@ -18,7 +18,7 @@ from .sections import GridSection, settings_section
 
 
 class AsperitySection(Section):
-    """[asperities]: two spheres, their passes, and the cells unless the case has a [grid]."""
+    """[asperities]: two spheres, their passes, and the cell size unless the case has a [grid]."""
 
     R1: Length
     R2: Length

@@ -13,7 +13,7 @@ from .bodies import field_of
 
 
 class _FrictionLaw(Section):
-    """Friction law with partial slip, by its name; inf: no slip."""
+    """Friction law with partial slip; exactly one law must be given."""
 
     @model_validator(mode="after")
     def _one_law(self) -> _FrictionLaw:

@@ -141,7 +141,7 @@ class ParaboloidSurface(_Surface):
 
 
 class SphereSurface(_Surface):
-    """Exact sphere."""
+    """Sphere, without the approximation by a paraboloid."""
 
     shape: Literal["sphere"]
     R: Length
@@ -154,7 +154,7 @@ class SphereSurface(_Surface):
 
 
 class CylinderSurface(_Surface):
-    """Exact circular cylinder."""
+    """Circular cylinder, without the approximation by a paraboloid."""
 
     shape: Literal["cylinder"]
     R: Length
@@ -203,7 +203,7 @@ SurfaceSection = Annotated[
 
 
 class _LawSection(Section):
-    """Contact law, see `ContactLaw`."""
+    """Lower limit of the pressure, see `HardContact` and `TensileLimit`."""
 
     kind: str
 

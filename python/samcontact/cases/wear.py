@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Section [wear] of a case file: its path is one cycle, after which the bodies wear."""
+"""Section [wear] of a case file: the path is one cycle, and the bodies wear after each cycle."""
 
 from __future__ import annotations
 
