@@ -7,8 +7,8 @@ from hypothesis import HealthCheck, given, settings
 # Inputs tried: in every run of the tests, and with the marker `slow`.
 INPUTS = {
     "texts of case files": (150, 6000),
-    "cases with wild values": (200, 8000),
-    "cases built": (30, 1200),
+    "cases with extreme values": (200, 8000),
+    "construction of simulations from cases": (30, 1200),
     "flipped or cut bytes of checkpoints": (150, 6000),
     "flipped or cut bytes of wear checkpoints": (75, 3000),
     "flipped or cut bytes of a journal": (30, 1200),

@@ -96,7 +96,7 @@ def test_any_text(count):
     try_all(read, count, text=st.one_of(mangled(), mangled(), st.text(max_size=200)))
 
 
-@tried("cases with wild values")
+@tried("cases with extreme values")
 def test_wild_values(count):
     def check(text):
         case = read(text)
@@ -106,7 +106,7 @@ def test_wild_values(count):
     try_all(check, count, text=wild())
 
 
-@tried("cases built")
+@tried("construction of simulations from cases")
 def test_wild_cases_are_built_or_refused(count):
     """Cases with small grids; large grids are covered by the memory tests."""
 

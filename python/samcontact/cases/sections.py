@@ -142,7 +142,7 @@ class ParaboloidSurface(_Surface):
 
 
 class SphereSurface(_Surface):
-    """Exact sphere."""
+    """Sphere, without the approximation by a paraboloid."""
 
     shape: Literal["sphere"]
     R: Length
@@ -155,7 +155,7 @@ class SphereSurface(_Surface):
 
 
 class CylinderSurface(_Surface):
-    """Exact circular cylinder."""
+    """Circular cylinder, without the approximation by a paraboloid."""
 
     shape: Literal["cylinder"]
     R: Length
