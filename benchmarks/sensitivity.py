@@ -32,19 +32,22 @@ HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.sensitivity --docs -->
 # Sensitivity of the gallery to the mesh
 
-This page states by how much [%] each number on a page of the [gallery](gallery.md) changes when the
-mesh is changed: cells halved in both directions, layers halved, load increments halved, or the grid
-made a quarter wider and deeper (column "grid size"), one at a time. Each section states whether the
-mesh is that of the page or the coarse one of the tests, about half as fine. A change on the
-coarse mesh is approximately the improvement from the coarse mesh to the mesh of the page, and
-approximately an upper bound of the remaining error of the page.
+This page states by how much [%] the numbers on each page of the [gallery](gallery.md) change when
+the mesh is changed. Four changes are made, one at a time: cells of half the size along x and y
+(column "cells"), layers of half the thickness ("layers"), load increments of half the size
+("increments"), and a grid that is a quarter wider and deeper ("grid size"). Each section states
+which mesh was changed: the mesh of the gallery page, or the coarse mesh of the tests, which is
+about half as fine. A change on the coarse mesh is approximately the improvement from the coarse
+mesh to the mesh of the page. It is also approximately an upper bound of the remaining error of the
+page.
 
-If a value consists of several numbers, the largest change relative to the largest number is given.
-Numbers in a text are used as printed: a small difference changes by a large percentage in its last
-digit. A dash means that the change does not apply to this contact, or that it alters the number of
-values.
-Rolling advances by one cell per step, so halved cells also halve its steps. Asperity collisions
-can have smaller increments only on smaller cells, and are compared with these.
+If a value consists of several numbers, the table gives the largest change, relative to the largest
+of these numbers. Numbers are used with the digits printed in the text, so a change of the last
+digit of a small number is a large percentage. A dash means that the change does not apply to this
+contact, or that it alters how many numbers the value has. In rolling, the contact advances by one
+cell per step, so halved cells also halve the steps. In asperity collisions, increments can be
+halved only if the cells are halved too; the column "increments" then compares with the results on
+halved cells.
 """
 MESHES = {
     moves.OWN_MESH_NOTE: "Mesh of the page.\n",
