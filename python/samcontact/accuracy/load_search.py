@@ -283,7 +283,10 @@ def prepare_search(
     build: Callable[[float], Built]
     if callable(case):
         if largest_load is None:
-            raise ValueError("largest_load is required with a function, got None")
+            raise ValueError(
+                "largest_load must be a number > 0 [N] if case is a "
+                "function, got None: give the largest load of the search"
+            )
         build, start = case, positive("largest_load", largest_load)
     else:
         from ..cases.given import case_of_contact
@@ -367,7 +370,10 @@ def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
         load += min(max(step if step else tolerance * load, -0.5 * load), load)
         if not low < load < high:
             load = 0.5 * (low + high)
-    raise search.refuse(f"no convergence to {tolerance!r} in {_MAX_FINE_SOLVES} solutions")
+    raise search.refuse(
+        f"the load search did not reach tolerance = {tolerance!r} in "
+        f"{_MAX_FINE_SOLVES} solutions: increase tolerance"
+    )
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:
