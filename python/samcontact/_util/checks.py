@@ -185,10 +185,7 @@ def step_count(name: str, value: Any) -> int:
     """Return `value` as a number of increments, at most `MAX_INCREMENTS_OF_PATH`."""
     count = integer(name, value, 1)
     if count > MAX_INCREMENTS_OF_PATH:
-        raise ValueError(
-            f"{name} must be at most {MAX_INCREMENTS_OF_PATH} (number of "
-            f"increments of a path), got {count}"
-        )
+        raise ValueError(f"{name} must be at most {MAX_INCREMENTS_OF_PATH}, got {count}")
     return count
 
 
@@ -232,10 +229,7 @@ def exactly_one(**given: Any) -> str:
 def real_array(name: str, value: ArrayLike) -> FloatArray:
     """Return `value` as a float64 array of any shape; refuse lossy conversions."""
     if _has_unit(value):
-        raise TypeError(
-            f"{name} must be plain numbers in SI units, got values with a "
-            "unit: convert them with samcontact.units.si"
-        )
+        raise TypeError(f"{name} has a unit: convert it to SI units with samcontact.units.si")
     lost = _masked_values(value)
     if lost:  # NumPy would use the values under the mask
         raise ValueError(
@@ -354,8 +348,7 @@ def gap_array(
         )
     if not np.isfinite(array).any():
         raise ValueError(
-            f"{name} must be finite in at least one cell, got {nobody:+} (no body) in all "
-            "cells: check the heights and their signs"
+            f"{name} must be finite in at least one cell, got {nobody:+} (no body) in all cells"
         )
     return array
 

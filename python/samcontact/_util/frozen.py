@@ -66,7 +66,4 @@ class FixedAttributes:
     def _refuse(self, name: str) -> None:
         if self._last in self.__dict__:
             kind = type(self).__name__
-            raise AttributeError(
-                f"{kind}.{name} is read-only: create a new object with "
-                f"the changed value: create a new {kind}"
-            )
+            raise AttributeError(f"{kind}.{name} is read-only: create a new {kind}")

@@ -183,10 +183,7 @@ def estimate_errors(
             f"run must be a samcontact.Simulation, or a Case of one contact, got {in_short(run)}"
         )
     if path is None or states is None:
-        raise ValueError(
-            "path and states are required if run is a Simulation: give the "
-            "path and the states that solve() returned for it"
-        )
+        raise ValueError("path and states are required if run is a samcontact.Simulation")
     path = step_list("path", path, STEP_ARGUMENTS)
     require_list("states", states, State)
     if len(path) != len(states):

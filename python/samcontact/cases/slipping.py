@@ -120,8 +120,8 @@ class Fretting(Section):
     def _one_kind(self) -> Fretting:
         if (self.shift is None) == (self.force is None):
             raise ValueError(
-                "fret must have either shift_x and shift_y (motion) or tangential_load_x "
-                "and tangential_load_y (force), got both: omit one pair"
+                "fret requires shift_x, shift_y (motion) or tangential_load_x, "
+                "tangential_load_y (force): give exactly one of these pairs"
             )
         if not any(self.shift or self.force or ()):
             raise ValueError(
