@@ -146,8 +146,7 @@ def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> Non
     if now != before:
         text = differences(now, before) if isinstance(before, dict) else "a single simulation"
         raise ForeignCheckpointError(
-            f"{os.fspath(path)!r} belongs to another run ({text}): remove this file, or "
-            "use another path"
+            f"{os.fspath(path)!r} is of another run ({text}): remove this file, or use another path"
         )
 
 

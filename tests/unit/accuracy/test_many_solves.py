@@ -98,7 +98,7 @@ def test_an_interrupted_run_to_an_accuracy_resumes_with_identical_bits(
     steps.stop(0)
     assert_same(solved(ELASTIC, checkpoint=tmp_path), expected)
     assert steps.made == 0
-    with pytest.raises(sc.CheckpointError, match=r"to another run.*path"):
+    with pytest.raises(sc.CheckpointError, match=r"of another run.*path"):
         solved(ELASTIC | {"path": [{"load": 501.0}]}, checkpoint=tmp_path)
 
 
@@ -205,7 +205,7 @@ def test_an_interrupted_load_search_resumes_with_identical_bits(steps, tmp_path,
     )
     assert np.array_equal(again.states[-1].pressure, whole.states[-1].pressure)
     assert steps.made == total - (at - 1)
-    with pytest.raises(sc.CheckpointError, match="to another run"):
+    with pytest.raises(sc.CheckpointError, match="of another run"):
         found(lambda load: (ball(load)[0], [{"load": load}]), checkpoint=tmp_path)
 
 

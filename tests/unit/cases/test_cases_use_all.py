@@ -241,7 +241,7 @@ def test_every_field_of_every_section_is_tried():
          r"body2\.layers\[0\]\.thermal: unknown field"),
         ({"body1": COLD, "body2": COATED | {"layers": [COLD | {"thickness": 1e-6}]},
              "grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}},
-         r"body1 is elastic-plastic \(swift\): grid\.dz is"),
+         r"body1 is elastic-plastic \(law swift\) and requires a grid"),
         ({"contact": CONTACT | {"residual_stress": "exact"}},
          r"contact\.image_tol requires residual_stress"),
         ({"path": [{"load": 1.0, "exponent": 3.0}]}, r"exponent requires spacing = \"power\""),

@@ -356,7 +356,7 @@ def test_in_a_case_file():
     assert section.validate_python(body | {"kinematic": kinematic}).build() == RECOVERING
     for wrong, text in (
         ({"modulus": [1e9] * 5}, "modulus must have 1 to 4 values, got 5"),
-        ({"modulus": [1e9, 2e9], "recovery": [1.0]}, "as many values as modulus \(2\), got 1"),
+        ({"modulus": [1e9, 2e9], "recovery": [1.0]}, r"as many values as modulus \(2\), got 1"),
         ({"modulus": 0.0}, "greater than 0"),
     ):
         with pytest.raises(ValidationError, match=text):

@@ -270,7 +270,7 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
     changes = {"threshold": 2.1e-3, "window": 5, "friction": 0.41, "tol": 1e-7}
     parts = {"window": "filter", "tol": "settings"}
     for name, value in changes.items():
-        told = rf"to another run \(.*{parts.get(name, name)}.*: remove this file"
+        told = rf"of another run \(.*{parts.get(name, name)}.*: remove it"
         with pytest.raises(ValueError, match=told):
             wearing(checkpoint=file, **{name: value})
     with pytest.raises(ValueError, match=r"cycles must be > 1 .*, got 1"):
