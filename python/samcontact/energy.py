@@ -70,7 +70,9 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
     for name, track in (("after", after), ("before", after if before is None else before)):
         require_type(name, track, Track)
     if material.softening is not None:
-        raise ValueError("material must not soften thermally: use another material")
+        raise ValueError(
+            "material must have no thermal softening: pass a material without softening"
+        )
     if not material.is_plastic:
         return 0.0
     total = _isotropic_work(material, after)

@@ -92,11 +92,11 @@ class Heat:
         partition: float | None = None,
     ) -> None:
         if history is not None and time is not None:
-            raise ValueError("history and time cannot be combined")
+            raise ValueError("history and time cannot be combined: set one of them to None")
         if partition is not None and history is not None:
             raise ValueError(
-                f"history must be None with partition, got {in_short(history)}: heating by slip is "
-                "steady, or has a given duration: use time"
+                f"history must be None with partition, got {in_short(history)}: with "
+                "partition, heating is steady or has a given duration, so use time instead"
             )
         factors = of_bodies("factor", factor)
         checked = {

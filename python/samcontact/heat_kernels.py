@@ -281,10 +281,17 @@ class _Table:
     def _check_range(self, kappa: float) -> None:
         unit = 2 * self.a
         if math.isfinite(self.time) and kappa * self.time > 1e59 * unit**2:
-            raise ValueError(f"time must be <= 1e60 a^2/diffusivity or inf, got {self.time!r}")
+            raise ValueError(
+                "time must be inf or <= 1e60 a^2/diffusivity (a: half-length "
+                f"of the source along x), got {self.time!r} s"
+            )
         speed = math.hypot(*self.speed)
         if 0.0 < speed * unit < 1e-59:
-            raise ValueError(f"velocity must be 0 or >= 1e-59 diffusivity/a, got {speed * kappa!r}")
+            raise ValueError(
+                "velocity must be 0 or have a magnitude >= 1e-59 "
+                "diffusivity/a (a: half-length of the source along x), got "
+                f"{speed * kappa!r} m/s"
+            )
         extent = max(self.a, self.b, float(np.abs(self.x).max()), float(np.abs(self.y).max()))
         if not speed * extent < 1e7:
             raise ValueError(

@@ -288,8 +288,8 @@ def rough_self_affine(
         raise ValueError(f"wavelength_min must be >= {shortest!r} (two cells), got {low!r}")
     if not low <= middle <= high:
         raise ValueError(
-            "roll_off must be between wavelength_min and wavelength_max, "
-            f"got {low!r}, {middle!r}, {high!r} (min, roll-off, max)"
+            f"roll_off must be between wavelength_min ({low!r} m) and wavelength_max "
+            f"({high!r} m), got {middle!r} m"
         )
 
     _require_memory(grid)
@@ -299,8 +299,9 @@ def rough_self_affine(
     inside = (q >= (1.0 - 1e-9) / high) & (q <= (1.0 + 1e-9) / low) & (q > 0.0)
     if not inside.any():
         raise ValueError(
-            f"wavelength_min = {low!r} and wavelength_max = {high!r} must enclose at least one "
-            "Fourier mode of the grid"
+            "wavelength_min and wavelength_max must have at least one Fourier mode of the "
+            f"grid between them, got {low!r} and {high!r} m: widen the range, or enlarge "
+            "the grid"
         )
     filter_ = np.zeros_like(q)
     filter_[inside] = np.maximum(q[inside] * middle, 1.0) ** -(1.0 + float(hurst))

@@ -173,7 +173,7 @@ def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any
                 near = difflib.get_close_matches(str(key), known, 1)
                 hint = f": did you mean {near[0]}?" if near else f": one of {', '.join(known)}"
                 raise TypeError(
-                    f"increment {number_} of {name} has an unknown field {in_short(key)}{hint}"
+                    f"increment {number_} of {name} has an unknown argument {in_short(key)}{hint}"
                 )
         exactly_one(**{key: step.get(key) for key in ("load", "approach", "pressure")})
         if step.get("pressure") is None:
@@ -211,8 +211,8 @@ def require_fast(name: str, method: str, periodic: str) -> None:
     """Raise ValueError if residual_stress is "exact" and the grid is periodic."""
     if method == "exact" and periodic:
         raise ValueError(
-            f'{name} must be "fast" with grid.periodic = {periodic!r}, got "exact": the exact '
-            "kernels have no closed-form lattice sums"
+            f'{name} must be "fast" on a periodic grid (periodic = {periodic!r}), got '
+            '"exact": the exact kernels cannot be summed over all periods'
         )
 
 
@@ -229,7 +229,7 @@ def exactly_one(**given: Any) -> str:
 def real_array(name: str, value: ArrayLike) -> FloatArray:
     """Return `value` as a float64 array of any shape; refuse lossy conversions."""
     if _has_unit(value):
-        raise TypeError(f"{name} has a unit: convert it with samcontact.units.si")
+        raise TypeError(f"{name} has a unit: convert it to SI units with samcontact.units.si")
     lost = _masked_values(value)
     if lost:  # NumPy would use the values under the mask
         raise ValueError(
@@ -348,7 +348,7 @@ def gap_array(
         )
     if not np.isfinite(array).any():
         raise ValueError(
-            f"{name} must be finite in at least one cell, got {nobody:+} (no body) everywhere"
+            f"{name} must be finite in at least one cell, got {nobody:+} (no body) in all cells"
         )
     return array
 
@@ -367,7 +367,9 @@ def of_bodies(name: str, value: float | Sequence[float]) -> tuple[float, float]:
     given = real_array(name, value)
     pair = [0.0, value] if given.ndim == 0 else list(given)
     if given.ndim > 1 or len(pair) != 2:
-        raise ValueError(f"{name} must be a number or a pair, got {in_short(value)}")
+        raise ValueError(
+            f"{name} must be a number, or a pair (body 1, body 2), got {in_short(value)}"
+        )
     return non_negative(name, pair[0]), non_negative(name, pair[1])
 
 
@@ -377,7 +379,9 @@ def file_path(name: str, value: Any) -> Path:
         raise TypeError(f"{name} must be a path, got {in_short(value)}")
     text = os.fsdecode(value)
     if not text or "\0" in text:
-        raise ValueError(f"{name} must be a non-empty path without NUL, got {text!r:.80}")
+        raise ValueError(
+            f"{name} must be a path that is not empty and has no NUL character, got {text!r:.80}"
+        )
     longest = max(Path(text).parts, key=len, default="")
     if len(os.fsencode(longest)) > MAX_FILE_NAME_BYTES:
         raise ValueError(

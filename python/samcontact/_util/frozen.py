@@ -39,7 +39,7 @@ class FrozenDict(Mapping[str, Value]):
         return hash(frozenset(self._items.items()))
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError(f"{name} is read-only")
+        raise AttributeError(f"{name} is read-only: create a new object with the changed value")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return FrozenDict, (self._items,)

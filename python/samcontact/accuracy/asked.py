@@ -121,7 +121,9 @@ def _prescribed_accuracy(
     """Return the prescribed maximum relative error of each controlled quantity, by name."""
     given = case.accuracy if accuracy is None else accuracy
     if given is None:
-        raise ValueError("accuracy must be a number in (0, 1), e.g. 0.01, or a dict of numbers")
+        raise ValueError(
+            "accuracy must be a number in (0, 1), e.g. 0.01, or a dict of such numbers by quantity"
+        )
     chosen = case.quantities if quantities is None else quantities
     if chosen is not None and not (
         isinstance(chosen, (list, tuple)) and all(isinstance(name, str) for name in chosen)
@@ -132,7 +134,9 @@ def _prescribed_accuracy(
         for name in chosen or ():
             if name not in asked:
                 raise ValueError(
-                    f"accuracy must have a value for all quantities, got none for {in_short(name)}"
+                    "accuracy must have a value for each name in quantities, got none for "
+                    f"{in_short(name)}: add a value for this name, or remove the name from "
+                    "quantities"
                 )
     else:
         asked = dict.fromkeys(scene.names if chosen is None else chosen, given)
@@ -141,7 +145,8 @@ def _prescribed_accuracy(
     for name, value in asked.items():
         if name not in scene.names:
             raise ValueError(
-                f"quantities must be of this case ({', '.join(scene.names)}), got {in_short(name)}"
+                "quantities must be names of quantities of this case "
+                f"({', '.join(scene.names)}), got {in_short(name)}"
             )
         positive("accuracy", value)
         if not value < 1:

@@ -183,7 +183,7 @@ def estimate_errors(
             f"run must be a samcontact.Simulation, or a Case of one contact, got {in_short(run)}"
         )
     if path is None or states is None:
-        raise ValueError("path and states are required with a simulation")
+        raise ValueError("path and states are required if run is a samcontact.Simulation")
     path = step_list("path", path, STEP_ARGUMENTS)
     require_list("states", states, State)
     if len(path) != len(states):
@@ -243,7 +243,8 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
     if grid.dz is not None and coarse.dz == grid.dz:
         warnings.warn(
             f"estimated errors exclude the effect of dz = {quantity(grid.dz, 'm')}: the "
-            "elastic-plastic layers cannot be divided into deeper cells; halve dz",
+            "elastic-plastic layers cannot be divided into deeper cells. To see the "
+            "effect of dz, solve again with half of it",
             ResolutionWarning,
             stacklevel=3,
         )

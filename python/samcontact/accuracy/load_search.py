@@ -283,7 +283,7 @@ def prepare_search(
     build: Callable[[float], Built]
     if callable(case):
         if largest_load is None:
-            raise ValueError("largest_load is required with a function, got None")
+            raise ValueError("largest_load must be > 0 [N] if case is a function, got None")
         build, start = case, positive("largest_load", largest_load)
     else:
         from ..cases.given import case_of_contact
@@ -367,7 +367,7 @@ def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
         load += min(max(step if step else tolerance * load, -0.5 * load), load)
         if not low < load < high:
             load = 0.5 * (low + high)
-    raise search.refuse(f"no convergence to {tolerance!r} in {_MAX_FINE_SOLVES} solutions")
+    raise search.refuse(f"tolerance = {tolerance!r} not reached in {_MAX_FINE_SOLVES} solutions")
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:

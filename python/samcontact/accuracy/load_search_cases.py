@@ -42,11 +42,14 @@ class ScaledCase:
 
 def max_load(case: Case) -> float:
     if case.wear is not None:
-        raise ValueError("wear: load search supports a single contact only: remove [wear]")
+        raise ValueError("wear: a load search does not support wear: remove [wear]")
     loads = [segment.load for segment in case.path]
     given = [load for load in loads if load is not None]
     if len(given) < len(loads) or not max(given) > 0:
-        raise ValueError("path: load search requires load in each segment, at least one > 0")
+        raise ValueError(
+            "path: a load search requires a prescribed load in each segment, "
+            "and at least one load > 0"
+        )
     return max(given)
 
 
@@ -72,9 +75,15 @@ def resolved(name: str, simulation: Simulation) -> str:
     bodies = simulation.body1, simulation.body2
     if name == YIELD:
         if not any(body.is_plastic for body in bodies):
-            raise ValueError('quantity = "yield" requires an elastic-plastic body')
+            raise ValueError(
+                'quantity = "yield" requires an elastic-plastic body: set a '
+                "law in [body1] or [body2]"
+            )
         if any(body.softening for body in bodies):
-            raise ValueError('quantity = "yield" does not support thermal softening')
+            raise ValueError(
+                'quantity = "yield" does not support thermal softening: '
+                "remove softening from the bodies"
+            )
         for n, body in enumerate(bodies, 1):
             if isinstance(body, Layered) and body.is_plastic:
                 raise ValueError(
@@ -82,13 +91,16 @@ def resolved(name: str, simulation: Simulation) -> str:
                     "value of max_equivalent_plastic_strain, e.g. 1e-6"
                 )
         if not simulation.grid.has_volume:
-            raise ValueError('quantity = "yield" requires a grid with dz')
+            raise ValueError('quantity = "yield" requires a grid with layers: set grid.dz')
         return name
     if name == PERMANENT_DEFORMATION:
         if not any(body.is_plastic for body in bodies):
-            raise ValueError(f'quantity = "{name}" requires an elastic-plastic body')
+            raise ValueError(
+                f'quantity = "{name}" requires an elastic-plastic body: set a '
+                "law in [body1] or [body2]"
+            )
         if not simulation.grid.has_volume:
-            raise ValueError(f'quantity = "{name}" requires a grid with dz')
+            raise ValueError(f'quantity = "{name}" requires a grid with layers: set grid.dz')
         return name
     known = error_controlled_quantities.names(bodies, volume=simulation.grid.has_volume)
     found = [one for one in known if one in (name, f"{name}_body1", f"{name}_body2")]
@@ -143,7 +155,7 @@ def used_strength(state: State, n: int, body: Material) -> float:
     over_depth = used.max(axis=(0, 1))
     if over_depth.argmax() == len(over_depth) - 1:
         raise ValueError(
-            f"body{n} yields in or below the deepest layer of the grid ({state.depths[-1]:.4g} m): "
-            "increase nz"
+            f"body{n} first yields in or below the deepest layer of the grid, at a depth "
+            f"of {state.depths[-1]:.4g} m: increase nz"
         )
     return max(error_controlled_quantities.below_and_at_surface(used))

@@ -371,9 +371,12 @@ def require_refinable(case: Case) -> None:
             "contact.friction: accuracy does not support partial slip: specify [grid] instead"
         )
     if case.wear is not None:
-        raise ValueError("wear: accuracy supports a single contact only: specify [grid] instead")
+        raise ValueError("wear: accuracy does not support wear: specify [grid] instead")
     if case.grid is not None and case.grid.periodic:
-        raise ValueError("grid.periodic: accuracy does not support periodic grids")
+        raise ValueError(
+            "grid.periodic: accuracy does not support periodic grids: "
+            "specify the whole of [grid] instead of accuracy"
+        )
     surface: Any = case.surface
     if surface.shape == "file":
         raise ValueError(f"surface.shape = 'file' is defined at the points of its file: {remedy}")

@@ -294,8 +294,9 @@ def _warn_of(outcome: AccuracyResult, last: GridSolution) -> None:
         name = max(asked, key=lambda one: relative[one] / asked[one])
         warnings.warn(
             f"prescribed accuracy not reached: estimated relative error of {name} is "
-            f"{relative[name]:.2g}, target {asked[name]:.3g}; {outcome.needs}: increase max_memory "
-            f"or max_time, relax the accuracy, or exclude {name} from quantities",
+            f"{relative[name]:.2g}, target {asked[name]:.3g}; {outcome.needs}: to reach "
+            f"it, increase max_memory or max_time, relax the accuracy, or exclude {name} "
+            "from quantities",
             AccuracyWarning,
             stacklevel=4,
         )

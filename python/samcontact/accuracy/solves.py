@@ -71,7 +71,9 @@ class Solves:
         try:
             tree = read(file, _KIND)
         except DamagedCheckpointError as error:
-            warnings.warn(f"{error}: the solution is repeated", stacklevel=4)
+            warnings.warn(
+                f"{error}: this checkpoint is not used, and the case is solved again", stacklevel=4
+            )
             return
         require_same(file.parent, self.who, tree)
         self.given[file.stem] = tree["given"]

@@ -119,8 +119,9 @@ def collide(
     step = integer("cells_per_increment", cells_per_increment, 1) * grid.dx / collision.R2
     if step > 0.5 * collision.half_angle:
         raise ValueError(
-            f"dx must be <= {0.5 * collision.half_angle * collision.R2:.6g} m / "
-            f"cells_per_increment (a quarter of the contact path), got {grid.dx!r}"
+            f"dx must be <= {0.5 * collision.half_angle * collision.R2:.6g} m (a quarter "
+            f"of the contact path, divided by cells_per_increment), got {grid.dx!r} m: use "
+            "smaller cells"
         )
     count = integer("passes", passes, 1)
     gap = surfaces.paraboloid(grid, collision.R)

@@ -37,8 +37,8 @@ class Collision:
         smallest = min(self.R1, self.R2)
         if self.interference >= smallest:
             raise ValueError(
-                f"interference must be < {smallest!r} m, the smaller radius, "
-                f"got {self.interference!r}"
+                f"interference must be less than the smaller radius ({smallest!r} m), got "
+                f"{self.interference!r} m"
             )
 
     @property

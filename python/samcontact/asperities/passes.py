@@ -147,8 +147,8 @@ class CollisionPasses:
 
         The pressure acts along the surface normals, which gives tangential forces Q1 and Q2 on the
         spheres. The principle of virtual work gives the resultant (R1 Q1 - R2 Q2)/(distance of the
-        centres). Slopes due to elastic displacement have no resultant, and slopes due to curvature
-        cancel.
+        centres). The slopes of the elastic displacement give no net force, and the contributions of
+        the curvature cancel.
         """
         collision, grid, state = self.collision, self.simulation.grid, self.state
         if state.load == 0:

@@ -127,7 +127,10 @@ def _mean_normal(radial_load: float, balls: int, contact_angle: float) -> float:
     load, count = non_negative("radial_load", radial_load), integer("balls", balls, 1)
     angle = angle_of(contact_angle)
     if angle > 0.5 * math.pi - 1e-9:
-        raise ValueError(f"contact_angle must be < pi/2 to carry a radial load, got {angle!r}")
+        raise ValueError(
+            "contact_angle must be < pi/2 rad for a bearing under radial "
+            f"load, got {angle!r} rad: a thrust bearing carries no radial load"
+        )
     return load / (count * math.cos(angle))
 
 
@@ -205,8 +208,8 @@ def load_zone(
     n = positive("exponent", exponent)
     if ratio >= 1.0:
         raise ValueError(
-            f"axial_load must be > radial_load tan(contact_angle) = {F_r * math.tan(angle)!r}, "
-            f"got {F_a!r}"
+            "axial_load must be greater than radial_load tan(contact_angle), which is "
+            f"{F_r * math.tan(angle)!r} N, got {F_a!r} N"
         )
     if ratio == 0.0:
         return LoadZone(normal, math.inf, n)

@@ -47,8 +47,8 @@ def _rolling_radius(diameter: float, pitch: float, contact_angle: float, race: s
     gamma = diameter * math.cos(contact_angle) / pitch
     if gamma >= 1.0:
         raise ValueError(
-            "pitch_diameter must be > rolling element diameter times cos(contact_angle), "
-            f"{gamma * pitch!r}, got {pitch!r}"
+            "pitch_diameter must be greater than the rolling element diameter times "
+            f"cos(contact_angle), which is {gamma * pitch!r} m, got {pitch!r} m"
         )
     sign = -1.0 if choice("race", race, ("inner", "outer")) == "inner" else 1.0
     return 0.5 * diameter * (1.0 + sign * gamma)

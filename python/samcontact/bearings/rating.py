@@ -84,11 +84,16 @@ def static_load_rating(
 def _load_at(race: RaceContact, pressure: float, E_star: float, length: float | None) -> float:
     if math.isinf(race.Ry):
         if length is None:
-            raise ValueError("length is required for an uncrowned roller, got None")
+            raise ValueError(
+                "length must be a number > 0 [m] for rollers without "
+                "crowning, got None: give the effective length of the roller"
+            )
         line = hertz.line(race.Rx, E_star, p0=pressure)
         return line.load_per_length * positive("length", length)
     if length is not None:
-        raise ValueError(f"length applies to uncrowned rollers only, got {in_short(length)}")
+        raise ValueError(
+            f"length must be None for balls and crowned rollers, got {in_short(length)}"
+        )
     return hertz.elliptic(race.Rx, race.Ry, E_star, p0=pressure).load
 
 

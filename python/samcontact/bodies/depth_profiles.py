@@ -48,10 +48,10 @@ def profile(kind: str, given: Any) -> Profile:
             )
         if part.shape != values[0].shape:
             raise ValueError(
-                f"{name} must have as many values as z, {values[0].size}, got {part.size}"
+                f"{name} must have as many values as z ({values[0].size}), got {part.size}"
             )
         if not np.isfinite(part).all():
-            raise ValueError(f"{name} must be finite everywhere")
+            raise ValueError(f"{name} must contain finite numbers only, got NaN or inf")
     return tuple(tuple((part + 0.0).tolist()) for part in values)
 
 

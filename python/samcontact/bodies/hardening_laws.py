@@ -83,8 +83,9 @@ def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
     names = LAWS[law].constants
     if set(given) != set(names):
         raise ValueError(
-            f"parameters of {law!r} must be {', '.join(names) or 'none'}, "
-            f"got {', '.join(map(str, given)) or 'none'}: use Material.{law}(...)"
+            f"parameters of {law!r} must be {', '.join(names) or 'none'}, got "
+            f"{', '.join(map(str, given)) or 'none'}: create the material with "
+            f"Material.{law}(...)"
         )
     return FrozenDict(
         {

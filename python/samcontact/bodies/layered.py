@@ -36,7 +36,8 @@ def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
         layers.append((material, positive(f"thickness of layers[{n}]", thickness)))
     if not layers:
         raise ValueError(
-            "layers must contain at least one layer: otherwise use the substrate material as body"
+            "layers must contain at least one layer, got none: for a body without layers "
+            "use the Material of the substrate"
         )
     return tuple(layers)
 
@@ -87,8 +88,8 @@ class Layered(HtmlTable):
             for what in ("thermal", "softening"):
                 if getattr(material, what) is not None:
                     raise ValueError(
-                        f"{name} must have no {what}, got {getattr(material, what)!r}: heat is not "
-                        "supported in layered bodies"
+                        f"{name} must have no {what}, got {getattr(material, what)!r}: "
+                        "heating of layered bodies is not supported"
                     )
         self._core  # noqa: B018  (the core checks thicknesses)
 

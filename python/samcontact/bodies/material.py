@@ -76,7 +76,8 @@ class Material(HasDepthProfiles, HtmlTable):
             self._check_softening("softening", self.softening)
         if self.is_plastic and not np.isfinite(self.yield_stress(0.0)):
             raise ValueError(
-                f"yield stress of law {self.law} must be finite: use smaller constants"
+                f"parameters of law {self.law} must give a finite yield stress, got inf or "
+                "NaN: use smaller values"
             )
 
     @classmethod
@@ -274,7 +275,10 @@ class Material(HasDepthProfiles, HtmlTable):
                 f"{name} must be a function of the temperature rise, got {in_short(law)}"
             )
         if not self.is_plastic:
-            raise ValueError("softening requires an elastic-plastic material")
+            raise ValueError(
+                "softening requires an elastic-plastic material: give the "
+                "material a hardening law first"
+            )
 
     @cached_property
     def _core(self) -> Any:
@@ -357,14 +361,18 @@ class Material(HasDepthProfiles, HtmlTable):
             The strain is not one-dimensional or not finite, or the body is rigid.
         """
         if self.is_rigid:
-            raise ValueError("uniaxial_stress requires a body that is not rigid")
+            raise ValueError("uniaxial_stress requires a deformable material, got a rigid one")
         history = real_array("strain", strain)
         if history.ndim != 1 or not np.isfinite(history).all():
-            raise ValueError("strain must be one-dimensional and finite everywhere")
+            raise ValueError("strain must be a list of finite numbers")
         stress = np.asarray(self._core.uniaxial_stress(history.tolist()), dtype=np.float64)
         if not np.isfinite(stress).all():
             largest = float(np.abs(history).max())
-            raise ValueError(f"strain causes floating-point overflow, got up to {largest!r}")
+            raise ValueError(
+                "strain must be small enough to give a finite stress, got "
+                f"values up to {largest!r}: strain is dimensionless, not in "
+                "percent"
+            )
         return stress
 
     def _rows(self) -> Rows:

@@ -75,9 +75,7 @@ class AsperityCase(CaseFile):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
         if self.grid is not None and self.asperities.grid_arguments():
             given = ", ".join(self.asperities.grid_arguments())
-            raise ValueError(
-                f"asperities: {given} cannot be combined with [grid]: omit one of them"
-            )
+            raise ValueError(f"asperities: {given} and [grid] both set the grid: omit one of them")
         bodies = (("body1", self.body1), ("body2", self.body2))
         require_cold(bodies, "omit it, [asperities] does not support heat")
         require_no_layers(bodies, "[asperities]")

@@ -30,8 +30,8 @@ class KinematicHardening(Section):
             raise ValueError(f"modulus must have 1 to 4 values, got {len(moduli)}")
         if isinstance(self.recovery, list) and len(self.recovery) != len(moduli):
             raise ValueError(
-                f"recovery must have {len(moduli)} values, as many as modulus, "
-                f"got {len(self.recovery)}"
+                f"recovery must have as many values as modulus ({len(moduli)}), got "
+                f"{len(self.recovery)}"
             )
         return self
 
@@ -58,7 +58,8 @@ class JohnsonCookSoftening(Section):
     def _melts_above_reference(self) -> JohnsonCookSoftening:
         if not self.melting > self.reference:
             raise ValueError(
-                f"melting must be > reference = {self.reference!r} K, got {self.melting!r}"
+                f"melting must be greater than reference ({self.reference!r} K), got "
+                f"{self.melting!r} K"
             )
         return self
 

@@ -98,21 +98,26 @@ class Case(CaseFile):
     @model_validator(mode="after")
     def _consistent(self) -> Case:
         if self.grid is None and self.accuracy is None:
-            raise ValueError("grid: missing section; specify [grid] or accuracy, e.g. 0.01")
+            raise ValueError(
+                "grid: [grid] is missing: add [grid], or accuracy, e.g. accuracy = 0.01"
+            )
         bodies = (self.body1, self.body2)
         if all(body.is_rigid for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
         for name, body in zip(("body1", "body2"), bodies, strict=True):
             if body.is_plastic and not self.has_volume:
                 law = body.inelastic_laws[0]
-                raise ValueError(f"{name} is elastic-plastic ({law}): grid.dz is required")
+                raise ValueError(
+                    f"{name} is elastic-plastic (law {law}) and requires a "
+                    "grid with layers: set grid.dz"
+                )
         timed = self.heat is not None and self.heat.is_timed
         for index, segment in enumerate(self.path):
             if segment.is_timed != timed:
                 name = "duration" if segment.passes is None else "speed"
                 raise ValueError(
-                    f"path[{index}]: {name} requires heat.history or heat.partition, and these "
-                    f"require {name}: specify both or neither"
+                    f"path[{index}]: {name} must be given if, and only if, heat.history or "
+                    "heat.partition is given: add the missing one, or remove the other"
                 )
         if self.has_volume and self.wear is None:
             self._show_a_body_with_stresses()
@@ -243,7 +248,9 @@ class Case(CaseFile):
         section = "grid"
         try:
             if self.grid is None:
-                raise ValueError("missing section: specify [grid], or use samcontact.to_accuracy")
+                raise ValueError(
+                    "[grid] is missing: add [grid], or solve the case with samcontact.to_accuracy"
+                )
             grid = self.grid.build()
             # before the surface is created, which already needs part of the memory
             needed = memory.surface(grid, memory.CONTACT_BYTES + memory.SIMULATION_BYTES)

@@ -55,8 +55,8 @@ def _require_cycle(case: Any) -> None:
     judged = case.fatigue
     if judged.fatemi_socie is not None and judged.yield_stress is None and not body.is_plastic:
         raise ValueError(
-            f"fatigue.yield_stress is required: fatemi_socie divides by the yield stress, and "
-            f"body{case.output.body} is elastic"
+            f"fatigue.yield_stress is required because body{case.output.body} is elastic: "
+            "fatemi_socie divides by the yield stress"
         )
     if case.fatigue.steady_axis is None and len(case.steps()) < 2:
         raise ValueError(
@@ -80,8 +80,9 @@ def _require_repeatable(case: Any) -> None:
     ways = [math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)]
     if max(map(abs, ways)) > 1e-12:
         raise ValueError(
-            f"shakedown requires a closed path, but at its end the surfaces have moved by "
-            f"{tuple(ways)!r} m: add a return motion, or remove [shakedown]"
+            "shakedown requires a closed path, but at its end body 1 and body 2 have "
+            f"moved by {tuple(ways)!r} m: add motion that returns both bodies, or remove "
+            "[shakedown]"
         )
 
 
@@ -113,11 +114,12 @@ def _require_law_of_contact(case: Any) -> None:
     law = contact_law_of(case.contact)
     if law.attracts:
         if case.wear is not None:
-            raise ValueError(f"contact.contact_law must be hard with [wear], got {law!r}")
+            raise ValueError(f'contact.contact_law must be "hard" with [wear], got {law!r}')
         law.require_possible(NO_HEAT if case.heat is None else case.heat.build(), {})
         if case.moves:
             raise ValueError(
-                f"path: moving bodies cannot be combined with contact.contact_law = {law!r}"
+                f"path: bodies must not move with contact.contact_law = {law!r}: remove "
+                'the motion, or use contact_law = "hard"'
             )
         return
     for index, segment in enumerate(case.path):
@@ -147,7 +149,10 @@ def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -
     """Raise ValueError if a body has layers but `section` supports homogeneous bodies only."""
     for name, body in bodies:
         if body.coating:
-            raise ValueError(f"{name}.layers: {section} supports homogeneous bodies only")
+            raise ValueError(
+                f"{name}.layers: {section} does not support layered bodies: "
+                f"remove the layers, or remove {section}"
+            )
 
 
 def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:

@@ -42,13 +42,14 @@ class FatigueSection(Section):
     @model_validator(mode="after")
     def _go_together(self) -> FatigueSection:
         if not self.criteria:
-            raise ValueError(f"at least one of {', '.join(CRITERIA)} is required")
+            raise ValueError(f"at least one of {', '.join(CRITERIA)} must be given, got none")
         for name in CRITERIA:
             if getattr(self.limit, name) is not None and name not in self.criteria:
                 raise ValueError(f"limit.{name} requires {name}: add {name}, or remove the limit")
         if self.yield_stress is not None and "fatemi_socie" not in self.criteria:
             raise ValueError(
-                "yield_stress applies to fatemi_socie only: add fatemi_socie, or remove it"
+                "yield_stress is used by fatemi_socie only: add fatemi_socie, or remove "
+                "yield_stress"
             )
         return self
 

@@ -45,7 +45,7 @@ class _Passes(Section):
     @model_validator(mode="after")
     def _moves(self) -> _Passes:
         if self.distance == 0.0:
-            raise ValueError("distance must not be 0")
+            raise ValueError("distance must not be 0 [m], got 0")
         return self
 
 
@@ -106,7 +106,7 @@ class Segment(TangentialSection):
     @model_validator(mode="after")
     def _one_target(self) -> Segment:
         if (self.load is None) == (self.approach is None):
-            raise ValueError("exactly one of load, approach must be given")
+            raise ValueError("exactly one of load and approach must be given")
         return self
 
     @model_validator(mode="after")

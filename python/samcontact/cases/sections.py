@@ -67,8 +67,8 @@ class GridSection(Section):
     def _volume_is_complete(self) -> GridSection:
         if self.nz > 0 and self.dz is None:
             raise ValueError(
-                "nz requires dz: specify both, or dz alone to choose the number of layers "
-                "automatically"
+                "nz requires dz: specify both, or only dz to let samcontact choose the "
+                "number of layers"
             )
         return self
 
@@ -178,7 +178,9 @@ class FileSurface(_Surface, HeightsFile):
     @model_validator(mode="after")
     def _Ry_needs_Rx(self) -> FileSurface:
         if self.Ry is not None and self.Rx is None:
-            raise ValueError("Ry requires Rx (use Rx = inf for a surface straight along x)")
+            raise ValueError(
+                "Ry requires Rx: add Rx, or Rx = inf for a surface that is straight along x"
+            )
         return self
 
     @property
@@ -312,7 +314,7 @@ class HeatSection(Section):
     @model_validator(mode="after")
     def _go_together(self) -> HeatSection:
         if (self.factor is None) == (self.partition is None):
-            raise ValueError("exactly one of factor, partition must be given")
+            raise ValueError("exactly one of factor and partition must be given")
         self.build()
         return self
 

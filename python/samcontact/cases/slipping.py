@@ -46,7 +46,8 @@ class TangentialSection(Section):
         for motion, force in zip(_MOTIONS, _FORCES, strict=True):
             if getattr(self, motion) is not None and getattr(self, force) is not None:
                 raise ValueError(
-                    f"{motion} cannot be combined with {force}: the motion follows from the force"
+                    f"{motion} cannot be combined with {force}, because the motion follows "
+                    "from the force: omit one of them"
                 )
         return self
 
@@ -87,8 +88,9 @@ def _totals(name: str, start: float | None, end: float, fractions: Sequence[floa
     if start is None:
         if len(fractions) > 1:
             raise ValueError(
-                f"{name} has an unknown initial value, because the previous motion determines the "
-                "force: first prescribe the force in a segment with increments = 1"
+                f"{name} cannot start here: its present value is unknown, because the "
+                "previous segment prescribes the motion. First add a segment with "
+                "increments = 1 that prescribes this force"
             )
         return [end]
     return [end if f == 1.0 else start + f * (end - start) for f in fractions]
@@ -118,11 +120,14 @@ class Fretting(Section):
     def _one_kind(self) -> Fretting:
         if (self.shift is None) == (self.force is None):
             raise ValueError(
-                "fret requires shift_x, shift_y (motion) or tangential_load_x, tangential_load_y "
-                "(force), not both"
+                "fret requires shift_x, shift_y (motion) or tangential_load_x, "
+                "tangential_load_y (force): give exactly one of these pairs"
             )
         if not any(self.shift or self.force or ()):
-            raise ValueError("the amplitude must not be 0")
+            raise ValueError(
+                "the amplitude must not be 0: give shift_x, shift_y, "
+                "tangential_load_x or tangential_load_y a value other than 0"
+            )
         return self
 
     @property
@@ -182,6 +187,6 @@ def require_held(step: dict[str, Any], friction: FrictionLaw) -> None:
     most = friction.ratio(0.0) * load if load > 0 else 0.0
     if not pulled < most:
         raise ValueError(
-            f"tangential load must be below the friction limit, {most!r} N at load {load!r} N, got "
-            f"{pulled!r} N: prescribe shift_x, shift_y for full sliding"
+            f"tangential load must be below the friction limit ({most!r} N at load "
+            f"{load!r} N), got {pulled!r} N: prescribe shift_x, shift_y for full sliding"
         )

@@ -55,7 +55,7 @@ class WearSection(Section):
         others = ("repeats",) if of_strain else _STRAIN_FIELDS
         for name in sorted(changed(self, others)):
             laws = "energy and archard" if of_strain else "threshold"
-            raise ValueError(f"{name} applies to {laws} only, not to {given[0]}: omit it")
+            raise ValueError(f"{name} applies to {laws} only, got {given[0]}: omit {name}")
         return self
 
     def solve(

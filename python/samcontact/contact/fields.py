@@ -207,8 +207,9 @@ class ContactFields(Configured):
             s_x, s_y = solution.shear
         elif self._law.sticks:
             raise ValueError(
-                f"solution must have shear because friction = {self.friction!r}, got a "
-                "ContactSolution of full sliding"
+                "solution must be a partial-slip solution because friction = "
+                f"{self.friction!r}, got a solution of full sliding: pass a solution of "
+                "this solver"
             )
         else:
             s_x, s_y = self._law.sliding_ratio * solution.repulsion, 0.0 * p

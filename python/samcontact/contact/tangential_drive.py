@@ -53,8 +53,8 @@ class TangentialInput:
         for names, a, b in all_given:
             if a is not None and b is not None:
                 raise ValueError(
-                    f"{names} cannot both be given, got {a!r} and {b!r}: the motion follows from "
-                    "the force; set one of them to None"
+                    f"{names} cannot both be given, got {a!r} and {b!r}, because the "
+                    "motion follows from the force: set one of them to None"
                 )
         x, y, z = (b is not None for _, _, b in all_given)
         u, v, w = ((0.0 if a is None else a) if b is None else b for _, a, b in all_given)

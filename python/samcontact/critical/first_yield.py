@@ -55,7 +55,8 @@ def first_yield(body: Material, spread: float, friction: float | None) -> tuple[
             raise ValueError(f"body must yield, but no yield was found up to p0 = {highest:.4g} Pa")
     if low == 0:
         raise ValueError(
-            "body must not yield without contact, but its residual stress already reaches yield"
+            "body must not yield before contact, but its residual stress already reaches "
+            "the yield stress: reduce residual_stress"
         )
     p0 = _root(around, low, p0)
     place = around(p0)

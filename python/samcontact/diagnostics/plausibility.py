@@ -188,7 +188,8 @@ def require_solvable(doubt: PlausibilityCheck) -> None:
     if too_small and not is_ignored(UnitWarning):
         raise ValueError(
             f"{check.name} must be at least {MIN_SOLVABLE_CELLS:g}, got {check.value:.4g}: "
-            f"{doubt.remedy()}. If the units are right, ignore samcontact.UnitWarning"
+            f"{doubt.remedy()}. To solve it anyway, switch this check off with "
+            "warnings.simplefilter('ignore', samcontact.UnitWarning)"
         )
 
 

@@ -236,7 +236,10 @@ def fatemi_socie(
 
 def _slope(name: str, value: Any) -> float:
     if value is None:
-        raise TypeError(f"{name} is required: give the value of the material, see the docstring")
+        raise TypeError(
+            f"{name} is required: give the value for the material; the documentation of "
+            "the criterion tells how to obtain it"
+        )
     found = non_negative(name, value)
     if found > _MAX_SLOPE:
         raise ValueError(

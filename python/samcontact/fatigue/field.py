@@ -127,7 +127,8 @@ class FatigueField(ShortRepr, HtmlTable):
 
         if not self.coordinates:
             raise ValueError(
-                "a field from a stress array has no coordinates: use its `values` directly"
+                "to_dataset requires coordinates, but a field from a stress array has "
+                "none: use the array `values` of the field instead"
             )
         unit = {"-": "1"}.get(self.unit, self.unit)
         attributes = {"units": unit, "long_name": self.name, "moments": self.moments}

@@ -36,7 +36,7 @@ def check_seal(path: str | os.PathLike[str]) -> bool:
         end = file.read(SEAL_BYTES)
         if not end.startswith(_MARK) or len(end) < SEAL_BYTES:
             if _MARK.strip() in end or any(end.endswith(_MARK[:n]) for n in range(4, len(_MARK))):
-                raise ValueError("the file is truncated, or data was appended")
+                raise ValueError("the file is incomplete, or data was appended to it")
             return False
         file.seek(0)
         if end != _MARK + _digest(file, length) + b"\n":

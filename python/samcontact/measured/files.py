@@ -89,7 +89,7 @@ def read(
     step_x = None if dx is None else positive("dx", dx)
     step_y = step_x if dy is None else positive("dy", dy)
     if step_y is not None and step_x is None:
-        raise ValueError(f"dx is required with dy = {in_short(dy)}, got None")
+        raise ValueError(f"dx is required with dy = {in_short(dy)}, got None: give both steps [m]")
     steps = None if step_x is None or step_y is None else (step_x, step_y)
     surface = _read(source, require_format(format), ReaderArguments(channel, steps, unit))
     warn_of_size(surface.heights, surface.steps, str(source), stacklevel=2)

@@ -48,7 +48,7 @@ def fatigue_depth(
     Raises
     ------
     ValueError
-        There are no fields, or fields have no depths or different units.
+        No fields are given, a field has no depths, or the units differ.
     """
     several = list(fields) if isinstance(fields, Sequence) else [fields]
     if not several:

@@ -73,10 +73,14 @@ def require_consistent_overlap(larger: Domain, window: Domain) -> None:
     for name, field, known in shown:
         body = np.isfinite(known)
         if not np.array_equal(np.isfinite(field), body):
-            raise ValueError(f"{name} must be infinite in the same cells on a larger grid")
+            raise ValueError(
+                f"{name} must give the same result on every grid: on a larger "
+                "grid, the cells without a body (infinite values) are "
+                "different ones"
+            )
         off = np.abs(field[body] - known[body])
         if not np.all(off <= _SAME_HEIGHT_TOLERANCE * float(np.ptp(known[body]))):
             raise ValueError(
-                f"{name} is inconsistent between grids: on a larger grid, heights in the common "
-                f"cells differ by up to {off.max():.3g} m"
+                f"{name} must give the same result on every grid: on a larger grid, "
+                f"heights in the common cells differ by up to {off.max():.3g} m"
             )

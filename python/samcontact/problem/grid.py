@@ -139,8 +139,8 @@ class Grid(HtmlTable):
         """Shape of a scalar volume field, (nx, ny, nz); ValueError if nz is not given."""
         if self.nz == 0 and self.has_volume:
             raise ValueError(
-                "nz is not given: the number of layers of a field depends on the state, see "
-                "State.depths"
+                "volume_shape requires a grid with nz: without nz, the number of layers "
+                "depends on the state; use the length of State.depths"
             )
         return (self.nx, self.ny, self.nz)
 

@@ -171,7 +171,7 @@ def _compiled(value: Any, text: Text) -> str:
     known = module or getattr(owner, "__name__", None) or "numpy"
     library = _library(str(known))
     if library is None and str(known).partition(".")[0] not in sys.builtin_module_names:
-        raise UnidentifiedError(f"{name} is compiled code outside of an installed package")
+        raise UnidentifiedError(f"{name} is compiled code that belongs to no installed package")
     return f"{known}.{name} of {library}"
 
 

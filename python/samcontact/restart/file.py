@@ -111,7 +111,7 @@ def _unsealed(path: str | os.PathLike[str]) -> ValueError:
         return ValueError("the file is not an HDF5 file")
     if not is_marked(Path(path)):
         return CheckpointError(f"{os.fspath(path)!r} is not a samcontact checkpoint")
-    return ValueError("the digest at the end is missing: the file was truncated or changed")
+    return ValueError("the checksum at the end is missing: the file is incomplete or was changed")
 
 
 def require_self_contained(file: h5py.Group) -> None:
@@ -146,7 +146,7 @@ def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> Non
     if now != before:
         text = differences(now, before) if isinstance(before, dict) else "a single simulation"
         raise ForeignCheckpointError(
-            f"{os.fspath(path)!r} is of another run ({text}): remove it, or use another path"
+            f"{os.fspath(path)!r} is of another run ({text}): remove this file, or use another path"
         )
 
 

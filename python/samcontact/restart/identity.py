@@ -72,7 +72,7 @@ def canonical(value: Any) -> str:
     try:
         return _IdentityTexts().text(value)
     except RecursionError:
-        raise UnidentifiedError("the value is nested too deeply, or endlessly") from None
+        raise UnidentifiedError("the value is nested too deeply, or contains itself") from None
 
 
 class _IdentityTexts:

@@ -128,8 +128,9 @@ def run(
     if repeated.response == UNDECIDED:
         last = repeated.cycles[-1]
         warnings.warn(
-            f"response is not steady after {last.number} cycles: the last adds a plastic strain of "
-            f"{last.net:.3g}, with plastic flow of {last.flow:.3g}; increase cycles = {count}",
+            f"response is not steady after {last.number} cycles: the last cycle adds a "
+            f"plastic strain of {last.net:.3g} and has a plastic flow of {last.flow:.3g}; "
+            f"increase cycles, which is {count}",
             NotSteadyWarning,
             stacklevel=2,
         )

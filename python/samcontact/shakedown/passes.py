@@ -56,6 +56,6 @@ def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, An
         )
     step = integer("cells", cells, 1)
     if grid.nx % step:
-        raise ValueError(f"cells must divide nx = {grid.nx}, got {cells!r}")
+        raise ValueError(f"cells must be a divisor of nx ({grid.nx}), got {cells!r}")
     start = tractions("pressure", pressure, grid.surface_shape)
     return [{"pressure": np.roll(start, n, axis=0)} for n in range(0, grid.nx, step)]

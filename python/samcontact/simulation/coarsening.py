@@ -242,7 +242,8 @@ def _relief(relief: Relief, fine: Grid, grid: Grid) -> Relief:
     rows = len(relief.heights)
     if relief.periodic and rows % 2 != 0:
         raise ValueError(
-            f"periodic relief must have an even number of rows to be coarsened, got {rows}"
+            "a periodic relief must have an even number of rows so that every two rows "
+            f"can be merged, got {rows}"
         )
     begins = relief.first - 0.5 * fine.nx  # from the centre of the grid, in fine cells
     first = math.floor(0.5 * begins + 0.5 * grid.nx)

@@ -83,8 +83,8 @@ def _require_over_grid(grid: Grid, strain: FloatArray, first: int) -> None:
     rows = np.flatnonzero(strain.any(axis=(0, 2, 3))) + first
     if rows.size and not ((rows >= 0) & (rows < grid.nx)).any():
         raise ValueError(
-            f"strain must overlap the grid, rows 0 to {grid.nx - 1}, got first = {first}, "
-            f"rows {rows[0]} to {rows[-1]}"
+            f"strain must overlap the grid, which has the rows 0 to {grid.nx - 1} along x; "
+            f"got rows {rows[0]} to {rows[-1]} (first = {first})"
         )
 
 

@@ -25,7 +25,7 @@ def _eigenstrain(simulation: Simulation, body: int) -> FloatArray:
 
 
 def rebuilt(simulation: Simulation, **changes: Any) -> Simulation:
-    """Return a new simulation with equal eigenstrain at its start, with some arguments changed."""
+    """Return a copy of a simulation with changed arguments and the same initial eigenstrain."""
     setup = simulation.engine.setup
     arguments = setup.on_grid(simulation.grid, simulation.heat) | changes
     found: Simulation = without_estimates(type(simulation), arguments)

@@ -193,14 +193,23 @@ def _duration(heat: Heat, duration: float | None) -> float | None:
     """Check and return the duration of an increment [s]; None if the heat requires none."""
     if heat.partition is not None:
         if duration is None:
-            raise ValueError("duration is required because heat.partition is set")
+            raise ValueError(
+                "duration is required because heat.partition is set: give "
+                "the duration of the increment [s]"
+            )
         return positive("duration", duration)
     if heat.history is None:
         if duration is not None:
-            raise ValueError("duration requires heat with history or partition")
+            raise ValueError(
+                "duration has no effect without heat.history or "
+                "heat.partition: omit duration, or set one of them"
+            )
         return None
     if duration is None:
-        raise ValueError("duration is required because heat.history is set")
+        raise ValueError(
+            "duration is required because heat.history is set: give the "
+            "duration of the increment [s]"
+        )
     seconds, shortest = positive("duration", duration), heat.history[0]
     if seconds < shortest * (1 - 1e-12):
         raise ValueError(

@@ -172,8 +172,8 @@ def _closed(simulation: Simulation, scene: FrettingSetup) -> tuple[State, ...]:
         if np.abs(states[-1].shear - start.shear).max() <= _MAX_SHEAR_MISMATCH * bound:
             return states
     raise ValueError(
-        f"cycle must become periodic, but its shear still changes after {_MAX_REPEATS} "
-        "repetitions: use a closed cycle"
+        "cycle must give a periodic response, but the shear at its end still changes "
+        f"after {_MAX_REPEATS} repetitions: use a closed cycle"
     )
 
 
@@ -185,15 +185,19 @@ def _advance(
     left, parts, work, removed = float(scene.repeats), 0, 0.0, np.zeros(scene.grid.surface_shape)
     first = _solve_repeat(scene, heights)
     if not standing.cycles and not any(state.in_contact.any() for state in first.states):
-        raise ValueError("cycle must have contact in its repeated part, got none")
+        raise ValueError(
+            "cycle must bring the bodies into contact in its repeated part, "
+            "got no contact: increase the load"
+        )
     while left > 0:
         now = _solve_repeat(scene, heights) if parts else first
         most = _most_repeats(scene, now)
         if left > (_MAX_PARTS - parts) * most:
             raise ValueError(
-                f"{scene.law} and repeats must not require more than {_MAX_PARTS} parts of "
-                f"{most:.3g} repeats, got {max(scene.coefficients)!r} 1/Pa and {scene.repeats}: "
-                "use fewer repeats, or check the unit of the coefficient"
+                f"{scene.law} and repeats are too large: a cycle may be divided into at "
+                f"most {_MAX_PARTS} solutions, and each can stand for only {most:.3g} "
+                f"repeats; got {max(scene.coefficients)!r} 1/Pa and {scene.repeats} "
+                "repeats: use fewer repeats, or check the unit of the coefficient"
             )
         count = min(left, most)
         removed += count * now.worn

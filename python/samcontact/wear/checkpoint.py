@@ -123,8 +123,12 @@ def latest(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | N
         return read(path, scene)
     except DamagedCheckpointError as error:
         if not _before(path).exists():
-            raise DamagedCheckpointError(f"{error}: delete it to start again") from error
-        warnings.warn(f"{error}: continuing from the preceding cycle", stacklevel=3)
+            raise DamagedCheckpointError(
+                f"{error}: delete the file {os.fspath(path)} to start again"
+            ) from error
+        warnings.warn(
+            f"{error}: the run continues from the checkpoint of the preceding cycle", stacklevel=3
+        )
         return read(_before(path), scene)
 
 

@@ -169,8 +169,9 @@ def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
     end = travels(path)[-1].tolist()
     if max(map(abs, end)) > 1e-6 * grid.dx:
         raise ValueError(
-            "cycle must be closed: the sum of its advances must be 0 for both bodies, got "
-            f"{end[0]!r} m and {end[1]!r} m"
+            "cycle must return both bodies to where they started (advances adding up to "
+            f"0), got sums of {end[0]!r} m and {end[1]!r} m: add a step that moves them "
+            "back"
         )
 
 

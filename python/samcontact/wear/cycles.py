@@ -166,8 +166,8 @@ def _strain_of(state: State, body: int) -> BodyStrain | None:
     """Return the plastic strain of a body along its whole track; None if there is none."""
     if state._core.strain_beyond(body - 1) is not None:
         raise ValueError(
-            f"plastic strain of body {body} must lie within the grid, but extends below nz dz or "
-            "outside its sides: omit nz, or enlarge nz, nx or ny"
+            f"plastic strain of body {body} must lie within the grid, but extends below "
+            "its deepest layer or beyond its sides: omit nz, or enlarge nz, nx or ny"
         )
     track = state.track(body, margin=0)
     fields = [track.equivalent_plastic_strain(), track.plastic_strain(), track.backstress()]

@@ -40,7 +40,10 @@ def repeat(
             standing = _start(scene)
         if len(standing.cycles) >= count:
             done = len(standing.cycles)
-            raise ValueError(f"cycles must be > {done} (number in the checkpoint), got {count}")
+            raise ValueError(
+                "cycles must be greater than the number of cycles in the "
+                f"checkpoint ({done}), got {count}"
+            )
         return _repeat(kind, scene, advance, standing, count, checkpoint, progress)
 
 

@@ -61,8 +61,9 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
     columns = field[worn]
     if (columns > limit).all(axis=1).any():
         raise ValueError(
-            f"grid must be deep enough: the plastic strain exceeds threshold = {limit!r} down to "
-            f"its last layer, at {shape[2] * step!r} m; use more layers"
+            "grid must be deeper than the worn layer, but the plastic strain exceeds "
+            f"threshold = {limit!r} down to the last layer of the grid, at "
+            f"{shape[2] * step!r} m: use more layers"
         )
     layer = np.argmax(columns <= limit, axis=1) - 1  # the last one above the threshold
     rows, slopes = np.arange(len(columns)), _slopes(columns)

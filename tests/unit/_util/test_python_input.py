@@ -112,7 +112,7 @@ class TestBeyondTheRange:
     def test_constants_of_swift(self):
         with pytest.raises(ValueError, match="must be finite: use smaller constants"):
             sc.Material.swift(210e9, 0.3, 1e200, 1e200, 1.0)
-        with pytest.raises(ValueError, match="strain causes floating-point overflow"):
+        with pytest.raises(ValueError, match="strain must be small enough"):
             STEEL.uniaxial_stress([1e300])
 
     @pytest.mark.parametrize("C", [1e-300, 1e-9, 20.0, 1e200])

@@ -284,7 +284,7 @@ def test_unsupported_cases_are_refused_by_name(change, message):
 
 def test_a_case_needs_a_grid_or_an_accuracy():
     grid = {"nx": 8, "ny": 8, "dx": 1e-4, "dy": 1e-4}
-    with pytest.raises(CaseError, match="grid: missing section; specify"):
+    with pytest.raises(CaseError, match=r"grid: \[grid\] is missing: add"):
         sc.to_accuracy(ELASTIC)
     with pytest.raises(CaseError, match="grid cannot be combined with accuracy"):
         sc.to_accuracy(ELASTIC | {"grid": grid, "accuracy": 0.01})

@@ -124,7 +124,7 @@ def test_a_damaged_file_is_solved_again(expected, tmp_path, steps):
     file = tmp_path / f"{refinable_case.name_of(0, 1)}.h5"
     file.write_bytes(file.read_bytes()[:-10])
     steps.stop(0)
-    with pytest.warns(UserWarning, match="is damaged: .* solution is repeated"):
+    with pytest.warns(UserWarning, match="is damaged: .* this checkpoint is not used"):
         assert_same(solved(ELASTIC, checkpoint=tmp_path), expected)
     assert steps.made == 3
 

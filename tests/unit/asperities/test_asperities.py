@@ -255,7 +255,7 @@ def test_the_series_has_labels_and_units():
 @pytest.mark.parametrize(
     ("arguments", "text"),
     [
-        ((1.0, 1.0, 1.5), "interference must be < 1.0 m, the smaller radius, got 1.5"),
+        ((1.0, 1.0, 1.5), r"interference must be less than the smaller radius \(1.0 m\), got 1.5"),
         ((1.0, 1e-3, 2e-3), "interference must be < .*, the smaller radius"),
         ((1.0, 1.0, 0.0), "interference must be"),
         ((-1.0, 1.0, 1e-3), "R1 must be"),

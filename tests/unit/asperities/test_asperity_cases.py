@@ -77,7 +77,11 @@ def test_no_figures_and_no_animation(case_file, tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "text"),
     [
-        ("6e-4", "1.5", r"asperities: interference must be < 1.0 m, the smaller radius, got 1.5"),
+        (
+            "6e-4",
+            "1.5",
+            r"asperities: interference must be less than the smaller radius \(1.0 m\), got 1.5",
+        ),
         ("R1 = 1.0", "R1 = -1.0", r"asperities.R1: must be a finite number > 0 \[m\]"),
         ("passes = 2", "pases = 2", r"asperities.pases: unknown field; allowed here: R1, R2"),
         ("[contact]", "[contact]\nfriction = 0.1", r"contact.friction: unknown field"),

@@ -190,11 +190,11 @@ def test_palmgren_and_the_rating_agree_in_the_deformation():
         (lambda: bearings.static_load_rating([], 8), "races must contain at least one contact"),
         (
             lambda: bearings.static_load_rating(both_races(D, PITCH), 8, length=1e-2),
-            "length applies to uncrowned rollers only, got 0.01",
+            "length must be None for balls and crowned rollers, got 0.01",
         ),
         (
             lambda: bearings.static_load_rating([bearings.roller_on_race(D, PITCH)], 8),
-            "length is required for an uncrowned roller, got None",
+            "length must be a number > 0 .m. for rollers without crowning",
         ),
         (lambda: bearings.ball_on_race(D, PITCH), "exactly one of groove_radius and conformity"),
         (lambda: bearings.ball_on_race(D, PITCH, 6.3e-3), "must be > 0.5, got 0.49"),

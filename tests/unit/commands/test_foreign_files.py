@@ -386,5 +386,5 @@ def test_an_unsealed_checkpoint_is_refused_without_being_opened(tmp_path, monkey
         raise AssertionError("opened")
 
     monkeypatch.setattr(h5py, "File", opened)
-    with pytest.raises(sc.CheckpointError, match="digest at the end is missing"):
+    with pytest.raises(sc.CheckpointError, match="checksum at the end is missing"):
         sc.Simulation.load(file)

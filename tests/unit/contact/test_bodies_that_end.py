@@ -135,7 +135,7 @@ def test_the_grid_is_enlarged_over_the_end_of_a_body():
     def narrower(grid):
         return ended(grid, surfaces.paraboloid(grid, 1e-3), 30e-6 * 16 / grid.nx)
 
-    with pytest.raises(sc.GridTooSmallError, match="must be infinite in the same cells"):
+    with pytest.raises(sc.GridTooSmallError, match="must give the same result on every grid"):
         sc.Simulation(grid, RIGID, STEEL, narrower).step(load=3.0)
 
 
@@ -165,7 +165,7 @@ def test_nan_and_negative_infinity_are_no_gap(value):
             call()
     with pytest.raises(ValueError, match=r"heights_lower must be .* or -inf where there is no"):
         surfaces.from_heights(grid, -gap)
-    with pytest.raises(ValueError, match=r"got \+inf \(no body\) everywhere"):
+    with pytest.raises(ValueError, match=r"got \+inf \(no body\) in all cells"):
         sc.Simulation(grid, RIGID, STEEL, np.full((8, 8), np.inf))
 
 

@@ -133,7 +133,7 @@ def test_copies_and_files_keep_the_enlarged_grid(grown, tmp_path):
     stays = sc.Simulation.load(tmp_path / "state.h5")
     with pytest.raises(sc.GridTooSmallError, match=r"to enlarge the grid automatically$"):
         stays.step(load=20 * LOAD)
-    with pytest.raises(sc.CheckpointError, match="gap is inconsistent between grids"):
+    with pytest.raises(sc.CheckpointError, match="gap must give the same result on every grid"):
         sc.Simulation.load(tmp_path / "state.h5", gap=lambda grid: punch(grid) * 1.01)
 
 
@@ -203,7 +203,7 @@ REFUSED = {
     ),
     "made on the grid": (
         {"gap": lambda grid: surfaces.rough_self_affine(grid, 1e-7, 0.8, seed=1)},
-        "grid of 7 x 6 cells cannot be enlarged: gap is inconsistent between grids",
+        "grid of 7 x 6 cells cannot be enlarged: gap must give the same result on every grid",
     ),
     "not known": (
         {"gap": partial(surfaces.sphere, R=4.6 * CELL), "upper": STEEL, "lower": STEEL},

@@ -211,5 +211,5 @@ def test_bodies_without_first_yield_are_refused():
         critical.onset_over_depth(**FLAT, body=sc.Material.elastic(E, NU))
     with pytest.raises(TypeError, match="body"):
         critical.onset_over_depth(**FLAT, body=1e9)
-    with pytest.raises(ValueError, match="residual stress already reaches yield"):
+    with pytest.raises(ValueError, match="residual stress already reaches the yield stress"):
         critical.onset_over_depth(**FLAT, body=PLAIN.with_residual_stress([0.0], [1e9]))

@@ -103,7 +103,7 @@ SINGLE = MINIMAL.replace("increments = 2", "increments = 1").split("[[path]]")
             r"fatigue cannot be combined with \[wear\]",
         ),
         (f"{MINIMAL}\n[fatigue]\nsteady_axis = 'x'", "at least one of dang_van, crossland"),
-        (f"{MINIMAL}\n[fatigue]\ndang_van = 0.3\nyield_stress = 1e9", "to fatemi_socie only"),
+        (f"{MINIMAL}\n[fatigue]\ndang_van = 0.3\nyield_stress = 1e9", "by fatemi_socie only"),
         (
             f"{MINIMAL}\n[fatigue]\ndang_van = 0.3\nlimit = {{findley = 1e8}}",
             r"limit\.findley requires",

@@ -46,7 +46,7 @@ class TestSeal:
         content = path.read_bytes()
         for end in (content[:-1], content[:-64], content[:-79], content + b"x"):
             path.write_bytes(end)
-            with pytest.raises(ValueError, match="the file is truncated, or data was appended"):
+            with pytest.raises(ValueError, match="the file is incomplete, or data was appended"):
                 check_seal(path)
 
     def test_a_deliberate_change_removes_the_digest(self, path):

@@ -152,7 +152,7 @@ class TestBar:
 
     @pytest.mark.parametrize("strain", [[[0.0]], [0.0, np.nan]])
     def test_refuses(self, strain):
-        with pytest.raises(ValueError, match="strain must be one-dimensional and finite"):
+        with pytest.raises(ValueError, match="strain must be a list of finite numbers"):
             PRAGER.uniaxial_stress(strain)
         with pytest.raises(ValueError, match="requires a body that is not rigid"):
             sc.Material.rigid().uniaxial_stress([0.0])
@@ -356,7 +356,7 @@ def test_in_a_case_file():
     assert section.validate_python(body | {"kinematic": kinematic}).build() == RECOVERING
     for wrong, text in (
         ({"modulus": [1e9] * 5}, "modulus must have 1 to 4 values, got 5"),
-        ({"modulus": [1e9, 2e9], "recovery": [1.0]}, "2 values, as many as modulus, got 1"),
+        ({"modulus": [1e9, 2e9], "recovery": [1.0]}, r"as many values as modulus \(2\), got 1"),
         ({"modulus": 0.0}, "greater than 0"),
     ):
         with pytest.raises(ValidationError, match=text):

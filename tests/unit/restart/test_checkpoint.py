@@ -237,7 +237,7 @@ class TestDamage:
     def test_changed_by_another_program(self, saved):
         with h5py.File(saved, "a") as file:
             file["state"].attrs["load"] = 1.0
-        with pytest.raises(sc.CheckpointError, match="digest at the end is missing"):
+        with pytest.raises(sc.CheckpointError, match="checksum at the end is missing"):
             sc.Simulation.load(saved)
 
     @pytest.mark.parametrize("name", ["pressure", "history2/strain", "history2/equivalent"])

@@ -68,7 +68,9 @@ class TestDepths:
     def test_a_grid_without_nz_has_no_depths(self):
         grid = simulation().grid
         for name in ("z", "volume_shape"):
-            with pytest.raises(ValueError, match=r"nz is not given: .* State\.depths"):
+            with pytest.raises(
+                ValueError, match=r"volume_shape requires a grid with nz: .* State\.depths"
+            ):
                 getattr(grid, name)
 
 

@@ -131,7 +131,9 @@ def test_shifted_deviators_stay_deviators():
 
 
 def test_strain_to_the_bottom():
-    with pytest.raises(ValueError, match=r"grid must be deep enough: .* threshold = 0\.5"):
+    with pytest.raises(
+        ValueError, match=r"grid must be deeper than the worn layer.* threshold = 0\.5"
+    ):
         wear.depth(np.ones((2, 2, 3)), 1e-6, 0.5)
 
 
