@@ -220,7 +220,7 @@ def test_a_damaged_checkpoint_is_replaced_by_that_of_the_cycle_before(tmp_path, 
     for _ in range(2):  # a damaged one does not replace the good one
         with pytest.warns(
             UserWarning,
-            match=r"wear\.h5' is damaged: .*: the run continues from the checkpoint of the preceding",
+            match=r"wear\.h5' is damaged: .*: the run continues from the checkpoint",
         ):
             assert wearing(cycles=2, checkpoint=file).cycles == worn.cycles[:2]
     with pytest.warns(
