@@ -171,7 +171,7 @@ def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any
         for key in step:
             if key not in known:
                 near = difflib.get_close_matches(str(key), known, 1)
-                hint = f": did you mean {near[0]}?" if near else f": one of {', '.join(known)}"
+                hint = f": did you mean {near[0]}?" if near else f": use one of {', '.join(known)}"
                 raise TypeError(
                     f"increment {number_} of {name} has an unknown argument {in_short(key)}{hint}"
                 )
@@ -325,7 +325,7 @@ def together(**given: ArrayLike) -> list[FloatArray]:
         return list(np.broadcast_arrays(*arrays.values()))
     except ValueError:
         shapes = ", ".join(str(array.shape) for array in arrays.values())
-        allowed = "equal shapes, or shapes that broadcast together"
+        allowed = "equal or compatible shapes"
         raise ValueError(f"{', '.join(arrays)} must have {allowed}, got {shapes}") from None
 
 

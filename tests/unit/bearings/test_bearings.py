@@ -198,7 +198,7 @@ def test_palmgren_and_the_rating_agree_in_the_deformation():
         ),
         (lambda: bearings.ball_on_race(D, PITCH), "exactly one of groove_radius and conformity"),
         (lambda: bearings.ball_on_race(D, PITCH, 6.3e-3), "must be > 0.5, got 0.49"),
-        (lambda: bearings.ball_on_race(D, 0.01, conformity=F), "pitch_diameter must be >"),
+        (lambda: bearings.ball_on_race(D, 0.01, conformity=F), "pitch_diameter must be greater"),
         (lambda: bearings.ball_on_race(D, PITCH, conformity=F, race="cage"), "race must be one of"),
         (
             lambda: bearings.ball_on_race(D, PITCH, conformity=F, contact_angle=40.0),
@@ -207,7 +207,10 @@ def test_palmgren_and_the_rating_agree_in_the_deformation():
         (lambda: bearings.ball_load(1.0, 0), "balls must be an integer >= 1"),
         (lambda: bearings.ball_load(1.0, 8, math.pi / 2), "contact_angle must be < pi/2"),
         (lambda: bearings.sjovall(0.0), "epsilon must be a finite number > 0"),
-        (lambda: bearings.load_zone(100.0, 50.0, 8, math.pi / 4), "axial_load must be > radial"),
+        (
+            lambda: bearings.load_zone(100.0, 50.0, 8, math.pi / 4),
+            "axial_load must be greater than radial",
+        ),
         (lambda: bearings.load_zone(100.0, 50.0, 8, 0.0), "contact_angle must be between"),
     ],
 )

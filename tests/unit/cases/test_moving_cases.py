@@ -93,7 +93,7 @@ def test_a_moving_case_runs_and_tracks_the_bodies(write):
         ("passes = 2", "passes = 0", r"path\[0\]\.roll\.passes: must be a whole number >= 1"),
         ("passes = 2", "slider = 2", r"path\[0\]\.roll\.slider: unknown field; allowed here: dist"),
         ("passes = 2", "slide_to_roll = 3", r"roll\.slide_to_roll: must be a number in \[-2, 2\]"),
-        ("passes = 2", "speed = 1.0", r"path\[0\]: speed requires heat.hist"),
+        ("passes = 2", "speed = 1.0", r"path\[0\]: speed must be given if"),
         ("load = 600.0", "load = 0.0", r"path\[0\]: load must be > 0, got 0\.0"),
         (ROLL, ROLL + "\nstart = 1.0", r"path\[0\]: roll cannot be combined with start"),
         (
@@ -165,7 +165,7 @@ def test_heat_moves_with_the_body(write):
     assert all(step["duration"] == pytest.approx(120e-6) for step in steps[:5])
     assert steps[6]["duration"] == pytest.approx(360e-6)  # the way back
     case.build()
-    with pytest.raises(CaseError, match=r"path\[0\]: speed requires heat.hist"):
+    with pytest.raises(CaseError, match=r"path\[0\]: speed must be given if"):
         load_case(write(*heated))
     with pytest.raises(
         CaseError, match=r"motion of heated body 2, -0\.5 m/s along x, got 0\.5 m/s"

@@ -175,7 +175,7 @@ def test_forces_scale_with_other_loads():
         (
             "load = 600.0\ntangential_load_x = 200.0",
             r"path\[1\]: tangential load must be below the friction limit \("
-            r"180\.0 N at load 600\.0 N, got 180\.0 N: prescribe shift_x",
+            r"180\.0 N at load 600\.0 N\), got 180\.0 N: prescribe shift_x",
         ),
         (
             "load = 600.0\nshift_x = 1e-6\n[[path]]\nload = 600.0\ntangential_load_x = 1.0",

@@ -384,7 +384,7 @@ def test_nothing_after_a_unit_is_dropped(text):
 
 @pytest.mark.parametrize(
     ("name", "content", "message"),
-    [("h.npy", "1 2 3\n", r"not a file of numpy\.save$"), ("h.txt", "1 2 3\n1 2\n", "at row 2$")],
+    [("h.npy", "1 2 3\n", r"not written by numpy\.save$"), ("h.txt", "1 2 3\n1 2\n", "at row 2$")],
 )
 def test_errors_of_height_files_contain_no_advice_of_numpy(tmp_path, name, content, message):
     (tmp_path / name).write_text(content)

@@ -185,7 +185,7 @@ class TestResults:
         report.write(dataset, tmp_path / "report.html")
         broken = dataset.drop_vars("pressure").assign(pressure=xr.Variable((), 1.0))
         for use in (report.checks, lambda data: report.write(data, tmp_path / "other.html")):
-            with pytest.raises(ValueError, match="a part of it is missing or has another type"):
+            with pytest.raises(ValueError, match="a part is missing or has the wrong type"):
                 use(broken)
         assert not (tmp_path / "other.html").exists()
 

@@ -217,7 +217,7 @@ class TestBadInput:
         [
             ({"factor": -0.1}, "factor must be a finite number >= 0, got -0.1"),
             ({"factor": np.nan}, "factor must be"),
-            ({"factor": (0.1, 0.1, 0.1)}, "factor must be a number or a pair, got"),
+            ({"factor": (0.1, 0.1, 0.1)}, "factor must be a number, or a pair"),
             ({"time": -1.0}, "time must be a finite number > 0, got -1.0"),
             ({"time": 0.0}, "time must be"),
             ({"reference": 0.0}, "reference must be"),

@@ -154,7 +154,7 @@ class TestBar:
     def test_refuses(self, strain):
         with pytest.raises(ValueError, match="strain must be a list of finite numbers"):
             PRAGER.uniaxial_stress(strain)
-        with pytest.raises(ValueError, match="requires a body that is not rigid"):
+        with pytest.raises(ValueError, match="requires a deformable material"):
             sc.Material.rigid().uniaxial_stress([0.0])
 
 

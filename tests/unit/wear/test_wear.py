@@ -270,7 +270,7 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
     changes = {"threshold": 2.1e-3, "window": 5, "friction": 0.41, "tol": 1e-7}
     parts = {"window": "filter", "tol": "settings"}
     for name, value in changes.items():
-        told = rf"of another run \(.*{parts.get(name, name)}.*: remove it"
+        told = rf"of another run \(.*{parts.get(name, name)}.*: remove this file"
         with pytest.raises(ValueError, match=told):
             wearing(checkpoint=file, **{name: value})
     with pytest.raises(ValueError, match=r"cycles must be > 1 .*, got 1"):
@@ -307,7 +307,7 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
         ({"cycle": [{"load": 1.0}, {"pressure": 0 * GAP}]}, "cycle must end unloaded"),
         ({"cycle": [{"load": 0.0}]}, "cycle must have at least one step with contact"),
         ({"cycle": [{"load": 1.0, "advance": (1e-6, 0.0)}, {"load": 0.0}]},
-         "cycle must return both bodies.* got 1e-06 m"),
+         "cycle must return both bodies.* got sums of 1e-06 m"),
     ],
 )  # fmt: skip
 def test_bad_input_is_named_before_the_first_cycle(changes, message, monkeypatch):
