@@ -110,7 +110,7 @@ class TestBeyondTheRange:
             sc.heat.factors(1e200, 1e200)
 
     def test_constants_of_swift(self):
-        with pytest.raises(ValueError, match="finite yield stress, got .*: use smaller values"):
+        with pytest.raises(ValueError, match=r"finite yield stress, got .*: use smaller values"):
             sc.Material.swift(210e9, 0.3, 1e200, 1e200, 1.0)
         with pytest.raises(ValueError, match="strain must be small enough"):
             STEEL.uniaxial_stress([1e300])

@@ -260,7 +260,7 @@ class TestBadInput:
         heat = sc.Heat(0.05, history=(0.999 * least, 1.0))
         with pytest.raises(ValueError, match=r"heat\.history must have a shortest step"):
             sc.Simulation(GRID, COLD, WARM, BALL, heat=heat)
-        with pytest.raises(ValueError, match=r"for body 1, .* of a cell of"):
+        with pytest.raises(ValueError, match=r"for body 1, .* of the cell length"):
             sc.Simulation(GRID, WARM, COLD, BALL, heat=sc.Heat((0.05, 0.0), history=heat.history))
         off = sc.Heat(0.0, history=heat.history)  # heats nothing yet
         simulation = sc.Simulation(GRID, COLD, WARM, BALL, heat=off)
