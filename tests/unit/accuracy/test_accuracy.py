@@ -271,7 +271,7 @@ def test_a_zero_time_limit_still_gives_errors_from_three_grids():
         ({"surface": {"shape": "cylinder", "R": 1e-3}}, "surface.shape = 'cylinder'.*periodic"),
         ({"path": [{"approach": -1e-6}]}, "path: at least one load"),
         ({"path": [{"load": 1.0, "increments": 3}]}, r"path\[0\].increments cannot be"),
-        ({"accuracy": {"print": 0.1}}, "quantities must be of this case.*got 'print'"),
+        ({"accuracy": {"print": 0.1}}, "quantities must be names of.*got 'print'"),
         ({"accuracy": 2.0}, "accuracy"),
         ({"body2": layered(1e-5, math.pi * 1e-5)}, "layers: the depths.*multiples of a"),
         ({"body1": layered(1e-8)}, "layers: the depths .* 1e-08 m.* >= .*e-06 m"),
