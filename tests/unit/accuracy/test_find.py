@@ -88,9 +88,9 @@ def test_permanent_deformation_needs_a_body_that_yields():
 
 def test_an_unreached_target_is_refused_with_the_largest_value():
     hertz = sc.hertz.point(R, E_STAR, load=300.0)
-    with pytest.raises(ValueError, match=r"the maximum is (\S+) at 300 N") as error:
+    with pytest.raises(ValueError, match=r"the maximum is (\S+).* at 300 N") as error:
         sc.find_load(ball, "max_pressure", 1.5 * hertz.p0, largest_load=300.0)
-    assert float(str(error.value).split("maximum ")[1].split()[0]) == pytest.approx(
+    assert float(str(error.value).split("the maximum is ")[1].split()[0]) == pytest.approx(
         hertz.p0, rel=0.02
     )
 
@@ -115,7 +115,7 @@ def test_loads_without_a_solution_limit_the_search():
         ({"quantity": "imprint_depth_body1", "value": 1e9}, "for these bodies and this grid"),
         ({"quantity": "max_pressure", "value": -1.0}, "value must be"),
         ({"quantity": "approach", "value": 1e-6, "tolerance": 0.5}, "tolerance must be in"),
-        ({"quantity": "approach", "value": 1e-6, "largest_load": None}, "largest_load is required"),
+        ({"quantity": "approach", "value": 1e-6, "largest_load": None}, "largest_load must be > 0"),
     ],
 )
 def test_bad_targets_are_refused(arguments, message):

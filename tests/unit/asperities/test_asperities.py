@@ -256,7 +256,7 @@ def test_the_series_has_labels_and_units():
     ("arguments", "text"),
     [
         ((1.0, 1.0, 1.5), r"interference must be less than the smaller radius \(1.0 m\), got 1.5"),
-        ((1.0, 1e-3, 2e-3), "interference must be < .*, the smaller radius"),
+        ((1.0, 1e-3, 2e-3), "interference must be less than the smaller radius"),
         ((1.0, 1.0, 0.0), "interference must be"),
         ((-1.0, 1.0, 1e-3), "R1 must be"),
     ],

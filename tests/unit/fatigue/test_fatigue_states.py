@@ -138,7 +138,7 @@ def test_margin_and_place():
     assert found.margin(80e6) == pytest.approx(-0.2)
     np.testing.assert_allclose(found.over_depth(), [0, 0, 0, 100e6, 0])
     assert dang_van(np.zeros((2, 6, 3)), slope=0.3).margin(1.0) == np.inf
-    with pytest.raises(ValueError, match="no coordinates"):
+    with pytest.raises(ValueError, match="requires coordinates"):
         found.to_dataset()
 
 

@@ -149,7 +149,7 @@ class TestSoftening:
     @pytest.mark.parametrize(
         ("arguments", "error", "text"),
         [
-            ((200.0, 1.0), ValueError, "melting must be greater than reference"),
+            ((200.0, 1.0), ValueError, "melting must be > reference"),
             ((1800.0, 0.0), ValueError, "m must be"),
             ((1800.0, 1.0, 293.0, 293.0, 0.0), ValueError, "floor must be in (0, 1]"),
             (("hot", 1.0), TypeError, "melting must be a number"),

@@ -159,7 +159,7 @@ def test_dataset_and_report(worn, tmp_path):
         ({"archard": 1e-14}, "exactly one of energy, archard"),
         ({"energy": -1.0}, "energy must be"),
         ({"energy": (0.0, 0.0)}, "energy must be > 0"),
-        ({"energy": (1.0, 1.0, 1.0)}, r"a pair, got \(1.0, 1.0, 1.0\)"),
+        ({"energy": (1.0, 1.0, 1.0)}, r"a pair \(body 1, body 2\), got \(1.0, 1.0, 1.0\)"),
         ({"friction": sc.Coulomb(np.inf)}, "friction must be > 0 and finite"),
         ({"repeats": 0}, "repeats must be"),
         ({"cycle": to_and_fro(8.0, 2.0)[:2]}, "must end with the load"),
@@ -178,7 +178,7 @@ def test_elastic_plastic_or_rolling_bodies_are_refused():
     yielding = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
     with pytest.raises(ValueError, match=r"body2 must be elastic .*wear\.run"):
         sc.wear.fretting(BALL_GRID, STEEL, yielding, BALL, cycle=[], friction=MU, energy=1.0)
-    with pytest.raises(TypeError, match="unknown field 'advance'"):
+    with pytest.raises(TypeError, match="unknown argument 'advance'"):
         frets(cycle=[{"load": 8.0, "advance": (1e-6, 1e-6)}])
     with pytest.raises(TypeError, match="friction"):
         frets(friction=0.5)
