@@ -237,8 +237,8 @@ def fatemi_socie(
 def _slope(name: str, value: Any) -> float:
     if value is None:
         raise TypeError(
-            f"{name} is required: give the value for the material; the documentation of "
-            "the criterion tells how to obtain it"
+            f"{name} is required: give the value for the material (see the documentation "
+            "of the criterion)"
         )
     found = non_negative(name, value)
     if found > _MAX_SLOPE:

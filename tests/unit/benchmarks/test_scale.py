@@ -46,7 +46,7 @@ def made_up(power, cells=(64**2, 128**2, 256**2)):
 
 
 def test_sentences_follow_the_numbers():
-    assert above(made_up(1.1)) == "None is above 1.15 over all sizes."
+    assert above(made_up(1.1)) == "No exponent is above 1.15 over all sizes."
     rows = made_up(1.1)
     for row in of(rows, jobs.JOBS[2]):
         row["cpu_s"] = row["cells"] ** 1.25

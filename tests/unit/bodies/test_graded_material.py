@@ -65,7 +65,7 @@ def test_first_yield_below_the_grid_is_refused():
         return sc.Simulation(grid, RIGID, body, gap), [{"load": load}]
 
     with pytest.raises(
-        ValueError, match=r"body2 yields in or below the deepest layer .*: increase nz"
+        ValueError, match=r"body2 first yields in or below the deepest layer .*: increase nz"
     ):
         sc.find_load(built, "yield", largest_load=100.0)
 
@@ -103,7 +103,7 @@ def made(law, yield_profile=None, residual_stress=None, **parameters):
         (lambda: SOFT.with_yield_profile([], []), "z of yield_profile must be a list of 1 to 4096"),
         (
             lambda: SOFT.with_yield_profile([0.0], [np.nan]),
-            "factor of yield_profile must be finite",
+            "factor of yield_profile must contain finite numbers",
         ),
         (
             lambda: SOFT.with_residual_stress([0.0], [1e8], [1e8, 2e8]),
