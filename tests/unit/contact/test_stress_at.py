@@ -76,7 +76,7 @@ def test_points_and_bodies_without_stress_are_refused():
     for points, text in (
         ((0.0, 0.0, -1e-6), "z must be >= 0"),
         ((math.nan, 0.0, 0.0), "x must be finite"),
-        ((np.zeros(3), np.zeros(2), 0.0), "must have one shape"),
+        ((np.zeros(3), np.zeros(2), 0.0), "equal or compatible shapes"),
     ):
         with pytest.raises(ValueError, match=text):
             solver.stress_at(found, *points)
