@@ -88,7 +88,7 @@ def test_no_figures_and_no_animation(case_file, tmp_path):
         (
             "[contact]",
             GRID + "[contact]",
-            r"asperities: increments cannot be combined with \[grid\]",
+            r"asperities: increments and \[grid\] both set the grid",
         ),
         ('"elastic"', '"rigid"', r"body1"),
         ("increments = 8", "increments = 2", r"asperities.increments: must be a whole number >= 4"),
