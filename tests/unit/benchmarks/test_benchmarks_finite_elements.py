@@ -146,7 +146,7 @@ class TestWave:
             "print": pytest.approx(2.5e-6),
         }
         (tmp_path / "deck.dat").write_text(self.printed(left=-1.0))
-        with pytest.raises(RuntimeError, match=r"after release, -0\.00345 of it is left"):
+        with pytest.raises(RuntimeError, match=r"after release, but -0\.00345 of it remains"):
             wave.numbers_of(tmp_path / "deck.dat")
 
     def printed(self, left):

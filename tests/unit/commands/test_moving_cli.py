@@ -124,7 +124,7 @@ class TestForeignCheckpoints:
     def test_another_load(self, folder, case_file, tmp_path):
         case_file.write_text(MOVING.replace("load = 600.0", "load = 500.0"))
         outcome = invoke(*self.command(case_file, tmp_path))
-        check_failure(outcome, 2, str(folder), "of another run", "remove it, or use another path")
+        check_failure(outcome, 2, str(folder), "of another run", "use another path")
         # it still belongs to the previous run
         _, source, text = (folder / "case.txt").read_text().split("\n", 2)
         assert (source, text) == (str(case_file), MOVING)

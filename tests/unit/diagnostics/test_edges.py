@@ -148,7 +148,7 @@ def test_errors_state_that_the_largest_pressure_does_not_converge():
 def test_a_run_to_an_accuracy_ends_if_nothing_converges():
     class Told:
         solved = type(
-            "Solved", (), {"told": [type("W", (), {"category": sc.SingularPressureWarning})]}
+            "Solved", (), {"issued": [type("W", (), {"category": sc.SingularPressureWarning})]}
         )
 
     search = object.__new__(accuracy_run.AccuracySearch)
