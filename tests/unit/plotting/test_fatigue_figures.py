@@ -88,7 +88,7 @@ def test_map_has_the_largest_of_each_column(fields, ax):
 
 def test_fields_without_a_figure_are_refused(fields, states):
     strain = sc.fatigue.fatemi_socie(states, k=0.3, yield_stress=1e9)
-    with pytest.raises(ValueError, match="a common unit"):
+    with pytest.raises(ValueError, match="the same unit"):
         plotting.fatigue_depth([fields[0], strain])
     with pytest.raises(ValueError, match="at least one"):
         plotting.fatigue_depth([])
