@@ -54,8 +54,8 @@ def test_sentences_follow_the_numbers():
     of(rows, jobs.JOBS[1])[2]["cpu_s"] *= 3
     assert caches(rows).startswith("from 128 × 128 to 256 × 256 cells")
     assert f"{3 * 4**0.1:.1f} times as long" in caches(rows)
-    assert fits({"a": 1e11, "b": 2e13}).endswith("fit: a. The others do not.")
-    assert fits({"a": 1e11}).endswith("fit: a.")
+    assert fits({"a": 1e11, "b": 2e13}).endswith("machine: a. The others do not.")
+    assert fits({"a": 1e11}).endswith("machine: a.")
     assert fits({"a": 2e13}).startswith("None fits into 1 TB")
 
 

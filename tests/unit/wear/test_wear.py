@@ -273,7 +273,7 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
         told = rf"of another run \(.*{parts.get(name, name)}.*: remove this file"
         with pytest.raises(ValueError, match=told):
             wearing(checkpoint=file, **{name: value})
-    with pytest.raises(ValueError, match=r"cycles must be > 1 .*, got 1"):
+    with pytest.raises(ValueError, match=r"cycles must be greater than .* \(1\), got 1"):
         wearing(checkpoint=file, cycles=1)
     file.write_bytes(b"no HDF5")
     with pytest.raises(ValueError, match=r"wear\.h5 was not written by samcontact"):
