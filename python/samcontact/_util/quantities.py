@@ -74,7 +74,7 @@ class Quantity(NamedTuple):
 
     @property
     def label(self) -> str:
-        """Label of an axis or report column: name and unit."""
+        """Label of an axis or report column, with name and unit."""
         return self.of()
 
     def of(self, body: int | None = None) -> str:

@@ -159,7 +159,7 @@ class CaseFile(Section):
 
     @property
     def output_directory(self) -> Path:
-        """Folder of the results: [output] directory, or results/<name of the case file>.
+        """Folder of the results, [output] directory, or results/<name of the case file>.
 
         Relative to the current working folder.
         """

@@ -40,7 +40,7 @@ class WearSection(Section):
 
     @property
     def law(self) -> str:
-        """Name of the wear law: threshold, energy or archard."""
+        """Name of the wear law (threshold, energy or archard)."""
         return next(name for name in _LAWS if getattr(self, name) is not None)
 
     @model_validator(mode="after")

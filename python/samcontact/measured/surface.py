@@ -116,7 +116,7 @@ class MeasuredSurface(ShortRepr):
 
     @property
     def is_profile(self) -> bool:
-        """Whether the surface is a profile: one row of samples along x that applies at every y."""
+        """Whether the surface is a profile, one row of samples along x that applies at every y."""
         return bool(self.heights.shape[1] == 1)
 
     @property

@@ -39,7 +39,7 @@ class SimulationSetup:
 
     @property
     def contact_law(self) -> ContactLaw:
-        """Contact law: hard contact or an attractive law."""
+        """Contact law (hard contact or an attractive law)."""
         return self.settings.contact_law
 
     def on_grid(self, grid: Grid, heat: Heat) -> dict[str, Any]:

@@ -50,7 +50,7 @@ class Trend:
 
     @cached_property
     def steps(self) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Differences between successive changes: first the earlier one, then the latest."""
+        """Differences between successive changes, first the earlier one, then the latest."""
         pairs = (self.oldest, self.older), (self.older, self.last)
         then, now = ([b - a for a, b in zip(*pair, strict=True)] for pair in pairs)
         return then, now

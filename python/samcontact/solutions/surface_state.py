@@ -108,7 +108,7 @@ class SurfaceState:
 
     @property
     def twist(self) -> float:
-        """Accumulated rotation of body 1 relative to body 2 about z [rad]; errors: see `shift`."""
+        """Accumulated rotation of body 1 relative to body 2 about z [rad] (see also `shift`)."""
         _require_sticking("twist", self.setup)
         return float(self._core.motion[2])
 
