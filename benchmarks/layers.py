@@ -100,9 +100,9 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
     """Return sentences that summarise the rows."""
     lines = []
     for name in BODIES[1:]:
-        told = [
+        stated = [
             f"{label} {np.max([row[f'{label}, {name}'] for row in rows]):.2f}"
             for label in ("iteration", "first increment", "memory")
         ]
-        lines.append(f"- {name}, maximum ratio to a homogeneous body: {', '.join(told)}.")
+        lines.append(f"- {name}, maximum ratio to a homogeneous body: {', '.join(stated)}.")
     return ["\n".join(lines)]

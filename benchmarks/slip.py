@@ -42,7 +42,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
         for q in (0.1, 0.5, 0.9)
         for method in METHODS
     ]
-    unlike = [
+    different_bodies = [
         Task(NAME, f"dissimilar, {k} of 8", "tol 1e-8", "press_unlike", {"n": n, "last": k})
         for n in sizes[:2]
         for k in (1, 8)
@@ -59,7 +59,13 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
         for name, function in scenes.items()
     ]
     steps = {"steps": 14 if quick else STEPS}
-    return [*pulled, *unlike, *rolling, *wide, Task(NAME, ENTRY, "tol 1e-8", "roll_on", steps)]
+    return [
+        *pulled,
+        *different_bodies,
+        *rolling,
+        *wide,
+        Task(NAME, ENTRY, "tol 1e-8", "roll_on", steps),
+    ]
 
 
 def solve(meter: Meter, n: int, share: float, method: str) -> dict[str, Any]:
@@ -118,12 +124,12 @@ def rolled(grid: sc.Grid, body: sc.Material, gap: Any, load: float, tol: float) 
 def roll(meter: Meter, n: int, tol: float) -> dict[str, Any]:
     """Solve steady rolling of a ball; the time includes pressure and shear, from zero tractions."""
     scene = ball(n, n, RADIUS)
-    return {"cells": n * n, "across": n, **told(meter(lambda: rolled(*scene, tol)))}
+    return {"cells": n * n, "across": n, **shown(meter(lambda: rolled(*scene, tol)))}
 
 
 def roll_wide(meter: Meter, n: list[int]) -> dict[str, Any]:
     scene = ball(*n, WIDE_RADIUS)
-    return {"cells": n[0] * n[1], "across": n[0], **told(meter(lambda: rolled(*scene, 1e-7)))}
+    return {"cells": n[0] * n[1], "across": n[0], **shown(meter(lambda: rolled(*scene, 1e-7)))}
 
 
 def shift(meter: Meter, n: list[int]) -> dict[str, Any]:
@@ -136,7 +142,7 @@ def shift(meter: Meter, n: list[int]) -> dict[str, Any]:
         )
     )
     force = MU * load * (1 - (1 - 0.43) ** 1.5)
-    columns = told(found) | {"errors": {"force": relative_error(found.tangential_load[0], force)}}
+    columns = shown(found) | {"errors": {"force": relative_error(found.tangential_load[0], force)}}
     return {"cells": n[0] * n[1], "across": n[0], **columns}
 
 
@@ -172,7 +178,7 @@ def roll_on(meter: Meter, steps: int) -> dict[str, Any]:
     }
 
 
-def told(found: sc.PartialSlipSolution | sc.RollingSolution) -> dict[str, Any]:
+def shown(found: sc.PartialSlipSolution | sc.RollingSolution) -> dict[str, Any]:
     """Return the columns of a solution with shear."""
     return {"errors": {}, **work(found), **shear_work(found)}
 

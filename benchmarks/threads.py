@@ -111,8 +111,8 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         both = [row for row in rows if row["case"] == case and row["method"] != BASE]
         large = [efficiency(row) for row in both if row["cells"] >= LARGE_SIZES[case]]
         small = [row["time_ratio"] for row in both if row["cells"] < LARGE_SIZES[case]]
-        told = [f"efficiency of two threads at least {min(large):.2f}"] if large else []
+        stated = [f"efficiency of two threads at least {min(large):.2f}"] if large else []
         if small:
-            told.append(f"small cases take up to {max(small):.2f} times as long as on one")
-        lines += [f"- {case}: {'; '.join(told)}."] if told else []
+            stated.append(f"small cases take up to {max(small):.2f} times as long as on one")
+        lines += [f"- {case}: {'; '.join(stated)}."] if stated else []
     return ["\n".join(lines)]

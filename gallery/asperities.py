@@ -87,7 +87,7 @@ def curve(result: CollisionResult, name: str) -> tuple[np.ndarray, np.ndarray]:
     return series["offset"].values, series[name].values
 
 
-def unlike(result: CollisionResult, name: str, sign: float) -> float:
+def asymmetry(result: CollisionResult, name: str, sign: float) -> float:
     """Return the maximum deviation of a curve from (anti)symmetry, relative to the maximum."""
     x, f = curve(result, name)
     return float(np.abs(f - sign * np.interp(-x, x, f)).max() / np.abs(f).max())
@@ -96,8 +96,8 @@ def unlike(result: CollisionResult, name: str, sign: float) -> float:
 def forces(results: Results) -> list[Number | Statement]:
     runs, mesh = results.runs, results.mesh
     name = "ω/ωc = " + each(list(runs))
-    odd = [unlike(run, "force_x", -1.0) for run in runs.values()]
-    even = [unlike(run, "force_z", 1.0) for run in runs.values()]
+    odd = [asymmetry(run, "force_x", -1.0) for run in runs.values()]
+    even = [asymmetry(run, "force_z", 1.0) for run in runs.values()]
     aligned = [float(np.interp(0.0, *curve(run, "force_x"))) for run in runs.values()]
     of_peak = [
         f / curve(r, "force_x")[1].max() for f, r in zip(aligned, runs.values(), strict=True)

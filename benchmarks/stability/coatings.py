@@ -20,8 +20,8 @@ HARDLY = 1e-14
 SEPARATOR = ", "
 
 
-def ratio(told: str) -> float:
-    part, _, by = told.partition("/")
+def ratio(stated: str) -> float:
+    part, _, by = stated.partition("/")
     return float(part) / float(by or 1)
 
 

@@ -56,8 +56,8 @@ def slipping(row: str) -> dict[str, Any]:
 
     A solution that does not converge has no number.
     """
-    name, _, told = row.rpartition(", ")
-    mu = math.inf if told == "∞" else float(told)
+    name, _, stated = row.rpartition(", ")
+    mu = math.inf if stated == "∞" else float(stated)
     pair, grid, gap, radius = scene(name, 3.2, 25)
     law, most = sc.Coulomb(mu), min(mu, 2.0) * LOAD
     solver = sc.ContactSolver(grid, *pair, law)

@@ -53,7 +53,9 @@ def poisson(row: str) -> dict[str, Any]:
     slipped = sc.ContactSolver(grid, body, body, sc.Coulomb(MU)).solve(gap, **pull)
     softness = 2 * (2 - nu) * (1 + nu) / E  # of both, (2 - nu)/G each
     moved = 3 * MU * exact.load * softness * 2 / (16 * exact.a) * (1 - 0.5 ** (2 / 3))
-    unlike = sc.ContactSolver(grid, sc.Material.rigid(), body, sc.Coulomb(MU)).solve(gap, **pull)
+    dissimilar = sc.ContactSolver(grid, sc.Material.rigid(), body, sc.Coulomb(MU)).solve(
+        gap, **pull
+    )
     return {
         "iterations": found.iterations,
         "approach": abs(found.approach / exact.approach - 1),
@@ -63,8 +65,8 @@ def poisson(row: str) -> dict[str, Any]:
         "trace": trace(state.plastic_strain()),
         "shear": slipped.tangential_iterations,
         "shift": abs(slipped.shift[0] / moved - 1),
-        "unlike": unlike.tangential_iterations,
-        "law": slip_error(unlike, MU),
+        "unlike": dissimilar.tangential_iterations,
+        "law": slip_error(dissimilar, MU),
     }
 
 

@@ -40,7 +40,7 @@ class Units:
     def soft(self, E=210e9):
         return sc.Material.linear_hardening(E * self.Pa, 0.3, 1e9 * self.Pa, 20e9 * self.Pa)
 
-    def told(self, state, bodies=(2,)):
+    def stated(self, state, bodies=(2,)):
         """Return the dimensionless fields of a state."""
         found = {"pressure": state.pressure / self.Pa, "shear": state.shear / self.Pa}
         found |= {"gap": state.gap / self.m, "approach": state.approach / self.m}
@@ -72,7 +72,7 @@ def fretting(unit, body1, body2, *, heat=None, mu=0.3):
     pull = min(mu, 1.0) * load
     sim.step(load=load, tangential_load=(0.2 * pull, 0.5 * pull), **more)
     state = sim.step(load=0.8 * load, shift=(2e-7 * unit.m, 0.0), twist=1e-3, **more)
-    return unit.told(state) | unit.slipped(state), state
+    return unit.stated(state) | unit.slipped(state), state
 
 
 def plastic_fretting(unit):
@@ -107,7 +107,7 @@ def pressed(unit, body, load, **step):
     sim.step(load=load * unit.N)
     state = sim.step(load=0.0, **step)
     assert state.max_equivalent_plastic_strain() > 1e-4
-    return unit.told(state)
+    return unit.stated(state)
 
 
 def coated_steel(unit):
@@ -143,7 +143,7 @@ def rolling(unit):
         "steady shear": steady.shear / unit.Pa,
         "work": steady.friction_work_per_distance / unit.N,
     }
-    return unit.told(state, ()) | unit.slipped(state) | steadily
+    return unit.stated(state, ()) | unit.slipped(state) | steadily
 
 
 def periodic(unit):
@@ -154,7 +154,7 @@ def periodic(unit):
     sim.step(load=300 * unit.N)
     state = sim.step(load=10 * unit.N)
     assert state.max_equivalent_plastic_strain() > 1e-4
-    return unit.told(state)
+    return unit.stated(state)
 
 
 def zones(unit):
@@ -171,7 +171,7 @@ def zones(unit):
     sim.step(load=0.1 * unit.N)
     state = sim.step(load=0.03 * unit.N)
     assert len(state.zones(2)) > 1
-    return unit.told(state)
+    return unit.stated(state)
 
 
 def periodic_zones(unit):
@@ -187,7 +187,7 @@ def periodic_zones(unit):
     sim.step(load=0.1 * unit.N)
     state = sim.step(load=0.03 * unit.N)
     assert len(state.zones(2)) > 1
-    return unit.told(state)
+    return unit.stated(state)
 
 
 def yielding_layers(unit):
@@ -225,7 +225,7 @@ def cycles(unit):
     load = 300 * unit.N
     found = sc.shakedown.run(sim, [{"load": load}, {"load": 0.0}], cycles=3, progress=False)
     states = [sim.state, sim.step(load=load)]
-    return unit.told(sim.state) | {
+    return unit.stated(sim.state) | {
         "flow": found.cycles[0].flow,
         "Dang Van": sc.fatigue.dang_van(states, 2, 0.3).values / unit.Pa,
         "Findley": sc.fatigue.findley(states, 2, 0.3).values / unit.Pa,

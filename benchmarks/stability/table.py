@@ -33,14 +33,14 @@ class Column(NamedTuple):
 
 
 class Table(NamedTuple):
-    """Table definition; `solve` takes the name of a row, and a test solves the row `anew` again."""
+    """Table of a stability page; `solve` takes a row name; a test solves `retested_row` again."""
 
     name: str
     head: str
     rows: tuple[str, ...]
     solve: Callable[[str], dict[str, Any]]
     columns: tuple[Column, ...]
-    anew: str
+    retested_row: str
 
 
 def largest(field: Any) -> float:

@@ -113,8 +113,8 @@ def onset_and_strain(results: Results) -> Picture:
             pressure[positive], 100 * case.gamma_max[positive], color=f"C{k}",
             label=f"µ = {friction:g}",
         )  # fmt: skip
-    end, told = ball.p0 / MICRO_YIELD, [0.34, 5.34]
-    (marks,) = right.plot([end, end], told, "ko", markerfacecolor="none")
+    end, stated = ball.p0 / MICRO_YIELD, [0.34, 5.34]
+    (marks,) = right.plot([end, end], stated, "ko", markerfacecolor="none")
     stated = right.legend([marks], ["Boucly (2008): 0.34 and 5.34 %"],
                           loc="lower right", fontsize="small",
                           frameon=False)  # fmt: skip

@@ -87,7 +87,7 @@ class Nursery:
         self.process.stdin.write(f"{argument}\n")
         self.process.stdin.flush()
         word, child = self._line()
-        assert word == "child", self.told()
+        assert word == "child", self.message()
         begun, result = time.perf_counter(), None
         if seconds is not None:
             time.sleep(seconds)
@@ -101,7 +101,7 @@ class Nursery:
         word, _, rest = self.process.stdout.readline().strip().partition(" ")
         return word, rest
 
-    def told(self):
+    def message(self):
         """Return the end of the standard error output."""
         self.errors.seek(0)
         return self.errors.read()[-4000:]

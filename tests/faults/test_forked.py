@@ -20,7 +20,7 @@ def made():
     simulation.step(load=300.0)
     return simulation
 
-def told(simulation):
+def digest(simulation):
     state = simulation.step(load=500.0)
     return hashlib.sha256(state.pressure.tobytes() + state.stress().tobytes()).hexdigest()
 
@@ -29,15 +29,15 @@ simulation = made()
 FORK = """
 pid = os.fork()
 if pid == 0:
-    print(told(simulation), flush=True)
+    print(digest(simulation), flush=True)
     os._exit(0)
 assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 0
-print(told(simulation))
+print(digest(simulation))
 """
 POOL = """
 with multiprocessing.get_context("fork").Pool(2) as pool:
-    print(*pool.map(told, [simulation, made()]), sep="\\n")
-print(told(simulation))
+    print(*pool.map(digest, [simulation, made()]), sep="\\n")
+print(digest(simulation))
 """
 WHILE_OTHERS_WORK = """
 # Another thread makes plans and allocates at any moment of the forks.
@@ -55,7 +55,7 @@ thread.start()
 for _ in range(10):
     pid = os.fork()
     if pid == 0:
-        told(made())
+        digest(made())
         os._exit(0)
     assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 0
 going = False

@@ -166,8 +166,8 @@ REFUSED = {
 @pytest.mark.parametrize("name", REFUSED)
 def test_huge_grids_are_refused(name, monkeypatch):
     monkeypatch.setattr(memory, "available", lambda: 16e9)
-    told = r"ny = 60000, nz = 1000 requires about [\d.e+]+ GB of memory, 16 GB available"
-    with pytest.raises(MemoryError, match=told):
+    message = r"ny = 60000, nz = 1000 requires about [\d.e+]+ GB of memory, 16 GB available"
+    with pytest.raises(MemoryError, match=message):
         REFUSED[name]()
 
 
@@ -213,8 +213,8 @@ def test_a_plastic_zone_beyond_the_memory_is_refused_and_the_state_is_kept(monke
     with monkeypatch.context() as patch:
         patch.setattr(memory, "_MAX_UNCHECKED_BYTES", 0.0)
         patch.setattr(memory, "available", lambda: 20e6)
-        told = r"the plastic zone, \d+ x \d+ x \d+ cells, requires about"
-        with pytest.raises(MemoryError, match=told):
+        message = r"the plastic zone, \d+ x \d+ x \d+ cells, requires about"
+        with pytest.raises(MemoryError, match=message):
             simulation.step(load=1500.0)
     np.testing.assert_array_equal(simulation.state.pressure, before)
     other = scene()

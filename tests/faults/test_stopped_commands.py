@@ -122,8 +122,8 @@ class Stopped:
             words = ["resume", self.out, "--no-figures"]
         else:
             words = ["run", self.case, "--output", self.out, "--no-figures"]
-        told, _ = self.nursery.run("|".join(map(str, [place, number, *words, "--quiet"])))
-        return json.loads(told)
+        message, _ = self.nursery.run("|".join(map(str, [place, number, *words, "--quiet"])))
+        return json.loads(message)
 
     def left(self):
         """Return the names of all files; empty for a load search."""
@@ -156,8 +156,10 @@ def test_a_stopped_command_resumes_with_identical_bits(kind, nursery, tmp_path, 
         for place, number in zip(moments, signals, strict=True):
             code, _, errors, made, _ = stopped.run(place, int(number))
             assert code == 128 + number, errors
-            told = "progress saved in" if stopped.searches else f"samcontact resume {stopped.out}"
-            assert told in errors
+            message = (
+                "progress saved in" if stopped.searches else f"samcontact resume {stopped.out}"
+            )
+            assert message in errors
             done += made
         code, last, errors, again, _ = stopped.run()
         assert code == 0, errors

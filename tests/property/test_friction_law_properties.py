@@ -42,7 +42,8 @@ def follow(kind, seed):
             failed += 1
             continue
         except ValueError as error:
-            assert "friction limit" in str(error)  # noqa: PT017 (most forces are held)
+            if "friction limit" not in str(error):  # most forces are below it
+                raise
             continue
         require_law(law, now, before)
         before, solved = now, solved + 1
@@ -68,8 +69,8 @@ def require_law(law, now, before):
 def test_random_contacts_satisfy_the_friction_law(kind):
     """All contacts have a solution, except where the shear bound jumps at the contact edge of
     dissimilar materials: a cell there may neither close, because of its shear, nor open."""
-    solved, alike, unlike = np.sum([follow(kind, seed) for seed in range(40)], axis=0)
+    solved, alike, different_bodies = np.sum([follow(kind, seed) for seed in range(40)], axis=0)
     assert alike == 0
     jumps = np.isinf(kind(*(1.0 for _ in kind.constants)).ratio(0.0))
-    assert unlike <= (0.03 * solved if jumps else 0)
+    assert different_bodies <= (0.03 * solved if jumps else 0)
     assert solved > 0.7 * 5 * 40

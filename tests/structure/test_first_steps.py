@@ -79,7 +79,7 @@ def test_the_report_has_the_values_of_the_run(folder):
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "told"),
+    ("old", "new", "message"),
     [
         ("Rx = 7.5e-3", "Rxx = 7.5e-3", ("surface", "Rxx", "Rx")),
         ("Rx = 7.5e-3", 'Rx = "7.5 s"', ("surface.", "Rx", "7.5 s")),
@@ -89,9 +89,9 @@ def test_the_report_has_the_values_of_the_run(folder):
     ],
     ids=["unknown key", "wrong unit", "missing field", "wrong type", "unknown word"],
 )
-def test_mistakes_are_named(folder, old, new, told):
+def test_mistakes_are_named(folder, old, new, message):
     (folder / "wrong.toml").write_text(CASE.replace(old, new, 1))
-    check_failure(invoke("run", folder / "wrong.toml"), 2, *told)
+    check_failure(invoke("run", folder / "wrong.toml"), 2, *message)
 
 
 def test_the_doctor_passes():

@@ -153,9 +153,9 @@ def test_tables_of_the_theory_are_generated():
 def test_limits_of_shakedown_are_those_of_the_theory():
     made = theory.shakedown_limits()
     stated = kept(TEXTS["docs/theory/shakedown.md"], "shakedown_limits")
-    found, told = (re.findall(r"\d\.\d{3}", table) for table in (made, stated))
+    found, message = (re.findall(r"\d\.\d{3}", table) for table in (made, stated))
     assert len(found) == 5 * len(theory.FRICTIONS)
-    assert [*map(float, found)] == pytest.approx([*map(float, told)], abs=1.01e-3)  # a digit
+    assert [*map(float, found)] == pytest.approx([*map(float, message)], abs=1.01e-3)  # a digit
 
 
 def test_counts_of_random_problems_are_those_of_a_run(monkeypatch):

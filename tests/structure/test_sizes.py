@@ -20,8 +20,8 @@ def length(function):
     """Return the number of lines from `def` to the end, without the docstring."""
     lines = function.end_lineno - function.lineno + 1
     if ast.get_docstring(function) is not None:
-        told = function.body[0]
-        lines -= told.end_lineno - told.lineno + 1
+        message = function.body[0]
+        lines -= message.end_lineno - message.lineno + 1
     return lines
 
 

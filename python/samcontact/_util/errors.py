@@ -47,3 +47,8 @@ def is_ignored(category: type[Warning]) -> bool:
         if issubclass(category, other) and not (message or module or line):
             return action == "ignore"
     return False
+
+
+def attach(error: BaseException, **results: object) -> None:
+    """Attach the results computed before an exception to it, as attributes."""
+    vars(error).update(results)

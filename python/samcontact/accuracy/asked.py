@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from .._util import memory
 from .._util.checks import boolean, positive
+from .._util.errors import attach
 from .._util.short_text import in_short
 from .outcome import AccuracyResult
 from .refinable_case import RefinableCase
@@ -82,7 +83,7 @@ def to_accuracy(
         with search.solves.kept_in(checkpoint):
             return search.search()
     except BaseException as error:  # including Ctrl-C
-        error.result = search.best()  # type: ignore[attr-defined]
+        attach(error, result=search.best())
         raise
 
 

@@ -63,7 +63,7 @@ class Solves:
         self._folder = file_path("checkpoint", folder)
         with locked(self._folder):
             for file in sorted(self._folder.glob("*.h5")):
-                require_marked(file, "move it, or use another folder")
+                require_marked(file, "move this file, or use another folder")
                 self._take(file)
             yield
 

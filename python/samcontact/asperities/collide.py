@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from .. import surfaces
 from .._util.checks import boolean, integer, require_type
 from .._util.display import ShortRepr
+from .._util.errors import attach
 from .._util.progress import progress_bar
 from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
@@ -149,7 +150,7 @@ def collide(
         except Exception as error:
             if done := [one for one in rows if one]:
                 part = CollisionResult(collision, simulation, to_dataset(collision, done), unloaded)
-                error.result = part  # type: ignore[attr-defined]
+                attach(error, result=part)
             raise
     resolution.warn_of_run([run.peak, run.state], simulation.engine.estimate, stacklevel=2)
     return CollisionResult(collision, simulation, to_dataset(collision, rows), unloaded)

@@ -113,14 +113,14 @@ def _warn_of_unit_errors(contact: HertzContact, given: dict[str, float | None]) 
             option = "--" + name.replace("_", "-")
             check = Check(option, value, limit, at_least, unit)
             remedy = f'Numbers without a unit are in {unit}; or write {option} "{example}"'
-            doubt = PlausibilityCheck(check, lambda remedy=remedy: remedy)  # type: ignore[misc]
-            warn_if_implausible(doubt, stacklevel=2)
+            finding = PlausibilityCheck(check, lambda remedy=remedy: remedy)  # type: ignore[misc]
+            warn_if_implausible(finding, stacklevel=2)
     if isinstance(contact, _hertz.LineContact):
         check = Check("half-width over the radius", contact.b / contact.R, MAX_HALF_WIDTH_RATIO)
-        doubt = PlausibilityCheck(check, lambda: "The bodies are modelled as half-spaces")
+        finding = PlausibilityCheck(check, lambda: "The bodies are modelled as half-spaces")
     else:
-        doubt = part_of_radius(ExpectedExtent(ExpectedContact(contact), (0.0, 0.0)))
-    warn_if_implausible(doubt, stacklevel=2)
+        finding = part_of_radius(ExpectedExtent(ExpectedContact(contact), (0.0, 0.0)))
+    warn_if_implausible(finding, stacklevel=2)
 
 
 def _loading(contact: _hertz.PointContact | _hertz.EllipticContact) -> Rows:

@@ -22,7 +22,7 @@ _REMEDY = ": enlarge "
 _WARNING_HINT = ', or set on_border="warn"'
 
 
-def told_of_fixed(error: ValueError, scene: ContactSetup) -> None:
+def add_border_remedies(error: ValueError, scene: ContactSetup) -> None:
     """Add remedies to a GridTooSmallError for a gap that is an array (fixed grid)."""
     error.args = (f"{advised(str(error), scene, _WARNING_HINT)}; {ENLARGEMENT_HINT}",)
 

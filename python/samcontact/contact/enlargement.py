@@ -35,7 +35,9 @@ def counts_for(
     needed = [math.ceil(2 * HERTZ_MARGIN * half / d) for half, d in halves]
     fits = all(n >= cells for n, cells in zip(shape, needed, strict=True))
     counts = [
-        even_more(n, max(cells, _SIDE_GROWTH * n if fits and axis in (error.axes or "xy") else n))
+        enlarged_evenly(
+            n, max(cells, _SIDE_GROWTH * n if fits and axis in (error.axes or "xy") else n)
+        )
         for axis, n, cells in zip("xy", shape, needed, strict=True)
     ]
     most = MAX_ENLARGEMENT * first.nx * first.ny
@@ -46,7 +48,7 @@ def counts_for(
 
 
 @contextmanager
-def told_in(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
+def explain_failed_enlargement(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
     """Context that raises `error` with the reason if the grid cannot be enlarged."""
     try:
         yield
@@ -56,7 +58,7 @@ def told_in(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
         raise error from reason
 
 
-def even_more(n: int, wanted: float) -> int:
+def enlarged_evenly(n: int, wanted: float) -> int:
     """Return n if n >= `wanted`, else n increased to `wanted`, by an even number, at least n/4."""
     if wanted <= n:
         return n

@@ -25,8 +25,8 @@ from ..problem.grid import Grid
 from ..problem.heating import NO_HEAT, heating, require_heat_of, require_reference
 from ..problem.settings import ContactSettings, memory_of_contact
 from ..solutions.contact_solution import ContactSolution, ShearedSolution, fits
-from .border_advice import advised, told_of_fixed
-from .enlargement import counts_for, told_in
+from .border_advice import add_border_remedies, advised
+from .enlargement import counts_for, explain_failed_enlargement
 from .fields import ContactFields
 from .interpenetration import require_apart
 from .tangential_drive import Pressing, TangentialDriver, tangential_drive
@@ -283,7 +283,9 @@ def solve_driven(  # warnings name the caller's caller
     pulled = asked.contact_law.attracts
     scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
     target = {"load": load, "approach": approach}
-    doubted = scene.doubted(asked.heat, target, is_loaded=drive.previous is not None, stacklevel=3)
+    finding = scene.warn_of_units(
+        asked.heat, target, is_loaded=drive.previous is not None, stacklevel=3
+    )
     while True:
         try:
             solution, complaint = solver._solved_from(start, window, driver, value, drive)
@@ -294,10 +296,10 @@ def solve_driven(  # warnings name the caller's caller
         except _core.GridTooSmallError as error:
             hertz_estimate.explain_size(error, scene.hertz(load, approach))
             if not callable(gap) and not asked.grid.periodic:
-                told_of_fixed(error, scene)
+                add_border_remedies(error, scene)
             if not callable(gap) or asked.grid.periodic or pulled:
                 raise
-            with told_in(error, window.grid):
+            with explain_failed_enlargement(error, window.grid):
                 counts = counts_for(error, asked.grid, scene, load, approach)
                 solver, before = asked._over(counts), window
                 window = surfaces.over(solver.grid)
@@ -307,7 +309,7 @@ def solve_driven(  # warnings name the caller's caller
     if complaint:
         text = complaint if callable(gap) else advised(complaint, scene)
         warnings.warn(text, GridTooSmallWarning, stacklevel=3)
-    if doubted is None or not doubted.of_contact:
+    if finding is None or not finding.of_contact:
         resolution.warn_of_contact(solution, scene, stacklevel=3)
     resolution.warn_of_strain(solution, scene, stacklevel=3)
     yield_check.warn_of_yield(solution, bodies, asked._law, stacklevel=3)

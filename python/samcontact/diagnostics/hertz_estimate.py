@@ -173,7 +173,7 @@ class ContactSetup:
         except (ValueError, ArithmeticError):  # floating-point overflow
             return None
 
-    def doubted(
+    def warn_of_units(
         self, heat: Heat, target: Mapping[str, Any], *, is_loaded: bool = False, stacklevel: int
     ) -> plausibility.PlausibilityCheck | None:
         """Warn of the first quantity that is probably in a wrong unit; return the failed check.
@@ -185,11 +185,11 @@ class ContactSetup:
         of_contact: list[plausibility.PlausibilityCheck] = []
         if target and self._is_hertzian and not least < self.load_of(**target) < most:
             of_contact = self.failed_checks(heat, **target)
-        for doubt in (*before, *of_contact, *after):
+        for finding in (*before, *of_contact, *after):
             if not is_loaded:
-                plausibility.require_solvable(doubt)
-            plausibility.warn_if_implausible(doubt, stacklevel=stacklevel + 1)
-            return doubt
+                plausibility.require_solvable(finding)
+            plausibility.warn_if_implausible(finding, stacklevel=stacklevel + 1)
+            return finding
         return None
 
     def failed_checks(
@@ -204,7 +204,7 @@ class ContactSetup:
             expected, _extent_of(expected, self._paraboloid), driver
         )
         found = plausibility.contact_plausibility_checks(contact, self.grid, self.bodies, heat)
-        return [doubt for doubt in found if not doubt.check.passed]
+        return [finding for finding in found if not finding.check.passed]
 
     def _checked(self, heat: Heat) -> tuple[FailedChecks, FailedChecks, tuple[float, float]]:
         """Failed checks of bodies and heat, and the load range [N] in which contact checks pass."""

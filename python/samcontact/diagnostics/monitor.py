@@ -49,18 +49,18 @@ class Monitor:
         finally:
             self.checks_steps, self.checks_increments = enabled
 
-    def doubt(
+    def warn_of_units(
         self, scene: ContactSetup, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
     ) -> None:
         """Issue unit warnings before an increment; equivalent later warnings are suppressed."""
         if self.setup_warned:
             return
         loaded = self.largest_load > 0
-        doubt = scene.doubted(heat, target, is_loaded=loaded, stacklevel=stacklevel + 1)
-        if not doubt:
+        finding = scene.warn_of_units(heat, target, is_loaded=loaded, stacklevel=stacklevel + 1)
+        if not finding:
             return
         self.setup_warned = True
-        if doubt.of_contact:
+        if finding.of_contact:
             self.contact_warned = True
             self.checks_steps = False
 

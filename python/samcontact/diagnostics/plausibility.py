@@ -146,8 +146,8 @@ def passing_loads(
     of flattened contacts grow faster, at most as the powers 2/3 and 1/2 of the load.
     """
     load = contact.expected.contact.load
-    checks = [doubt.check for doubt in contact_plausibility_checks(contact, grid, bodies, heat)]
-    checks += [doubt.check for doubt in _layer_check(contact, grid, map(softest, bodies))]
+    checks = [finding.check for finding in contact_plausibility_checks(contact, grid, bodies, heat)]
+    checks += [finding.check for finding in _layer_check(contact, grid, map(softest, bodies))]
     least, most = 0.0, math.inf
     for check in checks:
         share = max(check.value, 1e-30 * check.limit) / check.limit
@@ -166,29 +166,29 @@ def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, Material]]
     ]
 
 
-def _failed(doubts: Iterable[PlausibilityCheck]) -> Iterator[PlausibilityCheck]:
+def _failed(findings: Iterable[PlausibilityCheck]) -> Iterator[PlausibilityCheck]:
     """Failed checks only; reports do not list passed checks."""
-    return (doubt for doubt in doubts if not doubt.check.passed)
+    return (finding for finding in findings if not finding.check.passed)
 
 
-def warn_if_implausible(doubt: PlausibilityCheck, *, stacklevel: int) -> None:
+def warn_if_implausible(finding: PlausibilityCheck, *, stacklevel: int) -> None:
     """Issue a `UnitWarning` if a check has failed."""
-    verdict = doubt.check
+    verdict = finding.check
     if not verdict.passed:
         text = (
             f"likely unit error: {verdict.name} is {verdict.shown} ({verdict.condition} expected)"
         )
-        warnings.warn(f"{text}. {doubt.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
+        warnings.warn(f"{text}. {finding.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
 
 
-def require_solvable(doubt: PlausibilityCheck) -> None:
+def require_solvable(finding: PlausibilityCheck) -> None:
     """Raise ValueError, unless UnitWarning is ignored, if a Hertz contact is far below a cell."""
-    check = doubt.check
+    check = finding.check
     too_small = check.name == _CELLS_ACROSS and check.value < MIN_SOLVABLE_CELLS
     if too_small and not is_ignored(UnitWarning):
         raise ValueError(
             f"{check.name} must be at least {MIN_SOLVABLE_CELLS:g}, got {check.value:.4g}: "
-            f"{doubt.remedy()}. To solve it anyway, switch this check off with "
+            f"{finding.remedy()}. To solve it anyway, switch this check off with "
             "warnings.simplefilter('ignore', samcontact.UnitWarning)"
         )
 

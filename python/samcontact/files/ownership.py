@@ -56,7 +56,7 @@ def is_marked(file: Path) -> bool:
             return content.find(_MARK) >= 0
 
 
-def require_marked(file: Path, remedy: str = "move it, or use another name") -> None:
+def require_marked(file: Path, remedy: str = "move this file, or use another name") -> None:
     """Raise ValueError if a file exists that was not written by this package."""
     if os.path.lexists(file) and not is_marked(file):
         raise ValueError(f"{file} {_kind(file)}: {remedy}")
@@ -88,7 +88,9 @@ class OwnershipRecord:
         text = self.file.read_text(encoding="utf-8", errors="replace") if regular else ""
         self._begun = text.startswith(_HEAD)
         if not regular or not (self._begun or _HEAD.startswith(text)):  # truncated by a full disk
-            raise ValueError(f"{self.file} {_kind(self.file)}: move it, or use another folder")
+            raise ValueError(
+                f"{self.file} {_kind(self.file)}: move this file, or use another folder"
+            )
         for line in text.splitlines()[1:]:
             with contextlib.suppress(ValueError, TypeError):  # truncated by a full disk
                 digest, name = json.loads(line)
@@ -105,7 +107,7 @@ class OwnershipRecord:
         """Raise ValueError if a file exists that this package did not write."""
         if os.path.lexists(file) and not self.owns(file):
             raise ValueError(
-                f"{file} {_kind(file)}: move it, or use another folder for the results"
+                f"{file} {_kind(file)}: move this file, or use another folder for the results"
             )
 
     def add(self, part: Path, name: str) -> None:

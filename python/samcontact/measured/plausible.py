@@ -31,19 +31,19 @@ def warn_of_size(
     known = heights[np.isfinite(heights)]
     span = float(np.ptp(known)) if known.size else 0.0
     slope = _rms_slope(heights, steps)
-    doubts = []
+    findings = []
     if max(sides) > MAX_LENGTH:
-        doubts.append(f"its area is longer than {MAX_LENGTH:g} m")
+        findings.append(f"its area is longer than {MAX_LENGTH:g} m")
     if slope > MAX_RMS_SLOPE:
-        doubts.append(f"its rms slope is {slope:.3g}")
+        findings.append(f"its rms slope is {slope:.3g}")
     if span > max(sides):
-        doubts.append("its height range exceeds its length")
-    if not doubts:
+        findings.append("its height range exceeds its length")
+    if not findings:
         return
     over = lengths(*sides) if len(sides) == 2 else quantity(sides[0], "m")
     warnings.warn(
         f"likely unit error: {source} has a height range of {quantity(span, 'm')} over {over}, and "
-        f"{' and '.join(doubts)}: check the units of heights and steps",
+        f"{' and '.join(findings)}: check the units of heights and steps",
         UnitWarning,
         stacklevel=stacklevel + 1,
     )

@@ -151,8 +151,8 @@ def _plausibility(dataset: xr.Dataset, case: Case) -> Iterator[Check]:
     heat = NO_HEAT if case.heat is None else case.heat.build()
     bodies = case.body1.build(), case.body2.build()
     grid = grid_of(dataset) if case.grid is None else case.grid.build()
-    for doubt in plausibility_checks(contact, grid, bodies, heat):
-        yield replace(doubt.check, of_input=True)
+    for finding in plausibility_checks(contact, grid, bodies, heat):
+        yield replace(finding.check, of_input=True)
 
 
 def cells_across_contact(cells: float, suffix: str = "", few: int = MINIMUM_CELLS) -> Check:

@@ -105,7 +105,7 @@ def _is(path: Path, handle: int) -> bool:
 
 
 def _foreign_lock(path: Path, remedy: str) -> OSError:
-    return OSError(f"{path} is not a lock file of samcontact: move it, or {remedy}")
+    return OSError(f"{path} is not a lock file of samcontact: move this file, or {remedy}")
 
 
 def _unusable(directory: Path, error: OSError, remedy: str) -> OSError:

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from .._util.checks import FloatArray, boolean, in_cells, integer, number, require_type, step_list
+from .._util.errors import attach
 from .._util.frozen import read_only
 from .._util.progress import progress_bar
 from ..bodies.layered import materials_of
@@ -121,7 +122,7 @@ def run(
                 bar.set_postfix(strain_per_cycle=f"{repeated.cycles[-1].net:.3g}")
         except BaseException as error:  # Ctrl-C too
             if repeated.cycles:
-                error.result = repeated.result()  # type: ignore[attr-defined]
+                attach(error, result=repeated.result())
             raise
         finally:
             repeated.take_back()

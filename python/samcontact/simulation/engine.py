@@ -12,8 +12,8 @@ from typing import Any
 from .. import _core
 from .._core import ConvergenceError, GridTooSmallError
 from .._util import memory
-from ..contact.border_advice import ENLARGEMENT_HINT, advised, told_of_fixed
-from ..contact.enlargement import counts_for, even_more, told_in
+from ..contact.border_advice import ENLARGEMENT_HINT, add_border_remedies, advised
+from ..contact.enlargement import counts_for, enlarged_evenly, explain_failed_enlargement
 from ..contact.interpenetration import may_overlap, require_apart
 from ..diagnostics.hertz_estimate import ContactSetup, explain_digits, explain_size
 from ..diagnostics.monitor import Monitor
@@ -122,7 +122,7 @@ class Engine:
                 target = step.target
                 self.setup.contact_law.require_possible(step.heat, given)
                 if monitor.checks_steps:
-                    monitor.doubt(self.estimate, step.heat, target, stacklevel=4)
+                    monitor.warn_of_units(self.estimate, step.heat, target, stacklevel=4)
                 if target and not any(step.heat.shares):
                     self.make_room(**target)
                 before = self.core.state if target and self._may_overlap else None
@@ -185,7 +185,7 @@ class Engine:
             for axis, (n, first, cells) in enumerate(zip(shape, box[:2], box[2:4], strict=True)):
                 beside = max(-first, first + cells - n, 0)
                 needed[axis] = max(needed[axis], n + 2 * beside)
-        counts = [even_more(n, m) for n, m in zip(shape, needed, strict=True)]
+        counts = [enlarged_evenly(n, m) for n, m in zip(shape, needed, strict=True)]
         if self._why_fixed or tuple(counts) == shape:
             return False
         try:
@@ -214,11 +214,11 @@ class Engine:
         """Switch to a larger domain; raise the error if the domain cannot be enlarged."""
         if why := self._why_fixed:
             if why == ENLARGEMENT_HINT and not callable(self.setup.surfaces.gap):
-                told_of_fixed(error, self.estimate)
+                add_border_remedies(error, self.estimate)
             elif why != "it stays":
                 error.args = (f"{error}; {why}",)
             raise error
-        with told_in(error, self.domain.grid):
+        with explain_failed_enlargement(error, self.domain.grid):
             counts = counts_for(error, self.first.grid, self.estimate, load, approach)
             self._switch_to(counts)
 
@@ -254,8 +254,8 @@ class Engine:
             try:
                 require_consistent_overlap(domain, before)
             except ValueError as error:
-                told = f"the checkpoint was written for different surfaces: {error}"
-                raise ForeignCheckpointError(told) from error
+                message = f"the checkpoint was written for different surfaces: {error}"
+                raise ForeignCheckpointError(message) from error
         then = heat
         if heat.partition is None:
             then = replace(heat, factor=[state["heat_factor1"], state["heat_factor2"]])

@@ -89,7 +89,7 @@ class Journal:
         self.folder.mkdir(parents=True, exist_ok=True)
         files = sorted(self.folder.glob("*.h5"))
         for file in files:
-            require_marked(file, "move it away, or choose another folder")
+            require_marked(file, "move this file, or choose another folder")
         for file in files:  # the first intact one identifies the run
             with suppress(DamagedCheckpointError):
                 require_same(self.folder, who, read(file, KIND))

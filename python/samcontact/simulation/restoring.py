@@ -54,8 +54,10 @@ def loaded(
 ) -> Made:
     """Load a simulation from a checkpoint file; gap: function of a grid that returns the gap."""
     kept, tree = read_checkpoint(path, softening)
-    if told := other_version(path, tree):
-        warnings.warn(f"{told}: further increments may differ in their last digits", stacklevel=3)
+    if message := other_version(path, tree):
+        warnings.warn(
+            f"{message}: further increments may differ in their last digits", stacklevel=3
+        )
     with readable(path):
         return restored(cls, kept, gap=gap)
 

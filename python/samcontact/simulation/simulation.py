@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, boolean, require_fast, require_type, step_list
 from .._util.display import HtmlTable
+from .._util.errors import attach
 from ..bodies.layered import Body, require_bodies
 from ..diagnostics.monitor import Monitor
 from ..heat import Heat
@@ -79,8 +80,7 @@ class Simulation(Configured, HtmlTable):
     heat : Heat, optional
         Frictional heating. Default: none, `Heat(0.0)`.
     relief1, relief2 : Relief or callable, optional
-        Surface topography (roughness, dents) that moves with body 1 or 2, or a function of a grid
-        that returns a Relief.
+        Topography (roughness, dents) moving with body 1 or 2, or a function from Grid to Relief.
     reach : float, optional
         Distance beyond the grid along x up to which plastic strain acts [m]. Default: grid length.
     contact_law : ContactLaw, optional
@@ -305,7 +305,7 @@ class Simulation(Configured, HtmlTable):
             found = on_common_grid(states)
             check_errors(self.engine, self.monitor, found, 2, repeat_with(type(self)), stacklevel=2)
         except BaseException as error:  # Ctrl-C too
-            error.states = states  # type: ignore[attr-defined]
+            attach(error, states=states)
             raise
         return found
 

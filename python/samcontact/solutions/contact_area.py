@@ -58,8 +58,8 @@ def area_doubt(pressure: ArrayLike, periodic: str = "", gap: ArrayLike | None = 
     The correction is 0 if the contact edge is located from the pressure. Arguments as for
     `contact_area`.
     """
-    area, doubt = _located(pressure, periodic, gap)
-    return doubt / area if area > 0 else 0.0
+    area, uncertainty = _located(pressure, periodic, gap)
+    return uncertainty / area if area > 0 else 0.0
 
 
 def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple[float, float]:

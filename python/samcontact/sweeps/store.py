@@ -43,7 +43,7 @@ class Store:
     """
 
     def __init__(self, folder: Path) -> None:
-        require_marked(folder / "sweep.nc", "move it, or use another output")
+        require_marked(folder / "sweep.nc", "move this file, or use another output")
         self.folder = folder / "cases"
         if os.path.lexists(self.folder) and not self.folder.is_dir():
             raise ValueError(
@@ -60,7 +60,7 @@ class Store:
 
         Raises ValueError for a file that this package did not write.
         """
-        require_marked(self.file(key), "move it, or use another output")
+        require_marked(self.file(key), "move this file, or use another output")
         try:
             tree = read(self.file(key), _CHECKPOINT_KIND)
             require_same(self.file(key), {"key": key}, tree)

@@ -11,6 +11,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from .._util.errors import attach
 from .._util.progress import progress_bar
 from ..diagnostics import hertz_estimate, resolution
 from ..problem.moving_topography import Relief, heights_over
@@ -64,7 +65,9 @@ def _repeat(
                 moments, after = advance(scene, standing)
             except Exception as error:
                 if last is not None:
-                    error.result = _result(kind, scene, advance, standing, False, first, last)  # type: ignore[attr-defined]
+                    attach(
+                        error, result=_result(kind, scene, advance, standing, False, first, last)
+                    )
                 raise
             first = moments if not standing.cycles else first
             surface = hertz_estimate.ContactSetup(

@@ -161,8 +161,8 @@ def test_state_with_partial_slip():
     _, rows = parsed(state)
     assert rows["tangential load"] == "45 N, 0 N"
     assert rows["shift"] == f"{state.shift[0] * 1e6:.4g} µm, 0 m"
-    told = f"{state.sticking.sum()} of {np.count_nonzero(state.pressure)} in contact"
-    assert rows["sticking cells"] == told
+    stated = f"{state.sticking.sum()} of {np.count_nonzero(state.pressure)} in contact"
+    assert rows["sticking cells"] == stated
     assert "twist" not in rows
     _, rows = parsed(simulation.step(load=300.0, twist=1e-4))
     assert rows["twist"] == "100 µrad"

@@ -109,8 +109,8 @@ def run(folder, text):
 
 
 def test_a_run_of_a_case_has_errors_and_changes_nothing_else(tmp_path):
-    told, on = run(tmp_path, MINIMAL)
-    assert "Estimated grid errors" in told
+    stated, on = run(tmp_path, MINIMAL)
+    assert "Estimated grid errors" in stated
     more = {name for name in on if name.endswith("_error")}
     assert {"max_pressure_error", "contact_area_error", "imprint_depth_body2_error"} <= more
     case = parse_case(MINIMAL)
@@ -124,11 +124,11 @@ def test_a_run_of_a_case_has_errors_and_changes_nothing_else(tmp_path):
 
 def test_errors_that_are_disabled_or_cannot_be_estimated(tmp_path):
     elastic = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3')
-    told, _ = run(tmp_path, f"estimate_error = false\n{elastic}")
-    assert "Estimated grid errors" not in told
-    assert "could not estimate" not in told
-    told, _ = run(tmp_path, elastic.replace("ny = 13", 'ny = 14\nperiodic = "y"'))
-    assert "could not estimate the grid errors: ny must be a multiple of 4" in told
+    stated, _ = run(tmp_path, f"estimate_error = false\n{elastic}")
+    assert "Estimated grid errors" not in stated
+    assert "could not estimate" not in stated
+    stated, _ = run(tmp_path, elastic.replace("ny = 13", 'ny = 14\nperiodic = "y"'))
+    assert "could not estimate the grid errors: ny must be a multiple of 4" in stated
 
 
 @pytest.mark.parametrize(("ends", "deeper"), [((2,), 2), ((3,), 3), ((5, 15), 2.5), ((3, 4), 1)])
@@ -142,17 +142,17 @@ def test_elastic_plastic_layers_end_between_the_coarser_cells(ends, deeper):
     run = sc.Simulation(grid, STEEL, body, sc.surfaces.paraboloid(grid, R))
     assert coarsened(run, run.heat).grid.dz == pytest.approx(deeper * dz)
     path = [{"load": 250.0}]
-    with warnings.catch_warnings(record=True) as told:
+    with warnings.catch_warnings(record=True) as stated:
         warnings.simplefilter("always")
         found = sc.estimate_errors(run, path, run.run(path, progress=False))
     assert np.isfinite(found.errors["imprint_depth_body2"]).all()
-    assert any("exclude the effect of dz" in str(w.message) for w in told) == (deeper == 1)
+    assert any("exclude the effect of dz" in str(w.message) for w in stated) == (deeper == 1)
 
 
 def test_unresolved_roughness_is_reported(tmp_path):
     rough = '[surface.roughness]\nkind = "self_affine"\nrms_height = 1e-7\nhurst = 0.5\nseed = 1\n'
     elastic = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3')
-    told, dataset = run(tmp_path, elastic.replace("[[path]]", f"{rough}[[path]]", 1))
-    assert "of the mean-square slope of the surface is at wavelengths below" in told
+    stated, dataset = run(tmp_path, elastic.replace("[[path]]", f"{rough}[[path]]", 1))
+    assert "of the mean-square slope of the surface is at wavelengths below" in stated
     (check,) = [c for c in report.checks(dataset) if "mean-square slope" in c.name]
     assert check.value == dataset.attrs["slope_beyond"] > check.limit

@@ -45,16 +45,16 @@ def steps(monkeypatch):
         def stop(self, at, error=error):
             self.made, self.at, self.error = 0, at, error
 
-    told = Steps()
+    message = Steps()
 
     def counted(self, **arguments):
-        told.made += 1
-        if told.made == told.at:
-            raise told.error
+        message.made += 1
+        if message.made == message.at:
+            raise message.error
         return step(self, **arguments)
 
     monkeypatch.setattr(sc.Simulation, "step", counted)
-    return told
+    return message
 
 
 def solved(case, **settings):
@@ -138,12 +138,14 @@ def test_the_command_stores_the_best_values_and_resumes(expected, steps, tmp_pat
     file.write_text(TEXT, encoding="utf-8")
     steps.stop(11, KeyboardInterrupt() if error is None else error)
     outcome = invoke("run", file, "--output", out, *OPTIONS, *["--resume"] * journal)
-    told = f"values of 3 grids are in {out}, marked as incomplete"
+    message = f"values of 3 grids are in {out}, marked as incomplete"
     if error is None:
         assert outcome.exit_code == 130
-        assert outcome.stderr == f"{told}\ninterrupted; resume with:\n  samcontact resume {out}\n"
+        assert (
+            outcome.stderr == f"{message}\ninterrupted; resume with:\n  samcontact resume {out}\n"
+        )
     else:
-        check_failure(outcome, 1, f"{told}; resume with:\n  samcontact resume {out}")
+        check_failure(outcome, 1, f"{message}; resume with:\n  samcontact resume {out}")
     left = fields(out)
     assert left.attrs["complete"] == 0
     assert left["max_pressure_error"][-1] > expected.errors["max_pressure"]

@@ -92,7 +92,7 @@ def test_missing_friction_work_of_rolling():
         assert round(100 * (1 - work / (rolls.tangential_load[0] * creepage))) == share
 
 
-@pytest.mark.parametrize("number", range(3), ids=["ellipse", "rough", "unlike"])
+@pytest.mark.parametrize("number", range(3), ids=["ellipse", "rough", "dissimilar"])
 def test_errors_of_oblique_loading_are_those_of_the_theory(number):
     """Errors relative to 64 increments are those stated in the theory."""
     steel, R, load = sc.Material.elastic(210e9, 0.3), 10e-3, 100.0

@@ -72,19 +72,19 @@ def computed(tmp_path, monkeypatch):
     np.save(tmp_path / "h.npy", np.random.default_rng(5).standard_normal((24, 20)))
     seen = {}
 
-    def told(value):
+    def stated(value):
         if isinstance(value, np.ndarray):
             return value.tobytes()
         if hasattr(value, "heights"):
             return value.heights.tobytes(), value.first, value.periodic
         if isinstance(value, (list, tuple)):
-            return [told(item) for item in value]
+            return [stated(item) for item in value]
         if isinstance(value, dict):
-            return {name: told(item) for name, item in value.items()}
+            return {name: stated(item) for name, item in value.items()}
         return repr(value)
 
     def record(*arguments, **named):
-        seen["arguments"] = told([list(arguments), named])
+        seen["arguments"] = stated([list(arguments), named])
 
     for name in ("cycle", "steady_cycle"):
         monkeypatch.setattr(fatigue, name, lambda states, *given, name=name: (name, *given))
@@ -111,7 +111,7 @@ def computed(tmp_path, monkeypatch):
             judged = [case.fatigue.fields([simulation.state], 2), repr(case.fatigue.limit)]
         if case.shakedown is not None:
             judged.append(case.shakedown.solve(simulation, path, False))
-        return told([list(surfaces), path, judged]), repr(simulation)
+        return stated([list(surfaces), path, judged]), repr(simulation)
 
     return compute
 

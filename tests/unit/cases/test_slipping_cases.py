@@ -285,10 +285,10 @@ def test_results_contain_forces_motions_and_stick_zones(capsys, tmp_path):
         assert share[0] == 1 > share[2] > share[3] > 0
         assert np.isnan(share[-1])
     np.testing.assert_array_equal(without_rounding(np.array([4e-9, -270.0])), [0.0, -270.0])
-    told = capsys.readouterr().out
+    stated = capsys.readouterr().out
     for heading in ("force", "displacement", "frictional", "stick"):
-        assert heading in told
-    assert "torque" not in told
+        assert heading in stated
+    assert "torque" not in stated
 
 
 HEAT = "[heat]\npartition = 0.4\ntime = 1e-3\n"
@@ -314,7 +314,7 @@ def test_slip_heats_for_the_duration_of_the_increment():
     warm = [state.surface_temperature(body).max() for body in (1, 2)]
     assert warm[0] > 0
     assert warm[1] / warm[0] == pytest.approx(0.4 / 0.6, rel=1e-9)
-    told = {"duration = 1e-2\n": "duration must be given", "partition = 0.4\n": "exactly one of"}
-    for old, message in told.items():
+    stated = {"duration = 1e-2\n": "duration must be given", "partition = 0.4\n": "exactly one of"}
+    for old, message in stated.items():
         with pytest.raises(CaseError, match=message):
             parse_case(text.replace(old, "") + "fret = {shift_x = 2e-6}\n")

@@ -169,12 +169,12 @@ def test_encodings_of_case_files(tmp_path):
 @pytest.mark.parametrize("character", ["\0", "\x1b[31m", "\x07", "\x9b2J", "\r", "\x7f"])
 @pytest.mark.parametrize("field", ["title", "description", "directory", "path"])
 def test_control_characters_reach_no_terminal(tmp_path, field, character):
-    told = json.dumps(f"a{character}b")
+    stated = json.dumps(f"a{character}b")
     texts = {
-        "title": TEXT.replace('"Ball"', told),
-        "description": f"description = {told}\n{TEXT}",
-        "directory": f"{TEXT}[output]\ndirectory = {told}\n",
-        "path": TEXT.replace('"paraboloid"\nRx = 1e-3', f'"file"\npath = {told}'),
+        "title": TEXT.replace('"Ball"', stated),
+        "description": f"description = {stated}\n{TEXT}",
+        "directory": f"{TEXT}[output]\ndirectory = {stated}\n",
+        "path": TEXT.replace('"paraboloid"\nRx = 1e-3', f'"file"\npath = {stated}'),
     }
     path = tmp_path / "c.toml"
     path.write_text(texts[field].replace("\x7f", "\\u007f"))

@@ -45,14 +45,14 @@ def test_a_sound_installation():
 
 
 def test_versions():
-    told = dict(self_check.installation())
-    assert told["samcontact"] == sc.__version__
-    assert told["Python"].startswith(platform.python_version())
-    assert told["numpy"] == np.__version__
-    assert told["vtk"] == metadata.version("vtk")
-    assert re.match(r"\d+\.\d+\.\d+.*, plans by estimate", told["FFTW"])
-    assert re.search(r"(GCC|clang).*\d+\.\d+", told["compiler"])
-    assert "missing" not in " ".join(told.values())
+    message = dict(self_check.installation())
+    assert message["samcontact"] == sc.__version__
+    assert message["Python"].startswith(platform.python_version())
+    assert message["numpy"] == np.__version__
+    assert message["vtk"] == metadata.version("vtk")
+    assert re.match(r"\d+\.\d+\.\d+.*, plans by estimate", message["FFTW"])
+    assert re.search(r"(GCC|clang).*\d+\.\d+", message["compiler"])
+    assert "missing" not in " ".join(message.values())
 
 
 def test_threads_are_those_of_the_environment():
@@ -91,9 +91,9 @@ print(dict(self_check.installation())["threads"])
         text=True,
         check=True,
     )
-    threads, told = found.stdout.splitlines()
+    threads, message = found.stdout.splitlines()
     assert threads == f"{most} False"
-    assert told.startswith(f"{most} of {os.cpu_count()} processors (OMP_NUM_THREADS=3000")
+    assert message.startswith(f"{most} of {os.cpu_count()} processors (OMP_NUM_THREADS=3000")
 
 
 @pytest.mark.parametrize(

@@ -217,8 +217,8 @@ def test_a_run_reports_its_increments(case_file, caplog):
     simulation, path = load_case(case_file).build()
     with caplog.at_level(logging.DEBUG, logger="samcontact"):
         states = simulation.run(path[:2], progress=False)
-    told = [record.getMessage() for record in caplog.records]
-    assert told[0].startswith(f"increment 1 of 2: load {states[0].load:.6g} N")
-    assert f"{states[1].contact_iterations} contact iterations" in told[3]
+    message = [record.getMessage() for record in caplog.records]
+    assert message[0].startswith(f"increment 1 of 2: load {states[0].load:.6g} N")
+    assert f"{states[1].contact_iterations} contact iterations" in message[3]
     strain = states[1].track(margin=0).equivalent_plastic_strain()
     assert states[1].plastic_cells() == (strain > 0).sum() > 0

@@ -59,20 +59,20 @@ def test_a_closed_pipe(case, both):
     errors = writing if both else subprocess.PIPE
     with subprocess.Popen(command, stdout=writing, stderr=errors) as process:
         os.close(writing)
-        _, told = process.communicate()
+        _, message = process.communicate()
     assert {path.name for path in out.iterdir()} == ({"results.nc"} if both else FILES)
     assert process.returncode == 1
     if not both:
-        assert b"Traceback" not in told
-        assert b"rror" not in told
+        assert b"Traceback" not in message
+        assert b"rror" not in message
 
 
 def test_output_to_a_full_disk(case):
     with open("/dev/full", "w") as full:
         ended, files = run(case, "--no-figures", stdout=full)
     assert (ended.returncode, files) == (1, {"results.nc"})
-    told = ended.stderr.decode().splitlines()[-1]
-    assert told == "error: cannot write to the standard output: No space left on device"
+    message = ended.stderr.decode().splitlines()[-1]
+    assert message == "error: cannot write to the standard output: No space left on device"
 
 
 @pytest.mark.parametrize("words", ["doctor", "run --help", "--help", "--version"])
@@ -81,8 +81,8 @@ def test_unprintable_output_is_a_failure(words):
         command = [*COMMAND, *words.split()]
         ended = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, check=False)
     assert ended.returncode == 1
-    told = "error: cannot write to the standard output: No space left on device\n"
-    assert ended.stderr.decode() == told
+    message = "error: cannot write to the standard output: No space left on device\n"
+    assert ended.stderr.decode() == message
 
 
 def test_a_closed_stream(case):

@@ -21,7 +21,7 @@ PATH = [
     {"load": 0.8 * LOAD, "shift": (1e-3, 0.0)},
 ]
 FIELDS = ("pressure", "shear", "slip", "sticking")
-unlike = pytest.mark.parametrize("body1", [STEEL, BRASS], ids=["alike", "unlike"])
+dissimilar = pytest.mark.parametrize("body1", [STEEL, BRASS], ids=["alike", "dissimilar"])
 
 
 def walk(law, body1, body2=STEEL):
@@ -35,7 +35,7 @@ def same(one, other):
     return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in FIELDS)
 
 
-@unlike
+@dissimilar
 def test_an_unreached_shear_limit_changes_no_digit(body1):
     coulomb = walk(sc.Coulomb(MU), body1)
     most = max(found.pressure.max() for found in coulomb)
@@ -58,7 +58,7 @@ def test_an_unreached_shear_limit_changes_no_digit_in_plastic_contact():
         assert np.array_equal(one.plastic_strain(2), other.plastic_strain(2))
 
 
-@unlike
+@dissimilar
 def test_gross_slip_is_coulomb_below_the_limit_and_tresca_above(body1):
     limit = 0.6 * MU * walk(sc.Coulomb(MU), body1)[-1].pressure.max()
     *_, found = walk(sc.CappedCoulomb(MU, limit), body1)

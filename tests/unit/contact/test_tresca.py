@@ -32,7 +32,7 @@ def require_law(law, found):
     np.testing.assert_allclose(power, bound * slip, atol=1e-4 * K * max(slip.max(), 1e-300))
 
 
-@pytest.mark.parametrize("bodies", [(STEEL, STEEL), (BRASS, STEEL)], ids=["alike", "unlike"])
+@pytest.mark.parametrize("bodies", [(STEEL, STEEL), (BRASS, STEEL)], ids=["alike", "dissimilar"])
 def test_full_sliding_has_uniform_shear(bodies):
     found = slide((1e-3, 0.0), sc.Tresca(K), bodies)
     touching = found.pressure > 0
@@ -132,7 +132,7 @@ PATH = [
 ]
 
 
-@pytest.mark.parametrize("body1", [STEEL, BRASS, YIELDS], ids=["ball", "unlike", "both yield"])
+@pytest.mark.parametrize("body1", [STEEL, BRASS, YIELDS], ids=["ball", "dissimilar", "both yield"])
 def test_elastic_plastic_bodies_satisfy_the_law(body1):
     law = sc.Tresca(K)
     run = sc.Simulation(GRID, body1, YIELDS, GAP, law)

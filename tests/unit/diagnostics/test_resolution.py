@@ -29,7 +29,7 @@ def scene(cells, layers=12.0, depth=1.6, body2=YIELDING, **settings):
     return sc.Simulation(grid, STEEL, body2, sc.surfaces.paraboloid(grid, R), **settings)
 
 
-def told(run, kind=sc.ResolutionWarning):
+def stated(run, kind=sc.ResolutionWarning):
     """Return the texts of the warnings of one class."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -63,21 +63,21 @@ def test_a_contact_that_is_wide_but_thin_is_coarse(shape):
     }[shape]
     solver = sc.ContactSolver(sc.Grid(29, 29, 1e-5, 1e-5), sc.Material.rigid(), STEEL)
     gap = np.where(body, 0.0, np.inf)
-    (text,) = told(lambda: solver.solve(gap, load=1.0))
+    (text,) = stated(lambda: solver.solve(gap, load=1.0))
     assert "at load 1 N the contact is a ring or line about " in text
 
 
 def test_a_ring_of_eight_cells_is_fine():
     grid = sc.Grid(80, 80, 1e-5, 1e-5)
     gap = (np.hypot(*np.meshgrid(grid.x, grid.y, indexing="ij")) - 2.5e-4) ** 2 / 2e-3
-    assert told(lambda: sc.ContactSolver(grid, STEEL, STEEL).solve(gap, load=80.0)) == []
+    assert stated(lambda: sc.ContactSolver(grid, STEEL, STEEL).solve(gap, load=80.0)) == []
 
 
 def test_the_limits_of_a_run_are_eight_cells_and_eight_layers():
     path = [{"load": load} for load in (0.02 * LOAD, LOAD, 0.0)]
 
     def texts(**grid):
-        return told(lambda: scene(**grid).run(path, progress=False))
+        return stated(lambda: scene(**grid).run(path, progress=False))
 
     # the first increment has three cells across: only the largest load counts
     assert texts(cells=8) == []
@@ -87,19 +87,19 @@ def test_the_limits_of_a_run_are_eight_cells_and_eight_layers():
 
 def test_a_single_increment_warns_once_of_severe_under_resolution():
     simulation = scene(cells=1.4)
-    (text,) = told(lambda: [simulation.step(load=load) for load in (0.5 * LOAD, LOAD)])
+    (text,) = stated(lambda: [simulation.step(load=load) for load in (0.5 * LOAD, LOAD)])
     assert "is only 3 cells across" in text
-    assert told(lambda: scene(cells=5).step(load=LOAD)) == []
+    assert stated(lambda: scene(cells=5).step(load=LOAD)) == []
 
 
 def test_layers_too_coarse_to_show_yield_cause_a_warning():
     soft = sc.Material.perfect_plastic(210e9, 0.3, 2.2e9)  # yields just below 0.4 radii
     run = scene(8, 0.5, 2, body2=soft)
-    (text,) = told(lambda: run.run([{"load": LOAD}], progress=False))
+    (text,) = stated(lambda: run.run([{"load": LOAD}], progress=False))
     assert "appears elastic" in text
     assert "too coarse" in text
     hard = sc.Material.perfect_plastic(210e9, 0.3, 9e9)
-    assert told(lambda: scene(8, 0.5, 2, body2=hard).step(load=LOAD)) == []
+    assert stated(lambda: scene(8, 0.5, 2, body2=hard).step(load=LOAD)) == []
 
 
 def test_datasets_contain_cell_counts_and_reports_fail_below_a_limit():
@@ -149,7 +149,7 @@ def test_rough_contacts_with_small_spots_cause_a_warning():
         gap += sc.surfaces.sinusoidal(grid, 0.2e-6, 40e-6, 40e-6)
         run = sc.Simulation(grid, STEEL, STEEL, gap)
         states = []
-        texts = told(lambda: states.extend(run.run([{"load": 0.3}], progress=False)))
+        texts = stated(lambda: states.extend(run.run([{"load": 0.3}], progress=False)))
         counted = np.count_nonzero(states[-1].pressure) * grid.cell_area
         return texts, counted, results.to_dataset(run, states)
 
@@ -172,7 +172,7 @@ def test_a_sweep_warns_once_and_keeps_its_errors(tmp_path):
     case = parse_case(ELASTIC)
     sizes = [1e-9, 60e-6, 60e-3, 61e-3]
     values = {"grid.dx": sizes}
-    (text,) = told(lambda: sc.sweep(case, values, output=tmp_path, progress=False))
+    (text,) = stated(lambda: sc.sweep(case, values, output=tmp_path, progress=False))
     assert "2 with fewer than 8 cells across the contact, of 4 in all" in text
     with results.open_results(tmp_path / "sweep.nc") as stored:
         assert stored["status"].values.tolist() == ["failed", "done", "done", "done"]
@@ -212,14 +212,14 @@ def test_pressures_beyond_linear_elasticity_cause_a_warning():
     grid = sc.Grid(41, 41, contact.a / 15, contact.a / 15)
     gap = sc.surfaces.paraboloid(grid, R_slip)
     solver = sc.ContactSolver(grid, STEEL, STEEL)
-    (text,) = told(lambda: solver.solve(gap, load=LOAD), sc.ElasticStrainWarning)
+    (text,) = stated(lambda: solver.solve(gap, load=LOAD), sc.ElasticStrainWarning)
     assert "of the contact modulus" in text
     simulation = sc.Simulation(grid, STEEL, STEEL, gap)
     steps = [LOAD, 1.1 * LOAD]
-    found = told(lambda: [simulation.step(load=load) for load in steps], sc.ElasticStrainWarning)
+    found = stated(lambda: [simulation.step(load=load) for load in steps], sc.ElasticStrainWarning)
     assert len(found) == 1
 
 
 def test_a_resolved_smooth_contact_causes_no_warning():
     run = scene(8)
-    assert told(lambda: run.run([{"load": LOAD}, {"load": 0.0}], progress=False), Warning) == []
+    assert stated(lambda: run.run([{"load": LOAD}, {"load": 0.0}], progress=False), Warning) == []

@@ -100,7 +100,7 @@ def test_correct_units_pass(solved):
 
 @pytest.mark.parametrize("slip", UNIT_ERRORS)
 def test_a_unit_error_causes_a_warning_before_the_solve_and_fails_a_check(slip, solved):
-    _, name, told = UNIT_ERRORS[slip]
+    _, name, message = UNIT_ERRORS[slip]
     case = parse_case(changed(slip))
     simulation, path = case.build()
     solver = sc.ContactSolver(
@@ -116,7 +116,7 @@ def test_a_unit_error_causes_a_warning_before_the_solve_and_fails_a_check(slip, 
             with pytest.raises(ValueError if far_below_a_cell else sc.UnitWarning) as caught:
                 way()
         assert name in str(caught.value)
-        assert told in str(caught.value)
+        assert message in str(caught.value)
     loads = "increment", [step["load"] for step in path]
     checks = report.checks(solved.assign(load=loads).assign_attrs(case=case.text))
     assert [name in check.name for check in checks if not check.passed].count(True) == 1
@@ -163,14 +163,14 @@ UNIT_ERRORS_OF_MATERIALS = {
 
 @pytest.mark.parametrize("slip", UNIT_ERRORS_OF_MATERIALS)
 def test_a_unit_error_in_a_material_causes_a_warning(slip):
-    body, told = UNIT_ERRORS_OF_MATERIALS[slip]
+    body, message = UNIT_ERRORS_OF_MATERIALS[slip]
     heat = sc.Heat(1e-3, velocity=(2e3, 0.0)) if "speed" in slip else None
     found = list(
         plausibility_checks(None, sc.Grid(8, 8, 1e-5, 1e-5), (ELASTIC, body), heat or NO_HEAT)
     )
-    failed = [doubt for doubt in found if not doubt.check.passed]
-    assert any(told in doubt.check.name for doubt in failed)
-    assert all(doubt.remedy() for doubt in failed)
+    failed = [finding for finding in found if not finding.check.passed]
+    assert any(message in finding.check.name for finding in failed)
+    assert all(finding.remedy() for finding in failed)
 
 
 def test_real_materials_and_layers_cause_no_warning():
@@ -184,16 +184,16 @@ def test_real_materials_and_layers_cause_no_warning():
     bodies += [STEEL.with_yield_profile(*roll), gold, polymer, coating]
     for body in bodies:
         found = plausibility_checks(None, sc.Grid(8, 8, 1e-5, 1e-5), (ELASTIC, body), NO_HEAT)
-        assert [doubt.check.name for doubt in found if not doubt.check.passed] == []
+        assert [finding.check.name for finding in found if not finding.check.passed] == []
 
 
 def test_a_solver_reports_the_first_unit_error():
     grid = sc.Grid(8, 8, 1e-5, 1e-5, dz=1e-5)
-    body, told = UNIT_ERRORS_OF_MATERIALS["hardness numbers"]
+    body, message = UNIT_ERRORS_OF_MATERIALS["hardness numbers"]
     simulation = sc.Simulation(grid, ELASTIC, body, np.zeros((8, 8)), on_border="warn")
     with warnings.catch_warnings():
         warnings.simplefilter("error", sc.UnitWarning)
-        with pytest.raises(sc.UnitWarning, match=told):
+        with pytest.raises(sc.UnitWarning, match=message):
             simulation.step(load=1.0)
 
 
@@ -212,7 +212,7 @@ def test_limits_and_coefficients_of_wear():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "message"),
     [
         (["--R", "7.5", "--E-star", "115e9", "--load", "300"], '--R is 7.5 m (≤ 1 m expected)'),
         (["--R", "7.5e-3", "--E-star", "115000", "--load", "3"], "--E-star is 1.15e+05 Pa"),
@@ -220,8 +220,8 @@ def test_limits_and_coefficients_of_wear():
         (["--R", "10 um", "--E-star", "115 GPa", "--load", "300"], "over its radius is 2.69"),
     ],
 )  # fmt: skip
-def test_the_command_reports_unit_errors(arguments, told):
-    with pytest.warns(sc.UnitWarning, match=re.escape(told)):
+def test_the_command_reports_unit_errors(arguments, message):
+    with pytest.warns(sc.UnitWarning, match=re.escape(message)):
         assert invoke("hertz", *arguments).exit_code == 0
 
 

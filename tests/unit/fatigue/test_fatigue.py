@@ -85,7 +85,7 @@ def test_tresca_uses_the_smallest_ball_around_the_path():
     mean = np.trace(tensor, axis1=2, axis2=3)[..., None, None] * np.eye(3) / 3
     deviator = tensor - mean
     radius = crossland(stress, slope=0.0).values
-    told = dang_van(stress, slope=0.25).values
+    message = dang_van(stress, slope=0.25).values
     for n in range(40):
         path = deviator[:, n].reshape(-1, 9)
         # weights of a mean that is as far from its own points as the radius says
@@ -99,7 +99,7 @@ def test_tresca_uses_the_smallest_ball_around_the_path():
         principal = np.linalg.eigvalsh(deviator[:, n] - centre.reshape(3, 3))
         tau = (principal[:, 2] - principal[:, 0]) / 2
         expected = (tau + 0.25 * mean[:, n, 0, 0]).max()
-        assert told[n] == pytest.approx(expected, rel=1e-7)
+        assert message[n] == pytest.approx(expected, rel=1e-7)
 
 
 def _centre(points):

@@ -65,14 +65,14 @@ class TestReplacing:
     def test_errors_name_the_file_even_if_the_system_does_not(self, tmp_path):
         path = tmp_path / "text"
         path.write_text("old")
-        told = re.escape(f"[Errno 28] {os.strerror(28)}: '{path}'")
+        message = re.escape(f"[Errno 28] {os.strerror(28)}: '{path}'")
 
         def fill():
             with replacing(path) as part:
                 part.write_text("new")
                 raise OSError(28, os.strerror(28))
 
-        with pytest.raises(OSError, match=told):
+        with pytest.raises(OSError, match=message):
             fill()
         assert path.read_text() == "old"
         assert list(tmp_path.iterdir()) == [path]

@@ -56,8 +56,8 @@ def test_the_map_shows_each_cell_and_the_directions_of_slip(fretting):
         assert math.atan2(v, u) == pytest.approx(math.atan2(slip[1], slip[0]))
     largest = np.hypot(*state.slip).max()
     assert f"{largest * 1e9:.3g} nm" in ax.get_title()
-    told = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert told == ["stick", "slip"]
+    stated = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert stated == ["stick", "slip"]
     kinds = drawn_values(ax, GRID.x, GRID.y)
     np.testing.assert_array_equal(kinds == 0, state.sticking)
     np.testing.assert_array_equal(np.isnan(kinds), state.pressure == 0)

@@ -107,8 +107,8 @@ def test_coarse_cells_and_layers_fail_a_check(study, name, request):
     ) as data:
         fine, coarse = (data.load().assign({name: data[name] * 0 + n}) for n in (4, 3))
     failed = [[v.name for v in report.checks(one) if not v.passed] for one in (fine, coarse)]
-    (told,) = set(failed[1]) - set(failed[0])
-    assert told.split()[0] == name.split("_")[0]
+    (message,) = set(failed[1]) - set(failed[0])
+    assert message.split()[0] == name.split("_")[0]
 
 
 def test_energy_imbalance_of_nearly_elastic_passes():

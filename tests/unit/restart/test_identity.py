@@ -57,8 +57,8 @@ def test_different_runs_have_different_identities(one, other):
 def test_differences_are_named():
     before = identity(friction=0.1, gap=np.zeros(3), grid="same")
     now = identity(friction=0.2, gap=np.ones(3), grid="same", heat=0.0)
-    told = "friction 0.2 instead of 0.1, different gap, heat 0.0 instead of nothing"
-    assert differences(now, before) == told
+    message = "friction 0.2 instead of 0.1, different gap, heat 0.0 instead of nothing"
+    assert differences(now, before) == message
 
 
 def test_in_another_process():

@@ -30,9 +30,9 @@ def test_damaged_increments_are_solved_again(tmp_path, expected, numbers):
     files = [tmp_path / f"increment_{number:05d}.h5" for number in numbers]
     for file in files:
         hurt(file)
-    with pytest.warns(UserWarning, match="is damaged") as told:
+    with pytest.warns(UserWarning, match="is damaged") as stated:
         again = simulation().run(PATH, progress=False, checkpoint=tmp_path)
-    damaged = [text for text in (str(one.message) for one in told) if "is damaged" in text]
+    damaged = [text for text in (str(one.message) for one in stated) if "is damaged" in text]
     for text, file, number in zip(damaged, files, numbers, strict=True):
         words = f"'{file}' is damaged: .* continuing from the previous one, increment {number} is"
         assert re.search(words, text)

@@ -102,7 +102,7 @@ def test_from_cattaneo_to_carter():
 STEEL_ON_SOFT = (sc.Material.elastic(20.0, 0.3), sc.Material.elastic(2.0, 0.1))
 
 
-@pytest.mark.parametrize("bodies", [(BODY, BODY), STEEL_ON_SOFT], ids=["alike", "unlike"])
+@pytest.mark.parametrize("bodies", [(BODY, BODY), STEEL_ON_SOFT], ids=["alike", "dissimilar"])
 def test_steps_tend_to_steady_rolling(bodies):
     grid, gap = wheel(24)
     d, (xi, eta), spin = grid.dx, (2e-3, -1e-3), 3e-4
@@ -210,7 +210,9 @@ def test_dissimilar_rollers_agree_with_contact(across):
         assert found.tangential_applications < 1000
 
 
-@pytest.mark.parametrize("pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "unlike", "rigid"])
+@pytest.mark.parametrize(
+    "pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "dissimilar", "rigid"]
+)
 @pytest.mark.parametrize("mu", [1e-4, 0.05, 0.6])
 def test_forces_are_found_from_any_start(pair, mu):
     """Starts from zero and from full sliding, for forces from the maximum to zero."""
@@ -228,7 +230,9 @@ def test_forces_are_found_from_any_start(pair, mu):
         assert warm.creepage[0] == pytest.approx(found.creepage[0], rel=1e-5, abs=1e-9)
 
 
-@pytest.mark.parametrize("pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "unlike", "rigid"])
+@pytest.mark.parametrize(
+    "pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "dissimilar", "rigid"]
+)
 @pytest.mark.parametrize("mu", [1e-4, 0.05])
 def test_increments_find_forces_from_full_sliding(pair, mu):
     scene, most = rollers(mu, pair), mu * 16e3

@@ -94,7 +94,7 @@ Rx = 7.5e-3""")  # fmt: skip
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "message"),
     [
         (ELASTIC, "requires an elastic-plastic body"),
         (MOVING, "requires a closed path"),
@@ -104,6 +104,6 @@ Rx = 7.5e-3""")  # fmt: skip
          "cannot be combined with accuracy"),
     ],
 )  # fmt: skip
-def test_unrepeatable_paths_are_refused_before_the_run(run, text, told):
+def test_unrepeatable_paths_are_refused_before_the_run(run, text, message):
     outcome, _ = run(f"{text}\n{SHAKEDOWN}")
-    check_failure(outcome, 2, "shakedown", told)
+    check_failure(outcome, 2, "shakedown", message)

@@ -48,12 +48,12 @@ def warned(call):
 
 
 class TestWarning:
-    def unlike(self):
+    def dissimilar(self):
         return ball(RIGID, ALUMINIUM, 50.0, sc.Coulomb(0.3))
 
     @pytest.mark.parametrize("by_hand", [True, False])
     def test_one_large_increment_causes_one_warning(self, by_hand):
-        sim = self.unlike()
+        sim = self.dissimilar()
         calls = [
             lambda: sim.step(load=50.0) if by_hand else sim.run([{"load": 50.0}], progress=False),
             lambda: sim.run(pressed(50.0, 4), progress=False),
@@ -82,7 +82,7 @@ class TestWarning:
         assert len(warned(lambda: sim.run([{"load": 2000.0}], progress=False))) == 1
 
     def test_the_estimate_does_not_change_the_simulation(self):
-        loud, quiet = self.unlike(), silent(self.unlike())
+        loud, quiet = self.dissimilar(), silent(self.dissimilar())
         for sim in (loud, quiet):
             warned(lambda sim=sim: sim.run(pressed(50.0, 2), progress=False))
         np.testing.assert_array_equal(loud.state.shear, quiet.state.shear)
@@ -214,6 +214,6 @@ def test_table_results_and_report_state_increment_errors(tmp_path):
 
 def test_shares_are_written_without_powers_of_ten():
     shares = {"shear": 0.999, "pressure": 12.34, "gap": 0.004567}
-    told = increment_errors.error_summary(shares)
+    shown = increment_errors.error_summary(shares)
     expected = "the pressure by about 1200 %, the shear by about 100 %, the gap by about 0.46 %"
-    assert told == f"more increments would change {expected}"
+    assert shown == f"more increments would change {expected}"

@@ -93,6 +93,6 @@ for cells in (0, 16):
 
 
 def test_the_number_of_threads_changes_no_digit():
-    told = told_with(THREADS, 1, 3)
-    assert told[0] == told[1]
-    assert len(told[0].splitlines()) == 2
+    message = told_with(THREADS, 1, 3)
+    assert message[0] == message[1]
+    assert len(message[0].splitlines()) == 2

@@ -216,9 +216,9 @@ for percent in (1, 1.5, 0.2):
 
 
 def test_the_number_of_threads_changes_no_digit():
-    told = told_with(THREADS, 1, 3)
-    assert told[0] == told[1]
-    assert len(told[0].splitlines()) == 3
+    message = told_with(THREADS, 1, 3)
+    assert message[0] == message[1]
+    assert len(message[0].splitlines()) == 3
 
 
 @pytest.mark.parametrize("cycles", [12, pytest.param(100, marks=pytest.mark.slow)])

@@ -217,15 +217,11 @@ def test_a_damaged_checkpoint_is_replaced_by_that_of_the_cycle_before(tmp_path, 
     content = bytearray(file.read_bytes())
     content[len(content) // 2] ^= 1
     file.write_bytes(content)
+    continued = "the run continues from the checkpoint of the preceding cycle"
     for _ in range(2):  # a damaged one does not replace the good one
-        with pytest.warns(
-            UserWarning,
-            match=r"wear\.h5' is damaged: .*: the run continues from the checkpoint",
-        ):
+        with pytest.warns(UserWarning, match=rf"wear\.h5' is damaged: .*: {continued}"):
             assert wearing(cycles=2, checkpoint=file).cycles == worn.cycles[:2]
-    with pytest.warns(
-        UserWarning, match="the run continues from the checkpoint of the preceding cycle"
-    ):
+    with pytest.warns(UserWarning, match=continued):
         assert wearing(checkpoint=file).cycles == worn.cycles
     assert wearing(checkpoint=file).cycles == worn.cycles
 
@@ -270,8 +266,8 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
     changes = {"threshold": 2.1e-3, "window": 5, "friction": 0.41, "tol": 1e-7}
     parts = {"window": "filter", "tol": "settings"}
     for name, value in changes.items():
-        told = rf"of another run \(.*{parts.get(name, name)}.*: remove this file"
-        with pytest.raises(ValueError, match=told):
+        text = rf"of another run \(.*{parts.get(name, name)}.*: remove this file"
+        with pytest.raises(ValueError, match=text):
             wearing(checkpoint=file, **{name: value})
     with pytest.raises(ValueError, match=r"cycles must be greater than .* \(1\), got 1"):
         wearing(checkpoint=file, cycles=1)
