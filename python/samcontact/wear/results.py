@@ -186,7 +186,7 @@ class WearResult(BaseWearResult):
 
     cycles: list[Cycle]
     last: Moments = field(repr=False)
-    """States of the last cycle: at maximum load, and unloaded before removal of material."""
+    """States of the last cycle at maximum load, and unloaded before removal of material."""
 
 
 @dataclass(eq=False, repr=False)
