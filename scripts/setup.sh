@@ -73,16 +73,14 @@ sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=
 }
 
 samcontact_install() {
-  local strict=OFF own_headers=OFF state
-  # Precompiled headers contain the path of their folder, so ccache could not share them.
-  [ "$1" = "" ] || strict=ON own_headers=ON
+  local strict=OFF state
+  [ "$1" = "" ] || strict=ON
   state=$(samcontact_fingerprint)
   if [ "$(cat .venv/samcontact-state 2> /dev/null)" != "$state" ] ||
     { [ -n "$1" ] && ! grep -qxF -e "$1" .venv/samcontact-extras 2> /dev/null; }; then
     echo "Building and installing samcontact (a minute the first time) ..."
     .venv/bin/python -m pip install --quiet --disable-pip-version-check \
-      ${1:+--no-compile --no-build-isolation} --config-settings="cmake.define.SAMCONTACT_WERROR=$strict" \
-      --config-settings="cmake.define.CMAKE_DISABLE_PRECOMPILE_HEADERS=$own_headers" ".$1"
+      ${1:+--no-compile --no-build-isolation} --config-settings="cmake.define.SAMCONTACT_WERROR=$strict" ".$1"
     echo "$state" > .venv/samcontact-state
     echo "$1" >> .venv/samcontact-extras
   fi

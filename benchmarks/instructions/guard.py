@@ -120,7 +120,6 @@ def build(source: Path) -> Path:
     folder = source / "build" / "instructions"
     options = [
         "-DCMAKE_BUILD_TYPE=Release",
-        "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON",
         "-DSAMCONTACT_PYTHON=OFF",
         "-DSAMCONTACT_WERROR=ON",
         "-DSAMCONTACT_BENCHMARKS=ON",

@@ -18,11 +18,7 @@ VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["versi
 EXAMPLE = ROOT / "cpp" / "examples" / "hertz"
 # Kept between runs; compiled as by `cmake --preset core`, so that ccache finds the objects.
 BUILD = ROOT / "build" / "library"
-CORE = {
-    "SAMCONTACT_PYTHON": "OFF",
-    "SAMCONTACT_WERROR": "ON",
-    "CMAKE_DISABLE_PRECOMPILE_HEADERS": "ON",
-}
+CORE = {"SAMCONTACT_PYTHON": "OFF", "SAMCONTACT_WERROR": "ON"}
 
 
 def call(*command):

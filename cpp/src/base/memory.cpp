@@ -8,14 +8,14 @@ namespace {
 
 // Set by the host, once.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
-std::atomic<MemoryCheck> installed_check{nullptr};
+std::atomic<MemoryCheck> installed_memory_check{nullptr};
 
 }  // namespace
 
-void set_memory_check(MemoryCheck check) { installed_check.store(check); }
+void set_memory_check(MemoryCheck check) { installed_memory_check.store(check); }
 
 void require_memory(double bytes, const std::string& what) {
-  const MemoryCheck check = installed_check.load(std::memory_order_relaxed);
+  const MemoryCheck check = installed_memory_check.load(std::memory_order_relaxed);
   if (check != nullptr) check(bytes, what);
 }
 

@@ -22,7 +22,7 @@ constexpr int anderson_depth = 4;
 /// Tolerance within a sweep: relative to the error of the previous sweep, and in the first sweep.
 constexpr double inner_tol_ratio = 0.1, loosest = 1e-2;
 /// Factor of the tolerance, so that the last sweep stays within it.
-constexpr double safety = 0.5;
+constexpr double inner_safety = 0.5;
 /// e_t is relative to the stiffness of the whole contact, and the shear of single cells is off by
 /// up to 25 times as much: tolerances below `fine`, except those near rounding, are multiplied by
 /// this factor.
@@ -101,7 +101,7 @@ class PartialSlipContact::Sweeps {
     const bool coupled = contact_.is_coupled();
     const double full = settings_.tol, least = std::min(full, rounding);
     Anderson anderson(anderson_depth);
-    double tol = coupled ? std::max(loosest, safety * full) : full;
+    double tol = coupled ? std::max(loosest, inner_safety * full) : full;
     for (;; ++s_.sweeps) {
       solve_pressure(std::move(pressure), tol);
       if (!s_.normal.converged) return std::move(s_);
@@ -110,7 +110,7 @@ class PartialSlipContact::Sweeps {
       s_.normal.converged = std::max(s_.normal.error, s_.tangential.error) <= full;
       if (s_.normal.converged || !coupled) break;
       if (!s_.tangential.converged || s_.sweeps >= max_sweeps) break;
-      tol = std::max(inner_tol_ratio * s_.normal.error, safety * full);
+      tol = std::max(inner_tol_ratio * s_.normal.error, inner_safety * full);
       anderson.next(raised_, change);
       pressure = s_.normal.tractions.pressure;
     }

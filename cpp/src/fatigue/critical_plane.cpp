@@ -17,7 +17,7 @@
 namespace samcontact::fatigue {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double none = -std::numeric_limits<double>::infinity();
 /// Angle between the initial normals, in both directions. The shear on a plane changes by 1 - cos
 /// 2a over the angle a: 4 % if the nearest of them is 8 degrees off.

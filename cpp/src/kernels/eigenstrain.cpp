@@ -12,8 +12,6 @@
 namespace samcontact::kernels {
 namespace {
 
-constexpr double tiny = 1e-280;
-
 constexpr std::array<std::string_view, full_space_count> full_space_indices{
     "xxxx", "yyyy", "zzzz", "xxxy", "xxxz", "xyyy", "yyyz", "xzzz",
     "yzzz", "xxyy", "xxzz", "yyzz", "xxyz", "xyyz", "xyzz"};
@@ -34,20 +32,20 @@ Parity parity_of(std::string_view indices) {
 double psi_aaaa(double a, double b, double c, double R) {
   const double sign = a > 0 ? 1.0 : (a < 0 ? -1.0 : 0.0);
   const double T_a = std::atan2(b * c * sign, std::fabs(a) * R);
-  const double ab = std::max(a * a + b * b, tiny);
-  const double ac = std::max(a * a + c * c, tiny);
+  const double ab = std::max(a * a + b * b, smallest_square);
+  const double ac = std::max(a * a + c * c, smallest_square);
   return -2 * T_a + a * b * c / R * (1 / ab + 1 / ac);
 }
 
 /// psi_aaab.
 double psi_aaab(double a, double b, double c, double R) {
-  const double ab = std::max(a * a + b * b, tiny);
+  const double ab = std::max(a * a + b * b, smallest_square);
   return log_ratio(c, a, b) - a * a * c / (ab * R);
 }
 
 /// psi_aabb.
 double psi_aabb(double a, double b, double c, double R) {
-  return -a * b * c / (std::max(a * a + b * b, tiny) * R);
+  return -a * b * c / (std::max(a * a + b * b, smallest_square) * R);
 }
 
 }  // namespace
@@ -59,8 +57,8 @@ std::array<double, 6> eigenstrain_displacement(double x, double y, double z, dou
   const double yLx = y * log_ratio(x, y, z);
   const double L_z = std::log(std::max(R + z, 1e-140));
   const double T_z = std::atan2(x * y, z * R);
-  const double A_x = std::atan2(x * y, std::max(x * x + z * z + z * R, tiny));
-  const double A_y = std::atan2(x * y, std::max(y * y + z * z + z * R, tiny));
+  const double A_x = std::atan2(x * y, std::max(x * x + z * z + z * R, smallest_square));
+  const double A_y = std::atan2(x * y, std::max(y * y + z * z + z * R, smallest_square));
   // atan(yz/(xR)), atan(xz/(yR)): they occur multiplied by x or y, so 0 on those planes.
   const double xT_x = x == 0 ? 0.0 : x * std::atan(y * z / (x * R));
   const double yT_y = y == 0 ? 0.0 : y * std::atan(x * z / (y * R));
@@ -94,7 +92,7 @@ std::array<double, 6> eigenstrain_side_displacement(double x, double y, double z
 std::array<double, full_space_count> full_space_scalars(double x, double y, double z) {
   const double R = std::max(std::sqrt(x * x + y * y + z * z), 1e-140);
   // On the face of a cuboid at the free surface the limit from inside is required, not the mean.
-  const double below = z == 0 ? tiny : z;
+  const double below = z == 0 ? smallest_square : z;
   return {psi_aaaa(x, y, z, R),
           psi_aaaa(y, x, z, R),
           psi_aaaa(below, x, y, R),
@@ -115,8 +113,8 @@ std::array<double, full_space_count> full_space_scalars(double x, double y, doub
 std::array<double, image_count> image_scalars(double x, double y, double z) {
   const double R = std::max(std::sqrt(x * x + y * y + z * z), 1e-140);
   const double T = R + z;
-  const double s = std::max(x * x + z * z, tiny);
-  const double t = std::max(y * y + z * z, tiny);
+  const double s = std::max(x * x + z * z, smallest_square);
+  const double t = std::max(y * y + z * z, smallest_square);
   const double xy = x * y, xx = x * x, yy = y * y;
   const double R2 = R * R, R3 = R2 * R, RT = R * T, TT = T * T;
   const double Rs = R * s, Rt = R * t;

@@ -13,7 +13,7 @@ namespace {
 constexpr int orders = FarDisplacement::orders;
 
 /// Distance, in sizes of the rectangle, beyond which the tenth moment is below rounding.
-constexpr double far = 24.0;
+constexpr double far_distance = 24.0;
 
 double binomial(int n, int k) {
   double value = 1.0;
@@ -75,7 +75,7 @@ void evaluate_row(const FarDisplacement::Factors& f, double area, const double* 
 // P_l(cos g) = sum over j = 0..l of A_j A_(l-j) cos((l - 2 j) g), A_j = (2 j - 1)!! / (2 j)!!;
 // odd l vanish in the mean over the rectangle.
 FarDisplacement::FarDisplacement(double width, double length)
-    : area_(width * length), valid_from_(far * std::max(width, length)) {
+    : area_(width * length), valid_from_(far_distance * std::max(width, length)) {
   std::array<double, 2 * orders + 1> a{1.0};
   for (int j = 1; j <= 2 * orders; ++j) a[j] = a[j - 1] * (2 * j - 1) / (2 * j);
   for (int k = 0; k <= orders; ++k) {

@@ -11,17 +11,16 @@
 namespace samcontact::kernels {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double tiny = 1e-280;
+using std::numbers::pi;
 // In half sizes. Corner sums lose about (distance / size)^2 of their digits; beyond, four by four
 // Gauss points integrate the point source to (size / distance)^8.
-constexpr double far = 30;
+constexpr double far_ratio = 30;
 
 bool is_far(double x, double y, double z, double a, double b) {
-  return std::hypot(x, y, z) > far * std::max(a, b);
+  return std::hypot(x, y, z) > far_ratio * std::max(a, b);
 }
 
-/// Integral of point(x - xi, y - eta) over the rectangle, far from it.
+/// Integral of point(x - xi, y - eta) over the rectangle, far_ratio from it.
 template <std::size_t N, class Point>
 std::array<double, N> integrate(double x, double y, double a, double b, const Point& point) {
   static const auto rule = gauss_legendre(4);
@@ -70,7 +69,7 @@ std::array<double, 3> steady_heat_stress(double x, double y, double z, double a,
       const double A_x = std::atan2(X * Y, X * X + z * z + z * R);
       const double A_y = std::atan2(X * Y, Y * Y + z * z + z * R);
       return std::array{z * A_y - Y * log_ratio(X, Y, z), z * A_x - X * log_ratio(Y, X, z),
-                        R - z * std::log(std::max(R + z, tiny))};
+                        R - z * std::log(std::max(R + z, smallest_square))};
     });
   }
   for (double& v : sum) v /= 2 * pi;
@@ -86,7 +85,7 @@ double steady_heat_displacement(double x, double y, double a, double b, double r
   } else {
     // g = 1/2 [X Y ln(X^2 + Y^2) - 3 X Y + X^2 atan(Y/X) + Y^2 atan(X/Y)], g,xy = ln r
     sum = corner_sum_2d<1>(x, y, a, b, [r0](double X, double Y) {
-      const double r2 = std::max(X * X + Y * Y, tiny);
+      const double r2 = std::max(X * X + Y * Y, smallest_square);
       const double s = std::copysign(1.0, X), t = std::copysign(1.0, Y);
       return std::array{0.5 *
                         (X * Y * (std::log(r2 / (r0 * r0)) - 3) + X * X * std::atan2(s * Y, s * X) +

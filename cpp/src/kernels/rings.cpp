@@ -11,7 +11,7 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// Width of the edges of windows, and distance at which their kernels have decayed:
 /// exp(-(reach/2)^2).
 constexpr double edge = 0.2, reach = 9.0;

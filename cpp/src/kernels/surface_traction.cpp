@@ -11,7 +11,6 @@ namespace {
 
 // Keeps the quotients defined on the lines above the edges of the source, where their numerators
 // vanish.
-constexpr double tiny = 1e-280;
 
 /// Elementary functions shared by the stress kernels.
 struct Elementary {
@@ -19,8 +18,8 @@ struct Elementary {
 
   Elementary(double x, double y, double z)
       : R(std::max(std::sqrt(x * x + y * y + z * z), 1e-140)),
-        s(std::max(x * x + z * z, tiny)),
-        t(std::max(y * y + z * z, tiny)) {}
+        s(std::max(x * x + z * z, smallest_square)),
+        t(std::max(y * y + z * z, smallest_square)) {}
 };
 
 }  // namespace
@@ -30,7 +29,7 @@ double pressure_displacement(double x, double y) {
 }
 
 double shear_displacement(double x, double y) {
-  const double rho2 = std::max(x * x + y * y, tiny);
+  const double rho2 = std::max(x * x + y * y, smallest_square);
   return 0.5 * y * std::log(rho2) + x * std::atan2(std::copysign(1.0, x) * y, std::fabs(x));
 }
 

@@ -37,6 +37,11 @@ struct AlignedAllocator {
 
 /// A field of doubles; its index order is stated where it is declared.
 using Field = std::vector<double, AlignedAllocator<double>>;
+
+/// Adds a field to another one, which may be shorter.
+inline void add(const Field& from, Field& to) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
+}
 using Complex = std::complex<double>;
 using ComplexField = std::vector<Complex, AlignedAllocator<Complex>>;
 

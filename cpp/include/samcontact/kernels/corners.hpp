@@ -8,10 +8,13 @@
 
 namespace samcontact::kernels {
 
+/// Replaces squares of lengths that are zero in divisors and logarithms.
+constexpr double smallest_square = 1e-280;
+
 /// L(u; v, w) = asinh(u / sqrt(v^2 + w^2)): ln(u + R) without its cancellation for u < 0 (the
 /// difference, ln(v^2 + w^2)/2, is annihilated by the corner sum over u).
 inline double log_ratio(double u, double v, double w) {
-  return std::asinh(u / std::sqrt(std::fmax(v * v + w * w, 1e-280)));
+  return std::asinh(u / std::sqrt(std::fmax(v * v + w * w, smallest_square)));
 }
 
 /// sum_{s,t=+-1} s t F(X + s a, Y + t b). `corner(x, y)` returns an array of N functions.

@@ -30,11 +30,11 @@ constexpr double coarse_tol = 1e-3;
 /// resolves; later as large as the exact operator is expected to confirm.
 constexpr double first_gain = 1e-3, gain = 1e-2;
 /// The last round aims below tol, so that the exact operator confirms it.
-constexpr double safety = 0.5;
+constexpr double round_safety = 0.5;
 constexpr int max_steps_per_round = 300;
 /// Consecutive rounds that fail to halve the error before the method without preconditioner takes
 /// over.
-constexpr int patience = 2;
+constexpr int max_failed_rounds = 2;
 /// Accumulated rounding error of the load in the steps of a round, relative to the load. If the
 /// displacement has no mean, nothing restrains the mean pressure, and steps along nearly solved
 /// directions are long.
@@ -125,7 +125,7 @@ class Rounds {
       }
       const bool grown = choose_box();
       stalled = grown || solution_.error < 0.5 * last_error ? 0 : stalled + 1;
-      if (stalled == patience) break;
+      if (stalled == max_failed_rounds) break;
       round(std::isinf(last_error), tol,
             std::min(max_iterations - solution_.iterations, max_steps_per_round));
     }
@@ -185,7 +185,7 @@ class Rounds {
     const double asked = exact ? 0.0 : solution_.error * (first ? first_gain : gain);
     const auto result =
         solve_active_set(problem, std::move(pressure), std::move(displacement), first && !warm_,
-                         std::max(asked, safety * tol), max_iterations);
+                         std::max(asked, round_safety * tol), max_iterations);
     std::fill(solution_.tractions.pressure.begin(), solution_.tractions.pressure.end(), 0.0);
     insert(result.pressure.data(), box_, solution_.tractions.pressure.data(), Box::surface(grid_));
     solution_.iterations += result.iterations;

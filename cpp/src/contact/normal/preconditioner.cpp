@@ -10,7 +10,7 @@ namespace {
 
 /// Eigenvalues of a kernel truncated by its period are raised to this fraction of the smallest of
 /// the half-space, so that the preconditioner is positive definite for any shape of the cells.
-constexpr double smallest_fraction = 0.1;
+constexpr double smallest_normal_fraction = 0.1;
 
 /// Wavenumber of the shortest wave of the grid.
 double shortest_wavenumber(double dx, double dy) {
@@ -29,7 +29,7 @@ Preconditioner::Preconditioner(const Grid& box, const operators::SurfaceInfluenc
                                                   })
                    : near.spectrum()) {
   const double floor =
-      smallest_fraction * influence.wave_compliance(shortest_wavenumber(box.dx, box.dy));
+      smallest_normal_fraction * influence.wave_compliance(shortest_wavenumber(box.dx, box.dy));
   // The spectrum contains 1/(mx my) of the two transforms; so must the inverse.
   const double points = static_cast<double>(transform_.mx()) * transform_.my();
   for (double& value : inverse_) value = 1.0 / (std::max(value * points, floor) * points);

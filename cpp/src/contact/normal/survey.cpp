@@ -11,8 +11,6 @@
 namespace samcontact::contact {
 namespace {
 
-constexpr std::size_t lanes = reduce_lanes;
-
 void add(const Totals& part, Totals& all) {
   all.contacts += part.contacts;
   all.rest_in_contact += part.rest_in_contact;
@@ -26,10 +24,10 @@ void add(const Totals& part, Totals& all) {
 SAMCONTACT_MULTIVERSION
 void block_totals(const double* p, const double* rest, const double* gap, std::size_t n,
                   Totals& block) {
-  double contacts[lanes] = {}, rests[lanes] = {}, pressure[lanes] = {}, energy[lanes] = {},
-         p_max[lanes] = {}, u_max[lanes] = {};
-  for (std::size_t first = 0; first < n; first += lanes) {
-    const std::size_t width = std::min(lanes, n - first);
+  double contacts[reduce_lanes] = {}, rests[reduce_lanes] = {}, pressure[reduce_lanes] = {},
+         energy[reduce_lanes] = {}, p_max[reduce_lanes] = {}, u_max[reduce_lanes] = {};
+  for (std::size_t first = 0; first < n; first += reduce_lanes) {
+    const std::size_t width = std::min(reduce_lanes, n - first);
     const auto add_lane = [&](std::size_t l) {
       const double pi = p[first + l], ri = rest[first + l], gi = gap[first + l];
       const double u = std::fabs(ri - gi);
@@ -40,13 +38,13 @@ void block_totals(const double* p, const double* rest, const double* gap, std::s
       p_max[l] = pi > p_max[l] ? pi : p_max[l];
       u_max[l] = u > u_max[l] ? u : u_max[l];
     };
-    if (width == lanes) {
-      for (std::size_t l = 0; l < lanes; ++l) add_lane(l);
+    if (width == reduce_lanes) {
+      for (std::size_t l = 0; l < reduce_lanes; ++l) add_lane(l);
     } else {
       for (std::size_t l = 0; l < width; ++l) add_lane(l);
     }
   }
-  for (std::size_t l = 0; l < lanes; ++l) {
+  for (std::size_t l = 0; l < reduce_lanes; ++l) {
     add({contacts[l], rests[l], pressure[l], energy[l], p_max[l], u_max[l]}, block);
   }
 }
@@ -63,9 +61,9 @@ struct Verdict {
 SAMCONTACT_MULTIVERSION
 void judge_cells(const double* p, const double* rest, std::size_t n, const Judge& judge,
                  unsigned char* states, Verdict& verdict) {
-  double error[lanes] = {}, lowest[lanes] = {};
-  for (std::size_t first = 0; first < n; first += lanes) {
-    const std::size_t width = std::min(lanes, n - first);
+  double error[reduce_lanes] = {}, lowest[reduce_lanes] = {};
+  for (std::size_t first = 0; first < n; first += reduce_lanes) {
+    const std::size_t width = std::min(reduce_lanes, n - first);
     const auto judge_lane = [&](std::size_t l) {
       const double pi = p[first + l], g = rest[first + l] - judge.approach;
       const double share = pi * judge.over_p, opening = g * judge.over_u;
@@ -73,8 +71,8 @@ void judge_cells(const double* p, const double* rest, std::size_t n, const Judge
       error[l] = wrong > error[l] ? wrong : error[l];
       lowest[l] = g < lowest[l] ? g : lowest[l];
     };
-    if (width == lanes) {
-      for (std::size_t l = 0; l < lanes; ++l) judge_lane(l);
+    if (width == reduce_lanes) {
+      for (std::size_t l = 0; l < reduce_lanes; ++l) judge_lane(l);
     } else {
       for (std::size_t l = 0; l < width; ++l) judge_lane(l);
     }
@@ -92,8 +90,8 @@ void judge_cells(const double* p, const double* rest, std::size_t n, const Judge
   verdict.working += held;
   verdict.dropped += pressed - held;
   verdict.penetrating += open;
-  verdict.error = std::max(verdict.error, *std::max_element(error, error + lanes));
-  verdict.lowest = std::min(verdict.lowest, *std::min_element(lowest, lowest + lanes));
+  verdict.error = std::max(verdict.error, *std::max_element(error, error + reduce_lanes));
+  verdict.lowest = std::min(verdict.lowest, *std::min_element(lowest, lowest + reduce_lanes));
 }
 
 /// part(begin, end, result) over fixed chunks of n cells, results in order.

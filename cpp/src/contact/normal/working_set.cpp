@@ -13,15 +13,13 @@ namespace {
 
 using Run = CellRuns::Run;
 
-constexpr std::size_t lanes = 8;
-
 SAMCONTACT_MULTIVERSION
 Sums sums_of(const Run* first, const Run* last, const double* a, const double* b) {
-  double plain[lanes] = {}, product[lanes] = {};
+  double plain[reduce_lanes] = {}, product[reduce_lanes] = {};
   for (const Run* run = first; run != last; ++run) {
     std::size_t i = run->begin;
-    for (; i + lanes <= run->end; i += lanes) {
-      for (std::size_t l = 0; l < lanes; ++l) {
+    for (; i + reduce_lanes <= run->end; i += reduce_lanes) {
+      for (std::size_t l = 0; l < reduce_lanes; ++l) {
         plain[l] += a[i + l];
         product[l] += a[i + l] * b[i + l];
       }
@@ -32,7 +30,7 @@ Sums sums_of(const Run* first, const Run* last, const double* a, const double* b
     }
   }
   Sums sums;
-  for (std::size_t l = 0; l < lanes; ++l) {
+  for (std::size_t l = 0; l < reduce_lanes; ++l) {
     sums.plain += plain[l];
     sums.product += product[l];
   }
@@ -49,26 +47,26 @@ void turn_runs(const Run* first, const Run* last, double beta, const double* z, 
 
 SAMCONTACT_MULTIVERSION
 double lowest_of(const Run* first, const Run* last, const double* y) {
-  double low[lanes] = {};
-  std::fill_n(low, lanes, INFINITY);
+  double low[reduce_lanes] = {};
+  std::fill_n(low, reduce_lanes, INFINITY);
   for (const Run* run = first; run != last; ++run) {
     std::size_t i = run->begin;
-    for (; i + lanes <= run->end; i += lanes) {
-      for (std::size_t l = 0; l < lanes; ++l) low[l] = y[i + l] < low[l] ? y[i + l] : low[l];
+    for (; i + reduce_lanes <= run->end; i += reduce_lanes) {
+      for (std::size_t l = 0; l < reduce_lanes; ++l) low[l] = y[i + l] < low[l] ? y[i + l] : low[l];
     }
     for (; i < run->end; ++i) low[0] = y[i] < low[0] ? y[i] : low[0];
   }
-  return *std::min_element(low, low + lanes);
+  return *std::min_element(low, low + reduce_lanes);
 }
 
 SAMCONTACT_MULTIVERSION
 double add_to(const Run* first, const Run* last, double factor, const double* x, double* y) {
-  double low[lanes] = {};
-  std::fill_n(low, lanes, INFINITY);
+  double low[reduce_lanes] = {};
+  std::fill_n(low, reduce_lanes, INFINITY);
   for (const Run* run = first; run != last; ++run) {
     std::size_t i = run->begin;
-    for (; i + lanes <= run->end; i += lanes) {
-      for (std::size_t l = 0; l < lanes; ++l) {
+    for (; i + reduce_lanes <= run->end; i += reduce_lanes) {
+      for (std::size_t l = 0; l < reduce_lanes; ++l) {
         const double value = y[i + l] + factor * x[i + l];
         y[i + l] = value;
         low[l] = value < low[l] ? value : low[l];
@@ -79,16 +77,16 @@ double add_to(const Run* first, const Run* last, double factor, const double* x,
       low[0] = y[i] < low[0] ? y[i] : low[0];
     }
   }
-  return *std::min_element(low, low + lanes);
+  return *std::min_element(low, low + reduce_lanes);
 }
 
 SAMCONTACT_MULTIVERSION
 double subtract_from(const Run* first, const Run* last, const double* y, double shift, double* r) {
-  double high[lanes] = {};
+  double high[reduce_lanes] = {};
   for (const Run* run = first; run != last; ++run) {
     std::size_t i = run->begin;
-    for (; i + lanes <= run->end; i += lanes) {
-      for (std::size_t l = 0; l < lanes; ++l) {
+    for (; i + reduce_lanes <= run->end; i += reduce_lanes) {
+      for (std::size_t l = 0; l < reduce_lanes; ++l) {
         const double value = y[i + l] - shift, size = std::fabs(value);
         r[i + l] = value;
         high[l] = size > high[l] ? size : high[l];
@@ -99,7 +97,7 @@ double subtract_from(const Run* first, const Run* last, const double* y, double 
       high[0] = std::max(high[0], std::fabs(r[i]));
     }
   }
-  return *std::max_element(high, high + lanes);
+  return *std::max_element(high, high + reduce_lanes);
 }
 
 }  // namespace

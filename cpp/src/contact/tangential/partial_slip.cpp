@@ -24,7 +24,7 @@ constexpr double min_gain = 0.1, max_gain = 1e-3;
 constexpr int max_inner_steps = 14;
 /// Inner steps end when sticking cells exceed their bound by this multiple of the residual, except
 /// in outer steps that gain little: a few cells that change sides would delay all others.
-constexpr double patience = 3.0;
+constexpr double stick_excess_limit = 3.0;
 /// Steps of the first fallback; each further one has twice as many, so that the method finally
 /// converges by the fallback alone.
 constexpr int fallback_steps = 60, max_doublings = 5;
@@ -32,7 +32,7 @@ constexpr int fallback_steps = 60, max_doublings = 5;
 /// solve.
 constexpr double largest_correction = 0.2;
 /// Slipping cells resist motions that deviate from the normal of their shear by more than this.
-constexpr double across = 1e-8;
+constexpr double direction_tol = 1e-8;
 
 class PartialSlipIteration : public SlipIteration {
  public:
@@ -198,7 +198,8 @@ bool PartialSlipIteration::slide_uniformly(double tol) {
   for (double& w : way) w /= length;
   for (std::size_t i = 0; i < m_; ++i) {
     const double along = way[0] * normal_[i] + way[1] * normal_[m_ + i];
-    if (is_slipping(i) && (std::fabs(along) > across || lambda_[i] > across * self_influence_)) {
+    if (is_slipping(i) &&
+        (std::fabs(along) > direction_tol || lambda_[i] > direction_tol * self_influence_)) {
       return false;
     }
   }
@@ -283,7 +284,7 @@ bool PartialSlipIteration::is_enough(const Field& residual, const Field& change,
     return length_of(x, y) - problem_.bound[i];
   });
   return relative < 0.3 * tol || (left < gain * first && beyond <= 0) ||
-         (!gains_little_ && beyond / scale > patience * relative && inner >= 2);
+         (!gains_little_ && beyond / scale > stick_excess_limit * relative && inner >= 2);
 }
 
 void PartialSlipIteration::fall_back(double tol) {

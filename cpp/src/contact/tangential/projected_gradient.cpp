@@ -13,7 +13,7 @@ namespace {
 
 constexpr int power_steps = 8;
 /// Factor of the result of the power iteration, which ends below the largest eigenvalue.
-constexpr double safety = 1.2;
+constexpr double eigenvalue_safety = 1.2;
 constexpr int max_projection_steps = 60, max_lengths = 60;
 /// A step length is accepted if this fraction of the power of the forces remains, on either side.
 constexpr double too_short = 0.5, too_long = 0.1;
@@ -83,7 +83,7 @@ double largest_eigenvalue(const ShearProblem& problem, ShearApplier& operators) 
     value = dot(v, u);
     std::swap(u, v);
   }
-  return safety * value;
+  return eigenvalue_safety * value;
 }
 
 double longest_motion(const ShearProblem& problem, const Vector& c) {

@@ -12,7 +12,7 @@ namespace {
 
 /// Relative to the displacement of one cell due to its own shear: smaller displacements count as
 /// zero.
-constexpr double rounding = 1e-8;
+constexpr double zero_displacement = 1e-8;
 
 }  // namespace
 
@@ -67,7 +67,7 @@ bool gives_way_to_uniform_shear(const Grid& box,
   Field shear(2 * box.surface_size(), 1.0);
   ComplexField work;
   displacement.apply(shear.data(), shear.data(), work);
-  return longest(shear) < rounding * displacement.self_influence();
+  return longest(shear) < zero_displacement * displacement.self_influence();
 }
 
 double ShearProblem::Mode::missing(const Field& shear) const { return target - dot(arms(), shear); }

@@ -12,7 +12,7 @@ namespace {
 
 /// Eigenvalues of kernels truncated by their period are raised to this fraction of the smallest of
 /// the half-space, so that the preconditioner is positive definite for any shape of the cells.
-constexpr double smallest_fraction = 0.1;
+constexpr double smallest_compliance_fraction = 0.1;
 
 /// Inverse of a symmetric matrix [[xx, xy], [xy, yy]] with its eigenvalues raised to at least
 /// `least`.
@@ -34,7 +34,7 @@ TangentialPreconditioner::TangentialPreconditioner(const Grid& box,
       inverse_(operators::tangential_kernels(box, influence, convolution_.offsets())) {
   for (auto& entry : inverse_) convolution_.transform(entry.kernel);
   const double shortest = std::numbers::pi * std::hypot(1 / box.dx, 1 / box.dy);
-  const double least = smallest_fraction * influence.wave_compliance(shortest);
+  const double least = smallest_compliance_fraction * influence.wave_compliance(shortest);
   // Spectra contain 1/(mx my) of two transforms, and that of a doubly odd kernel a sign.
   const double points = static_cast<double>(convolution_.mx()) * convolution_.my();
   for (std::size_t k = 0; k < inverse_[0].kernel.quarter.size(); ++k) {

@@ -10,17 +10,16 @@
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/memory.hpp"
+#include "samcontact/operators/heat/heat_symbols.hpp"
 
 namespace samcontact::operators {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Matrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using RealMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using View = Eigen::Map<const Matrix>;
 using RealView = Eigen::Map<const RealMatrix>;
-
-double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
 
 /// 1 inside, 0 outside a ring, as a function of the wavenumber times 1/(2 pi) of a distance beyond
 /// which the Fourier transform must be below the tolerance.

@@ -12,17 +12,15 @@
 namespace samcontact::operators {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using View = Eigen::Map<const Matrix>;
+using std::numbers::pi;
+using RealMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RealView = Eigen::Map<const RealMatrix>;
 
 using Profiles = std::vector<ThermalProfile<double>>;
 
-double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
-
 /// cos or sin of offset times wavenumber 2 pi a / m, [offset][a]; doubled for all but a = 0.
-Matrix waves_along(int offsets, int numbers, int m, bool odd) {
-  Matrix wave(offsets, numbers);
+RealMatrix waves_along(int offsets, int numbers, int m, bool odd) {
+  RealMatrix wave(offsets, numbers);
   for (int i = 0; i < offsets; ++i) {
     for (int a = 0; a < numbers; ++a) {
       const double phase = 2 * pi * a * i / m;
@@ -119,16 +117,16 @@ NearTables NearHeat::tabulate(double z, int components, const Symbol& symbol) co
   const int na = static_cast<int>(cutoff / dw1) + 1, nb = static_cast<int>(cutoff / dw2) + 1;
   const Shares shares(rates_);
   // [component][rate][offset along x][b]: summed over a.
-  std::vector<Matrix> along_x(static_cast<std::size_t>(components) * count,
-                              Matrix::Zero(offsets_x_, nb));
+  std::vector<RealMatrix> along_x(static_cast<std::size_t>(components) * count,
+                                  RealMatrix::Zero(offsets_x_, nb));
   const auto odd_x = [components](int c) { return components == 6 && (c == 4 || c == 5); };
   const auto odd_y = [components](int c) { return components == 6 && (c == 3 || c == 5); };
-  const Matrix cos_x = waves_along(offsets_x_, na, mx, false);
-  const Matrix sin_x = waves_along(offsets_x_, na, mx, true);
+  const RealMatrix cos_x = waves_along(offsets_x_, na, mx, false);
+  const RealMatrix sin_x = waves_along(offsets_x_, na, mx, true);
   check_interrupt();
 #pragma omp parallel for schedule(dynamic)
   for (int b = 0; b < nb; ++b) {
-    std::vector<Matrix> values(components, Matrix::Zero(na, count));
+    std::vector<RealMatrix> values(components, RealMatrix::Zero(na, count));
     Profiles sums(count);
     for (int a = 0; a < na; ++a) {
       const double w1 = a * dw1, w2 = b * dw2, w = std::hypot(w1, w2);
@@ -142,17 +140,17 @@ NearTables NearHeat::tabulate(double z, int components, const Symbol& symbol) co
       }
     }
     for (int c = 0; c < components; ++c) {
-      const Matrix rows = (odd_x(c) ? sin_x : cos_x) * values[c];
+      const RealMatrix rows = (odd_x(c) ? sin_x : cos_x) * values[c];
       for (int m = 0; m < count; ++m) along_x[c * count + m].col(b) = rows.col(m);
     }
   }
   check_interrupt();
   NearTables tables;
   for (int c = 0; c < components; ++c) {
-    const Matrix wave = waves_along(offsets_y_, nb, my, odd_y(c)).transpose();
+    const RealMatrix wave = waves_along(offsets_y_, nb, my, odd_y(c)).transpose();
     const double sign = odd_x(c) && odd_y(c) ? -1 : 1;  // i^2
     for (int m = 0; m < count; ++m) {
-      const Matrix table = sign * (along_x[c * count + m] * wave);
+      const RealMatrix table = sign * (along_x[c * count + m] * wave);
       tables.components[c].insert(tables.components[c].end(), table.data(),
                                   table.data() + table.size());
     }
@@ -207,12 +205,12 @@ void NearHeat::add(const Field& tables, bool odd_x, bool odd_y, const ComplexFie
   // Offsets beyond the grid have no effect, and would wrap around.
   const int use_x = std::min(offsets_x_, modes_.nx()), use_y = std::min(offsets_y_, modes_.ny());
   const Field wave_x = waves(mx, use_x, odd_x), wave_y = waves(transform.my(), use_y, odd_y);
-  const View cx(wave_x.data(), use_x, hx), cy(wave_y.data(), use_y, mh);
+  const RealView cx(wave_x.data(), use_x, hx), cy(wave_y.data(), use_y, mh);
   ComplexField sum(transform.spectrum_size(), Complex{});
   for (std::size_t m = 0; m < rates_.size(); ++m) {
-    const View table(tables.data() + m * offsets_x_ * offsets_y_, offsets_x_, offsets_y_);
-    const Matrix half = cy.transpose() * table.topLeftCorner(use_x, use_y).transpose();
-    const Matrix kernel = half * cx;  // [ky][kx]
+    const RealView table(tables.data() + m * offsets_x_ * offsets_y_, offsets_x_, offsets_y_);
+    const RealMatrix half = cy.transpose() * table.topLeftCorner(use_x, use_y).transpose();
+    const RealMatrix kernel = half * cx;  // [ky][kx]
     const Complex* from = spectra.data() + m * transform.spectrum_size();
     for (int ky = 0; ky < mh; ++ky) {
       const std::size_t row = static_cast<std::size_t>(ky) * mx;

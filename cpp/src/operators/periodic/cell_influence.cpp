@@ -15,7 +15,7 @@
 namespace samcontact::operators {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// u_z due to pressure: by multipole moments at large distances.
 Field pressure_sums(const CellOffsets& offsets, double aspect) {

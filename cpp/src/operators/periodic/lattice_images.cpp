@@ -9,7 +9,7 @@
 namespace samcontact::operators {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Relative error of the interpolation.
 constexpr double digits = 28.0;

@@ -10,7 +10,7 @@
 namespace samcontact::operators {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Sum over the cell and its images that are added one by one, relative to the cell.
 double of_images(double k, const LatticeAxis& axis) {

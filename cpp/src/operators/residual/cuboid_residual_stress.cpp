@@ -19,11 +19,11 @@ namespace {
 // NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 
 // Wavenumbers handled together: one AVX-512 register of doubles.
-constexpr int width = 8;
-using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = double;
+constexpr int lane_count = 8;
+using Lanes [[gnu::vector_size(lane_count * sizeof(double)), gnu::may_alias]] = double;
 
-constexpr int pairs = 36;   // out * 6 + in
-constexpr int columns = 4;  // Re, Im at +kx; Re, Im at -kx
+constexpr int tensor_pairs = 36;  // out * 6 + in
+constexpr int columns = 4;        // Re, Im at +kx; Re, Im at -kx
 
 /// With yz and xz multiplied by i, in strain and in stress, every spectral tensor is real.
 Complex turn(int component) {
@@ -42,7 +42,7 @@ double real_factor(kernels::Parity parity, int out, int in) {
 }
 
 /// Layer sums of one block of wavenumbers. full: [z - z' + nz - 1][pair], image: [z + z'][pair][m],
-/// strain and stress: [layer][component][column], all with `width` lanes innermost.
+/// strain and stress: [layer][component][column], all with `lane_count` lanes innermost.
 SAMCONTACT_MULTIVERSION
 void layer_products(int nz, double dz, const char* used, const Lanes* full, const Lanes* image,
                     const Lanes* strain, Lanes* stress) {
@@ -52,8 +52,8 @@ void layer_products(int nz, double dz, const char* used, const Lanes* full, cons
       Lanes sum0{}, sum1{}, sum2{}, sum3{};
       for (int source = 0; source < nz; ++source) {
         if (!used[source]) continue;
-        const Lanes* f = full + (j - source + nz - 1) * pairs + out * 6;
-        const Lanes* g = image + ((j + source) * pairs + out * 6) * 3;
+        const Lanes* f = full + (j - source + nz - 1) * tensor_pairs + out * 6;
+        const Lanes* g = image + ((j + source) * tensor_pairs + out * 6) * 3;
         const Lanes* e = strain + source * 6 * columns;
         for (int in = 0; in < 6; ++in) {
           const Lanes t = f[in] + (g[3 * in] + z * (g[3 * in + 1] + z * g[3 * in + 2]));
@@ -85,7 +85,7 @@ CuboidResidualStress::CuboidResidualStress(const Grid& grid, const VolumeTransfo
                                            const Elastic& elastic)
     : transform_(&transform),
       nz_(grid.nz),
-      lanes_((transform.mx() / 2 + width) / width * width),
+      lanes_((transform.mx() / 2 + lane_count) / lane_count * lane_count),
       dz_(grid.dz / grid.dx) {
   build_terms(elastic.nu, elastic.shear_modulus());
   build_spectra(grid);
@@ -161,22 +161,22 @@ void CuboidResidualStress::load(int ky, int block, const VolumeSpectrum& strain,
     for (int n = 0; n < strain.components; ++n) {
       const int c = places[n];
       const auto* column = reinterpret_cast<const Complex*>(strain.row(ky, n, k));
-      double* to = values + (k * 6 + c) * columns * width;
-      for (int lane = 0; lane < width; ++lane) {
-        const int kx = std::min(block * width + lane, mx / 2);
+      double* to = values + (k * 6 + c) * columns * lane_count;
+      for (int lane = 0; lane < lane_count; ++lane) {
+        const int kx = std::min(block * lane_count + lane, mx / 2);
         const Complex plus = turn(c) * column[kx];
         const Complex minus = mirror_sign(c) * turn(c) * column[(mx - kx) % mx];
         to[lane] = plus.real();
-        to[width + lane] = plus.imag();
-        to[2 * width + lane] = minus.real();
-        to[3 * width + lane] = minus.imag();
+        to[lane_count + lane] = plus.imag();
+        to[2 * lane_count + lane] = minus.real();
+        to[3 * lane_count + lane] = minus.imag();
       }
     }
     if (strain.tensor == Tensor::full) continue;
-    double* xx = values + k * 6 * columns * width;
-    const double* yy = xx + columns * width;
-    double* zz = xx + 2 * columns * width;
-    for (int n = 0; n < columns * width; ++n) zz[n] = -(xx[n] + yy[n]);
+    double* xx = values + k * 6 * columns * lane_count;
+    const double* yy = xx + columns * lane_count;
+    double* zz = xx + 2 * columns * lane_count;
+    for (int n = 0; n < columns * lane_count; ++n) zz[n] = -(xx[n] + yy[n]);
   }
 }
 
@@ -185,10 +185,10 @@ void CuboidResidualStress::store(int ky, int block, double* values, VolumeSpectr
   const auto places = components(stress.tensor);
   for (int k = 0; k < nz_; ++k) {
     if (stress.tensor == Tensor::deviator) {
-      double* xx = values + k * 6 * columns * width;
-      double* yy = xx + columns * width;
-      const double* zz = yy + columns * width;
-      for (int n = 0; n < columns * width; ++n) {
+      double* xx = values + k * 6 * columns * lane_count;
+      double* yy = xx + columns * lane_count;
+      const double* zz = yy + columns * lane_count;
+      for (int n = 0; n < columns * lane_count; ++n) {
         const double mean = (xx[n] + yy[n] + zz[n]) / 3;
         xx[n] -= mean;
         yy[n] -= mean;
@@ -197,14 +197,14 @@ void CuboidResidualStress::store(int ky, int block, double* values, VolumeSpectr
     for (int n = 0; n < stress.components; ++n) {
       const int c = places[n];
       auto* column = reinterpret_cast<Complex*>(stress.row(ky, n, k));
-      const double* from = values + (k * 6 + c) * columns * width;
+      const double* from = values + (k * 6 + c) * columns * lane_count;
       const Complex back = std::conj(turn(c));
-      for (int lane = 0; lane < width && block * width + lane <= mx / 2; ++lane) {
-        const int kx = block * width + lane;
-        column[kx] = back * Complex(from[lane], from[width + lane]);
+      for (int lane = 0; lane < lane_count && block * lane_count + lane <= mx / 2; ++lane) {
+        const int kx = block * lane_count + lane;
+        column[kx] = back * Complex(from[lane], from[lane_count + lane]);
         if (kx > 0 && kx < mx / 2) {
-          column[mx - kx] =
-              mirror_sign(c) * back * Complex(from[2 * width + lane], from[3 * width + lane]);
+          column[mx - kx] = mirror_sign(c) * back *
+                            Complex(from[2 * lane_count + lane], from[3 * lane_count + lane]);
         }
       }
     }
@@ -215,29 +215,30 @@ void CuboidResidualStress::mode_block(int ky, int block, const VolumeSpectrum& s
                                       double* tensors, double* values) const {
   const int sums = 2 * nz_ - 1;
   auto* full = reinterpret_cast<Lanes*>(tensors);
-  Lanes* image = full + sums * pairs;
-  std::fill(tensors, tensors + static_cast<std::size_t>(sums) * pairs * 4 * width, 0.0);
+  Lanes* image = full + sums * tensor_pairs;
+  std::fill(tensors, tensors + static_cast<std::size_t>(sums) * tensor_pairs * 4 * lane_count, 0.0);
 
   const double* scalars =
       full_.data() + static_cast<std::size_t>(ky) * kernels::full_space_count * nz_ * lanes_;
-  const int step = lanes_ / width;
-  Lanes* same_layer = full + (nz_ - 1) * pairs;
+  const int step = lanes_ / lane_count;
+  Lanes* same_layer = full + (nz_ - 1) * tensor_pairs;
   for (const Term& term : full_terms_) {
     const auto* from =
-        reinterpret_cast<const Lanes*>(scalars + term.kernel * nz_ * lanes_ + block * width);
+        reinterpret_cast<const Lanes*>(scalars + term.kernel * nz_ * lanes_ + block * lane_count);
     Lanes* to = same_layer + term.pair;
-    accumulate(nz_, term.coefficient, from, step, to, pairs);
-    accumulate(nz_ - 1, term.coefficient * full_signs_[term.pair], from + step, step, to - pairs,
-               -pairs);
+    accumulate(nz_, term.coefficient, from, step, to, tensor_pairs);
+    accumulate(nz_ - 1, term.coefficient * full_signs_[term.pair], from + step, step,
+               to - tensor_pairs, -tensor_pairs);
   }
-  for (int pair = 0; pair < pairs; ++pair) same_layer[pair] -= inside_[pair];
+  for (int pair = 0; pair < tensor_pairs; ++pair) same_layer[pair] -= inside_[pair];
 
   scalars = image_.data() + static_cast<std::size_t>(ky) * kernels::image_count * sums * lanes_;
   for (int power = 0; power < 3; ++power) {
     for (const Term& term : image_terms_[power]) {
-      const auto* from =
-          reinterpret_cast<const Lanes*>(scalars + term.kernel * sums * lanes_ + block * width);
-      accumulate(sums, term.coefficient, from, step, image + term.pair * 3 + power, pairs * 3);
+      const auto* from = reinterpret_cast<const Lanes*>(scalars + term.kernel * sums * lanes_ +
+                                                        block * lane_count);
+      accumulate(sums, term.coefficient, from, step, image + term.pair * 3 + power,
+                 tensor_pairs * 3);
     }
   }
 
@@ -248,11 +249,11 @@ void CuboidResidualStress::mode_block(int ky, int block, const VolumeSpectrum& s
 }
 
 void CuboidResidualStress::apply(VolumeSpectrum& spectrum) const {
-  const std::size_t value_size = static_cast<std::size_t>(nz_) * 6 * columns * width;
-  const int blocks = lanes_ / width;
+  const std::size_t value_size = static_cast<std::size_t>(nz_) * 6 * columns * lane_count;
+  const int blocks = lanes_ / lane_count;
 #pragma omp parallel
   {
-    Field tensors(static_cast<std::size_t>(2 * nz_ - 1) * pairs * 4 * width);
+    Field tensors(static_cast<std::size_t>(2 * nz_ - 1) * tensor_pairs * 4 * lane_count);
     Field values(2 * value_size);
 #pragma omp for schedule(dynamic)
     for (int ky = 0; ky < spectrum.mh; ++ky) {

@@ -15,9 +15,9 @@ namespace samcontact::operators {
 namespace {
 
 // Stress components handled together: 6, padded to a whole register.
-constexpr int width = image_row;
-constexpr int matrix = 6 * width;  // [in][out]
-using Lanes [[gnu::vector_size(width * sizeof(double)), gnu::may_alias]] = double;
+constexpr int row_width = image_row;
+constexpr int matrix = 6 * row_width;  // [in][out]
+using Lanes [[gnu::vector_size(row_width * sizeof(double)), gnu::may_alias]] = double;
 
 /// sum += matrices applied to the strain of one row of sources in y. The matrix of the first source
 /// is given; the next ones are `step` doubles apart.
@@ -40,10 +40,10 @@ void plane_moments(const double* plane, int nx, int ny, const double* along_x, i
     const double* from = plane + static_cast<std::size_t>(i) * ny;
     for (int b = 0; b < cy; ++b) {
       const double* weight = along_y + static_cast<std::size_t>(b) * ny;
-      double sums[width] = {};
+      double sums[row_width] = {};
       int j = 0;
-      for (; j + width <= ny; j += width) {
-        for (int l = 0; l < width; ++l) sums[l] += weight[j + l] * from[j + l];
+      for (; j + row_width <= ny; j += row_width) {
+        for (int l = 0; l < row_width; ++l) sums[l] += weight[j + l] * from[j + l];
       }
       for (int l = 0; j < ny; ++j, ++l) sums[l] += weight[j] * from[j];
       double sum = 0.0;

@@ -13,7 +13,7 @@
 namespace samcontact::operators {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Low-pass filter, 1 at q = 0 and negligible at a fraction of the highest wavenumber of nodes
 /// `factor` cells apart: a step smoothed by a Gaussian, even in q, so that the remainder has a

@@ -9,7 +9,7 @@ namespace samcontact::simulation {
 namespace {
 
 /// Margin around the required cells of a box [cells].
-constexpr int margin = 2;
+constexpr int box_margin = 2;
 /// Maximum size of a box, in grid widths,
 constexpr int max_widths = 3;
 /// or in cells, for long cells: a single row with its margins is five rows wide.
@@ -17,8 +17,8 @@ constexpr int always_allowed = 16;
 
 /// Adds a margin to [begin, end), within [0, n) unless the range reaches its end.
 void widen(int n, int& begin, int& end) {
-  begin = begin > 0 ? std::max(0, begin - margin) : begin - margin;
-  end = end < n ? std::min(n, end + margin) : end + margin;
+  begin = begin > 0 ? std::max(0, begin - box_margin) : begin - box_margin;
+  end = end < n ? std::min(n, end + box_margin) : end + box_margin;
 }
 
 /// Extent of a box that contains [begin, end) and had `before` cells: with a margin for growth, and
@@ -56,7 +56,7 @@ Box BoxChoice::with_margin(const Box& box) const {
     j0 = std::max(j0, 0);
     j1 = std::min(j1, grid_.ny);
   }
-  const int nz = box.nz < grid_.nz ? std::min(grid_.nz, box.nz + margin) : box.nz + margin;
+  const int nz = box.nz < grid_.nz ? std::min(grid_.nz, box.nz + box_margin) : box.nz + box_margin;
   return {i0, j0, i1 - i0, j1 - j0, nz};
 }
 

@@ -19,7 +19,7 @@ using operators::Band;
 double padding(bool periodic) { return periodic ? 1.0 : 4.0; }
 
 /// Margin around the required cells of a zone, and below them [cells].
-constexpr int margin = 1;
+constexpr int zone_margin = 1;
 
 bool meet(const Box& a, const Box& b) { return !a.intersected(b).empty(); }
 
@@ -180,8 +180,8 @@ std::vector<Box> boxes_around(const Columns& columns) {
     for (int j = 0; j < window.ny; ++j) {
       if (left.depth[static_cast<std::size_t>(i) * window.ny + j] == 0) continue;
       const Box box = taken_out(left, i, j);
-      boxes.push_back({box.i0 - margin, box.j0 - margin, box.nx + 2 * margin, box.ny + 2 * margin,
-                       box.nz + margin});
+      boxes.push_back({box.i0 - zone_margin, box.j0 - zone_margin, box.nx + 2 * zone_margin,
+                       box.ny + 2 * zone_margin, box.nz + zone_margin});
     }
   }
   return boxes;

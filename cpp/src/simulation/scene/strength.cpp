@@ -13,7 +13,7 @@ namespace samcontact::simulation {
 namespace {
 
 /// Maximum number of layers.
-constexpr double max_layers = 1e6;
+constexpr double max_tabulated_layers = 1e6;
 /// Change of strength, relative to the yield stress, that requires a check at an additional depth;
 /// maximum number of such depths.
 constexpr double smallest_step = 0.05, max_steps = 40.0;
@@ -58,9 +58,10 @@ Strength::Strength(const plasticity::Body& body, const Grid& grid, const Relief&
   OverDepth variation{kinks(body), {0.0}};
   if (variation.depth.empty()) return;
   const double deepest = variation.depth.back();
-  require(!(dz > 0) || deepest <= max_layers * dz,
+  require(!(dz > 0) || deepest <= max_tabulated_layers * dz,
           "the maximum depth of a yield profile, residual stress or layers",
-          "at most " + to_text(max_layers * dz) + " m, " + to_text(max_layers) + " layers of dz",
+          "at most " + to_text(max_tabulated_layers * dz) + " m, " + to_text(max_tabulated_layers) +
+              " layers of dz",
           deepest);
   for (std::size_t n = 1; n < variation.depth.size(); ++n) {
     const double above = variation.depth[n - 1], below = variation.depth[n];

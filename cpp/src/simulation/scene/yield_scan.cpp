@@ -17,7 +17,7 @@ using operators::Tensor;
 constexpr double cells_per_depth = 8.0;
 /// Consecutive depths differ by at most this fraction of the depth, or half a cell.
 constexpr double depth_step = 0.125;
-constexpr int max_layers = 1'000'000;
+constexpr int max_scanned_layers = 1'000'000;
 
 Grid coarsened(const Grid& grid, int factor) {
   const auto cells = [factor](int n) { return (n + factor - 1) / factor; };
@@ -38,7 +38,7 @@ std::vector<double> depths(const Grid& grid, const std::vector<LayerRange>& rang
 std::vector<int> scanned_layers(const Grid& grid, const Strength& strength) {
   const double half = 0.5 * std::min(grid.dx, grid.dy);
   const double width = std::max(grid.nx * grid.dx, grid.ny * grid.dy);
-  const int wide = std::min(cells_over(width, grid.dz), max_layers);
+  const int wide = std::min(cells_over(width, grid.dz), max_scanned_layers);
   const int graded = strength.is_graded() ? strength.layers() + 1 : 0;
   const int deepest = std::max({grid.nz, wide, graded});
   std::vector<int> layers;

@@ -15,10 +15,6 @@ namespace {
 
 using operators::Tensor;
 
-void add(const Field& from, Field& to) {
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
-}
-
 /// Mirror planes of the stress of a history; the exact operators support none.
 fft::Symmetry stress_symmetry(const State& state, int body, bool with_tractions) {
   if (state.method == operators::ResidualMethod::exact) return fft::Symmetry::none;

@@ -6,14 +6,6 @@
 #include "samcontact/operators/heat/temperature.hpp"
 
 namespace samcontact::simulation {
-namespace {
-
-void add(const Field& from, Field& to) {
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
-}
-
-}  // namespace
-
 Field temperature(const State& state, int body, Layers layers) {
   state.scene().require_volume(body);
   const Field pressure = state.tractions_on(body).pressure;

@@ -6,6 +6,9 @@
 
 namespace samcontact::operators {
 
+/// sin(x)/x.
+inline double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
+
 /// Temperature T at a depth; P and its slope, P'' - w^2 P = -T, P' = 0 at the surface and P = 0 at
 /// infinite depth; w P at the surface.
 template <class Number>
