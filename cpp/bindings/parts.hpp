@@ -56,7 +56,9 @@ void read_rows(const std::string& name, const py::object& kept, T& part) {
   const bool fits = rows.ndim() == 2 && rows.shape(1) == columns<T> &&
                     std::all_of(rows.data(), rows.data() + rows.size(),
                                 [](std::int64_t number) { return std::in_range<int>(number); });
-  if (!fits) throw std::invalid_argument(name + " must be rows of integers");
+  if (!fits)
+    throw std::invalid_argument(name + " must be an array of integers with " +
+                                std::to_string(columns<T>) + " columns");
   part.resize(rows.shape(0));
   for (std::size_t n = 0; n < part.size(); ++n) {
     std::array<int, columns<T>> numbers;
@@ -135,7 +137,8 @@ class PartReader {
   /// Throws std::invalid_argument if an unknown part is left.
   void require_no_more() const {
     if (left_.empty()) return;
-    throw std::invalid_argument("unknown part: " + py::str(*py::iter(left_)).cast<std::string>());
+    throw std::invalid_argument("unknown part '" + py::str(*py::iter(left_)).cast<std::string>() +
+                                "'");
   }
 
   template <class T>

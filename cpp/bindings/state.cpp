@@ -61,7 +61,7 @@ auto volume_method(Field (*method)(const State&, int, simulation::Layers)) {
   };
 }
 
-/// First cell and sizes (i0, j0, nx, ny, nz), as Python has boxes.
+/// First cell and sizes (i0, j0, nx, ny, nz): the form of a box in Python.
 using BoxTuple = std::array<int, 5>;
 BoxTuple to_tuple(const Box& box) { return {box.i0, box.j0, box.nx, box.ny, box.nz}; }
 std::optional<BoxTuple> to_tuple_or_none(const Box& box) {
@@ -204,7 +204,7 @@ void bind_fields(py::class_<State>& bound) {
   bind_surface("surface_displacement", &simulation::surface_displacement);
 }
 
-/// Binds a property for each part that is visited; None: there is none.
+/// Binds a property for each visited part; its value is None if the state has no such part.
 class PartProperties {
  public:
   explicit PartProperties(py::class_<State>& bound) : bound_(bound) {}
@@ -222,7 +222,7 @@ class PartProperties {
   }
 
  private:
-  /// What a part becomes in Python.
+  /// Python type of a part.
   template <class T>
   using Made = decltype(PartWriter::to_python(std::declval<T>(), py::object()));
 

@@ -68,7 +68,7 @@ std::optional<Span> waited(int) { return std::nullopt; }
 
 #endif
 
-/// Waiting times of the teams of one thread.
+/// Number of threads in the teams of one thread, adjusted to their waiting times.
 class Watch {
  public:
   void enter() {
@@ -115,7 +115,7 @@ class Watch {
     Span waited;
   };
 
-  /// Ends an interval.
+  /// Ends an interval and adjusts the number of threads.
   void judge(Clock::time_point now) {
     std::vector<Span> spans;
     for (Member& member : members_) {
@@ -136,7 +136,7 @@ class Watch {
     began_ = Clock::now();
   }
 
-  int depth_ = 0;  // of nested teams: a law that Python calls may have its own
+  int depth_ = 0;  // of nested teams: a law in Python may start its own
   int given_ = 1;
   TeamSize size_;
   bool lost_ = false;

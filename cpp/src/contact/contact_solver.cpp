@@ -78,7 +78,7 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
   return influence;
 }
 
-/// Next estimate of the coupling, from the result for `tried`.
+/// Replaces the coupling computed from `estimate` by the next estimate.
 void accelerate(Anderson& anderson, Field& tried, Field& coupling) {
   for (std::size_t i = 0; i < tried.size(); ++i) coupling[i] -= tried[i];
   anderson.next(tried, std::move(coupling));
@@ -141,7 +141,8 @@ ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence
       heated_(influence.is_heated()),
       multilevel_(grid, influence) {
   if (heated_ && law_->attracts()) {
-    throw std::invalid_argument("heating cannot be combined with attraction of the surfaces");
+    throw std::invalid_argument(
+        "heating cannot be combined with a contact law with attraction: use hard contact");
   }
 }
 

@@ -120,18 +120,18 @@ struct Found {
   Holders holders;
 };
 
-/// Whether the angle between two planes is less than one with the given cosine.
+/// Whether the angle between two planes is less than the angle with the given cosine.
 bool are_near(const Vector& a, const Vector& b, double cosine) {
   return std::fabs(dot(a, b)) > cosine;
 }
 
-/// Best initial planes, only one of neighbours, in descending order.
+/// Best initial planes in descending order; of neighbouring planes only the best.
 class Starts {
  public:
   double best() const { return count_ == 0 ? none : found_[0].value; }
   std::span<const Found> found() const { return {found_.data(), static_cast<std::size_t>(count_)}; }
 
-  /// Whether a value there would be among the best.
+  /// Whether a plane with this value would be among the best.
   bool wants(const Vector& normal, double value) const {
     for (const Found& one : found()) {
       if (are_near(one.normal, normal, neighbours)) return one.value < value;
@@ -198,8 +198,8 @@ class Search {
     return starts;
   }
 
-  /// Upper bound of the value of a plane, closer if it is above `least`: from the centre determined
-  /// by the holders of a nearby plane.
+  /// Upper bound of the value of a plane. If it is above `threshold`, a closer bound is computed
+  /// from the centre that the holders of a nearby plane determine.
   double at_most(const Factors& plane, double least, const Holders& near = {}) {
     const Box box = project(shear_, row_, plane.u, plane.v, work_, work_ + row_);
     normal_ = largest(stress_, row_, plane.n, work_ + 3 * row_);
@@ -217,7 +217,7 @@ class Search {
     return law_(radius_, normal_);
   }
 
-  /// Value of a plane with its holders; if it is not above `least`, only its upper bound.
+  /// Value of a plane with its holders; only its upper bound if that is not above `threshold`.
   Found look(const Factors& plane, double least, const Holders& near = {}) {
     Found found{at_most(plane, least, near), plane.normal, {}};
     if (found.value <= least) return found;
@@ -235,7 +235,8 @@ class Search {
     return found;
   }
 
-  /// From the maximum of one piece to that of the next, until a piece contains its own maximum.
+  /// Ascent from the maximum of one piece to the maximum of the next, until a piece contains its
+  /// own maximum.
   Found rise(Found at) {
     for (int round = 0; round < 20; ++round) {
       const Piece piece(at.holders, shear_, stress_, row_);
@@ -248,12 +249,12 @@ class Search {
     return at;
   }
 
-  /// Ascent to a maximum; at the boundaries of pieces there are many, so that planes around one are
-  /// evaluated, at decreasing distances.
+  /// Ascent to a maximum. There are many local maxima at the boundaries of pieces: planes around
+  /// each are evaluated at decreasing distances.
   Found climb(Found at, double least) {
     at = rise(at);
     if (is_known(at.normal)) return at;
-    double turn = 0.0;  // of the hexagon: the next planes lie between its planes
+    double turn = 0.0;  // angle of the hexagon: each lies between the corners of the last one
     for (double step = spacing / 2; step > spacing / 40; step /= 3, turn += pi / 6) {
       for (int tries = 0; tries < 4; ++tries) {
         if (at.value + reserve() * step / spacing < least) return at;
@@ -267,13 +268,13 @@ class Search {
     return at;
   }
 
-  /// Whether another ascent has ended there.
+  /// Whether an earlier ascent has ended at this plane.
   bool is_known(const Vector& normal) const {
     return std::any_of(tops_.begin(), tops_.begin() + count_,
                        [&](const Vector& top) { return are_near(top, normal, same); });
   }
 
-  /// Best of a plane and six planes around it.
+  /// Best of a plane and the six planes around it, in a hexagon rotated by an angle.
   Found around(const Found& at, double step, double turn) {
     const Plane plane(at.normal);
     const double c = step * std::cos(turn), s = step * std::sin(turn);

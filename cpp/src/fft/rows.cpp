@@ -75,8 +75,9 @@ void fold_ends(const double* first, const double* last, double* halves) {
   }
 }
 
-/// Spectra of the real rows, `stride` numbers from k to k, from those of the complex ones: of
-/// `count` k going up from the low pointers, and of h - k going down from the high ones.
+/// Spectra of the real rows from those of the complex rows, at `count` wavenumbers k that ascend
+/// from the low pointers and at h - k that descend from the high ones. Successive wavenumbers are
+/// `stride` numbers apart.
 SAMCONTACT_MULTIVERSION
 void unfold(const double* low, const double* high, std::ptrdiff_t count, const Complex* turn,
             double* to_low, double* to_high, std::ptrdiff_t stride) {

@@ -50,7 +50,7 @@ HeatProfile::HeatProfile(const std::vector<double>& x, double a)
   for (const double edge : all) {
     if (edges_.empty() || edge - edges_.back() > rounding) edges_.push_back(edge);
   }
-  // Last edge that is not above it, up to rounding.
+  // Index of an edge, up to rounding.
   const auto index = [&](double edge) {
     return static_cast<int>(std::upper_bound(edges_.begin(), edges_.end(), edge) - edges_.begin()) -
            1;

@@ -111,7 +111,7 @@ Hardening Hardening::named(const std::string& name, const Values& values, const 
     });
     found = std::move(law);
   });
-  if (!known) throw std::invalid_argument("unknown hardening law '" + name + "'");
+  if (!known) throw unknown_law("hardening law", law_names<Laws>(), name);
   return {std::move(found), elastic};
 }
 

@@ -231,7 +231,7 @@ class TestDamage:
         """A part unknown to this version may be essential to the version that wrote it."""
         with edited(saved) as file:
             file[group].attrs["later"] = 1.0
-        with pytest.raises(sc.CheckpointError, match="is damaged: unknown part: later"):
+        with pytest.raises(sc.CheckpointError, match="is damaged: unknown part 'later'"):
             sc.Simulation.load(saved)
 
     def test_changed_by_another_program(self, saved):

@@ -58,8 +58,8 @@ class Multilevel::Level {
   Level(const Grid& grid, operators::SurfaceInfluence influence)
       : grid_(grid), influence_(std::move(influence)), displacement_(grid, influence_) {}
 
-  /// The work of the solution is counted in units of fft::filter_cost. is_start: only its pressure
-  /// is needed, as a start.
+  /// Counts the work in units of fft::filter_cost. is_start: the solution only serves as a start,
+  /// for which its pressure suffices.
   Solution solve(const Field& initial_gap, Given normal, Field pressure, double tol,
                  int max_iterations, bool is_start = false) const;
 
@@ -246,7 +246,7 @@ double Multilevel::Level::rounding(const Field& gap, double lowest, Given normal
   const double area = grid_.cell_area() * static_cast<double>(grid_.surface_size());
   const double of_wave = last_digits * normal.value / area *
                          influence_.wave_compliance(2 * std::numbers::pi / longest);
-  // For surfaces so flat that rounding of their distance exceeds their heights.
+  // Flat surfaces: the rounding error of their distance may exceed their heights.
   const double of_gap = last_digits * std::fabs(lowest);
   const double heights = *std::max_element(gap.begin(), gap.end()) - lowest;
   return heights > of_gap ? of_wave : std::max(of_wave, of_gap);
@@ -295,7 +295,7 @@ Solution Multilevel::solve_beside_ends(const Field& initial_gap, Given normal, F
     lowest = std::min(lowest, initial_gap[i]);
     highest = std::max(highest, initial_gap[i]);
   }
-  // No displacement exceeds that of the whole load on one cell.
+  // No displacement exceeds the one due to the whole load on a single cell.
   const double closed = normal.is_force() ? std::fabs(displacement().self_influence()) *
                                                 normal.value / finest_->grid().cell_area()
                                           : std::max(0.0, normal.value - lowest);

@@ -96,7 +96,7 @@ void judge_cells(const double* p, const double* rest, std::size_t n, const Judge
   verdict.lowest = std::min(verdict.lowest, *std::min_element(lowest, lowest + lanes));
 }
 
-/// part(begin, end, result) over fixed chunks of n cells, results in order.
+/// Calls part(begin, end, result) for fixed chunks of n cells; returns the results in order.
 template <class Result, class Part>
 std::vector<Result> by_chunks(std::size_t n, const Part& part) {
   const std::ptrdiff_t chunks = (n + reduce_chunk - 1) / reduce_chunk;

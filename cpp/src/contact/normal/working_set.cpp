@@ -109,7 +109,7 @@ void CellRuns::assign(const std::vector<unsigned char>& chosen, bool value) {
   chunks_.assign(1, 0);
   size_ = 0;
   const std::size_t n = chosen.size();
-  // Bytes of a known value are found many at a time.
+  // memchr() compares many bytes at a time.
   const auto next = [&](bool sought, std::size_t first, std::size_t last) {
     const void* found = std::memchr(chosen.data() + first, sought, last - first);
     return found

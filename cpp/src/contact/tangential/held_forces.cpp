@@ -15,7 +15,8 @@
 namespace samcontact::contact {
 namespace {
 
-/// The motion is not determined by a force this close to the friction limit, relative to it.
+/// A force that is closer to the friction limit than this, relative to the limit, does not
+/// determine the motion.
 constexpr double min_margin = 1e-8;
 
 double force_of(const Given& given) { return given.is_force() ? given.value : 0.0; }

@@ -85,7 +85,7 @@ class ShearSolver::Level {
   std::size_t operator_size() const { return with_margin(box_, margin_).surface_size(); }
   ShearProblem problem_of(const BoxTask& task, const FrictionLaw& friction,
                           const TangentialDrive& drive) const;
-  /// Turns the problem into that of rolling by one cell.
+  /// Changes the problem to rolling by one cell.
   void let_roll(ShearProblem& problem) const;
   double stiffness_of(const Field& pressure) const;
   BoxStart coarse_start(const BoxTask& task, const FrictionLaw& friction,

@@ -62,11 +62,11 @@ ShearResult SlipIteration::run(double tol, int max_steps) {
       best = INFINITY;
       continue;
     }
-    // The first step starts from incorrect sets. A later step that gains little is followed by
-    // others.
+    // The first step starts from incorrect sets. If a later step gains little, so do the following
+    // ones.
     gains_little_ = gains_little_ || (in_vain > 0 && r_.steps > 1);
     choose_sets();
-    // Otherwise no step brings the forces nearer.
+    // Otherwise no step brings the forces closer to their prescribed values.
     if (!forces_follow()) stick_everywhere();
     step(tol);
   }

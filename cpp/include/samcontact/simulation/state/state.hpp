@@ -35,7 +35,7 @@ using Layers = std::optional<int>;
 class State {
  public:
   State(std::shared_ptr<const Scene> scene, operators::ResidualMethod method);
-  /// Names and types of the parts of a description, and nothing else.
+  /// Empty state, only for the names and types of its described parts.
   static State without_scene() { return {}; }
 
   /// Tractions in the frame of body 2; on body 1 the shear is reversed. Shear arrays may be empty.
