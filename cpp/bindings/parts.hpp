@@ -86,7 +86,7 @@ class PartWriter {
 
   template <class T>
   void operator()(const std::string& name, const T& part) {
-    if (!wants(name)) return;
+    if (!is_selected(name)) return;
     if constexpr (Sequence<T>) {
       if (part.empty()) return;
     }
@@ -97,7 +97,7 @@ class PartWriter {
   template <class T, class Plain, class Make>
   void made(const std::string& name, const std::shared_ptr<const T>& part, const Plain& plain,
             const Make&) {
-    if (wants(name) && part) content[name.c_str()] = to_python(plain(*part), py::none());
+    if (is_selected(name) && part) content[name.c_str()] = to_python(plain(*part), py::none());
   }
 
   Content content;
@@ -122,7 +122,7 @@ class PartWriter {
   }
 
  private:
-  bool wants(const std::string& name) const { return only_.empty() || name == only_; }
+  bool is_selected(const std::string& name) const { return only_.empty() || name == only_; }
 
   std::string only_;
   py::object owner_;

@@ -80,8 +80,8 @@ TEST_CASE("gmres solves non-symmetric systems to the requested residual") {
     return (right - matrix * Eigen::Map<const Vector>(x.data(), n)).norm() / right.norm();
   };
   double before = 1.0;
-  for (int most = 1; most <= n; ++most) {
-    CHECK(contact::gmres(map_of(matrix), map_of(one), b, 1e-14, most, x) == most);
+  for (int max_vectors = 1; max_vectors <= n; ++max_vectors) {
+    CHECK(contact::gmres(map_of(matrix), map_of(one), b, 1e-14, max_vectors, x) == max_vectors);
     CHECK(left() <= before * (1 + 1e-12));
     before = left();
   }

@@ -67,7 +67,7 @@ TEST_CASE("a change of zones preserves strain, unknowns and history") {
     const Box part = stored_part(grid, symmetry);
     const auto history = unfolded(state.plastic[1], grid, symmetry);
     const int j0 = symmetry == Symmetry::none ? 12 : part.j0;
-    const Box a{12, j0, 8, 18 - j0, 5}, wider{10, j0, 10, 20 - j0, 6}, beside{26, 22, 4, 3, 2};
+    const Box a{12, j0, 8, 18 - j0, 5}, wider{10, j0, 10, 20 - j0, 6}, neighbour{26, 22, 4, 3, 2};
     PlasticBody body(state, 1, 0, 1, symmetry, {});
     ActiveCells active;
     const Sources sources = state.sources();
@@ -87,9 +87,9 @@ TEST_CASE("a change of zones preserves strain, unknowns and history") {
       body.activate(number, {}, active);
       body.set_strain(number, strain);
     }
-    set(Zones({wider, beside}));
+    set(Zones({wider, neighbour}));
     const ByCell in_two = stress(body, active);
-    const Box all = from_planes_on(Zones({wider, beside}).around(), grid, symmetry);
+    const Box all = from_planes_on(Zones({wider, neighbour}).around(), grid, symmetry);
     set(Zones({all}));
     const ByCell in_one = stress(body, active);
     for (std::size_t n = 0; n < cells.size(); ++n) {
@@ -100,7 +100,7 @@ TEST_CASE("a change of zones preserves strain, unknowns and history") {
     Field gap(grid.surface_size(), 0.0), again = gap;
     body.transform(true);
     body.surface().add_displacement_to(gap);
-    set(Zones({beside, wider}));
+    set(Zones({neighbour, wider}));
     body.transform(true);
     body.surface().add_displacement_to(again);
     CHECK(gap == again);
@@ -108,16 +108,16 @@ TEST_CASE("a change of zones preserves strain, unknowns and history") {
     const auto after = body.finish();
     CHECK(after->symmetry() == symmetry);
     const Zones of({all});
-    PlasticFields wanted = history->fields(of);
+    PlasticFields expected = history->fields(of);
     for (const Cell& cell : cells) {
       int c = 0;
       for (const int place : operators::components(history->tensor())) {
-        wanted.strain[c++ * of.cells() + of.number(cell)] = strain[place];
+        expected.strain[c++ * of.cells() + of.number(cell)] = strain[place];
       }
     }
     const PlasticFields found = after->fields(of);
-    CHECK(found.strain == wanted.strain);
-    CHECK(found.equivalent == wanted.equivalent);
+    CHECK(found.strain == expected.strain);
+    CHECK(found.equivalent == expected.equivalent);
   }
 }
 

@@ -133,7 +133,7 @@ class ActiveSet {
     double stand = position();
     update_residual(set_.lowest(p_, 0.0), others_.lowest(rest_, stand), stand);
     double zr_old = 0.0, lowest_residual = residual_;
-    int in_vain = 0;
+    int stalled_steps = 0;
     for (int step = 1;; ++step) {
       check_interrupt();
       ++iterations_;
@@ -144,7 +144,7 @@ class ActiveSet {
       const Sums zr = set_.sums(z_, r_);
       const double beta = step > 1 ? zr.product / zr_old : 0.0;
       zr_old = zr.product;
-      set_.turn(beta, z_, load_driven_ ? zr.plain / set_.size() : 0.0, t_);
+      set_.update_direction(beta, z_, load_driven_ ? zr.plain / set_.size() : 0.0, t_);
       apply(t_, z_);  // z is free until the next step
       const Sums zt = set_.sums(z_, t_);
       const double curvature = zt.product;
@@ -160,14 +160,14 @@ class ActiveSet {
       const double lowest_gap = others_.add(length, z_, rest_, stand);
       if (u_scale_ == 0) take_scales(totals(p_, rest_, problem_.gap));  // the first pressure
       update_residual(lowest_p, lowest_gap, stand);
-      in_vain = residual_ < 0.5 * lowest_residual ? 0 : in_vain + 1;
-      if (in_vain == 0) lowest_residual = residual_;
+      stalled_steps = residual_ < 0.5 * lowest_residual ? 0 : stalled_steps + 1;
+      if (stalled_steps == 0) lowest_residual = residual_;
       const bool violated = violation_ > 0.5 * tol;
       if (residual_ < 0.5 * tol || iterations_ >= max_iterations ||
           (violated && (violation_ > patience_ * residual_ || step >= max_steps_per_set))) {
         return true;
       }
-      if (in_vain == max_stalled_steps) return false;
+      if (stalled_steps == max_stalled_steps) return false;
     }
   }
 

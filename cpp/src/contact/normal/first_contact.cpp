@@ -36,9 +36,9 @@ std::vector<double> touching_fraction(const Growth& growth, const std::vector<st
   std::vector<double> shares;
   while (shares.size() < cells.size()) {
     const std::size_t first = shares.size();
-    const double most = growth.gap[cells[first]] + same_gap * growth.closer;
+    const double max_gap = growth.gap[cells[first]] + same_gap * growth.closer;
     std::size_t last = first + 1;
-    while (last < cells.size() && growth.gap[cells[last]] <= most) ++last;
+    while (last < cells.size() && growth.gap[cells[last]] <= max_gap) ++last;
     const double reached = before + 0.5 * static_cast<double>(first + last);
     shares.resize(last, before / reached);
   }
@@ -99,11 +99,11 @@ Field slip_after_contact(const Grid& grid, const Growth& growth, double crosswis
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const std::size_t i = cells[c];
     const double share = std::min(growth.gap[i] / growth.closer, 1.0);
-    const double turn = share * twist * slid_by_angle(std::sqrt(before[c]));
+    const double angular = share * twist * slid_by_angle(std::sqrt(before[c]));
     const auto [x, y] = edge_normal(grid, growth.gap, i);
-    parts[i] -= share - turn * (x * x - y * y);
-    parts[n + i] += turn * 2 * x * y;
-    parts[2 * n + i] -= share + turn * (x * x - y * y);
+    parts[i] -= share - angular * (x * x - y * y);
+    parts[n + i] += angular * 2 * x * y;
+    parts[2 * n + i] -= share + angular * (x * x - y * y);
   }
   return parts;
 }

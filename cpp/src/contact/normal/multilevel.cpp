@@ -182,10 +182,10 @@ class Rounds {
       for (std::size_t i = 0; i < cheap.size(); ++i) problem.gap[i] += displacement[i] - cheap[i];
       std::swap(displacement, cheap);
     }
-    const double asked = exact ? 0.0 : solution_.error * (first ? first_gain : gain);
+    const double target = exact ? 0.0 : solution_.error * (first ? first_gain : gain);
     const auto result =
         solve_active_set(problem, std::move(pressure), std::move(displacement), first && !warm_,
-                         std::max(asked, safety * tol), max_iterations);
+                         std::max(target, safety * tol), max_iterations);
     std::fill(solution_.tractions.pressure.begin(), solution_.tractions.pressure.end(), 0.0);
     insert(result.pressure.data(), box_, solution_.tractions.pressure.data(), Box::surface(grid_));
     solution_.iterations += result.iterations;
@@ -284,8 +284,8 @@ Multilevel::~Multilevel() = default;
 Multilevel::Multilevel(Multilevel&&) noexcept = default;
 Multilevel& Multilevel::operator=(Multilevel&&) noexcept = default;
 
-Solution Multilevel::solve_beside_ends(const Field& initial_gap, Given normal, Field pressure,
-                                       double tol, int max_iterations) const {
+Solution Multilevel::solve_with_ends(const Field& initial_gap, Given normal, Field pressure,
+                                     double tol, int max_iterations) const {
   double lowest = INFINITY, highest = -INFINITY;
   for (std::size_t i = 0; i < initial_gap.size(); ++i) {
     if (std::isinf(initial_gap[i])) {
@@ -325,7 +325,7 @@ Solution Multilevel::solve(const Field& initial_gap, Given normal, Field pressur
   const auto has_none = [](double gap) { return std::isinf(gap); };
   const bool ends = std::any_of(initial_gap.begin(), initial_gap.end(), has_none);
   Solution solution =
-      ends ? solve_beside_ends(initial_gap, normal, std::move(pressure), tol, max_iterations)
+      ends ? solve_with_ends(initial_gap, normal, std::move(pressure), tol, max_iterations)
            : finest_->solve(initial_gap, normal, std::move(pressure), tol, max_iterations);
   solution.work /= displacement().cost();
   const double area = finest_->grid().cell_area();

@@ -163,13 +163,13 @@ double PlasticBody::find_stress(ActiveCells& active) {
   const CellHistory::Limits limits = cells_.first_limits();
   std::vector<std::vector<LayerCheck>> checked;  // by zone and layer
   for (const Box& box : zones().boxes()) checked.emplace_back(box.nz);
-  const auto look = [&](std::size_t zone, int k, const double* layer) {
+  const auto check = [&](std::size_t zone, int k, const double* layer) {
     const Field sum = with_given_stress(zone, k, layer);
     const std::size_t plane = zones().boxes()[zone].surface_size();
     checked[zone][k] = check_layer(zones().first(zone) + k * plane, plane,
                                    sum.empty() ? layer : sum.data(), limits, active);
   };
-  volume_->for_each_layer(strained_, strain_, tractions(), operators::shear_sign(index_), look);
+  volume_->for_each_layer(strained_, strain_, tractions(), operators::shear_sign(index_), check);
   double largest = 0.0;
   for (const auto& layers : checked) {
     for (const LayerCheck& layer : layers) {

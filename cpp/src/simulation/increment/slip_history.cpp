@@ -66,9 +66,10 @@ class Widened {
 /// Tangential displacement of a body [2][i][j] due to tractions moved by its travel [cells], less
 /// that due to tractions moved by `cells` without those that left the grid.
 Field displaced_otherwise(const Scene& scene, int body, const operators::Tractions& tractions,
-                          double way, int cells) {
+                          double body_travel, int cells) {
   const Grid& grid = scene.grid;
-  const double most = farthest * grid.nx, own = std::clamp(way, -most, most);
+  const double max_travel = farthest * grid.nx,
+               own = std::clamp(body_travel, -max_travel, max_travel);
   const int whole = static_cast<int>(std::lround(own));
   const Widened widened(grid, std::abs(whole) + 1);
   const operators::Tractions wide = for_each(tractions, widened);
@@ -95,8 +96,8 @@ Field slip_of_travel(const Scene& scene, const operators::Tractions& tractions,
   const bool cut = is_cut(tractions.pressure, scene.grid, cells);
   Field slip;
   for (int b = 0; b < 2; ++b) {
-    const bool apart = std::fabs(travel[b] - cells) >= min_travel_difference;
-    if (scene.media[b]->is_rigid() || !(cut || apart)) continue;
+    const bool differs = std::fabs(travel[b] - cells) >= min_travel_difference;
+    if (scene.media[b]->is_rigid() || !(cut || differs)) continue;
     slip.resize(2 * scene.grid.surface_size(), 0.0);
     // Previous displacement of body 2 is not slip in the opposite direction.
     contact::add_scaled(operators::shear_sign(b),
@@ -166,11 +167,11 @@ SlipHistory::SlipHistory(const IncrementTask& task)
     : task_(task), on_(task.scene().friction.sticks() && !task.target.is_prescribed()) {
   if (!on_) return;
   before_ = contact_before(task);
-  carried_apart_ = before_.free_slip;
+  travel_slip_ = before_.free_slip;
 }
 
 Field& SlipHistory::begin_slip() {
-  before_.free_slip = carried_apart_;
+  before_.free_slip = travel_slip_;
   before_.free_slip.resize(2 * task_.scene().grid.surface_size(), 0.0);
   return before_.free_slip;
 }

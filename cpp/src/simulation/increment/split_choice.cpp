@@ -68,8 +68,8 @@ bool SplitChoice::is_worthwhile(const PlasticBody& body, const std::vector<Box>&
 
 std::vector<Box> SplitChoice::zones_to_begin_with(const PlasticBody& body) const {
   const auto& before = task_.from.flow_boxes[body.index()];
-  const bool stays = task_.from.advance == Travel{};
-  if (stays && before.size() > 1 &&
+  const bool is_stationary = task_.from.advance == Travel{};
+  if (is_stationary && before.size() > 1 &&
       !(body.history() && body.history()->reaches_beyond(Zones(before))))
     return before;
   std::vector<Box> boxes = body.history() ? body.history()->zones().boxes() : std::vector<Box>{};

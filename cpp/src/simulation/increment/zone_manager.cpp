@@ -192,8 +192,8 @@ bool ZoneManager::fit_zones(PlasticBody& body) {
       body.search().yielding_columns(body.tractions(), *task_.scans[body.index()], sources_));
   boxes.insert(boxes.end(), near.begin(), near.end());
   boxes = split_.merged_zones(boxes);
-  const bool asks = first || task_.from.travel != Travel{};
-  if (asks && !split_.is_worthwhile(body, boxes)) {
+  const bool may_merge = first || task_.from.travel != Travel{};
+  if (may_merge && !split_.is_worthwhile(body, boxes)) {
     if (!first) set_box(body, choice_.fitted(body.zones().around(), {}));
     return !first;
   }

@@ -11,7 +11,7 @@ bool is_in_zones(const State& state, int body) {
          (!state.scene().grid.period.is_on() || state.travel == Travel{});
 }
 
-bool shows_zones(const State& state, int body) {
+bool has_zone_stress(const State& state, int body) {
   return is_in_zones(state, body) && state.travel == Travel{} &&
          !state.plastic[body]->reaches_beyond(Zones(state.flow_boxes[body]));
 }
@@ -25,7 +25,7 @@ bool is_elsewhere(const State& state, int body) {
 
 std::vector<Box> zones(const State& state, int body) {
   if (!state.plastic[body]) return {};
-  if (shows_zones(state, body)) return state.flow_boxes[body];
+  if (has_zone_stress(state, body)) return state.flow_boxes[body];
   const PlasticState& history = *state.plastic[body];
   const Box strained = whole_box(history.zones().around(), state.scene().grid, history.symmetry())
                            .intersected(state.below({}));

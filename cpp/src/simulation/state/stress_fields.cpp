@@ -122,7 +122,7 @@ Field eigenstress(const State& state, int body, const Box& region) {
 Field stress_in_zones(const State& state, int body, bool with_tractions) {
   const std::vector<Box> boxes = zones(state, body);
   if (boxes.empty()) return {};
-  if (!shows_zones(state, body)) {
+  if (!has_zone_stress(state, body)) {
     return cut(with_tractions ? stress(state, body) : residual_stress(state, body), state.below({}),
                boxes.front());
   }

@@ -16,16 +16,16 @@ PlasticState whole(const PlasticState& history, const Grid& grid) {
 
 }  // namespace
 
-Box acting_box(const PlasticState& history, const Box& wanted, int reach) {
-  const int step = std::max(8, (wanted.nx + 3) / 4);
+Box acting_box(const PlasticState& history, const Box& receiving, int reach) {
+  const int step = std::max(8, (receiving.nx + 3) / 4);
   const auto beyond = [&](int cells) {
     return std::clamp((cells + step - 1) / step * step, 0, reach);
   };
   const Box& past = history.box();
-  const int left = beyond(wanted.i0 - past.i0);
-  const int right = beyond(past.i0 + past.nx - (wanted.i0 + wanted.nx));
-  const Box long_box{wanted.i0 - left, past.j0, wanted.nx + left + right, past.ny, past.nz};
-  return wanted.united(long_box);
+  const int left = beyond(receiving.i0 - past.i0);
+  const int right = beyond(past.i0 + past.nx - (receiving.i0 + receiving.nx));
+  const Box long_box{receiving.i0 - left, past.j0, receiving.nx + left + right, past.ny, past.nz};
+  return receiving.united(long_box);
 }
 
 Zones acting_zones(const PlasticState& history, const Zones& zones,

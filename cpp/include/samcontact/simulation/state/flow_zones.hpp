@@ -12,7 +12,7 @@ namespace samcontact::simulation {
 bool is_in_zones(const State& state, int body);
 /// Whether the plastic strain was last solved for in small zones, and all stress is due to
 /// tractions, sources and the strain in these zones.
-bool shows_zones(const State& state, int body);
+bool has_zone_stress(const State& state, int body);
 /// Whether the plastic strain was last solved for in boxes other than the box of its history.
 bool is_elsewhere(const State& state, int body);
 /// Disjoint boxes with all plastic strain of a body: those of the last solution, or one box of the

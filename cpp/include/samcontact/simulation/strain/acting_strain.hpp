@@ -9,7 +9,7 @@ namespace samcontact::simulation {
 
 /// Box of the region and of the strain that acts on it, at most `reach` cells beyond it along x.
 /// Its size takes few values, so that operators can be reused.
-Box acting_box(const PlasticState& history, const Box& wanted, int reach);
+Box acting_box(const PlasticState& history, const Box& receiving, int reach);
 /// Zones, and the strain outside them that acts on the grid, at most `reach` cells beyond it along
 /// x. tables: of the body. Without mirror planes.
 Zones acting_zones(const PlasticState& history, const Zones& zones,
