@@ -63,7 +63,7 @@ def test_a_gap_without_steps_has_no_step_next_to_any_cell(seed, shape, periodic)
     gap += 10 ** rng.uniform(-9, -2) * rng.standard_normal(shape) * rng.integers(0, 2)
     everywhere = np.ones(shape, dtype=bool)
     steps = any(
-        outline.steps_beside(one, gap, periodic)[0].any()
+        outline.steps_next_to(one, gap, periodic)[0].any()
         for sides in outline.sides_between(everywhere, everywhere, periodic)
         for one in [outline.away_from_border(sides, shape, periodic)]
     )

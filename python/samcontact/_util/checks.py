@@ -195,8 +195,8 @@ def choice(name: str, value: Any, allowed: tuple[Any, ...]) -> Any:
         value = value[()]
     for item in allowed:
         # True and 1 + 0j are equal to 1; 2.0 is accepted as 2
-        alike = Real if isinstance(item, Real) else type(item)
-        if isinstance(value, alike) and not isinstance(value, _NON_REAL_TYPES) and value == item:
+        kind = Real if isinstance(item, Real) else type(item)
+        if isinstance(value, kind) and not isinstance(value, _NON_REAL_TYPES) and value == item:
             return item
     listed = ", ".join(repr(item) for item in allowed)
     raise ValueError(f"{name} must be one of {listed}, got {in_short(value)}")

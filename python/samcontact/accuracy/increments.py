@@ -53,7 +53,7 @@ def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
         made.append(Doubling(n, max(g for g, m in runs if m == 2 * n and (g, n) in runs)))
     steps = np.array([runs[g, 2 * n].values - runs[g, n].values for n, g in made])
     first = [n for n, _ in made].index(used)
-    more, twice = of_doublings(steps, first), of_doublings(steps, first + 1)
+    more, of_doubled = of_doublings(steps, first), of_doublings(steps, first + 1)
     sizes = np.abs(steps[first:])
     sizes[-1] *= 2.0  # the sum of all following changes equals the last
     shares = [by_grid(runs[g, used].values, finest) for _, g in made[first:]]
@@ -62,5 +62,5 @@ def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
         errors=more.errors,
         doublings=made[first:],
         by_grid=[share * size for share, size in zip(shares, sizes, strict=True)],
-        irregular=irregular(more.values, twice.values),
+        irregular=irregular(more.values, of_doubled.values),
     )

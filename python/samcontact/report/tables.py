@@ -13,7 +13,7 @@ import numpy as np
 from .._util.checks import FloatArray
 from .._util.display import counts, lengths, quantity
 from .._util.quantities import CONTACT, Quantity
-from ..accuracy.grid_errors import error_rows, said_of_increments
+from ..accuracy.grid_errors import error_rows, increments_note
 from ..bodies.depth_profiles import PROFILE_ARGUMENTS
 from ..cases.field_units import field_unit
 from ..problem.friction import law_of_attributes
@@ -216,8 +216,10 @@ def _energy_table(balance: EnergyBalance) -> Table:
         "plastic dissipation": balance.plastic_work,
         "unaccounted for": balance.imbalance * balance.work_input,
     }
-    most = balance.work_input or 1.0
-    rows = [(name, [cell(value, 1.0), _percent(value / most)]) for name, value in parts.items()]
+    reference = balance.work_input or 1.0
+    rows = [
+        (name, [cell(value, 1.0), _percent(value / reference)]) for name, value in parts.items()
+    ]
     note = (
         f"Energy budget after the last increment. The work input since the start is "
         f"{balance.work_input:.6g} J; its difference from the net external work was recovered."
@@ -245,17 +247,17 @@ def errors_table(dataset: xr.Dataset) -> Table:
         ]
         cells += [_percent(shares[n]) for shares in more.values()]
         rows.append((row.label, cells))
-    asked = any(row.asked is not None for row in found)
+    has_target = any(row.target is not None for row in found)
     note = (
         "Best values at the ends of the path segments, extrapolated from all grids and numbers of "
         "increments. Figures and increments are those of the finest grid."
-        if asked
+        if has_target
         else "Estimated grid errors, relative to the value, from a grid coarsened by 2. Volume "
         "quantities are compared only at the increment of maximum stress and at the last increment."
     )
-    if by_increments := said_of_increments(dataset.attrs):
+    if by_increments := increments_note(dataset.attrs):
         note += f" {by_increments[0].upper()}{by_increments[1:]}."
-    heading = "error [%]" if asked else "grid error [%]"
+    heading = "error [%]" if has_target else "grid error [%]"
     return Table(["increment", "value", heading, *more], rows, "quantity", note)
 
 

@@ -259,13 +259,13 @@ def _add_volume(
     gathered = [body for body in bodies if is_gathered(stored, body)]
     for body in gathered:
         add_gathered(dataset, stored, body)
-    wanted = [
+    volume_fields = [
         (name, dims, body)
         for body, inelastic in bodies.items()
         for name, (dims, needs_plasticity) in _VOLUME_FIELDS.items()
         if body not in gathered and (inelastic or not needs_plasticity)
     ]
-    for name, dims, body in [*wanted, *(("temperature", _VOLUME, body) for body in heated)]:
+    for name, dims, body in [*volume_fields, *(("temperature", _VOLUME, body) for body in heated)]:
         fields = np.stack([getattr(state, name)(body=body) for state in stored])
         add(dataset, name, dims, fields, body)
     for body in bodies:

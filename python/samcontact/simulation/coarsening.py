@@ -195,8 +195,8 @@ def _gap(setup: SimulationSetup, domain: Domain, grid: Grid) -> FloatArray:
         kept = share >= 0.5
         return np.where(kept, height / np.where(kept, share, 1.0), np.inf)
     relieved = any(relief is not None for relief in domain.reliefs)
-    scene = ContactSetup(domain.grid, domain.initial_gap, setup.bodies, relieved)
-    if scene.radii is None:
+    contact = ContactSetup(domain.grid, domain.initial_gap, setup.bodies, relieved)
+    if contact.radii is None:
         return _averaged(domain.initial_gap, domain.grid, grid)
     fine = domain.grid
     pads = [max(0, math.ceil(0.5 * (2 * m - n))) + 1 for m, n in _counts(grid, fine)]

@@ -216,13 +216,13 @@ def _compared(
         first = repeat(setup, grid, heat, steps)
     start = float(domain.initial_gap.min())
     halves = halved(steps, first, start)
-    joined, ends = halves or doubled(steps, first, start, grid.dx, heat)
+    merged, ends = halves or doubled(steps, first, start, grid.dx, heat)
     compared = f"{'half' if halves else 'twice'} as many increments"
     # Motions by single cells are merged on larger cells.
     factors = [
         f * len(steps) / len(path) for f in (_HALVING_FACTORS if halves else _DOUBLING_FACTORS)
     ]
-    second = repeat(setup, grid, heat, joined)
+    second = repeat(setup, grid, heat, merged)
     if level > 0:
         compared += f", both on cells {2**level} times as large"
     pairs = [(first[one], second[other]) for one, other in ends]
@@ -275,9 +275,9 @@ def _of_fields(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, 
     return {name: share for name, share in found.items() if math.isfinite(share)}
 
 
-def _difference(both: Sequence[tuple[FloatArray, ...]], least: float) -> float:
-    """Return the maximum difference, relative to the larger of the maximum value and `least`."""
-    largest = max([least, *(float(np.abs(one).max()) for one, _ in both)])
+def _difference(both: Sequence[tuple[FloatArray, ...]], floor: float) -> float:
+    """Return the maximum difference, relative to the larger of the maximum value and `floor`."""
+    largest = max([floor, *(float(np.abs(one).max()) for one, _ in both)])
     differences = [float(np.abs(np.subtract(*_common(*pair))).max()) for pair in both]
     return max(differences) / largest if largest > 0 else 0.0
 

@@ -115,11 +115,13 @@ def closing(path: list[dict[str, Any]]) -> int:
     Raises ValueError if the path does not return to an earlier step, or if bodies move.
     """
     places = _places(path)
-    most = [max(abs(place[k][1]) for place in places) for k in range(len(places[0]))]
+    scales = [max(abs(place[k][1]) for place in places) for k in range(len(places[0]))]
     for n, place in enumerate(places[:-1]):
         if all(
             kind == last_kind and abs(value - last) <= _ROUNDING_ERROR * size
-            for (kind, value), (last_kind, last), size in zip(place, places[-1], most, strict=True)
+            for (kind, value), (last_kind, last), size in zip(
+                place, places[-1], scales, strict=True
+            )
         ):
             return n
     raise ValueError(

@@ -68,11 +68,11 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
     layer = np.argmax(columns <= limit, axis=1) - 1  # the last one above the threshold
     rows, slopes = np.arange(len(columns)), _slopes(columns)
     ends = (columns[rows, layer], columns[rows, layer + 1])
-    turned = (slopes[rows, layer], slopes[rows, layer + 1])
+    slopes_at_ends = (slopes[rows, layer], slopes[rows, layer + 1])
     low, high = np.zeros(len(columns)), np.ones(len(columns))
     for _ in range(_BISECTIONS):
         middle = 0.5 * (low + high)
-        above = _hermite(middle, ends, turned) > limit
+        above = _hermite(middle, ends, slopes_at_ends) > limit
         low, high = np.where(above, middle, low), np.where(above, high, middle)
     found[worn] = (layer + 0.5 + 0.5 * (low + high)) * step
     return found

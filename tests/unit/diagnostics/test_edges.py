@@ -152,10 +152,10 @@ def test_a_run_to_an_accuracy_ends_if_nothing_converges():
         )
 
     search = object.__new__(accuracy_run.AccuracySearch)
-    search.asked, search.needs = {"max_pressure": 0.01, "approach": 0.01}, ""
-    search.wanted = np.array([0.01, 0.01])
+    search.targets, search.needs = {"max_pressure": 0.01, "approach": 0.01}, ""
+    search.target_values = np.array([0.01, 0.01])
     search._leave_out_singular(Told)
-    assert search.wanted.tolist() == [math.inf, 0.01]
+    assert search.target_values.tolist() == [math.inf, 0.01]
     assert "do not converge" in search.needs
 
 
@@ -168,10 +168,10 @@ def test_the_quick_check_misses_no_edge(periodic):
         shape = tuple(rng.integers(1, 9, 2))
         pressure = np.where(rng.random(shape) < 0.6, rng.random(shape), 0.0)
         inside = pressure > 0
-        looked_at = [*sides_of(inside, periodic), *sides_between(inside, inside, periodic)]
+        groups = [*sides_of(inside, periodic), *sides_between(inside, inside, periodic)]
         rising = any(
             (outline._rising(away_from_border(sides, shape, periodic), pressure)).any()
-            for sides in looked_at
+            for sides in groups
         )
         found += rising
         assert has_ridge(pressure, periodic) or not rising

@@ -145,7 +145,7 @@ def test_reasons_are_sentences(tmp_path):
     with pytest.raises(
         instruments._ReaderError, match=r"IndexError: list.*damaged, or is a variant"
     ):
-        instruments._tried(instruments.library("SurfaceTopography.IO"), fails)
+        instruments._call_reader(instruments.library("SurfaceTopography.IO"), fails)
 
 
 @pytest.mark.parametrize(
