@@ -47,7 +47,7 @@ scraps = st.one_of(
 
 def read(text):
     """Return the case, or None if it is refused correctly."""
-    case = unless_refused(lambda: parse_case(text, "scene.toml"), CaseError, "scene.toml: ")
+    case = unless_refused(lambda: parse_case(text, "case.toml"), CaseError, "case.toml: ")
     assert case is None or isinstance(case, (Case, AsperityCase))
     return case
 
@@ -117,7 +117,7 @@ def test_wild_cases_are_built_or_refused(count):
         cells = case.grid.nx * case.grid.ny * max(case.grid.nz, 1)
         if cells > 300_000:
             return
-        made = unless_refused(case.build, CaseError, "scene.toml: [")
+        made = unless_refused(case.build, CaseError, "case.toml: [")
         assert made is None or (isinstance(made[0].grid, Grid) and made[1] == case.steps())
 
     try_all(check, count, text=wild())
@@ -125,9 +125,9 @@ def test_wild_cases_are_built_or_refused(count):
 
 @pytest.mark.parametrize("content", [b"\xff\xfe\x00", b"\x00" * 100, b"title = '\xc3('"])
 def test_an_empty_text(tmp_path, content):
-    path = tmp_path / "scene.toml"
+    path = tmp_path / "case.toml"
     path.write_bytes(content)
-    with pytest.raises(CaseError, match=r"scene\.toml: "):
+    with pytest.raises(CaseError, match=r"case\.toml: "):
         load_case(path)
 
 

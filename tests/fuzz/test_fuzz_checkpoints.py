@@ -30,7 +30,7 @@ PATH = [
 ]
 
 
-def scene():
+def problem():
     return sc.Simulation(GRID, HARD, STEEL, GAP, relief2=BUMP, on_border="warn", tol=1e-5)
 
 
@@ -51,7 +51,7 @@ def digest(simulation):
 @pytest.fixture(scope="module")
 def saved(tmp_path_factory):
     """Return the bytes of a checkpoint with most kinds of parts, and the digest of its state."""
-    simulation = scene()
+    simulation = problem()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sc.ResolutionWarning)
         simulation.run(PATH[:2], progress=False)
@@ -160,9 +160,9 @@ def worn(tmp_path_factory):
     kept = []
     latest = wear_checkpoint.latest
 
-    def spy(path, scene):
-        kept.append(scene)
-        return latest(path, scene)
+    def spy(path, problem):
+        kept.append(problem)
+        return latest(path, problem)
 
     repeating.latest = spy
     try:

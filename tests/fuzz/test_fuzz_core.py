@@ -191,7 +191,7 @@ def test_steps(count):
     grid = sc.Grid(7, 7, 1e-4, 1e-4, 5, 1e-4)
     gap = surfaces.paraboloid(grid, 7.5e-3)
 
-    def scene():
+    def problem():
         return sc.Simulation(grid, ELASTIC, STEEL, gap, on_border="warn", tol=1e-4)
 
     def last(simulation):
@@ -200,10 +200,10 @@ def test_steps(count):
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sc.GridTooSmallWarning)
-        expected = last(scene())
+        expected = last(problem())
 
     def check(arguments, strain):
-        simulation = scene()
+        simulation = problem()
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore", (sc.GridTooSmallWarning))
             warnings.simplefilter("ignore", sc.PlasticStrainWarning)

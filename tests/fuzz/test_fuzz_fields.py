@@ -129,14 +129,14 @@ def models_below(annotation):
     ],
 )  # fmt: skip
 def test_messages_of_wrong_kinds(old, new, message):
-    text = SCENE.replace(old, new, 1)
+    text = SETUP.replace(old, new, 1)
     with pytest.raises(CaseError) as error:
-        parse_case(text, "scene.toml")
+        parse_case(text, "case.toml")
     assert message in str(error.value)
     assert "\n" not in str(error.value)
 
 
-SCENE = """title = "Ball"
+SETUP = """title = "Ball"
 [grid]
 nx = 16
 ny = 16

@@ -105,7 +105,7 @@ def outcomes(seeds, solve=solve):
             try:
                 count[solve(seed)] += 1
             except Exception as error:
-                raise AssertionError(f"drawn scene {seed}") from error
+                raise AssertionError(f"drawn problem {seed}") from error
     return count
 
 

@@ -35,7 +35,7 @@ KIND = "simulation"
 
 def write_checkpoint(path: str | os.PathLike[str], kept: Snapshot, **more: Any) -> None:
     """Write a checkpoint file; if this fails, an old file remains. more: further data to store."""
-    tree = {"scene": _setup_tree(kept.arguments), "state": kept.state, "counters": kept.counters}
+    tree = {"setup": _setup_tree(kept.arguments), "state": kept.state, "counters": kept.counters}
     write(path, KIND, tree | more)
 
 
@@ -51,7 +51,7 @@ def read_checkpoint(
         ) from error
     tree = read(path, KIND)
     with readable(path):
-        given = _arguments(tree["scene"], law1, law2)
+        given = _arguments(tree["setup"], law1, law2)
         return Snapshot(given, tree["state"], tree["counters"]), tree
 
 

@@ -77,7 +77,7 @@ class Sides(NamedTuple):
 
 
 def away_from_border(sides: Sides, shape: tuple[int, ...], periodic: str) -> Sides:
-    """Return the sides for which all cells used by `steps_beside` lie inside the grid."""
+    """Return the sides for which all cells used by `steps_next_to` lie inside the grid."""
     if "xy"[sides.axis] in periodic:
         return sides
     at, n = (sides.i if sides.axis == 0 else sides.j), shape[sides.axis]
@@ -145,7 +145,7 @@ def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArr
 def may_have_steps(gap: FloatArray, periodic: str) -> bool:
     """Whether the gap of undeformed bodies may have a step between two cells.
 
-    If it has none, `steps_beside` finds no step at any side that is `away_from_border`.
+    If it has none, `steps_next_to` finds no step at any side that is `away_from_border`.
     """
     if not np.isfinite(gap).all():
         return True

@@ -116,8 +116,8 @@ def test_yield_below_a_coating_is_closer_than_the_stated_error():
 def test_elastic_plastic_layers_end_between_cells_on_all_grids():
     bodies = {"body1": layered(1e-4), "body2": layered(6e-5, 5e-5)}
     case = SectionsOfCase.model_validate({"title": "x", "accuracy": 0.1, **ELASTIC, **bodies})
-    scene = RefinableCase(case)
-    depths = [scene.on(level, 1).grid.dz for level in range(9)]
+    problem = RefinableCase(case)
+    depths = [problem.on(level, 1).grid.dz for level in range(9)]
     for dz in depths:
         cells = np.array([6e-5, 1e-4, 11e-5]) / dz
         assert cells == pytest.approx(np.round(cells), abs=1e-9)
@@ -181,15 +181,15 @@ def test_a_graded_body_agrees_with_finer_grids():
 def test_only_segments_with_plastic_flow_have_many_increments():
     path = [{"approach": 2.5e-5}, {"load": 900.0, "start": 1800.0}, {"load": 0.0}]
     case = SectionsOfCase.model_validate({"title": "x", "accuracy": 0.1, **YIELDING, "path": path})
-    scene = RefinableCase(case)
-    run = scene.run(0, 2)
-    scene.settle(run)
+    problem = RefinableCase(case)
+    run = problem.run(0, 2)
+    problem.settle(run)
     # from 1800 N, which the approach does not reach, it is loaded on
-    counts = [segment.increments for segment in scene.on(1, 4).path]
+    counts = [segment.increments for segment in problem.on(1, 4).path]
     assert counts == [4, 32, 1]
-    assert case.contact.tol == scene.on(1, 4).contact.tol == 1e-6
-    scene.accept(0.01)
-    assert scene.on(1, 4).contact.tol == 1e-4
+    assert case.contact.tol == problem.on(1, 4).contact.tol == 1e-6
+    problem.accept(0.01)
+    assert problem.on(1, 4).contact.tol == 1e-4
 
 
 def test_corrections_of_first_order_hold_on_other_grids():

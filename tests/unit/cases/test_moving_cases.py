@@ -24,7 +24,7 @@ def write(tmp_path):
         for old, new in replacements:
             assert old in text
             text = text.replace(old, new, 1)
-        path = tmp_path / "scene.toml"
+        path = tmp_path / "case.toml"
         path.write_text(text, encoding="utf-8")
         return path
 

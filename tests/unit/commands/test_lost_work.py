@@ -22,7 +22,7 @@ OPTIONS = ("--no-figures", "--quiet")
 
 @pytest.fixture(scope="module")
 def case_file(tmp_path_factory):
-    path = tmp_path_factory.mktemp("case") / "scene.toml"
+    path = tmp_path_factory.mktemp("case") / "case.toml"
     path.write_text(MINIMAL)
     return path
 

@@ -143,9 +143,9 @@ def history(solver, gap, turn=lambda x, y: (x, y), sign=1.0, unit=1.0, stress=1.
     return found
 
 
-SCENE = sc.Grid(24, 24, 0.05, 0.05)
-BUMPS = sc.surfaces.paraboloid(SCENE, 1.0, 2.0) + 2e-3 * np.outer(
-    np.sin(7 * np.asarray(SCENE.x)), np.cos(5 * np.asarray(SCENE.y) + 1)
+BUMPY_GRID = sc.Grid(24, 24, 0.05, 0.05)
+BUMPS = sc.surfaces.paraboloid(BUMPY_GRID, 1.0, 2.0) + 2e-3 * np.outer(
+    np.sin(7 * np.asarray(BUMPY_GRID.x)), np.cos(5 * np.asarray(BUMPY_GRID.y) + 1)
 )
 
 
@@ -157,7 +157,7 @@ def close(a, b, found):
 def test_symmetries():
     """Swapped, mirrored, rotated and scaled problems have correspondingly transformed solutions."""
 
-    def solver(first, second, grid=SCENE):
+    def solver(first, second, grid=BUMPY_GRID):
         return sc.ContactSolver(grid, first, second, sc.Coulomb(0.3), tol=1e-10, on_border="warn")
 
     stiff, soft = sc.Material.elastic(4.0, 0.4), sc.Material.elastic(2.0, 0.1)

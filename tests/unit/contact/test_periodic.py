@@ -156,7 +156,7 @@ def bumps(periodic, tiles, cells=(32, 32)):
         yield grid, np.tile(gap, times)
 
 
-SCENES = {
+SETUPS = {
     "both directions": ("xy", (2, 1), HARD, 0.0, 1e-9),
     "kinematic, sliding": ("xy", (1, 2), HARD.with_kinematic_hardening(20e9), 0.3, 1e-9),
     "two bodies, along y": ("y", (1, 2), HARD, 0.0, 1e-3),
@@ -164,10 +164,10 @@ SCENES = {
 }
 
 
-@pytest.mark.parametrize("scene", SCENES)
-def test_plastic_contact_and_its_repetitions_agree(scene):
-    periodic, tiles, material, friction, rel = SCENES[scene]
-    upper = material if "two" in scene else RIGID
+@pytest.mark.parametrize("problem", SETUPS)
+def test_plastic_contact_and_its_repetitions_agree(problem):
+    periodic, tiles, material, friction, rel = SETUPS[problem]
+    upper = material if "two" in problem else RIGID
     results = []
     for grid, gap in bumps(periodic, tiles):
         simulation = sc.Simulation(grid, upper, material, gap, friction)

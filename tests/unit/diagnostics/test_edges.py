@@ -82,7 +82,7 @@ def test_punches_and_steps_cause_a_warning():
     assert len(kinds(lambda: sc.ContactSolver(fine, RIGID, STEEL).solve(gap, load=50.0))) == 1
 
 
-def smooth_scenes():
+def smooth_problems():
     grid = sc.Grid(64, 64, 2e-5, 2e-5)
     x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
     r = np.hypot(x, y)
@@ -107,7 +107,7 @@ def smooth_scenes():
 
 
 def test_smooth_and_rough_contacts_cause_no_edge_warning():
-    for name, grid, gap, load in smooth_scenes():
+    for name, grid, gap, load in smooth_problems():
         solver = sc.ContactSolver(grid, RIGID, STEEL)
         assert not kinds(lambda s=solver, g=gap, n=load: s.solve(g - g.min(), load=n)), name
 

@@ -187,7 +187,7 @@ def test_plane_strain_is_the_same_for_any_number_of_rows():
     grid = sc.Grid(64, 4, one["grid"].dx, 0.25, periodic="y")
     four = one | {"grid": grid, "gap": sc.surfaces.paraboloid(grid, 25e-3, math.inf)}
     drive = {"tangential_load": (1e3, 2e3), "tol": 1e-10}
-    single, several = (sc.rolling.steady(**scene, **drive) for scene in (one, four))
+    single, several = (sc.rolling.steady(**problem, **drive) for problem in (one, four))
     assert several.creepage == pytest.approx(single.creepage, rel=1e-7)
     assert np.abs(several.shear - single.shear).max() < 1e-7 * np.abs(single.shear).max()
 
@@ -216,17 +216,17 @@ def test_dissimilar_rollers_agree_with_contact(across):
 @pytest.mark.parametrize("mu", [1e-4, 0.05, 0.6])
 def test_forces_are_found_from_any_start(pair, mu):
     """Starts from zero and from full sliding, for forces from the maximum to zero."""
-    scene, most = rollers(mu, pair), mu * 16e3
-    sliding = sc.rolling.steady(**scene, creepage=(0.01, 0.0))
+    problem, most = rollers(mu, pair), mu * 16e3
+    sliding = sc.rolling.steady(**problem, creepage=(0.01, 0.0))
     assert not sliding.sticking.any()
     for part in (0.0, 1e-6, -0.5, 0.9999):
         drive = {"tangential_load": (part * most, None)}
-        found = sc.rolling.steady(**scene, **drive)
+        found = sc.rolling.steady(**problem, **drive)
         assert found.tangential_load[0] == pytest.approx(part * most, abs=1e-7 * most)
         require_law(found, mu)
-        again = sc.rolling.steady(**scene, creepage=found.creepage)
+        again = sc.rolling.steady(**problem, creepage=found.creepage)
         assert again.tangential_load[0] == pytest.approx(part * most, abs=1e-5 * most)
-        warm = sc.rolling.steady(**scene, **drive, start=sliding)
+        warm = sc.rolling.steady(**problem, **drive, start=sliding)
         assert warm.creepage[0] == pytest.approx(found.creepage[0], rel=1e-5, abs=1e-9)
 
 
@@ -235,16 +235,16 @@ def test_forces_are_found_from_any_start(pair, mu):
 )
 @pytest.mark.parametrize("mu", [1e-4, 0.05])
 def test_increments_find_forces_from_full_sliding(pair, mu):
-    scene, most = rollers(mu, pair), mu * 16e3
-    grid = scene.pop("grid")
-    solver = sc.ContactSolver(grid, scene["body1"], scene["body2"], scene["friction"])
-    sliding = solver.solve(scene["gap"], load=16e3, shift=(1e-4, 0.0))
+    problem, most = rollers(mu, pair), mu * 16e3
+    grid = problem.pop("grid")
+    solver = sc.ContactSolver(grid, problem["body1"], problem["body2"], problem["friction"])
+    sliding = solver.solve(problem["gap"], load=16e3, shift=(1e-4, 0.0))
     assert not sliding.sticking.any()
     for part in (0.0, 0.5, 0.99, -0.9):
         found = sliding
         for _ in range(2):
             found = solver.solve(
-                scene["gap"], load=16e3, tangential_load=(part * most, None), previous=found,
+                problem["gap"], load=16e3, tangential_load=(part * most, None), previous=found,
                 advance=(-grid.dx, -grid.dx),
             )  # fmt: skip
             assert found.tangential_load[0] == pytest.approx(part * most, abs=1e-6 * most)

@@ -11,7 +11,7 @@ from benchmarks.increment_errors import (
     ALUMINIUM,
     PERFECT,
     RIGID,
-    SCENES,
+    SETUPS,
     STEEL,
     SWIFT,
     ball,
@@ -31,11 +31,11 @@ def silent(sim):
     return sim
 
 
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", SETUPS)
 def test_stated_errors_are_the_true_ones(name):
     """Estimated errors agree within a factor of two, rather too large, or both are small."""
-    scene = SCENES[name]
-    for field, pairs in errors(scene, scene.counts[1:2], scene.many // 2).items():
+    problem = SETUPS[name]
+    for field, pairs in errors(problem, problem.counts[1:2], problem.many // 2).items():
         ((true, stated),) = pairs
         assert 0.3 < true / stated < 1.5 or max(true, stated) < 0.01, (field, true, stated)
 
