@@ -157,14 +157,14 @@ def computed(argument):
     return space["computed"](folder)
 
 def poor(run, folder, there):
-    require, asked = _memory.require, [0.0]
+    require, requested = _memory.require, [0.0]
     def report(what, needed, *more):
-        asked.append(needed)
+        requested.append(needed)
         with mock.patch.object(_memory, "available", lambda: there):
             require(what, needed, *more)
     _memory._MAX_UNCHECKED_BYTES, _memory.require = 0.0, report
     try:
-        return f"{{run(folder)}} {{max(asked)}}"
+        return f"{{run(folder)}} {{max(requested)}}"
     except (MemoryError, ValueError) as error:
         return str(error)
 

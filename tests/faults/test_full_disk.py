@@ -6,7 +6,7 @@ user; in a separate process, which would also reveal a crash at its end.
 """
 
 import pytest
-from faulting import start, tried
+from faulting import start, with_trials
 
 SCRIPT = """
 import errno, os, resource, signal, sys, warnings
@@ -53,7 +53,7 @@ print("survived", failed)
 """
 
 
-@tried("full disk")
+@with_trials("full disk")
 @pytest.mark.parametrize("kind", ["checkpoint", "results", "report"])
 def test_a_failed_write_keeps_the_old_file(tmp_path, count, kind):
     with start(SCRIPT, tmp_path, kind, count) as process:

@@ -4,7 +4,7 @@
 import random
 import signal
 
-from faulting import finished, start, tried
+from faulting import finished, start, with_trials
 
 SETUP = """
 import hashlib, os, signal, sys, threading, time, warnings
@@ -105,12 +105,12 @@ def moments(name, count):
     return [(trial + times.random()) / count * 0.9 for trial in range(count)]
 
 
-@tried("interrupt: step")
+@with_trials("interrupt: step")
 def test_steps(count):
     assert finished(STEPS, *moments("step", count)) == "interrupted\n"
 
 
-@tried("interrupt: run")
+@with_trials("interrupt: run")
 def test_runs_with_checkpoints(count, tmp_path):
     assert finished(RUNS, tmp_path, *moments("run", count)) == "interrupted\n"
 

@@ -48,9 +48,9 @@ def status(name):
     with open("/proc/self/status") as lines:
         return next(1024 * int(line.split()[1]) for line in lines if line.startswith(name))
 
-asked = [0.0]
+requested = [0.0]
 memory._MAX_UNCHECKED_BYTES = 0.0
-memory.require = lambda what, needed, remedy="": asked.append(needed)
+memory.require = lambda what, needed, remedy="": requested.append(needed)
 
 def computed(problem):
     kind, n, nz = problem.split()
@@ -75,7 +75,7 @@ def computed(problem):
         sim = rough_setups.simulation(grid=sc.Grid(n, n, 1e-6, 1e-6, nz, 1e-6),
                                       gap=rough_setups.rough_gap(grid=sc.Grid(n, n, 1e-6, 1e-6)))
         sim.step(load=1e-6)
-    asked.clear()
+    requested.clear()
     before = status("VmHWM")
     if kind == "contact":
         sc.ContactSolver(grid, elastic, elastic).solve(gap, load=300.0)
@@ -111,7 +111,7 @@ def computed(problem):
     elif kind in BODIES:
         state = sim.step(pressure=(2e9 if kind == "backstress" else 3e9) * pressure)
         assert (state.max_equivalent_plastic_strain() > 0)
-    return status("VmHWM") - before, sum(asked)
+    return status("VmHWM") - before, sum(requested)
 """
 )
 SETUPS = [
@@ -146,9 +146,9 @@ def test_memory_estimates_agree_with_measurements():
         ratios = {}
         for problem in SETUPS:
             result, _ = nursery.run(problem)
-            measured, asked = map(float, result.strip("()").split(","))
+            measured, requested = map(float, result.strip("()").split(","))
             assert measured > 15e6, problem  # otherwise the test proves nothing
-            ratios[problem] = asked / measured
+            ratios[problem] = requested / measured
     assert {problem: r for problem, r in ratios.items() if not 0.7 < r < 1.5} == {}
 
 

@@ -59,11 +59,11 @@ class Driven:
             heat["reference"] = 10 * problem.a
         return heat
 
-    def timing(self, way=None):
+    def timing(self, travel=None):
         """Return the duration of a ramp, if the case depends on time."""
         if not self.timed:
             return {}
-        return {"duration": (abs(way) if way else self.problem.a) / self.speed}
+        return {"duration": (abs(travel) if travel else self.problem.a) / self.speed}
 
     def press(self, load):
         many = int(self.draw.integers(1, 3))

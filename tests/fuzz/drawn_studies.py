@@ -47,11 +47,11 @@ def rolls(seed):
     assert abs(found.pressure.sum() * grid.cell_area - load) <= 1e-9 * load
     assert found.friction_work_per_distance >= -1e-6 * load * np.hypot(*found.creepage)
     if math.isfinite(mu):
-        most = mu * found.pressure.max()
-        assert (np.hypot(*found.shear) <= mu * found.pressure + 1e-6 * most).all()
+        maximum = mu * found.pressure.max()
+        assert (np.hypot(*found.shear) <= mu * found.pressure + 1e-6 * maximum).all()
     if "tangential_load" in drive:
-        wanted = np.array(drive["tangential_load"])
-        assert np.abs(found.tangential_load - wanted).max() <= 1e-4 * load
+        expected = np.array(drive["tangential_load"])
+        assert np.abs(found.tangential_load - expected).max() <= 1e-4 * load
 
 
 def wears(seed):
@@ -139,8 +139,8 @@ def asks(seed):
         for name, error in found.errors.items():
             assert error >= 0
             if found.reached:
-                most = found.accuracy[name] * abs(found.values[name])
-                assert error <= most * (1 + 1e-9), name
+                maximum = found.accuracy[name] * abs(found.values[name])
+                assert error <= maximum * (1 + 1e-9), name
     for name, value in loose.values.items():
         allowed = max(loose.errors[name], loose.accuracy[name] * abs(tight.values[name]))
         assert abs(value - tight.values[name]) <= allowed + tight.errors[name], name

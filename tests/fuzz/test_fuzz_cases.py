@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from fuzzing import tried, try_all, unless_refused
+from fuzzing import try_all, unless_refused, with_trials
 from hypothesis import strategies as st
 
 from samcontact import Grid
@@ -91,12 +91,12 @@ def wild(draw):
     return text
 
 
-@tried("texts of case files")
+@with_trials("texts of case files")
 def test_any_text(count):
     try_all(read, count, text=st.one_of(mangled(), mangled(), st.text(max_size=200)))
 
 
-@tried("cases with extreme values")
+@with_trials("cases with extreme values")
 def test_wild_values(count):
     def check(text):
         case = read(text)
@@ -106,7 +106,7 @@ def test_wild_values(count):
     try_all(check, count, text=wild())
 
 
-@tried("construction of simulations from cases")
+@with_trials("construction of simulations from cases")
 def test_wild_cases_are_built_or_refused(count):
     """Cases with small grids; large grids are covered by the memory tests."""
 

@@ -117,13 +117,13 @@ def test_loads_accepted_by_the_quick_check_pass_the_full_check(
     heat = sc.Heat(3e-2, velocity=((0.0, 0.0), (1.0, 0.0))) if heated else sc.Heat(0.0)
     gap = sc.surfaces.paraboloid(grid, 10**radius, ratio * 10**radius)
     problem = hertz_estimate.ContactSetup(grid, gap, (sc.Material.elastic(E, 0.3), body))
-    least, most = problem.passing_loads(heat)
+    minimum, maximum = problem.passing_loads(heat)
     room = problem.largest_load_with_room
     if problem.radii is None:
         return
-    around = most if math.isfinite(most) else room
+    around = maximum if math.isfinite(maximum) else room
     for load in np.geomspace(1e-10 * around, 1e2 * around, 49):
-        if least < load < most:
+        if minimum < load < maximum:
             assert problem.failed_checks(heat, load) == []
         if load <= room:
             hertz = problem.hertz(load)

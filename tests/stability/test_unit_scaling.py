@@ -39,8 +39,8 @@ def test_same_bits_in_powers_of_two(problem):
     """Such units change no mantissa, so results are bit-identical if no code compares or adds
     quantities of different units. Exceptions: numbers negligible against the largest, where
     logarithms of lengths are added, and error-controlled values of runs to an accuracy."""
-    least = 1e-13 if problem == "to an accuracy" else 1e-17
+    minimum = 1e-13 if problem == "to an accuracy" else 1e-17
     for name, values in CASES[problem](Units(*POWERS_OF_TWO)).items():
         if problem in SLIDING:
             np.testing.assert_array_equal(values, in_si(problem)[name], err_msg=name)
-        assert relative_difference(values, in_si(problem)[name]) <= least, name
+        assert relative_difference(values, in_si(problem)[name]) <= minimum, name

@@ -193,9 +193,9 @@ def test_only_segments_with_plastic_flow_have_many_increments():
 
 
 def test_corrections_of_first_order_hold_on_other_grids():
-    twice = np.array([1.0, 1.0, 1.0, 0.0])
+    doubled = np.array([1.0, 1.0, 1.0, 0.0])
     more = np.array([2.0, 9.0, -2.0, 0.5])
-    assert np.array_equal(estimate.irregular(more, twice), [0.0, 7.0, 4.0, 0.5])
+    assert np.array_equal(estimate.irregular(more, doubled), [0.0, 7.0, 4.0, 0.5])
 
 
 def test_corrections_come_from_the_grid_that_resolves_the_value():

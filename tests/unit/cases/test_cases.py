@@ -162,10 +162,10 @@ def test_rigid_bodies(write):
     assert case.build()[0].body2.law == "rigid"
     with pytest.raises(CaseError, match=r"output\.body: body 2 is rigid .* use output\.body = 1"):
         load_case(write(text + "[output]\nbody = 2\n"))
-    turned = replaced(elastic, 'law = "rigid"')
-    assert load_case(write(turned)).output.body == 2
+    with_rigid = replaced(elastic, 'law = "rigid"')
+    assert load_case(write(with_rigid)).output.body == 2
     with pytest.raises(CaseError, match=r"output\.body: body 1 is rigid .* use output\.body = 2"):
-        load_case(write(turned + "[output]\nbody = 1\n"))
+        load_case(write(with_rigid + "[output]\nbody = 1\n"))
     with pytest.raises(CaseError, match="both rigid"):
         load_case(write(text.replace(elastic, 'law = "rigid"')))
 

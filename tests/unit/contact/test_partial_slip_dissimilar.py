@@ -126,7 +126,7 @@ def test_normal_loading_of_dissimilar_bodies():
     assert again.friction_work >= found.friction_work
 
 
-def history(solver, gap, turn=lambda x, y: (x, y), sign=1.0, unit=1.0, stress=1.0):
+def history(solver, gap, rotation=lambda x, y: (x, y), sign=1.0, unit=1.0, stress=1.0):
     """Follow an oblique path with unloading and all kinds of drives; return the last increment."""
     found = None
     scale = stress * unit**2
@@ -135,7 +135,7 @@ def history(solver, gap, turn=lambda x, y: (x, y), sign=1.0, unit=1.0, stress=1.
         (0.03, 0.003, -0.004, 0.0),
         (0.02, 0.001, 0.002, 0.004),
     ):
-        q = [sign * scale * part for part in turn(along, across)]
+        q = [sign * scale * part for part in rotation(along, across)]
         drive = {"load": scale * load, "tangential_load": q, "twist": sign * twist}
         before = 0.0 if found is None else found.friction_work
         found = solver.solve(gap, **drive, previous=found)
@@ -169,13 +169,13 @@ def test_symmetries():
     assert close(swapped.shear, -found.shear, found)
     assert swapped.shift == pytest.approx(-found.shift, rel=1e-7)
     # mirrored in y: forces along y and the rotation change sign
-    mirrored = history(solver(stiff, soft), gap[:, ::-1], turn=lambda x, y: (-x, y), sign=-1.0)
+    mirrored = history(solver(stiff, soft), gap[:, ::-1], rotation=lambda x, y: (-x, y), sign=-1.0)
     assert close(mirrored.shear[0], found.shear[0][:, ::-1], found)
     assert close(mirrored.shear[1], -found.shear[1][:, ::-1], found)
     # a quarter turn from x to y
-    turned = history(solver(stiff, soft), np.rot90(gap), turn=lambda x, y: (-y, x))
-    assert close(turned.shear[0], -np.rot90(found.shear[1]), found)
-    assert close(turned.shear[1], np.rot90(found.shear[0]), found)
+    rotated = history(solver(stiff, soft), np.rot90(gap), rotation=lambda x, y: (-y, x))
+    assert close(rotated.shear[0], -np.rot90(found.shear[1]), found)
+    assert close(rotated.shear[1], np.rot90(found.shear[0]), found)
     # other units
     grid = sc.Grid(24, 24, 0.05e-3, 0.05e-3)
     small = [sc.Material.elastic(1e9 * m.E, m.nu) for m in (stiff, soft)]
@@ -229,16 +229,16 @@ def test_infinite_friction_may_have_no_solution():
         solve()
     # the same by pivots: the worst cell changes sides
     n, matrix = gap.size, dense_matrix(grid, body1, body2)
-    wanted = matrix @ np.concatenate([pressed.shear.ravel(), pressed.pressure.ravel()])
-    wanted[:n] += drive["shift"][0]
-    wanted[2 * n :] = pressed.approach - gap.ravel()
+    expected = matrix @ np.concatenate([pressed.shear.ravel(), pressed.pressure.ravel()])
+    expected[:n] += drive["shift"][0]
+    expected[2 * n :] = pressed.approach - gap.ravel()
     touching, sets = pressed.pressure.ravel() > 0, []
     while touching.tobytes() not in sets:
         sets.append(touching.tobytes())
         t, rows = np.zeros(3 * n), np.flatnonzero(np.tile(touching, 3))
-        t[rows] = np.linalg.solve(matrix[np.ix_(rows, rows)], wanted[rows])
-        apart = (matrix @ t - wanted)[2 * n :]
-        wrong = np.where(touching, t[2 * n :] / t.max(), apart / ball.approach)
+        t[rows] = np.linalg.solve(matrix[np.ix_(rows, rows)], expected[rows])
+        separation = (matrix @ t - expected)[2 * n :]
+        wrong = np.where(touching, t[2 * n :] / t.max(), separation / ball.approach)
         worst = wrong.argmin()
         assert wrong[worst] < -1e-6
         touching = touching.copy()

@@ -205,8 +205,8 @@ def test_near_full_contact_costs_no_more_than_half_of_it(hurst):
     gap = heights.max() - heights
     # in full contact the pressure variation is independent of the mean
     full = solver.solve(gap, load=1e3)
-    least = full.load - full.pressure.min() * grid.cell_area * grid.nx * grid.ny
-    found = [solver.solve(gap, load=share * least) for share in (0.15, 0.9, 1.001)]
+    minimum = full.load - full.pressure.min() * grid.cell_area * grid.nx * grid.ny
+    found = [solver.solve(gap, load=share * minimum) for share in (0.15, 0.9, 1.001)]
     half, nearly, all_ = (np.mean(solution.pressure > 0) for solution in found)
     assert 0.3 < half < 0.6
     assert 0.98 < nearly < 1

@@ -25,8 +25,8 @@ def roller(cells, end=1e-3):
 
     def gap(grid):
         profile = grid.x[:, None] ** 2 / (2 * RADIUS)
-        beside = np.abs(grid.y) > LENGTH / 2
-        return profile + np.where(beside, end, 0.0)
+        outside = np.abs(grid.y) > LENGTH / 2
+        return profile + np.where(outside, end, 0.0)
 
     return sc.Grid(25, cells, HERTZ.b / 8, 1.04 * LENGTH / cells), gap
 
@@ -146,7 +146,7 @@ def test_errors_state_that_the_largest_pressure_does_not_converge():
 
 
 def test_a_run_to_an_accuracy_ends_if_nothing_converges():
-    class Told:
+    class WithWarning:
         solved = type(
             "Solved", (), {"issued": [type("W", (), {"category": sc.SingularPressureWarning})]}
         )
@@ -154,7 +154,7 @@ def test_a_run_to_an_accuracy_ends_if_nothing_converges():
     search = object.__new__(accuracy_run.AccuracySearch)
     search.targets, search.needs = {"max_pressure": 0.01, "approach": 0.01}, ""
     search.target_values = np.array([0.01, 0.01])
-    search._leave_out_singular(Told)
+    search._leave_out_singular(WithWarning)
     assert search.target_values.tolist() == [math.inf, 0.01]
     assert "do not converge" in search.needs
 

@@ -195,15 +195,15 @@ def test_a_modulus_in_gigapascals_is_named_with_hertz_and_before_the_solve():
 def test_hertz_estimates_are_used_for_smooth_convex_gaps_only():
     grid = sc.Grid(40, 50, 1e-5, 2e-5)
     x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
-    turned = 0.5 * ((x + y) ** 2 / 2 / 4e-3 + (x - y) ** 2 / 2 / 9e-3) + 3e-6 + 1e-3 * x
+    rotated = 0.5 * ((x + y) ** 2 / 2 / 4e-3 + (x - y) ** 2 / 2 / 9e-3) + 3e-6 + 1e-3 * x
 
-    def scene_of(gap):
+    def setup_of(gap):
         return hertz_estimate.ContactSetup(grid, gap, (STEEL, STEEL))
 
-    assert scene_of(turned).radii == pytest.approx((9e-3, 4e-3), rel=1e-9)
-    rough = turned + 2e-5 * np.random.default_rng(1).standard_normal(grid.surface_shape)
-    for gap in (rough, x**2, x**2 - y**2, -turned, 0 * x, np.abs(x)):
-        assert scene_of(gap).hertz(load=1.0) is None
+    assert setup_of(rotated).radii == pytest.approx((9e-3, 4e-3), rel=1e-9)
+    rough = rotated + 2e-5 * np.random.default_rng(1).standard_normal(grid.surface_shape)
+    for gap in (rough, x**2, x**2 - y**2, -rotated, 0 * x, np.abs(x)):
+        assert setup_of(gap).hertz(load=1.0) is None
 
 
 def test_pressures_beyond_linear_elasticity_cause_a_warning():

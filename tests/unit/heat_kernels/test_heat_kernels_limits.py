@@ -118,8 +118,8 @@ def test_symmetry(age, speed):
         assert error(flip_x * mirrored, table) < 1e-12
         mirrored = function(X, -Y, *depth, HALF, age, (vx, -vy))
         assert error(flip_y * mirrored, table) < 1e-12
-        turned = function(Y, X, *depth, half, age, (vy, vx)).swapaxes(-1, -2)
-        assert error(turned[swap], table) < 1e-12
+        rotated = function(Y, X, *depth, half, age, (vy, vx)).swapaxes(-1, -2)
+        assert error(rotated[swap], table) < 1e-12
 
 
 def test_parts_sum_to_the_whole():

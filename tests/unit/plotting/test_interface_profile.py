@@ -39,9 +39,9 @@ def test_lines_are_those_of_the_interface(axis, along, shear):
     (mark,) = set(drawn) - set(expected)
     for name, values in expected.items():
         np.testing.assert_allclose(drawn[name], [x * 1e6, values])
-    most = max(values.max() for name, values in expected.items() if f"{axis}z" not in name)
-    assert mark == f"maximum tension {most:.4g} MPa"
-    assert drawn[mark][1] == pytest.approx([most])
+    maximum = max(values.max() for name, values in expected.items() if f"{axis}z" not in name)
+    assert mark == f"maximum tension {maximum:.4g} MPa"
+    assert drawn[mark][1] == pytest.approx([maximum])
     assert ax.get_ylabel() == "stress at 5 µm depth [MPa]"
 
 

@@ -137,8 +137,8 @@ def test_unknown_balances_are_refused():
         energy.balance(heated, [warm])
 
 
-def named(verdicts, start):
-    (found,) = [verdict for verdict in verdicts if verdict.name.startswith(start)]
+def named(checks_found, start):
+    (found,) = [check for check in checks_found if check.name.startswith(start)]
     return found
 
 

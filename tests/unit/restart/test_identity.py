@@ -232,9 +232,9 @@ def test_small_differences(one, other):
 def test_unreadable_state_is_not_guessed(hidden):
     with pytest.raises(UnidentifiedError):
         canonical(by_closure(hidden))
-    who = identity(law=by_closure(hidden), load=1.0)
+    run_identity = identity(law=by_closure(hidden), load=1.0)
     with pytest.raises(UnidentifiedError, match=r"law cannot be identified.* law\.identity = "):
-        require_identified(who)
+        require_identified(run_identity)
 
 
 def test_a_run_is_not_continued_with_another_law(tmp_path):

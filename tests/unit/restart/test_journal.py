@@ -61,9 +61,9 @@ def test_states_stored_later_keep_their_own_heat(tmp_path):
 
     path = [{"load": LOAD}, {"load": 0.5 * LOAD}, {"load": LOAD, "heat_factor": 0.0}]
     sim = problem()
-    who = describe(sim.engine, path=path)
+    run_identity = describe(sim.engine, path=path)
     expected = sim.run(path, progress=False)
-    journal = Journal(tmp_path, sim.engine, who)
+    journal = Journal(tmp_path, sim.engine, run_identity)
     journal.add(expected[0])  # the run was interrupted here
     again = problem().run(path, progress=False, checkpoint=tmp_path)
     for one, other in zip(again, expected, strict=True):

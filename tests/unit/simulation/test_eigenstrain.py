@@ -46,13 +46,13 @@ def cuboid(function, *points, component=None, **more):
 def test_stress_is_that_of_a_cuboid():
     state = given(problem(residual_stress="exact")).state
     X, Y, Z = np.meshgrid(GRID.x, GRID.y, GRID.z, indexing="ij")
-    wanted = cuboid(sc.kernels.eigenstrain_stress, X, Y, Z, E=E, nu=NU)
-    largest = np.abs(wanted).max()
-    np.testing.assert_allclose(state.eigenstress(), wanted, atol=1e-9 * largest)
+    expected = cuboid(sc.kernels.eigenstrain_stress, X, Y, Z, E=E, nu=NU)
+    largest = np.abs(expected).max()
+    np.testing.assert_allclose(state.eigenstress(), expected, atol=1e-9 * largest)
     for of in (state.stress, state.residual_stress):
         np.testing.assert_array_equal(of(), state.eigenstress())
     assert not state.eigenstress(1).any()
-    off = given(problem()).state.eigenstress() - wanted  # fast, as for plastic strain
+    off = given(problem()).state.eigenstress() - expected  # fast, as for plastic strain
     assert np.abs(off).max() < 0.05 * largest
     assert np.sqrt(np.mean(off**2)) < 0.005 * largest
 
@@ -60,10 +60,10 @@ def test_stress_is_that_of_a_cuboid():
 def test_displacement_is_that_of_a_cuboid():
     state = given(problem()).state
     X, Y = np.meshgrid(GRID.x, GRID.y, indexing="ij")
-    wanted = cuboid(sc.kernels.eigenstrain_displacement, X, Y, nu=NU)
+    expected = cuboid(sc.kernels.eigenstrain_displacement, X, Y, nu=NU)
     found = state.surface_displacement()
-    np.testing.assert_allclose(found, wanted, atol=1e-9 * np.abs(wanted).max())
-    np.testing.assert_allclose(state.gap, wanted + problem().state.gap, rtol=1e-9)
+    np.testing.assert_allclose(found, expected, atol=1e-9 * np.abs(expected).max())
+    np.testing.assert_allclose(state.gap, expected + problem().state.gap, rtol=1e-9)
     assert not state.residual_displacement().any()  # that of plastic strain
 
 
@@ -86,9 +86,9 @@ def test_stress_in_a_deep_sphere_is_that_of_eshelby(strain, share):
     state = simulation.state
     middle = slice(n // 2 - 1, n // 2 + 2)
     found = state.eigenstress()[:, middle, middle, depth - 1 : depth + 2]
-    wanted = 1e-3 * E * share * np.array(strain)
-    largest = np.abs(wanted).max()
-    off = found - wanted[:, None, None, None]
+    expected = 1e-3 * E * share * np.array(strain)
+    largest = np.abs(expected).max()
+    off = found - expected[:, None, None, None]
     assert np.abs(off).max() < 0.03 * largest
     assert np.abs(off.mean(axis=(1, 2, 3))).max() < 0.02 * largest
     if strain[0]:

@@ -107,15 +107,15 @@ def test_path_independent_increments_are_not_repeated(sim, path, monkeypatch):
 
 
 def test_nothing_is_estimated_if_the_warning_is_ignored(monkeypatch):
-    asked = []
-    monkeypatch.setattr(increment_errors, "_compared", lambda *given: asked.append(given))
+    calls = []
+    monkeypatch.setattr(increment_errors, "_compared", lambda *given: calls.append(given))
     for action in ("ignore", "always"):
         with warnings.catch_warnings():
             warnings.simplefilter("always")
             warnings.filterwarnings("ignore", "a text", sc.IncrementWarning)  # not all of them
             warnings.filterwarnings(action, category=sc.IncrementWarning)
             ball(RIGID, PERFECT, 2000.0).run(pressed(2000.0, 1), progress=False)
-        assert len(asked) == (action == "always")
+        assert len(calls) == (action == "always")
 
 
 def test_errors_of_an_unknown_history_are_not_estimated():
