@@ -63,7 +63,7 @@ TEST_CASE("a change of zones preserves strain, unknowns and history") {
   const State& state = simulation.state();
   REQUIRE(state.plastic[1]);
   for (const Symmetry symmetry : {Symmetry::none, Symmetry::y}) {
-    const Grid& grid = state.scene().grid;
+    const Grid& grid = state.setup().grid;
     const Box part = stored_part(grid, symmetry);
     const auto history = unfolded(state.plastic[1], grid, symmetry);
     const int j0 = symmetry == Symmetry::none ? 12 : part.j0;
@@ -151,19 +151,19 @@ TEST_CASE("an increment continues from several zones, and fields include their s
 TEST_CASE("strain inside and outside a box displaces the surface along all axes") {
   const Simulation simulation = ball();
   const State& state = simulation.state();
-  const Scene& scene = state.scene();
+  const Setup& setup = state.setup();
   for (const Symmetry symmetry : {Symmetry::none, Symmetry::y}) {
-    const auto history = unfolded(state.plastic[1], scene.grid, symmetry);
+    const auto history = unfolded(state.plastic[1], setup.grid, symmetry);
     Box left = history->box();
     left.nx /= 2;
     const Zones zones({left});
     const auto method = operators::ResidualMethod::fast;
-    BoxVolume inside(scene, 1, zones, history->tensor(), method, symmetry, {});
+    BoxVolume inside(setup, 1, zones, history->tensor(), method, symmetry, {});
     inside.transform(history->strain(zones), operators::all_axes);
     const OutsideStrain outside =
-        outside_strain(scene, 1, *history, zones, method, operators::all_axes);
+        outside_strain(setup, 1, *history, zones, method, operators::all_axes);
     const Box common = inside.surface().intersected(outside.surface);
-    const Box stored = stored_part(scene.grid, symmetry), whole = Box::surface(scene.grid);
+    const Box stored = stored_part(setup.grid, symmetry), whole = Box::surface(setup.grid);
     CHECK(common.i0 == left.i0);
     for (const operators::Axis axis : operators::all_axes) {
       const auto cut = [&](const Field& from, const Box& of) {

@@ -56,10 +56,10 @@ const Columns& YieldSearch::yielding_columns(const operators::Tractions& tractio
 
 Columns YieldSearch::columns_beyond(const operators::Tractions& tractions, const YieldLimit& limit,
                                     const YieldScan& scan) const {
-  if (scene_.grid.surface_size() <= large_surface) {
+  if (setup_.grid.surface_size() <= large_surface) {
     return scan.columns(tractions, sign(), limit);
   }
-  return scene_.cache.zone_scan(body_, scene_.strength(body_, {}), heating_)
+  return setup_.cache.zone_scan(body_, setup_.strength(body_, {}), heating_)
       ->columns(tractions, sign(), limit);
 }
 

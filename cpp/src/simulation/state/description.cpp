@@ -103,7 +103,7 @@ std::shared_ptr<const PlasticState> from_record(const PlasticRecord& record, con
 
 void require_consistent(const State& state) {
   using operators::ResidualMethod;
-  const Grid& grid = state.scene().grid;
+  const Grid& grid = state.setup().grid;
   const auto fits = [&](const Field& field) { return field.size() == grid.surface_size(); };
   require_that(fits(state.tractions.pressure), "the pressure does not match the grid");
   for (const Field* field : {&state.tractions.shear_x, &state.tractions.shear_y, &state.contact_gap,

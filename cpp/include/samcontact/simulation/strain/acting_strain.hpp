@@ -2,7 +2,7 @@
 // Plastic strain of a body that acts on a region, and its stress and displacement there.
 #pragma once
 
-#include "samcontact/simulation/scene/scene.hpp"
+#include "samcontact/simulation/setup/setup.hpp"
 #include "samcontact/simulation/strain/plastic_state.hpp"
 
 namespace samcontact::simulation {
@@ -16,15 +16,15 @@ Zones acting_zones(const PlasticState& history, const Zones& zones,
                    const operators::ZoneTables& tables, int reach);
 
 /// Stress due to all strain that acts on a region, [component][k][i][j] of all six components [Pa].
-Field stress_of(const PlasticState& history, const Scene& scene, int body,
+Field stress_of(const PlasticState& history, const Setup& setup, int body,
                 operators::ResidualMethod method, const Box& region);
 
 /// Surface displacement along an axis due to that strain, [i][j] of a region [m].
-Field displacement_of(const PlasticState& history, const Scene& scene, int body,
+Field displacement_of(const PlasticState& history, const Setup& setup, int body,
                       operators::ResidualMethod method, operators::Axis axis, const Box& region);
 /// Surface displacement on the cells of the grid, from which the cells of the body are offset, see
 /// Placement.
-Field displacement_of(const PlasticState& history, const Scene& scene, int body,
+Field displacement_of(const PlasticState& history, const Setup& setup, int body,
                       operators::ResidualMethod method, operators::Axis axis, double offset);
 
 }  // namespace samcontact::simulation
