@@ -101,7 +101,7 @@ def print_trends(results: Results) -> list[Number | Statement]:
         say.trend("depth", falls(depths), depths),
         say.trend("width", grows(widths), widths),
         say.trend("shoulder beyond end", grows(beyond) and beyond[-1] > 2 * beyond[0], beyond),
-        say.trend("shoulders beside track", falls(side_heights), side_heights),
+        say.trend("shoulders at track sides", falls(side_heights), side_heights),
         say.trend(
             "highest shoulder",
             0.7 < beyond[0] / side_heights[0] < 1.0

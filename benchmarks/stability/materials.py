@@ -65,7 +65,7 @@ def poisson(row: str) -> dict[str, Any]:
         "trace": trace(state.plastic_strain()),
         "shear": slipped.tangential_iterations,
         "shift": abs(slipped.shift[0] / moved - 1),
-        "unlike": dissimilar.tangential_iterations,
+        "dissimilar": dissimilar.tangential_iterations,
         "law": slip_error(dissimilar, MU),
     }
 
@@ -110,7 +110,7 @@ POISSON = Table(
         Column("trace", "volume change", at_most=1e-14),
         Column("shear", "partial slip: iterations", COUNT),
         Column("shift", "displacement error (Mindlin)", VALUE),
-        Column("unlike", "on a rigid body: iterations", COUNT),
+        Column("dissimilar", "on a rigid body: iterations", COUNT),
         Column("law", "excess over μ p", at_most=1e-12),
     ),
     "0.499",

@@ -233,7 +233,7 @@ def errors_table(dataset: xr.Dataset) -> Table:
     more = {
         heading: [getattr(row, name) for row in found]
         for heading, name in (
-            ("target [%]", "asked"),
+            ("target [%]", "target"),
             ("increment error [%]", "by_increments"),
         )
         if any(getattr(row, name) is not None for row in found)

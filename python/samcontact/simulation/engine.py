@@ -33,6 +33,8 @@ from .steps import Step, StepArguments
 
 _logger = logging.getLogger("samcontact")
 
+_FIXED = "the grid is fixed"
+
 
 class Engine:
     """Solver of the increments of a simulation, on a domain (grid, surfaces) that may be enlarged.
@@ -199,7 +201,7 @@ class Engine:
         """Reason why the domain cannot be enlarged; empty if it can be enlarged."""
         setup = self.setup
         if setup.settings.on_border != "error" or self.domain.grid.periodic:
-            return "it stays"
+            return _FIXED
         if self.heat.history is not None or setup.body1.softening or setup.body2.softening:
             return "the grid cannot be enlarged with heat.history or thermal softening"
         if setup.contact_law.attracts:
@@ -215,7 +217,7 @@ class Engine:
         if reason := self._reason_fixed:
             if reason == ENLARGEMENT_HINT and not callable(self.setup.surfaces.gap):
                 add_border_remedies(error, self.estimate)
-            elif reason != "it stays":
+            elif reason != _FIXED:
                 error.args = (f"{error}; {reason}",)
             raise error
         with explain_failed_enlargement(error, self.domain.grid):

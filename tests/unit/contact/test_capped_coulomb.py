@@ -21,7 +21,7 @@ PATH = [
     {"load": 0.8 * LOAD, "shift": (1e-3, 0.0)},
 ]
 FIELDS = ("pressure", "shear", "slip", "sticking")
-dissimilar = pytest.mark.parametrize("body1", [STEEL, BRASS], ids=["alike", "dissimilar"])
+dissimilar = pytest.mark.parametrize("body1", [STEEL, BRASS], ids=["identical", "dissimilar"])
 
 
 def walk(law, body1, body2=STEEL):

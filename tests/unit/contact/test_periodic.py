@@ -11,7 +11,7 @@ from samcontact import operators, surfaces
 
 STEEL, RIGID = sc.Material.elastic(210e9, 0.3), sc.Material.rigid()
 HARD = sc.Material.linear_hardening(210e9, 0.3, 1e9, 10e9)
-# cells, sides, directions, and how often the same surface is laid beside itself
+# cells, sides, periodic directions, and repetitions of the surface along x and y
 TILINGS = [
     ((16, 16), (1.0, 1.0), "xy", (2, 3)),
     ((64, 2), (1.0, 1.0), "xy", (1, 32)),  # rows whose ends are far apart

@@ -60,7 +60,7 @@ def test_worn_profile(result, ax):
     np.testing.assert_allclose(last.get_ydata(), result.profile(2)[:, 13] * 1e6)
     assert last.get_xdata()[np.argmin(np.abs(result.x()))] == pytest.approx(0.0, abs=1e-9)
     ax.figure.draw_without_rendering()
-    assert ax.get_legend().get_window_extent().x0 >= ax.get_window_extent().x1  # beside the lines
+    assert ax.get_legend().get_window_extent().x0 >= ax.get_window_extent().x1  # next to the axes
     alone = wear_figures.worn_profile(result.to_dataset(), cycles=(0,))
     assert alone.get_legend() is None
 

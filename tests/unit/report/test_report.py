@@ -158,7 +158,7 @@ def test_hertz_table(page, data):
 def test_checks_in_the_browser(page, data):
     checks_found = report.checks(data)
     assert all(check.passed for check in checks_found)
-    assert page.driver.find_element(By.ID, "verdict").text == "16 of 16 checks passed"
+    assert page.driver.find_element(By.ID, "outcome").text == "16 of 16 checks passed"
     assert 0 < sum(check.of_input for check in checks_found) < len(checks_found)
     for name, of_input in (("checks-table", False), ("input-table", True)):
         shown = [check for check in checks_found if check.of_input is of_input]

@@ -60,7 +60,7 @@ KINEMATIC = sc.Material.perfect_plastic(210e9, 0.3, 1.2e9).with_kinematic_harden
 @pytest.mark.parametrize(
     ("body2", "friction"),
     [(sc.Material.elastic(100e9, 0.2), 0.3), (HARDENING, 0.3), (KINEMATIC, 0.3)],
-    ids=["unlike", "yields", "kinematic"],
+    ids=["dissimilar", "yields", "kinematic"],
 )
 def test_the_energy_imbalance_decreases_with_the_increments(body2, friction):
     few, many = balances(body2, friction, (2, 6), 60.0)

@@ -175,7 +175,7 @@ class TestPaths:
 
 
 CASE = """
-title = "unlike bodies"
+title = "dissimilar bodies"
 grid = {nx = 25, ny = 25, dx = 15e-6, dy = 15e-6}
 body1 = {law = "elastic", E = 210e9, nu = 0.3}
 body2 = {law = "elastic", E = 70e9, nu = 0.2}

@@ -32,7 +32,7 @@ def by_parts(path, parts):
 
 
 def test_without_yielding_it_is_the_elastic_solution():
-    hard = sc.Material.linear_hardening(100e9, 0.2, 1e12, 5e9)  # unlike the ball
+    hard = sc.Material.linear_hardening(100e9, 0.2, 1e12, 5e9)  # other than the ball
     path = [
         {"load": 100.0, "tangential_load": (10.0, 0.0)},
         {"load": 150.0, "tangential_load": (10.0, 20.0)},

@@ -76,7 +76,7 @@ def assert_close(state, expected, bodies, tol=1e-3):
         (RIGID, HOT, {"friction": 0.2, "heat": OBLIQUE}),
     ],
     ids=[
-        *("hardening", "kinematic", "perfect", "unlike", "equal"),
+        *("hardening", "kinematic", "perfect", "dissimilar", "equal"),
         *("softening", "heat along x", "heat along y", "heat across"),
     ],
 )
@@ -341,7 +341,7 @@ class TestOperators:
         stress, expected, displacements = self.compared(solved, strain=1.0)
         assert rms(stress, expected) < 1.5e-3
         assert abs(stress - expected).max() < 3e-3 * abs(expected).max()
-        strain = solved[0].plastic_strain()  # without what lies beside the grid
+        strain = solved[0].plastic_strain()  # without the strain outside the grid
         for axis, found in zip("xyz", displacements, strict=True):
             expected = operators.residual_displacement(solved[0].grid, strain, NU, axis=axis)
             assert rms(found, expected) < (3e-4 if axis == "z" else 1e-3), axis
