@@ -51,7 +51,7 @@ class Estimate(NamedTuple):
     """Whether each value is extrapolated."""
 
 
-def of_grids(series: ArrayLike) -> Estimate:
+def extrapolate_grids(series: ArrayLike) -> Estimate:
     """Extrapolate values to zero cell size, from grids refined by the factor `REFINEMENT_RATIO`.
 
     Parameters
@@ -91,7 +91,7 @@ def of_grids(series: ArrayLike) -> Estimate:
     return Estimate(np.where(clean, f[-1] + beyond, f[-1]), np.where(clean, errors, careful), clean)
 
 
-def of_doublings(steps: ArrayLike, used: int = 0) -> Estimate:
+def extrapolate_increments(steps: ArrayLike, used: int = 0) -> Estimate:
     """Estimate the change of a value as the increments tend to infinity (first-order convergence).
 
     Parameters

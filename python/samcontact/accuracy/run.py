@@ -14,7 +14,13 @@ from .._util.display import counts, percent
 from .._util.errors import AccuracyWarning, SingularPressureWarning
 from .._util.progress import report_progress
 from ..diagnostics.sharp_edges import is_singular
-from .estimate import MIN_AREA_CORRECTION_CHANGE, REFINEMENT_RATIO, Estimate, combined, of_grids
+from .estimate import (
+    MIN_AREA_CORRECTION_CHANGE,
+    REFINEMENT_RATIO,
+    Estimate,
+    combined,
+    extrapolate_grids,
+)
 from .increments import TRIAL_LEVEL, Correction, correction, trial_runs
 from .outcome import AccuracyResult, largest
 from .refinable_case import GridRun, GridSolution, RefinableCase, marks_of
@@ -94,7 +100,7 @@ class AccuracySearch:
         self.refinable.settle(first)
         self._leave_out_singular(first)
         if self.refinable.has_history:
-            self._judge_increments()
+            self._choose_increments()
         grids = self.grids = [self.run(0, self.used)]
         while True:
             if not np.isfinite(self.target_values).any():  # no quantity converges
@@ -135,7 +141,7 @@ class AccuracySearch:
         above = [f"{n} {percent(e)}" for n, e in relative.items() if e > self.targets[n]]
         return f"  estimated errors: {', '.join(above) or 'all below the prescribed accuracy'}"
 
-    def _judge_increments(self) -> None:
+    def _choose_increments(self) -> None:
         """Choose the number of increments from coarse-grid runs with doubled increments."""
         while True:
             series = trial_runs(self.runs)
@@ -190,7 +196,7 @@ class AccuracySearch:
 
     def _estimate(self, grids: list[GridRun]) -> Estimate:
         """Return the estimate with grid and increment errors, shape (increments, quantities)."""
-        found = of_grids([run.values for run in grids])
+        found = extrapolate_grids([run.values for run in grids])
         if self.refinable.has_history:
             more = correction(self.runs, self.used, grids[-1].values)
             errors = found.errors + more.errors + self._with_cross_error(found.values, more)

@@ -37,7 +37,7 @@ from .fatigue import write_fatigue
 from .folder import publish, written_names
 from .interrupted import Checkpoints, checkpoints_of
 from .shakedown import write_shakedown
-from .tables import CONTACT_COLUMNS, Sheet, numbers, of_contact, values_sheet
+from .tables import CONTACT_COLUMNS, Sheet, contact_columns, numbers, values_sheet
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -247,7 +247,7 @@ def _summary(dataset: xr.Dataset, body: int) -> Sheet:
     """Return the table of the main quantities at all increments, in readable units."""
     along = moved_along(dataset)
     names = (*CONTACT_COLUMNS, "imprint_depth", "travel", *along, "iterations")
-    shown = of_contact(dataset, names, body)
+    shown = contact_columns(dataset, names, body)
     columns = [
         (quantity, without_rounding(dataset[name].values) if name in along
          else dataset[name].values, None)

@@ -15,7 +15,7 @@ from ..problem.contact_law import in_contact
 from ..results.reading import cell_size
 from .fields import Plane, inside_of_contact, name_sides, outline, show_surface
 from .parts import SURFACES, edges
-from .shown import of_either_sign, quantity_of
+from .shown import quantity_for_values, quantity_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -91,7 +91,7 @@ def peak_map(results: ContactResults, name: str, ax: Axes) -> Axes:
     """Draw a `surface_map` of pressure or gap at the increment with maximum stress of a run."""
     values = results.surface(name, results.peak)
     repulsion = results.surface("repulsion", results.peak)
-    shown = of_either_sign(name, values, results.grid)
+    shown = quantity_for_values(name, values, results.grid)
     solved = np.isfinite(results.dataset["approach"].values[results.peak])
     # prescribed tractions do not close the gap
     known = name if solved or name == "pressure" else None

@@ -44,7 +44,7 @@ def quantity_of(
     return shown if label is None else shown._replace(heading=label)
 
 
-def of_either_sign(name: str, values: FloatArray, grid: Grid) -> Quantity:
+def quantity_for_values(name: str, values: FloatArray, grid: Grid) -> Quantity:
     """Return the quantity with this name, with a diverging colour map if values are negative.
 
     Prescribed tractions may be tensile, and may cause interpenetration.

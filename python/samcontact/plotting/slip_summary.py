@@ -45,14 +45,14 @@ def slip_figures(results: ContactResults) -> dict[str, Figure]:
     along = driven(data)
     if along and "travel_body1" in data:
         if along[0] != "z":
-            figures |= _of_rolling(data, along[0])
+            figures |= _rolling_figures(data, along[0])
     elif along:
         figures["fretting_loop"] = new_figure()
         fretting_loop(data, figures["fretting_loop"].subplots(), direction=along[0])
     return figures
 
 
-def _of_rolling(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
+def _rolling_figures(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
     """Return figures of the force versus distance rolled and, if it varies, versus creepage."""
     figures = {"rolling_force": new_figure()}
     rolling_force(dataset, figures["rolling_force"].subplots(), direction=direction)

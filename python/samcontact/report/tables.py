@@ -71,7 +71,7 @@ def parameters(dataset: xr.Dataset) -> list[Row]:
     if not text:
         return _from_attributes(dataset)
     content = tomllib.loads(text)
-    rows = _of_grid(dataset) if "accuracy" in content else []  # the chosen grid
+    rows = _grid_rows(dataset) if "accuracy" in content else []  # the chosen grid
     for section, fields in content.items():
         if section == "output" or not isinstance(
             fields, (dict, list)
@@ -116,7 +116,7 @@ def _value(value: Any, unit: str) -> str:
     return f"{value:.6g} {unit}".strip()
 
 
-def _of_grid(dataset: xr.Dataset) -> list[Row]:
+def _grid_rows(dataset: xr.Dataset) -> list[Row]:
     axes = [axis for axis in "xyz" if axis in dataset.sizes]
     sizes = [float(dataset.attrs[f"d{axis}"]) for axis in axes if f"d{axis}" in dataset.attrs]
     cells = Row("grid", "cells", counts(*(dataset.sizes[axis] for axis in axes)))
@@ -127,7 +127,7 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
     if "x" not in dataset.sizes:  # no contact fields: show numerical attributes
         plain = {str(k): v for k, v in dataset.attrs.items() if not isinstance(v, str)}
         return [Row("run", name, _value(float(value), "")) for name, value in plain.items()]
-    rows = _of_grid(dataset)
+    rows = _grid_rows(dataset)
     for body in (1, 2):
         prefix = f"body{body}_"
         for name, value in dataset.attrs.items():
@@ -180,7 +180,7 @@ def maxima_table(
     for name in names:
         if quantities[name].shown in ("cells", "layers"):  # of the resolution
             continue
-        for body, values in _of_bodies(dataset, name):
+        for body, values in _values_by_body(dataset, name):
             sizes = np.where(np.isfinite(values), np.abs(values), -1.0)
             at = int(sizes.argmax())
             if sizes[at] > 0:
@@ -278,7 +278,7 @@ def values_table(
     """Return a table of variables along a dimension; variables of a body have a column per body."""
     found = []
     for name in names:
-        for body, values in _of_bodies(dataset, name):
+        for body, values in _values_by_body(dataset, name):
             shown = quantities[name].fitting(float(values.max()))
             found.append((shown.of(body), values, shown.factor))
     columns = [(heading, values, factor, _ROUNDING_ERROR * np.nanmax(np.abs(values), initial=0.0))
@@ -290,7 +290,7 @@ def values_table(
     return Table([heading for heading, *_ in columns], rows, dim)
 
 
-def _of_bodies(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, FloatArray]]:
+def _values_by_body(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, FloatArray]]:
     """Yield the body and the values of a variable; body None: the variable is not of one body."""
     if name in dataset and "body" not in dataset[name].dims:
         yield None, dataset[name].values

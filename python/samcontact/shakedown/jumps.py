@@ -103,13 +103,11 @@ class Trend:
 
 def trend(changes: Sequence[Changes], field: str) -> Trend | None:
     """Return the trend of a field over three cycles; None if its cells differ between cycles."""
-    of_bodies = [
-        at_common_depth([each[body].of(field) for each in changes]) for body in changes[-1]
-    ]
+    by_body = [at_common_depth([each[body].of(field) for each in changes]) for body in changes[-1]]
     cells = {tuple((c.first, c.of(field).shape[:-1]) for c in each.values()) for each in changes}
     if len(cells) != 1:
         return None
-    return Trend(*([fields[moment] for fields in of_bodies] for moment in range(3)))
+    return Trend(*([fields[moment] for fields in by_body] for moment in range(3)))
 
 
 @dataclass(frozen=True)

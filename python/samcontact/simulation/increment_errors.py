@@ -229,9 +229,11 @@ def _compared(
     loads = [one.load for one, _ in pairs]
     top = peak(None, [float(one.pressure.max()) for one, _ in pairs], loads)
     marks = [pairs[n] for n in sorted({top, len(pairs) - 1})]
-    values = _of_values(setup, grid, marks) if certified else {}
+    values = _value_differences(setup, grid, marks) if certified else {}
     return IncrementErrors(
-        _scaled(_of_fields(setup, pairs, marks), factors), _scaled(values, factors), compared
+        _scaled(_field_differences(setup, pairs, marks), factors),
+        _scaled(values, factors),
+        compared,
     )
 
 
@@ -256,7 +258,7 @@ def _level(states: Sequence[State]) -> int:
 Pairs = Sequence[tuple["State", "State"]]
 
 
-def _of_fields(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, float]:
+def _field_differences(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, float]:
     """Return the maximum difference of each field, relative to the maximum value of the field."""
     names = ["pressure", "shear"] if setup.friction.sticks else ["pressure"]
     found = {}
@@ -298,7 +300,7 @@ def _common(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]
     return cut[0], cut[1]
 
 
-def _of_values(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict[str, float]:
+def _value_differences(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict[str, float]:
     """Return the differences of quantities with error control, relative to the larger value."""
     names = error_controlled_quantities.names(setup.bodies, volume=grid.has_volume)
     one, other = (

@@ -15,9 +15,9 @@ from .._util.checks import (
     finite_array,
     in_cells,
     number,
-    of_bodies,
     positive,
     tractions,
+    value_per_body,
 )
 from .._util.short_text import in_short
 from ..contact.tangential_drive import TangentialInput, given_along
@@ -114,7 +114,7 @@ class StepArguments:
                 f"got {in_short(heat_factor)}: the heat flux follows from the frictional power"
             )
         if heat_factor is not None:
-            heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
+            heat = replace(heat, factor=value_per_body("heat_factor", heat_factor))
         if heat.history is not None and lasts is not None and travels != AT_REST:
             _require_motion_of_heat(heat, lasts, travels, grid.dx)
         heated = self._heating_of(heat, None if heat.history is None else lasts)

@@ -298,15 +298,15 @@ def test_a_case_needs_a_grid_or_an_accuracy():
 @pytest.mark.parametrize("order", [1.0, 1.5, 2.0])
 def test_orders_are_recognised_and_noise_is_not_extrapolated(order):
     cells = 2.0 ** (0.5 * np.arange(6))
-    clean = estimate.of_grids(3.0 + 0.7 * cells**-order)
+    clean = estimate.extrapolate_grids(3.0 + 0.7 * cells**-order)
     assert clean.extrapolated
     assert abs(clean.values - 3.0) < 1e-12
     assert clean.errors > 0
     noisy = 3.0 + 0.7 * cells**-order * np.array([1.0, -0.4, 1.2, 0.6, -0.8, 1.0])
-    found = estimate.of_grids(noisy)
+    found = estimate.extrapolate_grids(noisy)
     assert not found.extrapolated
     assert found.values == noisy[-1]
     assert abs(found.values - 3.0) < found.errors
     halves = 2.0 ** np.arange(4)
-    more = estimate.of_doublings(np.diff(5.0 + 2.0 / halves), used=1)
+    more = estimate.extrapolate_increments(np.diff(5.0 + 2.0 / halves), used=1)
     assert more.values == pytest.approx(-1.0, rel=1e-12)
