@@ -118,18 +118,18 @@ class TangentialDrive:
         moves = self.mean_travel != 0
         if start is None and moves and self.previous is not None:
             start = before_on(self.previous, grid)[0]  # the contact stays where it is
-        x, y, rotation = self.given.values
+        x, y, turn = self.given.values
         # slip due to rotation: at the positions of the cells during the motion
         lead = _core.spin_lead * self.mean_travel
         if not self.given.is_force[0]:
             x += self.travels[0] - self.travels[1]
         if not self.given.is_force[1]:
-            y -= lead * rotation
-        drive = self.given.is_force, (x, y, rotation)
+            y -= lead * turn
+        drive = self.given.is_force, (x, y, turn)
         tol, most, refuse = settings
         found = core.solve(*contact, *drive, p, s, g, d, moves, start, tol, most, refuse)
-        dx, dy, rotation = found.pop("motion")
-        return self._total(grid, found, (dx, dy + lead * rotation), rotation)
+        dx, dy, turned = found.pop("motion")
+        return self._total(grid, found, (dx, dy + lead * turned), turned)
 
     def _total(
         self, grid: Grid, found: dict[str, Any], shift: tuple[float, float], twist: float

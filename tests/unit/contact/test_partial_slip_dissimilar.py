@@ -229,16 +229,16 @@ def test_infinite_friction_may_have_no_solution():
         solve()
     # the same by pivots: the worst cell changes sides
     n, matrix = gap.size, dense_matrix(grid, body1, body2)
-    expected = matrix @ np.concatenate([pressed.shear.ravel(), pressed.pressure.ravel()])
-    expected[:n] += drive["shift"][0]
-    expected[2 * n :] = pressed.approach - gap.ravel()
+    wanted = matrix @ np.concatenate([pressed.shear.ravel(), pressed.pressure.ravel()])
+    wanted[:n] += drive["shift"][0]
+    wanted[2 * n :] = pressed.approach - gap.ravel()
     touching, sets = pressed.pressure.ravel() > 0, []
     while touching.tobytes() not in sets:
         sets.append(touching.tobytes())
         t, rows = np.zeros(3 * n), np.flatnonzero(np.tile(touching, 3))
-        t[rows] = np.linalg.solve(matrix[np.ix_(rows, rows)], expected[rows])
-        separation = (matrix @ t - expected)[2 * n :]
-        wrong = np.where(touching, t[2 * n :] / t.max(), separation / ball.approach)
+        t[rows] = np.linalg.solve(matrix[np.ix_(rows, rows)], wanted[rows])
+        apart = (matrix @ t - wanted)[2 * n :]
+        wrong = np.where(touching, t[2 * n :] / t.max(), apart / ball.approach)
         worst = wrong.argmin()
         assert wrong[worst] < -1e-6
         touching = touching.copy()
