@@ -86,7 +86,7 @@ class Judged(NamedTuple):
     """True and stated error of one quantity of a case at one prescribed accuracy."""
 
     case: str
-    asked: float
+    accuracy: float
     quantity: str
     stated: float
     true: float
@@ -95,14 +95,14 @@ class Judged(NamedTuple):
     reached: bool
 
 
-def judged(name: str, truth: dict[str, float], asked: float) -> Record:
+def judged(name: str, truth: dict[str, float], accuracy: float) -> Record:
     """Relative stated and true errors of the non-zero quantities of a case.
 
     The time is processor time.
     """
     start = time.process_time()
     with mock.patch.object(time, "perf_counter", time.process_time):
-        found = sc.to_accuracy(CASES[name], asked, max_time=MAX_SECONDS, progress=False)
+        found = sc.to_accuracy(CASES[name], accuracy, max_time=MAX_SECONDS, progress=False)
     seconds = time.process_time() - start
     exact = {key: value for key, value in truth.items() if value != 0 and key in found.values}
     return {
@@ -127,20 +127,20 @@ def _beyond_rounding(difference: float) -> float:
 
 def points(quick: bool) -> list[Record]:
     return [
-        {"of": name, "asked": asked}
+        {"of": name, "accuracy": accuracy}
         for name in (QUICK_CASES if quick else CASES)
-        for asked in ACCURACIES
+        for accuracy in ACCURACIES
     ]
 
 
-def run(of: str, asked: float) -> Record:
-    return judged(of, known()[of], asked)
+def run(of: str, accuracy: float) -> Record:
+    return judged(of, known()[of], accuracy)
 
 
 def quantities(records: list[Record]) -> list[Judged]:
     """Return the rows of all quantities of the records."""
     return [
-        Judged(record["of"], record["asked"], quantity, record["stated"][quantity], true,
+        Judged(record["of"], record["accuracy"], quantity, record["stated"][quantity], true,
                record["seconds"], record["cells"], record["reached"])
         for record in records for quantity, true in record["true"].items()
     ]  # fmt: skip
@@ -150,12 +150,12 @@ def summary(rows: list[Judged]) -> str:
     head = ("accuracy [%]", "values", "covered [%]", "maximum true over stated",
             "median stated over true", "reached")  # fmt: skip
     lines = []
-    for asked in ACCURACIES:
-        mine = [row for row in rows if row.asked == asked]
+    for accuracy in ACCURACIES:
+        mine = [row for row in rows if row.accuracy == accuracy]
         ratio = np.array([row.true / max(row.stated, 1e-16) for row in mine])
         median = 1 / np.median(ratio[ratio > 0])
         reached = {row.case: row.reached for row in mine}
-        lines.append((f"{100 * asked:g}", str(len(mine)), f"{100 * np.mean(ratio <= 1):.1f}",
+        lines.append((f"{100 * accuracy:g}", str(len(mine)), f"{100 * np.mean(ratio <= 1):.1f}",
                       f"{ratio.max():.2f}", f"{median:.1f}",
                       f"{sum(reached.values())} of {len(reached)} cases"))  # fmt: skip
     return table(head, lines)
@@ -163,14 +163,14 @@ def summary(rows: list[Judged]) -> str:
 
 def costs(rows: list[Judged]) -> str:
     """Table of times and cells of the finest surface."""
-    head = "case", "reference", *(f"to {100 * asked:g} %" for asked in ACCURACIES)
+    head = "case", "reference", *(f"to {100 * accuracy:g} %" for accuracy in ACCURACIES)
     by = {name: "finer grids, and finite elements" for name in elements_of()}
     by |= {name: "Hertz" for name, case in CASES.items() if closed_form(case)}
     lines = []
     for name in dict.fromkeys(row.case for row in rows):
         texts = []
-        for asked in ACCURACIES:
-            mine = [row for row in rows if (row.case, row.asked) == (name, asked)]
+        for accuracy in ACCURACIES:
+            mine = [row for row in rows if (row.case, row.accuracy) == (name, accuracy)]
             side = round(mine[0].cells ** 0.5)
             beyond = "" if mine[0].reached else ", not reached"
             texts.append(f"{mine[0].seconds:.2g} s, about {side}² cells{beyond}")
@@ -200,8 +200,8 @@ def elements() -> str:
 def elements_of() -> dict[str, dict[str, float]]:
     """Finite element values in SI units; stress and strain are largest on the axis."""
     found: dict[str, dict[str, float]] = {}
-    for scene, name in (("2b1500", "T1, 1500 N"), ("2a", "2a, rigid on M50")):
-        summary = fem.load(scene).summary
+    for key, name in (("2b1500", "T1, 1500 N"), ("2a", "2a, rigid on M50")):
+        summary = fem.load(key).summary
         loaded, unloaded = summary["loaded"], summary["unloaded"]
         found[name] = {
             "approach": summary["approach_max_m"],
@@ -228,10 +228,10 @@ def errors(rows: list[Judged], name: str) -> str:
     shown = list(dict.fromkeys(row.quantity for row in mine))
     head = "accuracy [%]", *(_words(quantity) for quantity in shown)
     lines = []
-    for asked in ACCURACIES:
-        found = {row.quantity: row for row in mine if row.asked == asked}
+    for accuracy in ACCURACIES:
+        found = {row.quantity: row for row in mine if row.accuracy == accuracy}
         texts = [f"{100 * found[q].true:.2g} / {100 * found[q].stated:.2g}" for q in shown]
-        lines.append((f"{100 * asked:g}", *texts))
+        lines.append((f"{100 * accuracy:g}", *texts))
     return f"**{name}** (true / stated)\n\n{table(head, lines)}"
 
 

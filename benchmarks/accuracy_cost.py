@@ -64,44 +64,44 @@ def error_of(values: dict[str, float], truth: dict[str, float]) -> float:
 def by_hand(name: str, levels: range = LEVELS) -> list[Solved]:
     """Solve a case on single grids with given numbers of increments."""
     case = SectionsOfCase.model_validate({"title": "by hand", "accuracy": 0.1, **CASES[name]})
-    scene, truth = RefinableCase(case), known()[name]
-    scene.settle(scene.run(0, INCREMENTS[0]))
+    refinable, truth = RefinableCase(case), known()[name]
+    refinable.settle(refinable.run(0, INCREMENTS[0]))
     found = []
     for level in levels:
         seconds = 0.0
-        for count in INCREMENTS if scene.has_history else (1,):
+        for count in INCREMENTS if refinable.has_history else (1,):
             if 2 * seconds > MAX_SECONDS:
                 break
             start = time.process_time()
-            run = scene.run(level, count)
+            run = refinable.run(level, count)
             seconds = time.process_time() - start
-            ends = np.cumsum(scene.parts)
+            ends = np.cumsum(refinable.parts)
             values = {
                 key: float(np.abs(run.values[:, end - parts : end]).max())
-                for key, parts, end in zip(scene.names, scene.parts, ends, strict=True)
+                for key, parts, end in zip(refinable.names, refinable.parts, ends, strict=True)
             }
             exact = {key: value for key, value in truth.items() if key in values}
             what = f"{run.cells[0]} x {run.cells[1]} cells"
-            what += f", {count} increments" if scene.has_history else ""
+            what += f", {count} increments" if refinable.has_history else ""
             found.append(Solved(error_of(values, exact), seconds, what))
     return found
 
 
-def chosen(name: str, asked: float) -> Solved:
+def chosen(name: str, accuracy: float) -> Solved:
     start = time.process_time()
-    found = sc.to_accuracy(CASES[name], asked)
+    found = sc.to_accuracy(CASES[name], accuracy)
     seconds = time.process_time() - start
     truth = {key: exact for key, exact in known()[name].items() if key in found.values}
     return Solved(error_of(found.values, truth), seconds, f"{found.grid.nx} x {found.grid.ny}")
 
 
 def points(quick: bool) -> list[Record]:
-    found = [{"of": name, "asked": asked} for name in NAMES for asked in ACCURACIES]
+    found = [{"of": name, "accuracy": accuracy} for name in NAMES for accuracy in ACCURACIES]
     return found[:1] if quick else found
 
 
-def run(of: str, asked: float) -> Record:
-    hand, mine = by_hand(of), chosen(of, asked)
+def run(of: str, accuracy: float) -> Record:
+    hand, mine = by_hand(of), chosen(of, accuracy)
     as_exact = [one for one in hand if one.error <= mine.error]
     best = min(as_exact, key=lambda one: one.seconds, default=min(hand, key=lambda one: one.error))
     return {"mine": mine._asdict(), "best": best._asdict(), "as_exact": bool(as_exact)}
@@ -117,7 +117,7 @@ def page(records: list[Record]) -> str:
         if record["as_exact"]:
             ratios.append(ratio)
         what = best.what if record["as_exact"] else f"none; most accurate: {best.what}"
-        lines.append((record["of"], f"{100 * record['asked']:g}", f"{100 * mine.error:.2g}",
+        lines.append((record["of"], f"{100 * record['accuracy']:g}", f"{100 * mine.error:.2g}",
                       f"{mine.seconds:.2g}", what, f"{100 * best.error:.2g}",
                       f"{best.seconds:.2g}",
                       f"{ratio:.2g}" if record["as_exact"] else ""))  # fmt: skip

@@ -78,7 +78,7 @@ def solve(case: str) -> None:
 
 
 @contextlib.contextmanager
-def beside(count: int) -> Iterator[None]:
+def background_load(count: int) -> Iterator[None]:
     """Load `count` processors with processes that do nothing else."""
     processes = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(count)]
     try:
@@ -101,7 +101,7 @@ def main(rounds: int, case: str | None) -> None:
     )
     for busy in BUSY_PROCESSES:
         for case in CASES:
-            with beside(busy):
+            with background_load(busy):
                 pairs = [[measured(case, threads) for threads in (1, 2)] for _ in range(rounds)]
             medians = [
                 [statistics.median(pair[k][quantity] for pair in pairs) for k in (0, 1)]

@@ -60,10 +60,10 @@ def columns(simulation: sc.Simulation, increments: int, substeps: int) -> dict[s
 
 def load_up(meter: Meter, across: int, path: str, method: str) -> dict[str, Any]:
     load, increments = LOADINGS[path]
-    scene = HEAVY_SETUP if load == HEAVY_LOAD else {}
+    settings = HEAVY_SETUP if load == HEAVY_LOAD else {}
 
     def run() -> tuple[sc.Simulation, int]:
-        simulation = balls(across, **scene, residual_stress=method)
+        simulation = balls(across, **settings, residual_stress=method)
         substeps = 0
         for k in range(1, increments + 1):
             substeps += simulation.step(load=load * k / increments).substeps

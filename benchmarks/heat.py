@@ -62,9 +62,9 @@ def press(meter: Meter, cells: int, method: str) -> dict[str, Any]:
     n = 2 * int(1.5 * cells) + 1
     grid = sc.Grid(n, n, d, d, int(1.7 * cells), d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    marched = method == "transient"
-    heat = TRANSIENT_HEAT if marched else HEAT_CASES[method]
-    extra = {"duration": STEP} if marched else {}
+    is_transient = method == "transient"
+    heat = TRANSIENT_HEAT if is_transient else HEAT_CASES[method]
+    extra = {"duration": STEP} if is_transient else {}
 
     def run() -> tuple[sc.Simulation, sc.State]:
         simulation = sc.Simulation(grid, ELASTIC, STEEL.with_thermal(**THERMAL), gap, heat=heat)

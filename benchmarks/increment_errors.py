@@ -64,8 +64,8 @@ def shaken(load: float, force: float, count: int) -> Path:
 
 def rolled(load: float, size: float, count: int) -> Path:
     """Return loading, then rolling over `CELLS_ROLLED` cells in `count` increments."""
-    way = CELLS_ROLLED / count * size
-    return pressed(load, count) + [{"load": load, "advance": (way, way)}] * count
+    distance = CELLS_ROLLED / count * size
+    return pressed(load, count) + [{"load": load, "advance": (distance, distance)}] * count
 
 
 class Setup(NamedTuple):
@@ -84,7 +84,7 @@ class Setup(NamedTuple):
 
 
 STRAIN = "equivalent_plastic_strain_body2"
-SCENES = {
+SETUPS = {
     "rigid ball on an elastic body, μ = 0.3 (Coulomb)": Setup(
         16, lambda n: ball(RIGID, ALUMINIUM, 50.0, sc.Coulomb(0.3), n),
         lambda sim, n: pressed(50.0, n), ("pressure", "shear"),
@@ -112,10 +112,10 @@ SCENES = {
 }  # fmt: skip
 
 
-def solved(scene: Setup, count: int) -> tuple[sc.Simulation, Path, list[sc.State]]:
+def solved(setup: Setup, count: int) -> tuple[sc.Simulation, Path, list[sc.State]]:
     """Solve a case with `count` increments in each segment of its path."""
-    simulation = scene.make(scene.cells)
-    path = scene.path(simulation, count)
+    simulation = setup.make(setup.cells)
+    path = setup.path(simulation, count)
     return simulation, path, simulation.run(path, progress=False)
 
 
@@ -143,14 +143,14 @@ def _difference(one: np.ndarray, other: np.ndarray) -> np.ndarray:
     return np.asarray(one[..., layers] - other[..., layers])
 
 
-def errors(scene: Setup, counts: Sequence[int], many: int) -> dict[str, list[tuple[float, float]]]:
+def errors(setup: Setup, counts: Sequence[int], many: int) -> dict[str, list[tuple[float, float]]]:
     """Return true and estimated relative errors of each field for each number of increments."""
-    found: dict[str, list[tuple[float, float]]] = {name: [] for name in scene.fields}
+    found: dict[str, list[tuple[float, float]]] = {name: [] for name in setup.fields}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sc.IncrementWarning)
-        finer = solved(scene, many)[2]
+        finer = solved(setup, many)[2]
         for count in counts:
-            simulation, path, states = solved(scene, count)
+            simulation, path, states = solved(setup, count)
             stated = sc.estimate_errors(simulation, path, states).increments
             assert stated is not None
             for name, pairs in found.items():
@@ -158,21 +158,21 @@ def errors(scene: Setup, counts: Sequence[int], many: int) -> dict[str, list[tup
     return found
 
 
-def stated_errors(names: Sequence[str] = tuple(SCENES), runs: int | None = None) -> str:
+def stated_errors(names: Sequence[str] = tuple(SETUPS), runs: int | None = None) -> str:
     """Return true increment errors, and their ratio to the estimated errors.
 
     runs: number of increment counts to run for each case; None: all.
     """
     rows = []
     for name in names:
-        scene = SCENES[name]
-        counts = scene.counts[:runs]
-        for field, pairs in errors(scene, counts, scene.many).items():
+        setup = SETUPS[name]
+        counts = setup.counts[:runs]
+        for field, pairs in errors(setup, counts, setup.many).items():
             rows.append(
                 [
                     name,
-                    str(scene.cells),
-                    f"{_listed(counts)} against {scene.many}",
+                    str(setup.cells),
+                    f"{_listed(counts)} against {setup.many}",
                     "plastic strain" if "strain" in field else field,
                     _listed(float(f"{100 * true:.2g}") for true, _ in pairs),
                     _listed(float(f"{true / stated:.2g}") for true, stated in pairs),

@@ -43,7 +43,7 @@ def body_of(name: str, cell: float) -> sc.Material | sc.Layered:
     return sc.Layered(tuple(layers), STEEL)
 
 
-def march(body: sc.Material | sc.Layered, grid: sc.Grid) -> dict[str, float]:
+def measured_increments(body: sc.Material | sc.Layered, grid: sc.Grid) -> dict[str, float]:
     """Processor time of the first increment and per iteration of later ones [s]; memory [bytes]."""
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     began = time.process_time()
@@ -75,7 +75,7 @@ def press(meter: Meter, n: int) -> dict[str, Any]:
     def turns() -> None:
         for _ in range(TURNS if n < 40 else 1):
             for name in BODIES:
-                found[name].append(march(body_of(name, cell), grid))
+                found[name].append(measured_increments(body_of(name, cell), grid))
 
     meter(turns)
     best = {

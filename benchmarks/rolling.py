@@ -19,21 +19,21 @@ CERAMIC = sc.Material.elastic(310e9, 0.29)
 RADIUS, LOAD = 4.7625e-3, 1152.9  # p0 = 5.7 GPa
 CONTACT_RADIUS = 310.76e-6
 INCREMENTS = 24
-WAYS = {"loading only": -1, "after 3 a": 3, "after 10 a": 10}  # in contact radii
+DISTANCES = {"loading only": -1, "after 3 a": 3, "after 10 a": 10}  # in contact radii
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
     cells = (8,) if quick else (8, 12)
     return [
-        Task(NAME, "p0 = 5.7 GPa", way, "roll", {"cells": c, "method": way}, "after 3 a")
+        Task(NAME, "p0 = 5.7 GPa", distance, "roll", {"cells": c, "method": distance}, "after 3 a")
         for c in cells
-        for way in WAYS
+        for distance in DISTANCES
     ]
 
 
 def roll(meter: Meter, cells: int, method: str) -> dict[str, Any]:
     """Measure rolling by one cell per increment, with `cells` cells per contact radius."""
-    way = WAYS[method]
+    distance = DISTANCES[method]
     d = CONTACT_RADIUS / cells
     grid = sc.Grid(5 * cells + 1, 4 * cells + 1, d, d, int(2.2 * cells), d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -41,8 +41,8 @@ def roll(meter: Meter, cells: int, method: str) -> dict[str, Any]:
     ramp = [{"load": load} for load in np.linspace(0.0, LOAD, INCREMENTS + 1)[1:]]
     step = {"load": LOAD, "advance": (-d, -d)}
     path = ramp
-    if way >= 0:
-        simulation.run([*ramp[1::2], *([step] * (way * cells))], progress=False)
+    if distance >= 0:
+        simulation.run([*ramp[1::2], *([step] * (distance * cells))], progress=False)
         path = [step] * INCREMENTS
     earlier = work_of(simulation)
     meter(lambda: simulation.run(path, progress=False))

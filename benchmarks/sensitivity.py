@@ -84,7 +84,9 @@ def changed(what: str | None) -> Iterator[None]:
         if before == before and target[kind] != 0:  # elastic unloading does not depend on the path
             half = {kind: 0.5 * (before + target[kind])}
             if "advance" in target:
-                half["advance"] = target["advance"] = [0.5 * way for way in target["advance"]]
+                half["advance"] = target["advance"] = [
+                    0.5 * distance for distance in target["advance"]
+                ]
             if target.get("duration") is not None:
                 half["duration"] = target["duration"] = 0.5 * target["duration"]
             real_step(simulation, **(target | half))

@@ -43,7 +43,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
         for method in METHODS
     ]
     different_bodies = [
-        Task(NAME, f"dissimilar, {k} of 8", "tol 1e-8", "press_unlike", {"n": n, "last": k})
+        Task(NAME, f"dissimilar, {k} of 8", "tol 1e-8", "press_dissimilar", {"n": n, "last": k})
         for n in sizes[:2]
         for k in (1, 8)
     ]
@@ -53,10 +53,10 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
         for method in ("tol 1e-4", "tol 1e-8")
     ]
     large = (72, 81) if quick else WHEEL_ON_RAIL
-    scenes = {"shifted": "shift", "rolling": "roll_wide"}
+    variants = {"shifted": "shift", "rolling": "roll_wide"}
     wide = [
         Task(NAME, f"{large[0]} x {large[1]}, {name}", "tol 1e-7", function, {"n": list(large)})
-        for name, function in scenes.items()
+        for name, function in variants.items()
     ]
     steps = {"steps": 14 if quick else STEPS}
     return [
@@ -90,7 +90,7 @@ def solve(meter: Meter, n: int, share: float, method: str) -> dict[str, Any]:
     return {"cells": n * n, "across": n, "errors": errors, **work(pulled), **shear_work(pulled)}
 
 
-def press_unlike(meter: Meter, n: int, last: int) -> dict[str, Any]:
+def press_dissimilar(meter: Meter, n: int, last: int) -> dict[str, Any]:
     """A rigid ball on a body with nu = 0, mu = 0.3, the contact radius growing in equal steps."""
     grid = sc.Grid(n, n, 1 / n, 1 / n)
     solver = sc.ContactSolver(
@@ -123,13 +123,13 @@ def rolled(grid: sc.Grid, body: sc.Material, gap: Any, load: float, tol: float) 
 
 def roll(meter: Meter, n: int, tol: float) -> dict[str, Any]:
     """Solve steady rolling of a ball; the time includes pressure and shear, from zero tractions."""
-    scene = ball(n, n, RADIUS)
-    return {"cells": n * n, "across": n, **shown(meter(lambda: rolled(*scene, tol)))}
+    problem = ball(n, n, RADIUS)
+    return {"cells": n * n, "across": n, **shown(meter(lambda: rolled(*problem, tol)))}
 
 
 def roll_wide(meter: Meter, n: list[int]) -> dict[str, Any]:
-    scene = ball(*n, WIDE_RADIUS)
-    return {"cells": n[0] * n[1], "across": n[0], **shown(meter(lambda: rolled(*scene, 1e-7)))}
+    problem = ball(*n, WIDE_RADIUS)
+    return {"cells": n[0] * n[1], "across": n[0], **shown(meter(lambda: rolled(*problem, 1e-7)))}
 
 
 def shift(meter: Meter, n: list[int]) -> dict[str, Any]:
@@ -155,13 +155,13 @@ def roll_on(meter: Meter, steps: int) -> dict[str, Any]:
     solver = sc.ContactSolver(grid, body, body, law)
     first = solver.solve(gap, **force)
 
-    def march() -> list[sc.PartialSlipSolution]:
+    def roll_steps() -> list[sc.PartialSlipSolution]:
         found = [first]
         for _ in range(steps):
             found.append(solver.solve(gap, **force, previous=found[-1], advance=(-0.25, -0.25)))
         return found
 
-    found = meter(march)
+    found = meter(roll_steps)
     creepage = (found[-1].shift - found[-2].shift)[0] / 0.25
     # rolling is towards -x here, so the force has the opposite sign
     steady = sc.rolling.steady(

@@ -35,8 +35,8 @@ def frame(rows: list[dict[str, Any]]) -> pd.DataFrame:
     table = pd.DataFrame(rows)
     errors = [c for c in table if c.startswith("error: ")]
     others = [c for c in table if c not in (*FIRST_COLUMNS, *errors, *WORK)]
-    wanted = [*FIRST_COLUMNS, *errors, *WORK, *others]
-    return table[[c for c in wanted if c in table]]
+    columns = [*FIRST_COLUMNS, *errors, *WORK, *others]
+    return table[[c for c in columns if c in table]]
 
 
 def cell(value: Any) -> str:

@@ -44,7 +44,7 @@ def contact_counts(rough: Sequence[tuple[int, float]] = ROUGH) -> str:
     modulus = sc.hertz.effective_modulus(RIGID, STEEL)
     hertz = sc.hertz.point(10e-3, modulus, approach=(64e-6) ** 2 / 10e-3)
     gap = sc.surfaces.paraboloid(grid, 10e-3)
-    scenes = {"ball, 256 × 256 cells, 64 per contact radius": press(gap, grid, hertz.load)}
+    cases = {"ball, 256 × 256 cells, 64 per contact radius": press(gap, grid, hertz.load)}
     for n, hurst in rough:
         grid = sc.Grid(n, n, 1e-6, 1e-6)
         heights = sc.surfaces.rough_self_affine(
@@ -53,7 +53,7 @@ def contact_counts(rough: Sequence[tuple[int, float]] = ROUGH) -> str:
         slope = math.sqrt(2) * np.diff(heights, axis=0).std() / grid.dx
         found = press(heights - heights.min(), grid, 0.05 * modulus * slope * (n * 1e-6) ** 2)
         share = 100 * np.mean(found[0].pressure > 0)
-        scenes[f"rough, Hurst {hurst:g}, {n} × {n}, contact on {share:.0f} %"] = found
+        cases[f"rough, Hurst {hurst:g}, {n} × {n}, contact on {share:.0f} %"] = found
     rows = [
         [
             name,
@@ -61,7 +61,7 @@ def contact_counts(rough: Sequence[tuple[int, float]] = ROUGH) -> str:
             ", ".join(str(one.operator_applications) for one in found),
             ", ".join(f"{one.work:.0f}" for one in found),
         ]
-        for name, found in scenes.items()
+        for name, found in cases.items()
     ]
     return table(["contact", "steps", "exact displacements", "work"], rows)
 
@@ -124,10 +124,10 @@ def rollers(ratio: float, friction: float, hardening: float) -> tuple[sc.Simulat
 CYCLES = ((3.9, 0.0, 0.0), (4.1, 0.0, 0.0), (3.4, 0.2, 0.0), (4.1, 0.0, 0.05), (4.1, 0.2, 0.1))
 
 
-def shakedown_cycles(scenes: Sequence[tuple[float, float, float]] = CYCLES) -> str:
+def shakedown_cycles(cases: Sequence[tuple[float, float, float]] = CYCLES) -> str:
     """Return the table of shakedown results with jumps over cycles and without jumps."""
     rows = []
-    for ratio, friction, hardening in scenes:
+    for ratio, friction, hardening in cases:
         name = f"{ratio:g}, " + (f"μ = {friction:g}" if friction else "no friction")
         name += f", kinematic, E/{1 / hardening:.0f}" if hardening else ""
         found = [
@@ -137,9 +137,9 @@ def shakedown_cycles(scenes: Sequence[tuple[float, float, float]] = CYCLES) -> s
         strains = [f"{1e3 * one.rate / one.yield_strain:.3g}" for one in found]
         cycles = [f"{one.solved} of {one.cycles[-1].number}" for one in found]
         rows.append([name, *dict.fromkeys(one.response for one in found), *cycles, *strains])
-    ways = ("with jumps", "without jumps")
-    heading = ["load, friction", "result", *(f"cycles solved, {way}" for way in ways)]
-    heading += [f"strain of the last cycle, {way} [10⁻³ σ_y/E]" for way in ways]
+    modes = ("with jumps", "without jumps")
+    heading = ["load, friction", "result", *(f"cycles solved, {mode}" for mode in modes)]
+    heading += [f"strain of the last cycle, {mode} [10⁻³ σ_y/E]" for mode in modes]
     return table(heading, rows)
 
 

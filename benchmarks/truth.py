@@ -39,19 +39,19 @@ def finest(
 
     All grids use the fewest increments; one grid with more of them gives a correction.
     """
-    scene = RefinableCase(
+    refinable = RefinableCase(
         SectionsOfCase.model_validate({"title": "truth", "accuracy": 0.1, **case})
     )
-    counts = increments if scene.has_history else (1,)
+    counts = increments if refinable.has_history else (1,)
     start = time.process_time()
-    runs = [scene.run(0, counts[0])]
-    scene.settle(runs[0])
+    runs = [refinable.run(0, counts[0])]
+    refinable.settle(runs[0])
     while time.process_time() - start + 4 * runs[-1].seconds < seconds or len(runs) < 4:
         runs[-1].solved = None
-        runs.append(scene.run(len(runs), counts[0]))
-    coarse = [scene.run(grid, n).values for n in counts]
-    return extrapolated(scene.names, scene.parts, [run.values for run in runs], coarse) | {
-        name: value for name, value in closed_form(case).items() if name in scene.names
+        runs.append(refinable.run(len(runs), counts[0]))
+    coarse = [refinable.run(grid, n).values for n in counts]
+    return extrapolated(refinable.names, refinable.parts, [run.values for run in runs], coarse) | {
+        name: value for name, value in closed_form(case).items() if name in refinable.names
     }
 
 

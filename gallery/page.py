@@ -80,8 +80,8 @@ def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
                 off if off[1:] != "0.0 %" else off[1:],  # zero has no sign
             )
         else:
-            verdict = "agrees" if entry.holds and not entry.contradicted else "differs"
-            cells = (entry.thesis, entry.ours, verdict)
+            agreement = "agrees" if entry.holds and not entry.contradicted else "differs"
+            cells = (entry.thesis, entry.ours, agreement)
         moves_by = [largest.get(moves.words(entry.quantity), "")] * bool(moved)
         lines.append(f"| {' | '.join([entry.quantity + note, *cells, entry.mesh, *moves_by])} |")
     text = "\n".join(lines) + "\n" + ("\n" + moves.note(moved)) * bool(moved)

@@ -47,11 +47,11 @@ def part_of(name: str) -> str:
     if name in PARTS:
         return name
     if name.replace(".", "", 1).isdigit() and "." in name:
-        wanted = _number(name)
+        number = _number(name)
         for part, figures in PARTS.items():
             for figure in figures:
                 first, last = (figure, figure) if isinstance(figure, str) else figure
-                if _number(first) <= wanted <= _number(last):
+                if _number(first) <= number <= _number(last):
                     return part
         raise ValueError(f"figure {name} is not in the gallery: see `python -m gallery --list`")
     near = difflib.get_close_matches(name, PARTS, 1)

@@ -53,10 +53,10 @@ def compute(quick: bool) -> Results:
     fine = BALL.a / 25e-6
     mesh = Mesh(6, 8) if quick else Mesh(fine, fine)
     coarse = Mesh(6, 8) if quick else Mesh(12, 12)
-    way = 5 if quick else 8
+    distance = 5 if quick else 8
     contact = sc.hertz.elliptic(RADIUS, RADIUS, BALL.E_star, load=BEARING_LOAD)
     bearing = {
-        name: roll((CERAMIC, steel), contact, coarse, way * contact.a_x)
+        name: roll((CERAMIC, steel), contact, coarse, distance * contact.a_x)
         for name, steel in (("52100", STEEL_52100), ("M50", STEEL_M50))
     }
     strains = {}
@@ -75,7 +75,7 @@ def compute(quick: bool) -> Results:
 
 
 def stated(results: Results) -> list[Number | Statement]:
-    return [*stated_bearing(results), *stated_print(results), *stated_stress(results)]
+    return [*stated_bearing(results), *stated_imprint(results), *stated_stress(results)]
 
 
 def stated_bearing(results: Results) -> list[Number | Statement]:
@@ -95,7 +95,7 @@ def stated_bearing(results: Results) -> list[Number | Statement]:
     ]
 
 
-def stated_print(results: Results) -> list[Number | Statement]:
+def stated_imprint(results: Results) -> list[Number | Statement]:
     return [*stated_depth(results), *stated_shoulders(results), *stated_cycles(results)]
 
 
@@ -103,7 +103,7 @@ def stated_depth(results: Results) -> list[Number | Statement]:
     mesh, a, run = results.mesh, BALL.a, results.rolled
     first, pressed = run.cycles[0], run.vertical
     deepest, pressed_depth = float(first.along.max()), float(pressed.along.max())
-    inside = (first.x > 4 * a) & (first.x < run.way - 2 * a)
+    inside = (first.x > 4 * a) & (first.x < run.distance - 2 * a)
     change = float(np.ptp(first.along[inside])) / first.depth
     say = STATED.on(mesh)
     return [
@@ -129,11 +129,11 @@ def stated_depth(results: Results) -> list[Number | Statement]:
 
 def stated_shoulders(results: Results) -> list[Number | Statement]:
     mesh, first = results.mesh, results.rolled.cycles[0]
-    before, beyond, beside = (1e9 * height for height in first.shoulders())
+    before, beyond, side = (1e9 * height for height in first.shoulders())
     say = STATED.on(mesh)
     return [
         say.trend("end shoulders", beyond > 1.5 * before, beyond, before),
-        say.trend("side shoulders", 0.75 * beside < beyond < beside, beyond, beside),
+        say.trend("side shoulders", 0.75 * side < beyond < side, beyond, side),
     ]
 
 
@@ -156,7 +156,7 @@ def stated_cycles(results: Results) -> list[Number | Statement]:
             counters["plastic_iterations"],
             counters["contact_iterations"],
             counters["halvings"],
-            way=run.way * 1e3,
+            distance=run.distance * 1e3,
         ),
     ]
 
@@ -202,7 +202,7 @@ def stated_residual(results: Results) -> list[Number | Statement]:
     half_width, middle = 0.5 * second.width(), len(second.y) // 2
     surface = second.hydrostatic_across[:, 0] * 1e-6
     signs = ", ".join(succession(second.profile("hydrostatic"), 2e-3 * BALL.p0))
-    wanted = "tensile, compressive, tensile"
+    expected = "tensile, compressive, tensile"
     again = np.abs(second.von_mises_across - first.von_mises_across).max()
     say = STATED.on(mesh)
     return [
@@ -218,7 +218,7 @@ def stated_residual(results: Results) -> list[Number | Statement]:
             second.von_mises_across[middle, 0] * 1e-6,
             half_width=half_width / a,
         ),
-        say.trend("hydrostatic below", signs == wanted, signs, thesis=wanted),
+        say.trend("hydrostatic below", signs == expected, signs, thesis=expected),
         say.trend(
             "hydrostatic at surface",
             tension > 0.3 * a and 0 < surface[middle] < 0.8 * surface.max(),
@@ -256,7 +256,7 @@ def prints(results: Results) -> Picture:
     upper.plot(shown.x / a, -1e3 * shown.along / a, "ks", markersize=3, markerfacecolor="none",
                label="pressed and unloaded")  # fmt: skip
     upper.plot(run.cycles[0].x / a, -1e3 * run.cycles[0].along / a, color="C0", label="rolled")
-    upper.set_xlim(-3, run.way / a + 3)
+    upper.set_xlim(-3, run.distance / a + 3)
     finish(upper, "rolling direction x/a", "height of the surface [a/1000]")
     left, right = lower.get_subplotspec().subgridspec(1, 2).subplots(sharey=True)
     lower.remove()
@@ -269,8 +269,8 @@ def prints(results: Results) -> Picture:
     return Picture(
         "rolling_imprints",
         "Figures 3.10 to 3.12: imprint of a ball that is pressed, or rolled to the right, once "
-        f"({run.way * 1e3:.2g} mm); and of up to three cycles (2 mm) along and across the track. "
-        "Of figure 3.12 only the computed profiles.",
+        f"({1e3 * run.distance:.2g} mm); and of up to three cycles (2 mm) along and across the "
+        "track. Of figure 3.12 only the computed profiles.",
         figure,
     )
 
@@ -315,7 +315,7 @@ def along(results: Results) -> Picture:
     )
     for ax, (title, values) in zip(figure.subplots(2, 1), fields, strict=True):
         contours(ax, last.x, last.z, values, title, "viridis")
-        ax.set(xlabel="rolling direction x/a", xlim=(-2, run.way / BALL.a + 2))
+        ax.set(xlabel="rolling direction x/a", xlim=(-2, run.distance / BALL.a + 2))
     return Picture(
         "rolling_along",
         "Figures 3.15 and 3.17: plane y = 0 after the second cycle, rolled to the right.",

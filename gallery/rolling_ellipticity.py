@@ -50,10 +50,10 @@ class Results:
 def compute(quick: bool) -> Results:
     table = Mesh(5, 6, 2.5, 1.45, 3.8, 5) if quick else Mesh(10, 10, 2.5, 1.8, 3.6)
     exact = Mesh(5, 6, 2.5, 1.45, 4.5, 5) if quick else Mesh(8, 8, 2.5, 1.8, 4.5)
-    way = 1.8e-3 if quick else 4e-3
+    distance = 1.8e-3 if quick else 4e-3
     kept = (1, 2, 8, 16) if quick else (1, *RATIOS)
-    runs = {k: roll(BODIES, table_ellipse(k, k * LOAD), table, way, 2) for k in kept}
-    others = {k: roll(BODIES, ellipse(k), exact, way) for k in kept if k < 16 or not quick}
+    runs = {k: roll(BODIES, table_ellipse(k, k * LOAD), table, distance, 2) for k in kept}
+    others = {k: roll(BODIES, ellipse(k), exact, distance) for k in kept if k < 16 or not quick}
     return Results(runs, others, str(table), str(exact))
 
 
@@ -92,7 +92,7 @@ def print_trends(results: Results) -> list[Number | Statement]:
     depths = [cycle.depth * 1e6 for cycle in steady]
     widths = [cycle.width() / BALL.a for cycle in steady]
     beyond = [cycle.shoulders()[1] * 1e9 for cycle in steady]
-    beside = [cycle.shoulders()[2] * 1e9 for cycle in steady]
+    side_heights = [cycle.shoulders()[2] * 1e9 for cycle in steady]
     x = np.linspace(-2 * BALL.a, 2.4e-3, 400)
     along = [np.interp(x, cycle.x, cycle.along) for cycle in steady]
     change = [float(np.abs(b - a).max()) * 1e6 for a, b in pairwise(along)]
@@ -101,12 +101,12 @@ def print_trends(results: Results) -> list[Number | Statement]:
         say.trend("depth", falls(depths), depths),
         say.trend("width", grows(widths), widths),
         say.trend("shoulder beyond end", grows(beyond) and beyond[-1] > 2 * beyond[0], beyond),
-        say.trend("shoulders beside track", falls(beside), beside),
+        say.trend("shoulders at track sides", falls(side_heights), side_heights),
         say.trend(
             "highest shoulder",
-            0.7 < beyond[0] / beside[0] < 1.0
-            and all(b > s for b, s in zip(beyond[1:], beside[1:], strict=True)),
-            [b / s for b, s in zip(beyond, beside, strict=True)],
+            0.7 < beyond[0] / side_heights[0] < 1.0
+            and all(b > s for b, s in zip(beyond[1:], side_heights[1:], strict=True)),
+            [b / s for b, s in zip(beyond, side_heights, strict=True)],
         ),
         say.trend(
             "line contact",
@@ -143,12 +143,12 @@ def profile_trends(results: Results) -> list[Number | Statement]:
     loaded = [top(run.z, run.loaded_axis[-1]) for run in runs.values()]
     lowest = [float(run.z[run.steady.profile("gamma") > 1e-5].max()) for run in runs.values()]
     signs = [", ".join(succession(c.profile("hydrostatic"), 1e-3 * BALL.p0)) for c in steady]
-    wanted = "tensile, compressive, tensile"
-    apart = [
+    expected = "tensile, compressive, tensile"
+    stresses = [
         np.abs(run.cycles[1].profile("von_mises") - run.cycles[0].profile("von_mises")).max()
         for run in runs.values()
     ]
-    share = [float(a) / s for a, (s, _) in zip(apart, stress, strict=True)]
+    share = [float(a) / s for a, (s, _) in zip(stresses, stress, strict=True)]
     a = BALL.a
     say = STATED.on(mesh, which=name)
     return [
@@ -176,9 +176,9 @@ def profile_trends(results: Results) -> list[Number | Statement]:
         say.trend("residual by cycles", max(share) < 0.1, 100 * max(share)),
         say.trend(
             "hydrostatic",
-            all(found == wanted for found in signs),
-            wanted if set(signs) == {wanted} else "; ".join(signs),
-            thesis=wanted,
+            all(found == expected for found in signs),
+            expected if set(signs) == {expected} else "; ".join(signs),
+            thesis=expected,
         ),
     ]
 

@@ -59,14 +59,14 @@ def compute(quick: bool) -> Results:
             for pressure, depth in depths.items():
                 mesh = Mesh(cells, cells, 2.5 if quick else 3.5, 1.8, depth, loading)
                 contact = ellipse(k, pressure * 1e9, E_STAR)
-                way = (4 if quick else 6) * contact.a_x
-                runs[pair, k][pressure] = roll(bodies, contact, mesh, way, 2, 0.7)
+                distance = (4 if quick else 6) * contact.a_x
+                runs[pair, k][pressure] = roll(bodies, contact, mesh, distance, 2, 0.7)
     fine = Mesh(5, 5, loading=8) if quick else Mesh(12, 12, depth=3.0, loading=16)
-    hardening, way = {}, (4 if quick else 6) * BALL.a
+    hardening, distance = {}, (4 if quick else 6) * BALL.a
     for slope in SLOPES:
         E = STEEL_52100.E
         flat = sc.Material.linear_hardening(E, STEEL_52100.nu, MICRO_YIELD, slope * E)
-        hardening[slope] = roll((CERAMIC, flat), ellipse(1), fine, way)
+        hardening[slope] = roll((CERAMIC, flat), ellipse(1), fine, distance)
     again = roll(PAIRS["E_EP"], ellipse(1, 8e9, E_STAR), mesh, 0.0, 2)
     return Results(runs, again, hardening, str(mesh), str(fine))
 
@@ -202,7 +202,7 @@ def stated_hardening(results: Results) -> list[Number | Statement]:
     places = [lean(run)[0] for run in runs.values()]
     steady = [float(np.ptp(run.history[-1][-8:, 1])) / run.p_max() for run in runs.values()]
     across = [run.pressure_across[-1] for run in runs.values()]
-    beside = [float(p.max() / p[len(p) // 2] - 1) for p in across]
+    side_excess = [float(p.max() / p[len(p) // 2] - 1) for p in across]
     skew = [
         float(np.abs(run.vertical_pressure - run.vertical_pressure[::-1]).max()) / run.p0
         for run in runs.values()
@@ -223,8 +223,10 @@ def stated_hardening(results: Results) -> list[Number | Statement]:
         ),
         say.trend(
             "pressure across",
-            max(beside) < 0.01 and max(beside[1:]) == 0,
-            f", {100 * beside[0]:.1f} % higher next to it for E_t = 0" if beside[0] > 0 else "",
+            max(side_excess) < 0.01 and max(side_excess[1:]) == 0,
+            f", {100 * side_excess[0]:.1f} % higher next to it for E_t = 0"
+            if side_excess[0] > 0
+            else "",
         ),
     ]
 

@@ -136,7 +136,7 @@ class Run:
     x: np.ndarray
     y: np.ndarray
     z: np.ndarray
-    way: float
+    distance: float
     vertical: Cycle
     """State of the lower body at full load, before rolling."""
     vertical_pressure: np.ndarray
@@ -199,7 +199,7 @@ def roll(
     bodies: tuple[sc.Material, sc.Material],
     contact: sc.hertz.EllipticContact,
     mesh: Mesh,
-    way: float,
+    distance: float,
     cycles: int = 1,
     steady: float = 0.6,
 ) -> Run:
@@ -211,7 +211,7 @@ def roll(
     gap = sc.surfaces.paraboloid(grid, contact.Rx, contact.Ry)
     run = sc.Simulation(grid, *bodies, gap, residual_stress="fast")
     middle, centre = grid.ny // 2, grid.nx // 2
-    steps = round(way / grid.dx)
+    steps = round(distance / grid.dx)
     loading = []
     for load in np.linspace(0.0, contact.load, mesh.loading + 1)[1:]:
         state = run.step(load=float(load))

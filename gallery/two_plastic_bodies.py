@@ -170,7 +170,7 @@ def stated_axis(results: Results) -> list[Number | Statement]:
     (low, depth), (low2, depth2) = (top(c.z / a, -c.hydrostatic / p0) for c in (one, two))
     value, value2 = -low, -low2
     signs = {pair: ", ".join(succession(results.cases[pair].hydrostatic, 1e-3 * p0)) for pair in LC}
-    wanted = "compressive, tensile, compressive, tensile"
+    expected = "compressive, tensile, compressive, tensile"
     gaps = [
         abs(np.max(one.hydrostatic[part]) - np.max(two.hydrostatic[part])) / p0
         for part in (one.z < 0.4 * a, one.z > a)
@@ -182,9 +182,9 @@ def stated_axis(results: Results) -> list[Number | Statement]:
         say.trend("compression", value < value2, value, value2),
         say.trend(
             "hydrostatic",
-            all(found == wanted for found in signs.values()),
+            all(found == expected for found in signs.values()),
             "; ".join((f"{pair}: {found}" for pair, found in signs.items())),
-            thesis=wanted,
+            thesis=expected,
         ),
         say.trend(
             "tension", max(gaps) < 0.25 * abs(value - value2), max(gaps), abs(value - value2)

@@ -129,10 +129,11 @@ def main(patterns: list[str], paths: bool, since: str | None) -> int:
         "/bindings/" not in entry["file"], -Path(entry["file"]).stat().st_size))  # fmt: skip
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         results = list(pool.map(lambda entry: check(entry, checker, options), entries))
-    said = [result for result in results if result is not None]
-    failed = [text for _, text in said if text]
+    finished = [result for result in results if result is not None]
+    failed = [text for _, text in finished if text]
     print(*failed, sep="\n", end="")
-    print(f"clang-tidy: {len(said)} of {len(entries)} files are new or changed, {len(failed)} fail")
+    done = len(finished)
+    print(f"clang-tidy: {done} of {len(entries)} files are new or changed, {len(failed)} fail")
     return 1 if failed else 0
 
 
@@ -141,5 +142,5 @@ if __name__ == "__main__":
     parser.add_argument("--paths", action="store_true", help="paths of clang-analyzer alone")
     parser.add_argument("--since", metavar="REVISION", help="what differs from it")
     parser.add_argument("patterns", nargs="*", metavar="PATTERN", help="part of a file's path")
-    asked = parser.parse_args()
-    sys.exit(main(asked.patterns, asked.paths, asked.since))
+    arguments = parser.parse_args()
+    sys.exit(main(arguments.patterns, arguments.paths, arguments.since))

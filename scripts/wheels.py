@@ -67,9 +67,9 @@ def wheel_of(python: str, output: Path, work: Path) -> Path:
 
 def repaired(raw: Path, output: Path) -> Path:
     """Return the wheel with its libraries included."""
-    said = call(sys.executable, "-m", "auditwheel", "repair", "--wheel-dir", output, raw,
+    output_text = call(sys.executable, "-m", "auditwheel", "repair", "--wheel-dir", output, raw,
                 env={**os.environ, "PATH": SEARCHED})  # fmt: skip
-    return Path(re.findall(r"Fixed-up wheel written to (\S+)", said)[-1])
+    return Path(re.findall(r"Fixed-up wheel written to (\S+)", output_text)[-1])
 
 
 def trial(python: str, wheel: Path, work: Path, quick: bool) -> None:

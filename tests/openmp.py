@@ -12,7 +12,7 @@ def own(count):
     return {"OMP_NUM_THREADS": str(count), "OMP_DYNAMIC": "false"}
 
 
-def told_with(script, *threads):
+def outputs_with(script, *threads):
     """Return the output of a script for each number of threads.
 
     The number of threads is exact also on a busy machine. The script may import shared modules.

@@ -76,8 +76,8 @@ def fields(state, bodies=(2,)):
 
 def errors(state, expected, bodies=(2,)):
     """Return the differences of the fields over their rms."""
-    wanted = fields(expected, bodies)
-    return {name: rms(field, wanted[name]) for name, field in fields(state, bodies).items()}
+    target = fields(expected, bodies)
+    return {name: rms(field, target[name]) for name, field in fields(state, bodies).items()}
 
 
 def assert_few_errors(state, expected, bodies, tol):
@@ -87,5 +87,5 @@ def assert_few_errors(state, expected, bodies, tol):
 
 
 def same(state, expected, bodies=(2,)):
-    wanted = fields(expected, bodies)
-    return all(np.array_equal(field, wanted[name]) for name, field in fields(state, bodies).items())
+    target = fields(expected, bodies)
+    return all(np.array_equal(field, target[name]) for name, field in fields(state, bodies).items())

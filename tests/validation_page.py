@@ -116,8 +116,8 @@ class Measured:
         assert row.holds, f"farther from its reference than allowed: {row}"
         if self.stored is not None:
             assert row.key in self.stored, f"not on docs/validation.md: {row}"
-            said = self.stored[row.key]
-            assert row.repeats(said), f"docs/validation.md says {said.ours}: {row}"
+            stated = self.stored[row.key]
+            assert row.repeats(stated), f"docs/validation.md says {stated.ours}: {row}"
 
     def complete(self) -> None:
         """Assert that the page has no more of this test than it measured."""
@@ -170,9 +170,9 @@ def page(rows: list[Row]) -> str:
 def write(rows: list[Row]) -> None:
     """Store the measured numbers, and write the page."""
     keys = [row.key for row in rows]
-    twice = {key for key in keys if keys.count(key) > 1}
-    if twice:
-        raise ValueError(f"measured twice: {sorted(twice)}")
+    repeated = {key for key in keys if keys.count(key) > 1}
+    if repeated:
+        raise ValueError(f"measured twice: {sorted(repeated)}")
     text = page(rows)
     lines = [json.dumps(dataclasses.asdict(row), ensure_ascii=False) for row in rows]
     STORE.write_text("[\n" + ",\n".join(lines) + "\n]\n", encoding="utf-8")

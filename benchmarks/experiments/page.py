@@ -84,8 +84,8 @@ def page(records: list[Record]) -> str:
     curve = finest(found["perfect"])
     x, values = (np.array([getattr(one, k) for one in curve]) for k in ("stiffness", "constraint"))
     yielded = x > 3.5
-    apart = np.abs(values / cavity(x) - 1)
-    until = x[yielded & (apart < 0.08)].max()
+    deviation = np.abs(values / cavity(x) - 1)
+    until = x[yielded & (deviation < 0.08)].max()
     powers = meyer(found["hardening"])
     steel = sc.Material.swift(210e9, 0.3, B=945e6, C=20.0, n=0.121)
     vickers = HARDNESS * 9.80665e6 / PROJECTED
@@ -102,10 +102,10 @@ def page(records: list[Record]) -> str:
         small=min(hardens),
         large=max(hardens),
         edge=edge(curve),
-        beside=math.ceil(100 * apart[yielded & (x <= until)].max()),
+        deviation=math.ceil(100 * deviation[yielded & (x <= until)].max()),
         until=until,
         enters=float(np.interp(TABOR[0], values, x)),
-        most=values[-1],
+        highest=values[-1],
         peak=max(one.max_pressure / one.yield_stress for one in curve),
         last=x[-1],
         hardening=table_of(hardening_table(found["hardening"])),
@@ -122,8 +122,8 @@ def page(records: list[Record]) -> str:
 
 def curve_table(rows: Prints) -> list[dict[str, Any]]:
     lines = []
-    for asked in dict(rows):
-        grids = [one for first, one in rows if first == asked]
+    for prescribed in dict(rows):
+        grids = [one for first, one in rows if first == prescribed]
         last = grids[-1]
         x = last.stiffness
         grows = x > 3.5  # below this value the model has no core
@@ -168,7 +168,7 @@ def meyer(rows: Prints) -> dict[float, float]:
 def spread(rows: Prints) -> float:
     """Return the maximum relative difference of mean pressures from those on the finest grid."""
     last = dict(rows)
-    return max(abs(one.constraint / last[asked].constraint - 1) for asked, one in rows)
+    return max(abs(one.constraint / last[prescribed].constraint - 1) for prescribed, one in rows)
 
 
 def edge(curve: list[Indentation]) -> float:

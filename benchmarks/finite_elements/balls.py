@@ -20,8 +20,8 @@ from . import calculix
 from .tables import (
     Points,
     Runs,
-    apart,
     both,
+    difference_range,
     error_against,
     numbers,
     points,
@@ -154,12 +154,12 @@ def limit() -> dict[str, float]:
     return {quantity: truth[name] for quantity, name in CONTROLLED_QUANTITIES.items()}
 
 
-def measure_accuracy(asked: float) -> dict[str, float]:
+def measure_accuracy(accuracy: float) -> dict[str, float]:
     """Solve the contact to a prescribed accuracy."""
     timed = []
     for _ in range(REPEATS):
         start = time.process_time()
-        run = sc.to_accuracy(CASE, asked, quantities=list(CONTROLLED_QUANTITIES.values()))
+        run = sc.to_accuracy(CASE, accuracy, quantities=list(CONTROLLED_QUANTITIES.values()))
         timed.append(time.process_time() - start)
     values = {quantity: run.values[name] for quantity, name in CONTROLLED_QUANTITIES.items()}
     cells = run.grid.nx * run.grid.ny * len(run.states[-1].depths)
@@ -182,10 +182,10 @@ def section(found: dict[str, Runs]) -> str:
     runs = both(found)
     name = "cells on the radius"
     rows = time_rows(runs, QUANTITIES)
-    for asked, run in found["an accuracy"].items():
+    for accuracy, run in found["an accuracy"].items():
         error = error_against(found["truth"]["0"], run, QUANTITIES)
         cells = time_cells(f"{run['cells']} cells and coarser", error, run)
-        rows.append([f"samcontact, to {100 * float(asked):g} %", "", *cells])
+        rows.append([f"samcontact, to {100 * float(accuracy):g} %", "", *cells])
     off = {
         at: {q: 100 * (run[q] - 1) for q in ("load", "von_mises")}
         for at, run in found["slopes"].items()
@@ -204,7 +204,7 @@ def section(found: dict[str, Runs]) -> str:
         times=times(name, rows),
         ratios=ratios(runs["CalculiX"], QUANTITIES, ours(found)),
         numbers=numbers(name, runs, QUANTITIES),
-        differ=apart(runs, QUANTITIES),
+        differ=difference_range(runs, QUANTITIES),
         slope=100 * deck.FINE_RADIUS * deck.CONTACT / deck.RADIUS,
     )
 

@@ -11,7 +11,7 @@ from ..study import Record, Study
 from . import balls, wave
 from .tables import Points, Runs, points
 
-SCENES = {"balls": balls, "wave": wave}
+PROBLEMS = {"balls": balls, "wave": wave}
 REPEATS = 3  # runs of samcontact; the minimum time counts, because disturbances only add time
 LABELS = {"a grid": "samcontact", "an accuracy": "samcontact, prescribed accuracy"}
 TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
@@ -38,10 +38,10 @@ def cases(quick: bool) -> list[Record]:
     """Return the points: each contact by each code and mesh size, and further runs of the balls."""
     sizes = {
         name: {
-            "samcontact": scene.CELLS[:2] if quick else scene.CELLS,
-            "CalculiX": scene.ELEMENTS[:1] if quick else scene.ELEMENTS,
+            "samcontact": problem.CELLS[:2] if quick else problem.CELLS,
+            "CalculiX": problem.ELEMENTS[:1] if quick else problem.ELEMENTS,
         }
-        for name, scene in SCENES.items()
+        for name, problem in PROBLEMS.items()
     }
     more = {"slopes": balls.FLATTER, "an accuracy": balls.ACCURACIES, "truth": (0,)}
     sizes["balls"] |= {} if quick else more
@@ -51,13 +51,13 @@ def cases(quick: bool) -> list[Record]:
 
 def run(of: str, by: str, size: float) -> Record:
     """Return the results of a point in SI units."""
-    scene = SCENES[of]
+    problem = PROBLEMS[of]
     if by == "samcontact":
-        runs = (scene.solve(int(size)) for _ in range(REPEATS))
+        runs = (problem.solve(int(size)) for _ in range(REPEATS))
         return min(runs, key=lambda run: float(run["seconds"]))
     if by == "CalculiX":
         with tempfile.TemporaryDirectory() as folder:
-            found: Record = scene.finite_elements(Path(folder), int(size))
+            found: Record = problem.finite_elements(Path(folder), int(size))
             return found
     if by == "slopes":
         return balls.measure_slopes(size)
@@ -75,7 +75,7 @@ def runs_of(records: list[Record], name: str) -> dict[str, Runs]:
 
 def page(records: list[Record]) -> str:
     """Return the page."""
-    sections = (scene.section(runs_of(records, name)) for name, scene in SCENES.items())
+    sections = (problem.section(runs_of(records, name)) for name, problem in PROBLEMS.items())
     return TEXT.format(sections="\n".join(sections))
 
 
@@ -84,11 +84,11 @@ def draw(records: list[Record]) -> dict[str, Any]:
     from matplotlib.figure import Figure
 
     figures = {}
-    for name, scene in SCENES.items():
+    for name, problem in PROBLEMS.items():
         runs = runs_of(records, name)
-        lines: dict[str, Points] = {"CalculiX": points(runs["CalculiX"], scene.QUANTITIES)}
-        lines |= {LABELS[than]: known for than, known in scene.ours(runs).items()}
-        figure = figures[scene.FIGURE] = Figure(figsize=(5.2, 3.6), layout="constrained")
+        lines: dict[str, Points] = {"CalculiX": points(runs["CalculiX"], problem.QUANTITIES)}
+        lines |= {LABELS[than]: known for than, known in problem.ours(runs).items()}
+        figure = figures[problem.FIGURE] = Figure(figsize=(5.2, 3.6), layout="constrained")
         ax = figure.subplots()
         for (label, known), marker in zip(lines.items(), "sod", strict=False):
             errors, seconds = zip(*known, strict=True)

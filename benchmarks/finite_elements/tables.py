@@ -76,7 +76,7 @@ def ratios(theirs: Runs, quantities: Quantities, ours: dict[str, Points]) -> str
     return "\n".join(lines)
 
 
-def apart(runs: dict[str, Runs], quantities: Quantities) -> str:
+def difference_range(runs: dict[str, Runs], quantities: Quantities) -> str:
     """Return the range of the relative differences between the limits of two codes."""
     one, other = runs.values()
     found = [100 * abs(limit(one, q) / limit(other, q) - 1) for q in quantities]

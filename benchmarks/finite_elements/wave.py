@@ -13,7 +13,7 @@ import samcontact as sc
 from ..steel import STEEL
 from . import calculix
 from . import wave_deck as deck
-from .tables import Points, Runs, apart, numbers, points, ratios, time_rows, times
+from .tables import Points, Runs, difference_range, numbers, points, ratios, time_rows, times
 
 ELEMENTS = (4, 8, 12)  # per half period
 CELLS = (16, 32, 64, 128)  # per period
@@ -145,7 +145,7 @@ def section(runs: dict[str, Runs]) -> str:
         times=times(name, time_rows(runs, QUANTITIES)),
         ratios=ratios(runs["CalculiX"], QUANTITIES, ours(runs)),
         numbers=numbers(name, runs, QUANTITIES),
-        differ=apart(runs, QUANTITIES),
+        differ=difference_range(runs, QUANTITIES),
         slope=100 * 2 * np.pi * deck.AMPLITUDE / deck.PERIOD,
     )
 

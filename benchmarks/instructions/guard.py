@@ -50,16 +50,16 @@ def compare(
     rows, failed = [], []
     for kernel in sorted(before.keys() | after.keys()):
         old, new = before.get(kernel), after.get(kernel)
-        change, verdict = "", "new" if old is None else "gone"
+        change, status = "", "new" if old is None else "gone"
         if old is not None and new is not None:
             growth = (new - old) / old
             limit = max(TOLERANCE, allowed.get(kernel, 0.0))
             change = f"{100 * growth:+.2f} %"
-            verdict = "ok" if growth <= TOLERANCE else "announced"
+            status = "ok" if growth <= TOLERANCE else "announced"
             if growth > limit:
-                verdict = f"more than +{100 * limit:g} %"
+                status = f"more than +{100 * limit:g} %"
                 failed.append(kernel)
-        rows.append((kernel, *("" if n is None else f"{n:,}" for n in (old, new)), change, verdict))
+        rows.append((kernel, *("" if n is None else f"{n:,}" for n in (old, new)), change, status))
     return rows, failed
 
 
@@ -97,8 +97,8 @@ def find_base(revision: str) -> str:
         base = git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}")
     except Skip:
         shallow = git("rev-parse", "--is-shallow-repository") == "true"
-        why = "the history is shallow" if shallow else "there is no such commit"
-        raise Skip(f"{revision} cannot be read: {why}") from None
+        reason = "the history is shallow" if shallow else "there is no such commit"
+        raise Skip(f"{revision} cannot be read: {reason}") from None
     if not git("ls-tree", base, DRIVER):
         raise Skip(f"{revision} has no {DRIVER}")
     changed = git("diff", "--name-only", base, "--", *WHAT_COUNTS)
@@ -175,8 +175,8 @@ def compare_with(revision: str) -> int:
         try:
             before = count(build(folder / "base"))
         except BuildError as error:
-            why = [line for line in str(error).splitlines() if "error" in line]
-            raise Skip("\n".join([f"{revision} does not build", *why])) from None
+            reason = [line for line in str(error).splitlines() if "error" in line]
+            raise Skip("\n".join([f"{revision} does not build", *reason])) from None
         finally:
             git("worktree", "remove", "--force", str(folder / "base"))
         after = count(program)

@@ -62,8 +62,8 @@ def figure(data: dict[str, Any], problem: str) -> Figure | None:
     grid = drawn.subplots(len(by_case), 2, squeeze=False)
     for (left, right), (case, places) in zip(grid, by_case.items(), strict=True):
         # The largest size solved by most codes.
-        most = max(len(codes) for codes in places.values())
-        n = max(n for n, codes in places.items() if len(codes) == most)
+        max_codes = max(len(codes) for codes in places.values())
+        n = max(n for n, codes in places.items() if len(codes) == max_codes)
         draw_precision(left, places[n], problem)
         draw_ratios(right, places, problem)
         left.set_title(", ".join([f"{n}² cells", *([case] if case else [])]))

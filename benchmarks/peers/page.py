@@ -152,13 +152,17 @@ def times_of(problem: str) -> dict[str, str]:
 
 
 def converged(
-    wanted: str, data: dict[str, Any], case: str = ""
+    target_problem: str, data: dict[str, Any], case: str = ""
 ) -> Iterator[tuple[int, str, dict[str, Any]]]:
     """Return cells across, code and row of the tightly converged contacts of a problem."""
     for key, rounds in data["rows"].items():
         problem, of, n, code, tol = key.split("|")
         worked = rounds and "failed" not in rounds[0]
-        if worked and (problem, of) == (wanted, case) and float(tol) == tight(problem).get(code):
+        if (
+            worked
+            and (problem, of) == (target_problem, case)
+            and float(tol) == tight(problem).get(code)
+        ):
             yield int(n), code, rounds[0]
 
 
@@ -229,8 +233,8 @@ def stress_lines(data: dict[str, Any]) -> Iterator[dict[str, Any]]:
             line = {"cells": f"{n}² x {n // 6 + 1}", "code": code}
             line["error"] = ladder[0.0][0]["errors"]["stress"]
             for time, name in TIMES.items():
-                least, ours = (min(row[time] for row in c[0.0]) for c in (ladder, codes[OURS]))
-                line[name] = least / ours
+                smallest, ours = (min(row[time] for row in c[0.0]) for c in (ladder, codes[OURS]))
+                line[name] = smallest / ours
             line["memory_MB"] = ladder[0.0][0]["memory_MB"]
             yield line
 
@@ -246,7 +250,7 @@ MAX_SETUP_BOUND_CELLS = (
 )
 
 
-def least_ratios(data: dict[str, Any]) -> str:
+def smallest_ratios(data: dict[str, Any]) -> str:
     """Return the minimum ratio of any other code, for each kind of contact."""
     found: dict[str, list[float]] = {}
     for place, codes in by_place(data).items():
@@ -278,12 +282,12 @@ def wins_of_peers(data: dict[str, Any]) -> list[str]:
             for code in (name for name in codes if name != OURS):
                 for time, name in times_of(problem).items():
                     ratios = [ratio_at(codes, code, measure, time, e) for e in TARGETS[problem]]
-                    least = min((ratio for ratio in ratios if ratio), default=1.0)
-                    if least < 1:
+                    smallest = min((ratio for ratio in ratios if ratio), default=1.0)
+                    if smallest < 1:
                         title = TITLES[problem] + (f", {place[1]}" if place[1] else "")
                         kind = "with set-up" if name == "with set-up" else "without set-up"
                         line = f"{title}, {code}, {kind}"
-                        found.setdefault(line, []).append(f"{place[2]}² ({least:.2f})")
+                        found.setdefault(line, []).append(f"{place[2]}² ({smallest:.2f})")
     for stress in stress_lines(data):
         for name in TIMES.values():
             if stress[name] < 1:
@@ -344,8 +348,8 @@ def tables_of(data: dict[str, Any]) -> str:
     versions = ", ".join(f"{code} {version}" for code, version in data["versions"].items())
     counts = [len(rounds) for rounds in data["rows"].values() if rounds]
     sections = [f"{versions}; one thread; {min(counts)} to {max(counts)} rounds."]
-    if least := least_ratios(data):
-        sections.append(least[0].upper() + least[1:] + ".")
+    if smallest := smallest_ratios(data):
+        sections.append(smallest[0].upper() + smallest[1:] + ".")
     for problem, title in TITLES.items():
         lines = list(stress_lines(data) if problem == "stress" else solver_lines(problem, data))
         if lines:

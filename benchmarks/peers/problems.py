@@ -102,11 +102,11 @@ def hertz(n: int) -> Elastic:
 def slipping(n: int, case: str) -> Slipping:
     """The Hertz contact, pulled by half of what friction holds, or shifted as far as that does."""
     given, theory = hertz(n), hertz_theory()
-    most = FRICTION * HERTZ_LOAD
+    limit = FRICTION * HERTZ_LOAD
     if case == "force given":
-        return Slipping(given.gap, given.side, given.load, force=PULL * most)
+        return Slipping(given.gap, given.side, given.load, force=PULL * limit)
     softness = 2 * (2 - NU) * (1 + NU) / E  # (2 - nu)/G; Mindlin (1949)
-    shift = 3 * most * softness / (16 * theory.a) * (1 - (1 - PULL) ** (2 / 3))
+    shift = 3 * limit * softness / (16 * theory.a) * (1 - (1 - PULL) ** (2 / 3))
     return Slipping(given.gap, given.side, given.load, shift=shift)
 
 

@@ -257,8 +257,8 @@ def typical(times: list[float], clock: str) -> float:
 def solve_again(code: Any, first: float, clock: Callable[[], float]) -> list[float]:
     """Return times of solves without set-up, repeated for about half a second in total."""
     times: list[float] = []
-    least = 4 if first < 2.0 else 1 if first < 20.0 else 0
-    while len(times) < least or (first < REPEAT_FOR > sum(times) and len(times) < REPEATS):
+    min_count = 4 if first < 2.0 else 1 if first < 20.0 else 0
+    while len(times) < min_count or (first < REPEAT_FOR > sum(times) and len(times) < REPEATS):
         start = clock()
         found = code.solve()
         times.append((clock() - start) * (1 - found.setup_share))

@@ -60,12 +60,12 @@ def installed(codes: tuple[str, ...] = tuple(CODES)) -> dict[str, str]:
 
 def codes_for(problem: str, available: dict[str, str]) -> list[str]:
     """Return the available codes that are measured on a problem."""
-    wanted = tuple(CODES) if problem in ("hertz", "rough") else BOTH
+    codes = tuple(CODES) if problem in ("hertz", "rough") else BOTH
     if problem == "slip":
-        wanted = ("samcontact", "ASPHER")
+        codes = ("samcontact", "ASPHER")
     if problem == "hertz":
-        wanted = tuple(code for code in wanted if code != "ASPHER, H2")
-    return [code for code in wanted if code in available]
+        codes = tuple(code for code in codes if code != "ASPHER, H2")
+    return [code for code in codes if code in available]
 
 
 def references(problem: str, case: str, n: int, available: dict[str, str]) -> list[Task]:

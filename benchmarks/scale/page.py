@@ -154,10 +154,10 @@ def above(rows: Rows) -> str:
     """Return a sentence on jobs with an unusually large exponent."""
     found = [(job, overall(of(rows, job))) for job in JOBS]
     beyond = [f"{job.name} (exponent {value:.2f})" for job, value in found if value > MAX_EXPONENT]
-    said = f"above {MAX_EXPONENT:g} over all sizes"
+    text = f"above {MAX_EXPONENT:g} over all sizes"
     if beyond:
-        return f"{said[0].upper()}{said[1:]}: {'; '.join(beyond)}."
-    return f"No exponent is {said}."
+        return f"{text[0].upper()}{text[1:]}: {'; '.join(beyond)}."
+    return f"No exponent is {text}."
 
 
 def fits(memories: dict[str, float]) -> str:
@@ -180,7 +180,7 @@ def page(rows: Rows) -> str:
         needs=needs(rows),
         communication=communication(rows),
         side=f"{cluster.SIDE:,}".replace(",", " "),
-        most=math.ceil(1e-3 * max(row["memory_MB"] for row in rows)),
+        memory=math.ceil(1e-3 * max(row["memory_MB"] for row in rows)),
         caches=caches(rows),
         transforms=transforms(rows),
         above=above(rows),

@@ -8,7 +8,7 @@ from typing import Any
 
 import samcontact as sc
 
-from .table import COUNT, VALUE, Column, Table, apart, trace
+from .table import COUNT, VALUE, Column, Table, relative_difference, trace
 
 E, RADIUS, RIGID = 210e9, 7.5e-3, sc.Material.rigid()
 STEEL = sc.Material.elastic(E, 0.3)
@@ -57,11 +57,11 @@ def elastic(row: str) -> dict[str, Any]:
     whole = moved(coated)
     return {
         "iterations": found.iterations,
-        "halves": apart(moved(halves), whole),
+        "halves": relative_difference(moved(halves), whole),
         "error": found.error,
-        "substrate": apart(found.pressure, bare.pressure),
-        "coating": apart(found.pressure, pressed(coating).pressure),
-        "same": apart(moved(same), moved(STEEL)) if same else None,
+        "substrate": relative_difference(found.pressure, bare.pressure),
+        "coating": relative_difference(found.pressure, pressed(coating).pressure),
+        "same": relative_difference(moved(same), moved(STEEL)) if same else None,
     }
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 import samcontact as sc
 
-from .table import COUNT, VALUE, Column, Table, apart, trace
+from .table import COUNT, VALUE, Column, Table, relative_difference, trace
 
 E, NU, RADIUS, YIELD = 210e9, 0.3, 7.5e-3, 1e9
 ELASTIC = sc.Material.elastic(E, NU)
@@ -49,15 +49,15 @@ def rough() -> tuple[sc.Grid, Any, float]:
     return grid, heights - heights.min(), 0.1
 
 
-SCENES = {"ball": ball, "four asperities": asperities, "rough": rough}
-ROWS = tuple(f"{scene}, {law}" for scene in SCENES for law in LAWS)
+SETUPS = {"ball": ball, "four asperities": asperities, "rough": rough}
+ROWS = tuple(f"{setup}, {law}" for setup in SETUPS for law in LAWS)
 
 
 def cycled(row: str, cycles: int = CYCLES, settled: int = SETTLED) -> dict[str, Any]:
     """Load and unload repeatedly; return the changes of the state."""
-    scene, _, law = row.partition(", ")
-    grid, gap, load = SCENES[scene]()
-    zones = "one" if scene == "ball" else "auto"
+    setup, _, law = row.partition(", ")
+    grid, gap, load = SETUPS[setup]()
+    zones = "one" if setup == "ball" else "auto"
     simulation = sc.Simulation(grid, ELASTIC, LAWS[law], gap, zones=zones, on_border="warn")
     first = simulation.step(load=load).plastic_strain()
     for cycle in range(cycles):
@@ -70,10 +70,10 @@ def cycled(row: str, cycles: int = CYCLES, settled: int = SETTLED) -> dict[str, 
     strain = state.plastic_strain()
     return {
         "zones": len(state.zones(2)),
-        "all": apart(strain, first),
-        "strain": apart(strain, last),
-        "drift": apart(strain, early) / (cycles - settled),
-        "print": apart(unloaded.residual_displacement(), bare) / (cycles - settled),
+        "all": relative_difference(strain, first),
+        "strain": relative_difference(strain, last),
+        "drift": relative_difference(strain, early) / (cycles - settled),
+        "print": relative_difference(unloaded.residual_displacement(), bare) / (cycles - settled),
         "trace": trace(strain),
         "load": abs(state.pressure.sum() * grid.cell_area / load - 1),
     }

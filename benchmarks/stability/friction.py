@@ -23,7 +23,7 @@ BODIES = {
 FRICTIONS = ("0", "0.1", "0.3", "1", "2", "5", "10", "∞")
 
 
-def scene(bodies: str, width: float, cells: int) -> tuple[Any, sc.Grid, Any, float]:
+def setup(bodies: str, width: float, cells: int) -> tuple[Any, sc.Grid, Any, float]:
     """Return bodies, grid, gap and Hertz contact radius."""
     pair = BODIES[bodies]
     radius = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(*pair), load=LOAD).a
@@ -35,7 +35,7 @@ def sliding(row: str) -> dict[str, Any]:
     """Return iterations and residuals of the contact conditions, including the shear."""
     found: dict[str, Any] = {}
     for name in BODIES:
-        pair, grid, gap, _ = scene(name, 7.2, 45)
+        pair, grid, gap, _ = setup(name, 7.2, 45)
         solver = sc.ContactSolver(grid, *pair, float(row), max_iterations=10000)
         try:
             state = solver.solve(gap, load=LOAD)
@@ -58,14 +58,14 @@ def slipping(row: str) -> dict[str, Any]:
     """
     name, _, stated = row.rpartition(", ")
     mu = math.inf if stated == "∞" else float(stated)
-    pair, grid, gap, radius = scene(name, 3.2, 25)
-    law, most = sc.Coulomb(mu), min(mu, 2.0) * LOAD
+    pair, grid, gap, radius = setup(name, 3.2, 25)
+    law, limit = sc.Coulomb(mu), min(mu, 2.0) * LOAD
     solver = sc.ContactSolver(grid, *pair, law)
     reach = min(mu, 1.0) * LOAD / (E * radius)  # about the shift at full sliding
     creepage = (0.3 * reach / radius, 0.2 * reach / radius)
     drives: dict[str, dict[str, Any]] = {
         "pressed": {},
-        "pulled": {"tangential_load": (most / 2, 0)},
+        "pulled": {"tangential_load": (limit / 2, 0)},
     }
     if math.isfinite(mu):
         drives["all"] = {"shift": (20 * mu * LOAD / (E * radius), 0.0)}

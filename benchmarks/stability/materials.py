@@ -10,7 +10,7 @@ import numpy as np
 
 import samcontact as sc
 
-from .table import COUNT, VALUE, Column, Table, apart, trace
+from .table import COUNT, VALUE, Column, Table, relative_difference, trace
 
 E, RADIUS, YIELD, MU = 210e9, 7.5e-3, 1e9, 0.3
 STEEL = sc.Material.elastic(E, 0.3)
@@ -65,7 +65,7 @@ def poisson(row: str) -> dict[str, Any]:
         "trace": trace(state.plastic_strain()),
         "shear": slipped.tangential_iterations,
         "shift": abs(slipped.shift[0] / moved - 1),
-        "unlike": dissimilar.tangential_iterations,
+        "dissimilar": dissimilar.tangential_iterations,
         "law": slip_error(dissimilar, MU),
     }
 
@@ -73,8 +73,8 @@ def poisson(row: str) -> dict[str, Any]:
 def slip_error(found: Any, mu: float) -> float:
     """Excess of the shear over the friction limit, relative to the maximum shear."""
     excess = np.hypot(*found.shear) - mu * found.pressure if math.isfinite(mu) else 0.0
-    apart_ = np.hypot(*found.shear)[found.pressure == 0]
-    worst = max(float(np.max(excess)), float(apart_.max(initial=0.0)), 0.0)
+    outside_shear = np.hypot(*found.shear)[found.pressure == 0]
+    worst = max(float(np.max(excess)), float(outside_shear.max(initial=0.0)), 0.0)
     return worst / float(np.hypot(*found.shear).max()) if worst else 0.0
 
 
@@ -94,7 +94,7 @@ def hardened(row: str) -> dict[str, Any]:
         load = state.pressure.sum() * simulation.grid.cell_area
         found["load"] = max(found.get("load", 0.0), abs(load / state.load - 1))
         strain = state.plastic_strain()
-        again = apart(simulation.step(load=0.0).plastic_strain(), strain)
+        again = relative_difference(simulation.step(load=0.0).plastic_strain(), strain)
         found["unloaded"] = max(found.get("unloaded", 0.0), again)
     return found
 
@@ -110,7 +110,7 @@ POISSON = Table(
         Column("trace", "volume change", at_most=1e-14),
         Column("shear", "partial slip: iterations", COUNT),
         Column("shift", "displacement error (Mindlin)", VALUE),
-        Column("unlike", "on a rigid body: iterations", COUNT),
+        Column("dissimilar", "on a rigid body: iterations", COUNT),
         Column("law", "excess over μ p", at_most=1e-12),
     ),
     "0.499",

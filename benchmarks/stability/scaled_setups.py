@@ -131,10 +131,10 @@ def graded(unit):
 def rolling(unit):
     """Solve some rolling increments with creepage, and the steady state."""
     grid, steel = unit.grid(), unit.elastic()
-    gap, load, way = unit.ball(grid), 60 * unit.N, 45e-6 * unit.m
+    gap, load, distance = unit.ball(grid), 60 * unit.N, 45e-6 * unit.m
     sim = sc.Simulation(grid, steel, steel, gap, sc.Coulomb(0.3), **TIGHT_SETTINGS)
     sim.step(load=load)
-    state = sim.step(load=load, advance=(-1.001 * way, -way), twist=2 * way / unit.m)
+    state = sim.step(load=load, advance=(-1.001 * distance, -distance), twist=2 * distance / unit.m)
     steady = sc.rolling.steady(
         grid, steel, unit.elastic(150e9, 0.2), gap, load=load, friction=sc.Coulomb(0.3),
         creepage=(1e-3, 5e-4), spin=3 / unit.m, tol=1e-11,
@@ -244,7 +244,7 @@ def worn(unit):
     return {"heights": found.heights[2] / unit.m, "work": found.cycles[-1].friction_work / unit.J}
 
 
-SCENES = {
+CASES = {
     "plastic fretting": plastic_fretting, "infinite friction": without_slip,
     "heat due to slip": heat_of_slip,
     "coated": coated, "coated steel": coated_steel, "yield-stress profile": graded,

@@ -67,7 +67,7 @@ class Setup:
             "print": state.residual_displacement() / self.metre,
         }
 
-    def marched(self):
+    def transient(self):
         factor = (0.01 * self.speed, 0.02 * self.speed)
         history = (1e-4 * self.second, 1e-2 * self.second)
         return self.plastic("linear", heat=sc.Heat(factor, history=history))
@@ -77,18 +77,18 @@ class Setup:
         return self.plastic("linear", advance=100e-6, relief2=dent)
 
 
-SCENES = {
+CASES = {
     "elastic": Setup.contact,
-    "friction": lambda scene: scene.contact(0.5),
-    "heat, steady and moving": lambda scene: scene.heated(
-        velocity=((0.0, 0.0), (0.1 * scene.speed, 0.05 * scene.speed)),
-        reference=1.0 * scene.metre,
+    "friction": lambda setup: setup.contact(0.5),
+    "heat, steady and moving": lambda setup: setup.heated(
+        velocity=((0.0, 0.0), (0.1 * setup.speed, 0.05 * setup.speed)),
+        reference=1.0 * setup.metre,
     ),
-    "heat of finite duration": lambda scene: scene.heated(time=1e-3 * scene.second),
-    "load and unload, linear hardening": lambda scene: scene.plastic("linear"),
-    "load and unload, Swift": lambda scene: scene.plastic("swift"),
-    "load and unload, kinematic": lambda scene: scene.plastic("kinematic"),
-    "load and unload, fast sweeps": lambda scene: scene.plastic("linear", residual_stress="fast"),
-    "load and unload, transient heating": Setup.marched,
+    "heat of finite duration": lambda setup: setup.heated(time=1e-3 * setup.second),
+    "load and unload, linear hardening": lambda setup: setup.plastic("linear"),
+    "load and unload, Swift": lambda setup: setup.plastic("swift"),
+    "load and unload, kinematic": lambda setup: setup.plastic("kinematic"),
+    "load and unload, fast sweeps": lambda setup: setup.plastic("linear", residual_stress="fast"),
+    "load and unload, transient heating": Setup.transient,
     "moving over a dent": Setup.moving,
 }

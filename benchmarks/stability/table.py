@@ -47,7 +47,7 @@ def largest(field: Any) -> float:
     return float(np.abs(field).max())
 
 
-def apart(found: Any, expected: Any) -> float:
+def relative_difference(found: Any, expected: Any) -> float:
     """Return the largest difference over the largest value."""
     difference = largest(np.asarray(found) - np.asarray(expected))
     return difference / largest(expected) if difference else 0.0

@@ -101,7 +101,7 @@ def page(records: list[Record]) -> str:
         contacts=table_of([contact_row(name, contacts[name], iso[name]) for name in contacts]),
         steels=table_of([steel_row(name, rows) for name, rows in steels.items()]),
         grids=100 * max(fine),
-        least=min(iso[name].deformation for name in rated) / ALLOWED,
+        smallest=min(iso[name].deformation for name in rated) / ALLOWED,
         largest=max(iso[name].deformation for name in rated) / ALLOWED,
         low=1e-9 * min(allowed.values()), high=1e-9 * max(allowed.values()),
         margin_low=min(margins), margin_high=max(margins),

@@ -22,7 +22,7 @@ namespace py = pybind11;
 /// C-contiguous float64 only; the Python layer converts and checks the shape.
 using Array = py::array_t<double, py::array::c_style>;
 using MaybeArray = std::optional<Array>;
-/// What the core gives: float64 in any order of memory.
+/// Results of the core: float64 in any memory order.
 using Values = py::array_t<double>;
 
 inline Field to_field(const Array& array) {

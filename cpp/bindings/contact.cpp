@@ -69,7 +69,7 @@ py::array_t<bool> flags_array(const std::vector<unsigned char>& flags, const Gri
   return array;
 }
 
-/// Fields of a StickSlipSolution, without the totals of earlier increments.
+/// Fields of a PartialSlipSolution, without the totals of earlier increments.
 Content to_python(contact::PartialSlipSolution solution,
                   const contact::PartialSlipContact& contact) {
   auto& [normal, tangential, sweeps] = solution;

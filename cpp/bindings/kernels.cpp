@@ -212,8 +212,8 @@ void bind_eigenstrain(py::module_& m) {
 
 }  // namespace
 
-// Flat arrays of equal length in, (N, points) out; lengths are scaled by the width of the source so
-// that logarithms of lengths cost no digits.
+// Arguments: flat arrays of equal length; results: (N, points). Lengths are scaled by the width of
+// the source so that logarithms of lengths cost no digits.
 void bind_kernels(py::module_& parent) {
   auto m = parent.def_submodule("kernels");
   bind_tractions(m);

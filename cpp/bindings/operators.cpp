@@ -6,6 +6,7 @@
 #include "arrays.hpp"
 #include "long_work.hpp"
 #include "rooms.hpp"
+#include "samcontact/base/errors.hpp"
 #include "samcontact/operators/heat/temperature.hpp"
 #include "samcontact/operators/medium/half_space.hpp"
 #include "samcontact/operators/medium/layered_half_space.hpp"
@@ -93,7 +94,13 @@ std::pair<Values, Values> zone_fields(const Grid& grid, const Elastic& elastic,
     for (const auto& [i0, j0, nx, ny, nz] : boxes) {
       const bool inside = i0 >= 0 && j0 >= 0 && nx > 0 && ny > 0 && nz > 0 && nx <= grid.nx - i0 &&
                           ny <= grid.ny - j0 && nz <= grid.nz;
-      if (!inside) throw std::invalid_argument("a zone must be non-empty and lie inside the grid");
+      if (!inside) {
+        throw std::invalid_argument(
+            "each zone (i0, j0, nx, ny, nz) must have nx, ny, nz > 0 and lie inside the grid, "
+            "got " +
+            to_text(i0) + ", " + to_text(j0) + ", " + to_text(nx) + ", " + to_text(ny) + ", " +
+            to_text(nz));
+      }
       zones.push_back({i0, j0, nx, ny, nz});
     }
     operators::ZoneOperators operators(
@@ -147,7 +154,7 @@ namespace {
 
 using operators::HeatHistory;
 
-/// Heat history with the shapes of its arrays, which the core does not know.
+/// Heat history with the shapes of its arrays, which the core does not store.
 struct BoundHistory {
   Grid grid;
   HeatHistory history;

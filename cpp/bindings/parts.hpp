@@ -56,7 +56,9 @@ void read_rows(const std::string& name, const py::object& kept, T& part) {
   const bool fits = rows.ndim() == 2 && rows.shape(1) == columns<T> &&
                     std::all_of(rows.data(), rows.data() + rows.size(),
                                 [](std::int64_t number) { return std::in_range<int>(number); });
-  if (!fits) throw std::invalid_argument(name + " must be rows of integers");
+  if (!fits)
+    throw std::invalid_argument(name + " must be an array of integers with " +
+                                std::to_string(columns<T>) + " columns");
   part.resize(rows.shape(0));
   for (std::size_t n = 0; n < part.size(); ++n) {
     std::array<int, columns<T>> numbers;
@@ -84,7 +86,7 @@ class PartWriter {
 
   template <class T>
   void operator()(const std::string& name, const T& part) {
-    if (!wants(name)) return;
+    if (!is_selected(name)) return;
     if constexpr (Sequence<T>) {
       if (part.empty()) return;
     }
@@ -95,7 +97,7 @@ class PartWriter {
   template <class T, class Plain, class Make>
   void made(const std::string& name, const std::shared_ptr<const T>& part, const Plain& plain,
             const Make&) {
-    if (wants(name) && part) content[name.c_str()] = to_python(plain(*part), py::none());
+    if (is_selected(name) && part) content[name.c_str()] = to_python(plain(*part), py::none());
   }
 
   Content content;
@@ -120,7 +122,7 @@ class PartWriter {
   }
 
  private:
-  bool wants(const std::string& name) const { return only_.empty() || name == only_; }
+  bool is_selected(const std::string& name) const { return only_.empty() || name == only_; }
 
   std::string only_;
   py::object owner_;
@@ -135,7 +137,8 @@ class PartReader {
   /// Throws std::invalid_argument if an unknown part is left.
   void require_no_more() const {
     if (left_.empty()) return;
-    throw std::invalid_argument("unknown part: " + py::str(*py::iter(left_)).cast<std::string>());
+    throw std::invalid_argument("unknown part '" + py::str(*py::iter(left_)).cast<std::string>() +
+                                "'");
   }
 
   template <class T>

@@ -67,7 +67,7 @@ Content counters(const Simulation& simulation) {
 /// Sets state and counters from their content; heating: that of the state.
 void restore(Simulation& simulation, const Content& content, const Content& counters,
              const operators::HeatingPair& heating) {
-  State state(simulation.shared_scene(), operators::ResidualMethod::fast);
+  State state(simulation.shared_setup(), operators::ResidualMethod::fast);
   state.heating = heating;
   PartReader of_state(content);
   describe(state, of_state);
@@ -136,7 +136,7 @@ void bind_simulation(py::module_& m) {
           "set_plastic_state",
           [](Simulation& s, int body, int first_row, const Array& strain,
              const MaybeArray& equivalent, const MaybeArray& backstress) {
-            const Box box{first_row, 0, static_cast<int>(strain.shape(2)), s.scene().grid.ny,
+            const Box box{first_row, 0, static_cast<int>(strain.shape(2)), s.setup().grid.ny,
                           static_cast<int>(strain.shape(1))};
             s.set_plastic_state(body, box, to_field(strain), to_field_or_empty(equivalent),
                                 to_field_or_empty(backstress));
@@ -157,7 +157,7 @@ void bind_simulation(py::module_& m) {
       .def(
           "take_over",
           [](Simulation& s, const Simulation& smaller) {
-            s.restore(smaller.state().widened(s.shared_scene()), smaller.counters());
+            s.restore(smaller.state().widened(s.shared_setup()), smaller.counters());
           },
           py::arg("smaller"))
       .def(

@@ -48,7 +48,7 @@ Values to_array(Field field, const Grid& grid, py::ssize_t layers) {
 auto surface_method(Field (*method)(const State&, int)) {
   return [method](const State& state, int body) {
     Field field = worked([&] { return (*method)(state, body); });
-    return surface_array(std::move(field), state.scene().grid);
+    return surface_array(std::move(field), state.setup().grid);
   };
 }
 
@@ -57,11 +57,11 @@ template <Rank rank>
 auto volume_method(Field (*method)(const State&, int, simulation::Layers)) {
   return [method](const State& state, int body, int layers) {
     Field field = worked([&] { return (*method)(state, body, layers); });
-    return to_array<rank>(std::move(field), state.scene().grid, layers);
+    return to_array<rank>(std::move(field), state.setup().grid, layers);
   };
 }
 
-/// First cell and sizes (i0, j0, nx, ny, nz), as Python has boxes.
+/// First cell and sizes (i0, j0, nx, ny, nz): the form of a box in Python.
 using BoxTuple = std::array<int, 5>;
 BoxTuple to_tuple(const Box& box) { return {box.i0, box.j0, box.nx, box.ny, box.nz}; }
 std::optional<BoxTuple> to_tuple_or_none(const Box& box) {
@@ -79,7 +79,7 @@ auto box_method(Field (*method)(const State&, int, const Box&)) {
   return [method](const State& state, int body, const BoxTuple& cells) {
     const Box box = to_box(cells);
     Field field = worked([&] { return (*method)(state, body, box); });
-    return to_array<rank>(std::move(field), box.grid(state.scene().grid), box.nz);
+    return to_array<rank>(std::move(field), box.grid(state.setup().grid), box.nz);
   };
 }
 
@@ -102,7 +102,7 @@ void bind_zones(py::class_<State>& state) {
           [](const State& s, int body, bool loaded) {
             Field field = worked([&] { return simulation::deviator_in_own_box(s, body, loaded); });
             const Box box = simulation::own_box(s, body);
-            return tensor_array(std::move(field), box.grid(s.scene().grid), box.nz);
+            return tensor_array(std::move(field), box.grid(s.setup().grid), box.nz);
           },
           py::arg("body"), py::arg("loaded"))
       .def(
@@ -138,7 +138,7 @@ void bind_boxes(py::class_<State>& state) {
           field =
               simulation::residual_displacement(s, body, static_cast<operators::Axis>(axis), box);
         }
-        return surface_array(std::move(field), box.grid(s.scene().grid));
+        return surface_array(std::move(field), box.grid(s.setup().grid));
       },
       py::arg("body"), py::arg("box"), py::arg("axis"));
   bind_zones(state);
@@ -148,12 +148,12 @@ void bind_track(py::class_<State>& state) {
   state
       .def(
           "widened",
-          [](const State& s, const State& like) { return s.widened(like.shared_scene()); },
+          [](const State& s, const State& like) { return s.widened(like.shared_setup()); },
           py::arg("like"))
       .def(
           "relief",
           [](const State& s, int body) {
-            return surface_array(s.scene().relief(body, s.travel), s.scene().grid);
+            return surface_array(s.setup().relief(body, s.travel), s.setup().grid);
           },
           py::arg("body"))
       .def_property_readonly("origin", [](const State& s) { return s.placement().origin; })
@@ -166,7 +166,7 @@ void bind_track(py::class_<State>& state) {
             for (const auto& strain : {s.plastic[body], s.eigenstrain[body]}) {
               if (!strain) continue;
               box = box.united(
-                  simulation::whole_box(strain->box(), s.scene().grid, strain->symmetry()));
+                  simulation::whole_box(strain->box(), s.setup().grid, strain->symmetry()));
             }
             if (box.empty()) return {};
             return std::pair{box.i0, box.nx};
@@ -198,13 +198,13 @@ void bind_fields(py::class_<State>& bound) {
         Field field = worked([&] {
           return simulation::residual_displacement(s, body, static_cast<operators::Axis>(axis));
         });
-        return surface_array(std::move(field), s.scene().grid);
+        return surface_array(std::move(field), s.setup().grid);
       },
       py::arg("body"), py::arg("axis"));
   bind_surface("surface_displacement", &simulation::surface_displacement);
 }
 
-/// Binds a property for each part that is visited; None: there is none.
+/// Binds a property for each visited part; its value is None if the state has no such part.
 class PartProperties {
  public:
   explicit PartProperties(py::class_<State>& bound) : bound_(bound) {}
@@ -222,7 +222,7 @@ class PartProperties {
   }
 
  private:
-  /// What a part becomes in Python.
+  /// Python type of a part.
   template <class T>
   using Made = decltype(PartWriter::to_python(std::declval<T>(), py::object()));
 
@@ -240,7 +240,7 @@ class PartProperties {
 
 void bind_content(py::class_<State>& bound) {
   PartProperties properties(bound);
-  const State blank = State::without_scene();
+  const State blank = State::without_setup();
   describe(blank, properties);
   bound.def("content", [](const State& state) {
     PartWriter visit;
@@ -254,12 +254,12 @@ void bind_contact_of(py::class_<State>& bound) {
       .def("gap",
            [](const State& state) {
              Field gap = worked([&] { return simulation::gap(state); });
-             return surface_array(std::move(gap), state.scene().grid);
+             return surface_array(std::move(gap), state.setup().grid);
            })
       .def("repulsion",
            [](const State& state) {
              Field repulsion = worked([&] { return simulation::repulsion(state); });
-             return surface_array(std::move(repulsion), state.scene().grid);
+             return surface_array(std::move(repulsion), state.setup().grid);
            })
       .def("attraction_energy", &simulation::attraction_energy)
       .def("tangential_force", &State::tangential_force);
@@ -297,7 +297,7 @@ void bind_state(py::module_& m) {
           [](const State& state, int body) -> std::optional<Values> {
             if (!state.softening[body]) return {};
             const auto& [box, values] = *state.softening[body];
-            const Grid& grid = state.scene().grid;
+            const Grid& grid = state.setup().grid;
             const Box here{0, 0, grid.nx, grid.ny, box.nz};
             Field factor(here.volume_size());
             extract(values.data(), box, factor.data(), here);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Python objects whose types signatures name, for the stubs of the module (scripts/stubs.py).
+// Python objects with the types that signatures show, for the stubs of the module
+// (scripts/stubs.py).
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -15,7 +16,7 @@ struct Content : py::dict {
   using py::dict::dict;
 };
 
-/// An object that has been made in Python already: what a T becomes there.
+/// Python object that has already been converted from a T.
 template <class T>
 struct Typed : py::object {
   explicit Typed(py::object value) : py::object(std::move(value)) {}

@@ -20,7 +20,7 @@ struct Above {
 inline Above stress_above(const Grid& grid, const VolumeOperators& whole, const StressBound& bound,
                           const Tractions& loads) {
   const Field s = whole.stress(nullptr, &loads, 1.0);
-  const double most = *std::max_element(loads.pressure.begin(), loads.pressure.end());
+  const double max_pressure = *std::max_element(loads.pressure.begin(), loads.pressure.end());
   const std::size_t cells = grid.volume_size();
   double sum = 0.0, sum_of_bounds = 0.0;
   Above above;
@@ -38,7 +38,7 @@ inline Above stress_above(const Grid& grid, const VolumeOperators& whole, const 
                        j / bound.block()];
 #pragma omp critical
             {
-              above.lowest = std::min(above.lowest, (limit - stress) / most);
+              above.lowest = std::min(above.lowest, (limit - stress) / max_pressure);
               sum += stress;
               sum_of_bounds += limit;
             }

@@ -32,12 +32,12 @@ contact::LinearMap map_of(const Matrix& matrix) {
 }
 
 /// Round contact on a grid with rows ahead, with a given slip of each cell.
-struct Scene {
+struct Setup {
   Grid grid{20 + contact::rolling_margin, 18, 1.0 / 20, 1.0 / 18};
   contact::ShearOperators operators{grid, {body, body}};
   contact::ShearProblem problem;
 
-  explicit Scene(double slip_x, double slip_y) {
+  explicit Setup(double slip_x, double slip_y) {
     problem.operators = &operators;
     problem.box_size = grid.surface_size();
     for (int i = 0; i < 20; ++i) {
@@ -80,8 +80,8 @@ TEST_CASE("gmres solves non-symmetric systems to the requested residual") {
     return (right - matrix * Eigen::Map<const Vector>(x.data(), n)).norm() / right.norm();
   };
   double before = 1.0;
-  for (int most = 1; most <= n; ++most) {
-    CHECK(contact::gmres(map_of(matrix), map_of(one), b, 1e-14, most, x) == most);
+  for (int max_vectors = 1; max_vectors <= n; ++max_vectors) {
+    CHECK(contact::gmres(map_of(matrix), map_of(one), b, 1e-14, max_vectors, x) == max_vectors);
     CHECK(left() <= before * (1 + 1e-12));
     before = left();
   }
@@ -103,8 +103,8 @@ TEST_CASE("gmres solves non-symmetric systems to the requested residual") {
 }
 
 TEST_CASE("projected gradients converge if Newton steps do not") {
-  const Scene right(8e-6, 3e-6);
-  Scene wrong(8e-6, 3e-6);
+  const Setup right(8e-6, 3e-6);
+  Setup wrong(8e-6, 3e-6);
   wrong.operators.near = operators::NearTangential(wrong.grid, {much_stiffer, much_stiffer});
   contact::ShearApplier applier(right.problem), misled(wrong.problem);
   const auto expected = contact::solve_partial_slip(right.problem, applier, {}, 1e-9, 60);
@@ -119,8 +119,8 @@ TEST_CASE("projected gradients converge if Newton steps do not") {
 }
 
 TEST_CASE("incremental rolling reaches the steady state without Newton steps") {
-  Scene right(4e-7, 1e-7), wrong(4e-7, 1e-7);
-  for (Scene* scene : {&right, &wrong}) scene->problem.carried = 18;
+  Setup right(4e-7, 1e-7), wrong(4e-7, 1e-7);
+  for (Setup* setup : {&right, &wrong}) setup->problem.carried = 18;
   wrong.operators.near = operators::NearTangential(wrong.grid, {much_stiffer, much_stiffer});
   contact::ShearApplier applier(right.problem), misled(wrong.problem);
   const auto expected = contact::solve_steady_rolling(right.problem, applier, {}, 1e-9, 60);

@@ -113,8 +113,8 @@ TEST_CASE("a transform through a lent plane gives the same digits in the request
     CHECK(through == direct);
     transform.inverse(direct.data(), all.data(), stride, Threads::one);
     for (int n = 0; n < nx * ny; ++n) {
-      const bool asked = n / ny >= first && n / ny < first + count;
-      REQUIRE(some[n] == doctest::Approx(asked ? all[n] : untouched).epsilon(1e-14));
+      const bool requested = n / ny >= first && n / ny < first + count;
+      REQUIRE(some[n] == doctest::Approx(requested ? all[n] : untouched).epsilon(1e-14));
     }
   }
 }

@@ -116,8 +116,8 @@ TEST_CASE("coefficients of layers agree with Hankel integrals") {
 }
 
 TEST_CASE("layers of identical material are a half-space") {
-  const Stack alike = Stack::of({{stiff, 0.3}, {stiff, 2.0}}, stiff);
-  CHECK(*medium_of(alike) == *half_space(stiff));
+  const Stack uniform = Stack::of({{stiff, 0.3}, {stiff, 2.0}}, stiff);
+  CHECK(*medium_of(uniform) == *half_space(stiff));
   const auto steel = half_space(stiff);
   const Grid grid(1, 1, 1.0, 0.7, 4, 0.25);
   const auto offsets = CellOffsets::lattice(9, 7);
@@ -125,13 +125,13 @@ TEST_CASE("layers of identical material are a half-space") {
     for (const Axis axis : all_axes) {
       const Field exact = steel->compliance(traction, axis, grid, offsets);
       const double scale = largest(steel->compliance(traction, axis, grid, offsets));
-      CHECK(difference(layered_compliance(alike, traction, axis, grid, offsets), exact) <
+      CHECK(difference(layered_compliance(uniform, traction, axis, grid, offsets), exact) <
             1e-12 * scale);
     }
     for (const double z : {0.0, 0.1, 0.3, 1.0, 5.0}) {
       const Field exact = steel->stress(traction, grid, offsets, z, Tensor::deviator);
-      CHECK(difference(layered_stress(alike, traction, grid, offsets, z, Tensor::deviator), exact) <
-            1e-11);
+      CHECK(difference(layered_stress(uniform, traction, grid, offsets, z, Tensor::deviator),
+                       exact) < 1e-11);
     }
   }
 }
@@ -177,7 +177,7 @@ TEST_CASE("the stress of eigenstrain in layers of identical material is that of 
   for (const double dz : {0.4, 1e-5}) {
     const Grid grid(10, 8, 1.0, 1.3, 7, dz);
     // Interfaces between cells, and below them.
-    const Stack alike = Stack::of({{stiff, 2 * dz}, {stiff, dz}, {stiff, 9 * dz}}, stiff);
+    const Stack uniform = Stack::of({{stiff, 2 * dz}, {stiff, dz}, {stiff, 9 * dz}}, stiff);
     for (const Symmetry symmetry : {Symmetry::none, Symmetry::y, Symmetry::xy}) {
       for (const Tensor tensor : {Tensor::full, Tensor::deviator}) {
         const VolumeTransform transform(grid, symmetry);
@@ -185,7 +185,7 @@ TEST_CASE("the stress of eigenstrain in layers of identical material is that of 
                                            3 + static_cast<unsigned>(symmetry));
         const ResidualSettings settings{.method = ResidualMethod::fast};
         const LayerResidualStress plain(grid, transform, {{}, stiff}, settings);
-        const LayerResidualStress layered(grid, transform, alike, settings);
+        const LayerResidualStress layered(grid, transform, uniform, settings);
         const Field exact = residual_of(plain, transform, grid, tensor, strain);
         const Field found = residual_of(layered, transform, grid, tensor, strain);
         CHECK(difference(found, exact) < 1e-12 * largest(exact));

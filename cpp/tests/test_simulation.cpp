@@ -30,7 +30,7 @@ const Settings usual{.tol = 1e-6,
 
 struct Stopped : std::exception {};
 
-Simulation small_scene(const plasticity::Material& lower, const Settings& settings = usual) {
+Simulation small_setup(const plasticity::Material& lower, const Settings& settings = usual) {
   const bool layered = lower.is_plastic();
   const Grid grid(17, 15, 60e-6, 60e-6, layered ? 12 : 0, layered ? 60e-6 : 0.0);
   Field gap(grid.surface_size());
@@ -84,12 +84,12 @@ TEST_CASE("the rounding error of the ordered sum is that of short sums") {
 TEST_CASE("an elastic problem accepts the smallest tolerance") {
   Settings settings = usual;
   settings.tol = 1e-11;
-  auto simulation = small_scene(plasticity::Material::make_elastic(210e9, 0.3), settings);
+  auto simulation = small_setup(plasticity::Material::make_elastic(210e9, 0.3), settings);
   CHECK(simulation.step(load(300.0)).load == 300.0);
 }
 
 TEST_CASE("loading causes plastic flow, unloading preserves the imprint") {
-  auto simulation = small_scene(
+  auto simulation = small_setup(
       plasticity::Material::with_law(210e9, 0.3, plasticity::LinearHardening{1e9, 21e9}));
   const State loaded = simulation.step(load(300.0));
   CHECK(loaded.plastic_iterations > 0);
@@ -104,7 +104,7 @@ TEST_CASE("loading causes plastic flow, unloading preserves the imprint") {
 }
 
 TEST_CASE("an elastic problem needs no volume operators") {
-  auto simulation = small_scene(plasticity::Material::make_elastic(210e9, 0.3));
+  auto simulation = small_setup(plasticity::Material::make_elastic(210e9, 0.3));
   simulation.step(load(300.0));
   CHECK(simulation.volume_bytes() == 0);
   CHECK(simulation.counters().yield_checks == 0);
@@ -113,7 +113,7 @@ TEST_CASE("an elastic problem needs no volume operators") {
 
 TEST_CASE("an interrupt leaves the state unchanged") {
   auto simulation =
-      small_scene(plasticity::Material::with_law(210e9, 0.3, plasticity::PerfectPlastic{1e9}));
+      small_setup(plasticity::Material::with_law(210e9, 0.3, plasticity::PerfectPlastic{1e9}));
   const State before = simulation.step(load(100.0));
   set_interrupt_check([] { throw Stopped{}; });
   CHECK_THROWS_AS(for (int n = 0; n < 100000; ++n) simulation.step(load(n % 2 ? 250.0 : 200.0)),

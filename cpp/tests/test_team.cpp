@@ -13,14 +13,14 @@ TEST_CASE("a team drops threads that wait for a processor") {
   TeamSize team(8);
   const TeamSize::Time now{};
   std::array<TeamSize::Span, 8> waited{};
-  team.judge(now, 10ms, waited);
+  team.update(now, 10ms, waited);
   CHECK(team.size() == 8);
   waited[2] = waited[5] = waited[6] = 3ms;
   waited[7] = 1ms;  // a thread without benefit
-  team.judge(now, 10ms, waited);
+  team.update(now, 10ms, waited);
   CHECK(team.size() == 5);
   waited.fill(9ms);
-  team.judge(now, 10ms, waited);
+  team.update(now, 10ms, waited);
   CHECK(team.size() == 1);
 }
 
@@ -29,7 +29,7 @@ TEST_CASE("a team tries more threads after a pause proportional to the cost of t
   TeamSize::Time now{};
   std::array<TeamSize::Span, 8> waited{};
   waited.fill(40ms);
-  team.judge(now, 50ms, waited);
+  team.update(now, 50ms, waited);
   REQUIRE(team.size() == 1);
   team.try_more(now + 999ms);
   CHECK(team.size() == 1);
@@ -38,7 +38,7 @@ TEST_CASE("a team tries more threads after a pause proportional to the cost of t
   CHECK(team.size() == 2);
   waited.fill(0ms);
   for (const int more : {4, 8, 8}) {  // the machine is idle again
-    team.judge(now += 10ms, 10ms, waited);
+    team.update(now += 10ms, 10ms, waited);
     CHECK(team.size() == more);
   }
 }

@@ -69,7 +69,7 @@ Field ball(const Grid& grid, double radius) {
 Target load(double newton) { return {.drive = contact::Drive::load(newton)}; }
 
 /// Loaded with transient heat, in steps too short for heat to reach the next cell.
-Simulation heated_scene(double heat_factor) {
+Simulation heated_setup(double heat_factor) {
   const Grid grid(13, 11, size, size, 6, size);
   Simulation simulation(grid, elastic, steel.with_thermal(warm), ball(grid, 7.5e-3),
                         contact::FrictionLaw(contact::FullSliding{0.1}), usual,
@@ -142,7 +142,7 @@ TEST_CASE("simulations run in separate threads") {
 }
 
 TEST_CASE("threads compute fields of one state") {
-  const auto alone = heated_scene(0.05), shared = heated_scene(0.05);
+  const auto alone = heated_setup(0.05), shared = heated_setup(0.05);
   const auto stresses = [](const Simulation& simulation) {
     return [&simulation] {
       const State& state = simulation.state();

@@ -19,8 +19,8 @@ const operators::BandSplit split;
 /// Spots of all sizes in a square; if there are many, most of them overlap.
 std::vector<Box> spots(int count, int window, unsigned seed) {
   std::mt19937 random(seed);
-  const auto from_to = [&](int least, int most) {
-    return least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1));
+  const auto from_to = [&](int low, int high) {
+    return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
   };
   std::vector<Box> boxes;
   for (int n = 0; n < count; ++n) {

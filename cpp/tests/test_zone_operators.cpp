@@ -282,12 +282,12 @@ TEST_CASE("the von Mises stress due to tractions is within its bound") {
 
 TEST_CASE("zones outside the grid act on it") {
   const auto medium = half_space(steel);
-  const std::vector<Box> beside{{-9, 20, 8, 10, 4}};
+  const std::vector<Box> outer{{-9, 20, 8, 10, 4}};
   const Grid wide(grid.nx + 24, grid.ny, grid.dx, grid.dy, 8, grid.dz);
   const auto tables = [&](const Grid& of) {
     return std::make_shared<const ZoneTables>(of, medium, Tensor::full, 1e-5);
   };
-  ZoneOperators outside(tables(grid), beside), inside(tables(wide), {{15, 20, 8, 10, 4}});
+  ZoneOperators outside(tables(grid), outer), inside(tables(wide), {{15, 20, 8, 10, 4}});
   Field strain(6 * outside.cells());
   for (std::size_t n = 0; n < strain.size(); ++n) strain[n] = 1e-3 * number(n);
   Field here(grid.surface_size(), 0.0), there(wide.surface_size(), 0.0);
@@ -319,18 +319,18 @@ TEST_CASE("a coarse lattice represents the remainder of the smooth continuation"
         largest = std::max(largest, std::fabs(value));
       }
     }
-    const auto most = [](const Field& values) {
+    const auto max_abs = [](const Field& values) {
       double found = 0.0;
       for (const double v : values) found = std::max(found, std::fabs(v));
       return found;
     };
-    const double before = most(split.rest(table.data(), parity));
+    const double before = max_abs(split.rest(table.data(), parity));
     const Field inside = split.inside(table.data(), parity);
     for (int j = 0; j < split.cells(); ++j) {
       std::copy_n(inside.data() + static_cast<std::size_t>(j) * split.cells(), split.cells(),
                   table.data() + static_cast<std::size_t>(j) * reach);
     }
     CHECK(before > 0.2 * largest);
-    CHECK(most(split.rest(table.data(), parity)) < 5e-3 * largest);
+    CHECK(max_abs(split.rest(table.data(), parity)) < 5e-3 * largest);
   }
 }

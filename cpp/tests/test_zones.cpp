@@ -63,11 +63,11 @@ TEST_CASE("a change of zones preserves strain, unknowns and history") {
   const State& state = simulation.state();
   REQUIRE(state.plastic[1]);
   for (const Symmetry symmetry : {Symmetry::none, Symmetry::y}) {
-    const Grid& grid = state.scene().grid;
+    const Grid& grid = state.setup().grid;
     const Box part = stored_part(grid, symmetry);
     const auto history = unfolded(state.plastic[1], grid, symmetry);
     const int j0 = symmetry == Symmetry::none ? 12 : part.j0;
-    const Box a{12, j0, 8, 18 - j0, 5}, wider{10, j0, 10, 20 - j0, 6}, beside{26, 22, 4, 3, 2};
+    const Box a{12, j0, 8, 18 - j0, 5}, wider{10, j0, 10, 20 - j0, 6}, neighbour{26, 22, 4, 3, 2};
     PlasticBody body(state, 1, 0, 1, symmetry, {});
     ActiveCells active;
     const Sources sources = state.sources();
@@ -87,9 +87,9 @@ TEST_CASE("a change of zones preserves strain, unknowns and history") {
       body.activate(number, {}, active);
       body.set_strain(number, strain);
     }
-    set(Zones({wider, beside}));
+    set(Zones({wider, neighbour}));
     const ByCell in_two = stress(body, active);
-    const Box all = from_planes_on(Zones({wider, beside}).around(), grid, symmetry);
+    const Box all = from_planes_on(Zones({wider, neighbour}).around(), grid, symmetry);
     set(Zones({all}));
     const ByCell in_one = stress(body, active);
     for (std::size_t n = 0; n < cells.size(); ++n) {
@@ -100,7 +100,7 @@ TEST_CASE("a change of zones preserves strain, unknowns and history") {
     Field gap(grid.surface_size(), 0.0), again = gap;
     body.transform(true);
     body.surface().add_displacement_to(gap);
-    set(Zones({beside, wider}));
+    set(Zones({neighbour, wider}));
     body.transform(true);
     body.surface().add_displacement_to(again);
     CHECK(gap == again);
@@ -108,16 +108,16 @@ TEST_CASE("a change of zones preserves strain, unknowns and history") {
     const auto after = body.finish();
     CHECK(after->symmetry() == symmetry);
     const Zones of({all});
-    PlasticFields wanted = history->fields(of);
+    PlasticFields expected = history->fields(of);
     for (const Cell& cell : cells) {
       int c = 0;
       for (const int place : operators::components(history->tensor())) {
-        wanted.strain[c++ * of.cells() + of.number(cell)] = strain[place];
+        expected.strain[c++ * of.cells() + of.number(cell)] = strain[place];
       }
     }
     const PlasticFields found = after->fields(of);
-    CHECK(found.strain == wanted.strain);
-    CHECK(found.equivalent == wanted.equivalent);
+    CHECK(found.strain == expected.strain);
+    CHECK(found.equivalent == expected.equivalent);
   }
 }
 
@@ -151,19 +151,19 @@ TEST_CASE("an increment continues from several zones, and fields include their s
 TEST_CASE("strain inside and outside a box displaces the surface along all axes") {
   const Simulation simulation = ball();
   const State& state = simulation.state();
-  const Scene& scene = state.scene();
+  const Setup& setup = state.setup();
   for (const Symmetry symmetry : {Symmetry::none, Symmetry::y}) {
-    const auto history = unfolded(state.plastic[1], scene.grid, symmetry);
+    const auto history = unfolded(state.plastic[1], setup.grid, symmetry);
     Box left = history->box();
     left.nx /= 2;
     const Zones zones({left});
     const auto method = operators::ResidualMethod::fast;
-    BoxVolume inside(scene, 1, zones, history->tensor(), method, symmetry, {});
+    BoxVolume inside(setup, 1, zones, history->tensor(), method, symmetry, {});
     inside.transform(history->strain(zones), operators::all_axes);
     const OutsideStrain outside =
-        outside_strain(scene, 1, *history, zones, method, operators::all_axes);
+        outside_strain(setup, 1, *history, zones, method, operators::all_axes);
     const Box common = inside.surface().intersected(outside.surface);
-    const Box stored = stored_part(scene.grid, symmetry), whole = Box::surface(scene.grid);
+    const Box stored = stored_part(setup.grid, symmetry), whole = Box::surface(setup.grid);
     CHECK(common.i0 == left.i0);
     for (const operators::Axis axis : operators::all_axes) {
       const auto cut = [&](const Field& from, const Box& of) {

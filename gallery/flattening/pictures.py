@@ -95,11 +95,11 @@ def surface(ax: Axes, reached: float) -> None:
     ax.set_ylim(1.0, 0)
     edge = reached**0.5 * 1.04
     ax.axvline(edge, color="k", linestyle="--", linewidth=0.8)
-    beside: dict[str, Any] = {"fontsize": 9, "transform": ax.transAxes}
+    text_style: dict[str, Any] = {"fontsize": 9, "transform": ax.transAxes}
     text = "elastic core above the lines;\nthesis: found at 2, shrinks above 6"
-    ax.text(1.03, 1.0, text, va="top", **beside)
+    ax.text(1.03, 1.0, text, va="top", **text_style)
     text = f"dashed: zone reaches the surface;\nthesis: at 6, here: at {reached:.1f}"
-    ax.text(1.03, 0.0, text, va="bottom", **beside)
+    ax.text(1.03, 0.0, text, va="bottom", **text_style)
 
 
 def strain_figure(results: Results) -> Figure:

@@ -252,8 +252,8 @@ def first_layer(results: Results) -> Picture:
     figure, ax = axes(1, 1, (5.0, 3.6))
     depth, gamma = np.array(results.layers).T
     ax.plot(depth, 100 * gamma, "o-", color="C0", label="maximum plastic strain")
-    least = bound(0.5, float(results.sliding[0.5].pressure.max()))
-    ax.axhline(100 * least, color="C3", linestyle=":", label="required by the shear at z = 0")
+    required = bound(0.5, float(results.sliding[0.5].pressure.max()))
+    ax.axhline(100 * required, color="C3", linestyle=":", label="required by the shear at z = 0")
     ax.axhline(5.34, color="k", linestyle="--", linewidth=1, label="Boucly (2008): 5.34 %")
     ax.set(xlim=(0, 1.1 * depth.max()), ylim=(0, 14))
     finish(ax, "depth of the first layer z/a", "plastic strain [%]")

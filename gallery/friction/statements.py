@@ -99,9 +99,9 @@ def without_friction(results: Results) -> list[Number | Statement]:
     ours, z = results.plastic[0.0], axis["z_m"]
     inside = (ours.x > 0) & (ours.x < 0.9 * a)
     rms = {
-        "pressure": apart(ours.x[inside], ours.pressure[inside], r, p),
-        "von Mises stress": apart(ours.z, ours.von_mises, z, axis["vonMises_Pa"]),
-        "plastic strain": apart(ours.z, ours.gamma, z, axis["gamma_p"]),
+        "pressure": deviation(ours.x[inside], ours.pressure[inside], r, p),
+        "von Mises stress": deviation(ours.z, ours.von_mises, z, axis["vonMises_Pa"]),
+        "plastic strain": deviation(ours.z, ours.gamma, z, axis["gamma_p"]),
     }
     say = STATED.on(mesh)
     return [
@@ -121,7 +121,7 @@ def without_friction(results: Results) -> list[Number | Statement]:
     ]
 
 
-def apart(x: np.ndarray, ours: np.ndarray, at: np.ndarray, theirs: np.ndarray) -> float:
+def deviation(x: np.ndarray, ours: np.ndarray, at: np.ndarray, theirs: np.ndarray) -> float:
     """Return the rms difference of two profiles, relative to the maximum of the second profile."""
     return float(np.sqrt(np.mean((ours - np.interp(x, at, theirs)) ** 2)) / theirs.max())
 
@@ -277,12 +277,12 @@ def stated_residual_hydrostatic(results: Results) -> list[Statement]:
         load: succession(by_load[load], 0.02 * float(np.abs(by_load[load]).max()))
         for load in sorted(by_load)
     }
-    wanted = ["compressive", "tensile", "compressive", "tensile"]
+    expected = ["compressive", "tensile", "compressive", "tensile"]
     say = STATED.on(mesh)
     return [
         say.trend(
             "hydrostatic",
-            all(signs[load] == wanted for load in (4000.0, 5000.0)),
+            all(signs[load] == expected for load in (4000.0, 5000.0)),
             "; ".join(
                 (
                     f"{load:.0f} N: {', '.join(found)}"
@@ -290,7 +290,7 @@ def stated_residual_hydrostatic(results: Results) -> list[Statement]:
                     if load >= 4000.0
                 )
             ),
-            thesis=", ".join(wanted),
+            thesis=", ".join(expected),
         ),
         say.trend("hydrostatic amplitude", amplitude == sorted(amplitude), amplitude),
         say.trend(

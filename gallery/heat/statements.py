@@ -162,7 +162,7 @@ def stated_stress(results: Results) -> list[Number | Statement]:
 
 
 def against_fine_grid(results: Results) -> Statement:
-    apart = {
+    deviations = {
         "stresses": [
             results.elastic[f].largest[0] * 1e-6 / FINE_GRID_STRESSES[f] - 1 for f in FACTORS
         ],
@@ -170,8 +170,10 @@ def against_fine_grid(results: Results) -> Statement:
     }
     return STATED.trend(
         "fine grid",
-        all(np.abs(d).max() < 0.01 for d in apart.values()),
-        "; ".join((f"{name} at most {100 * np.abs(d).max():.2f} %" for name, d in apart.items())),
+        all(np.abs(d).max() < 0.01 for d in deviations.values()),
+        "; ".join(
+            (f"{name} at most {100 * np.abs(d).max():.2f} %" for name, d in deviations.items())
+        ),
         mesh=f"{results.mesh['elastic']}, {results.mesh['onset']}",
         fine=list(FINE_GRID_STRESSES.values()),
         fine_onset=list(FINE_ONSET.values()),

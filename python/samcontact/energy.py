@@ -204,9 +204,9 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
 
     require_type("simulation", simulation, Simulation)
     require_list("states", states, State)
-    why = no_balance(simulation, states)
-    if why:
-        raise ValueError(why)
+    reason = no_balance(simulation, states)
+    if reason:
+        raise ValueError(reason)
     first, last = (_energies(simulation, states[:n]) for n in (1, len(states)))
     before, work = sum(first.values()) - first["eigenstrain_energy"], _work(states)
     given_back = float(work[work < 0].sum())
@@ -307,9 +307,9 @@ def _work(states: Sequence[State]) -> FloatArray:
 def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
     """Return the mean load between two states [N], with load^(2/3) linear in the approach."""
     a, b = (np.maximum(load, 0.0) ** (2 / 3) for load in (first, second))
-    alike = np.abs(b - a) <= 1e-3 * np.maximum(a, b)
-    change = np.where(alike, 1.0, b - a)
-    return np.where(alike, 0.5 * (first + second), 0.4 * (b**2.5 - a**2.5) / change)
+    nearly_equal = np.abs(b - a) <= 1e-3 * np.maximum(a, b)
+    change = np.where(nearly_equal, 1.0, b - a)
+    return np.where(nearly_equal, 0.5 * (first + second), 0.4 * (b**2.5 - a**2.5) / change)
 
 
 def _elastic_energy(simulation: Simulation, state: State) -> float:

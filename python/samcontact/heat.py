@@ -22,9 +22,9 @@ from ._util.checks import (
     finite_array,
     non_negative,
     number,
-    of_bodies,
     positive,
     real_array,
+    value_per_body,
 )
 from ._util.short_text import in_short
 
@@ -98,7 +98,7 @@ class Heat:
                 f"history must be None with partition, got {in_short(history)}: with "
                 "partition, heating is steady or has a given duration, so use time instead"
             )
-        factors = of_bodies("factor", factor)
+        factors = value_per_body("factor", factor)
         checked = {
             "factor": factors,
             "velocity": _velocities(velocity),

@@ -295,8 +295,9 @@ class _Table:
         extent = max(self.a, self.b, float(np.abs(self.x).max()), float(np.abs(self.y).max()))
         if not speed * extent < 1e7:
             raise ValueError(
-                "velocity must be < 1e7 diffusivity/(largest of a, b, |x|, |y|) = "
-                f"{1e7 * kappa / extent!r} [m/s], got {speed * kappa!r}"
+                f"velocity must have a magnitude < {1e7 * kappa / extent:.4g} m/s (1e7 diffusivity/"
+                "extent; extent: the largest of |x|, |y| and the half-lengths of the source), "
+                f"got {speed * kappa!r} m/s"
             )
 
     def expand(self, values: FloatArray) -> FloatArray:

@@ -27,7 +27,7 @@ TRIALS = {
 }
 
 
-def tried(name):
+def with_trials(name):
     """Run a test with `count` trials, and as a slow test with more."""
     few, many = TRIALS[name]
     slow = pytest.param(many, marks=pytest.mark.slow, id="many")

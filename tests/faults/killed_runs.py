@@ -122,11 +122,11 @@ def computed(folder):
 """,
     "found load": """
 def computed(folder):
-    def scene(load):
+    def problem(load):
         grid = sc.Grid(8, 8, 120e-6, 120e-6, dz=120e-6)
         gap = sc.surfaces.paraboloid(grid, 7.5e-3)
         return sc.Simulation(grid, elastic, steel, gap, on_border="warn"), [{"load": load}]
-    found = sc.find_load(scene, "max_equivalent_plastic_strain", 5e-4, tolerance=0.1,
+    found = sc.find_load(problem, "max_equivalent_plastic_strain", 5e-4, tolerance=0.1,
                          largest_load=1200.0, progress=False, checkpoint=folder)
     return digest([found.load, found.value, found.load_error])
 """,
@@ -157,14 +157,14 @@ def computed(argument):
     return space["computed"](folder)
 
 def poor(run, folder, there):
-    require, asked = _memory.require, [0.0]
+    require, requested = _memory.require, [0.0]
     def report(what, needed, *more):
-        asked.append(needed)
+        requested.append(needed)
         with mock.patch.object(_memory, "available", lambda: there):
             require(what, needed, *more)
     _memory._MAX_UNCHECKED_BYTES, _memory.require = 0.0, report
     try:
-        return f"{{run(folder)}} {{max(asked)}}"
+        return f"{{run(folder)}} {{max(requested)}}"
     except (MemoryError, ValueError) as error:
         return str(error)
 

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-SCENE = """
+SETUP = """
 import hashlib, multiprocessing, os, sys, threading
 import samcontact as sc
 grid = sc.Grid(64, 64, 15e-6, 15e-6, 12, 15e-6)
@@ -67,7 +67,7 @@ print("done")
 def printed(script, threads):
     own = {"OMP_NUM_THREADS": str(threads)}
     done = subprocess.run(
-        [sys.executable, "-W", "ignore", "-c", SCENE + script],
+        [sys.executable, "-W", "ignore", "-c", SETUP + script],
         env=os.environ | own,
         capture_output=True,
         text=True,

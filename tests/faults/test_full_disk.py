@@ -6,7 +6,7 @@ user; in a separate process, which would also reveal a crash at its end.
 """
 
 import pytest
-from faulting import start, tried
+from faulting import start, with_trials
 
 SCRIPT = """
 import errno, os, resource, signal, sys, warnings
@@ -53,7 +53,7 @@ print("survived", failed)
 """
 
 
-@tried("full disk")
+@with_trials("full disk")
 @pytest.mark.parametrize("kind", ["checkpoint", "results", "report"])
 def test_a_failed_write_keeps_the_old_file(tmp_path, count, kind):
     with start(SCRIPT, tmp_path, kind, count) as process:
@@ -70,13 +70,13 @@ signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 grid = sc.Grid(15, 15, 60e-6, 60e-6, 12, 60e-6)
 
-def scene():
+def problem():
     return sc.Simulation(grid, sc.Material.elastic(210e9, 0.3), steel,
                          sc.surfaces.paraboloid(grid, 7.5e-3))
 
 path = [{"load": 100.0}, {"load": 500.0}, {"load": 600.0}]
 resource.setrlimit(resource.RLIMIT_FSIZE, (25_000, resource.RLIM_INFINITY))
-sim = scene()
+sim = problem()
 try:
     sim.run(path, progress=False, checkpoint=sys.argv[1])
     raise SystemExit("all was written")
@@ -86,8 +86,8 @@ except OSError as error:
 assert 1 <= len(done) < 3
 assert sim.state.load == done[-1].load
 resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY,) * 2)
-again = scene().run(path, progress=False, checkpoint=sys.argv[1])
-alone = scene().run(path, progress=False)
+again = problem().run(path, progress=False, checkpoint=sys.argv[1])
+alone = problem().run(path, progress=False)
 for one, other in zip(again, alone, strict=True):
     assert one.pressure.tobytes() == other.pressure.tobytes()
     assert one.plastic_strain().tobytes() == other.plastic_strain().tobytes()

@@ -4,9 +4,9 @@
 import random
 import signal
 
-from faulting import finished, start, tried
+from faulting import finished, start, with_trials
 
-SCENE = """
+SETUP = """
 import hashlib, os, signal, sys, threading, time, warnings
 import numpy as np
 import samcontact as sc
@@ -16,7 +16,7 @@ steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 grid = sc.Grid(41, 41, 36e-6, 36e-6, 24, 36e-6)
 gap = sc.surfaces.paraboloid(grid, 7.5e-3)
 
-def scene(method):
+def problem(method):
     return sc.Simulation(grid, elastic, steel, gap, residual_stress=method)
 
 def digest(*states):
@@ -30,11 +30,11 @@ def press_after(seconds):
     return threading.Thread(target=press)
 """
 STEPS = (
-    SCENE
+    SETUP
     + """
 def expected(method):
     for _ in range(2):  # the first makes plans
-        sim = scene(method)
+        sim = problem(method)
         sim.step(load=300.0)
         begun = time.perf_counter()
         result = digest(sim.step(load=1200.0)), time.perf_counter() - begun
@@ -43,7 +43,7 @@ def expected(method):
 known = {method: expected(method) for method in ("fast", "exact")}
 def interrupted(method, moment):
     result, whole = known[method]
-    sim = scene(method)
+    sim = problem(method)
     before = digest(sim.step(load=300.0))
     thread = press_after(moment * whole)
     try:
@@ -66,17 +66,17 @@ print("interrupted")
 """
 )
 RUNS = (
-    SCENE
+    SETUP
     + """
 import glob, shutil
 path = [{"load": load} for load in (200.0, 400.0, 600.0, 800.0, 400.0, 0.0)]
 for number in range(2):  # the first makes plans
     begun = time.perf_counter()
     folder = f"{sys.argv[1]}/whole{number}"
-    result = digest(*scene("fast").run(path, progress=False, checkpoint=folder))
+    result = digest(*problem("fast").run(path, progress=False, checkpoint=folder))
     whole = time.perf_counter() - begun
 def interrupted(folder, moment):
-    sim = scene("fast")
+    sim = problem("fast")
     thread = press_after(moment * whole)
     try:
         thread.start()
@@ -87,7 +87,7 @@ def interrupted(folder, moment):
         stopped = len(getattr(error, "states", path)) < len(path)
         thread.join()
     assert not glob.glob(folder + "/*.part")
-    assert digest(*scene("fast").run(path, progress=False, checkpoint=folder)) == result
+    assert digest(*problem("fast").run(path, progress=False, checkpoint=folder)) == result
     shutil.rmtree(folder)
     return stopped
 
@@ -105,12 +105,12 @@ def moments(name, count):
     return [(trial + times.random()) / count * 0.9 for trial in range(count)]
 
 
-@tried("interrupt: step")
+@with_trials("interrupt: step")
 def test_steps(count):
     assert finished(STEPS, *moments("step", count)) == "interrupted\n"
 
 
-@tried("interrupt: run")
+@with_trials("interrupt: run")
 def test_runs_with_checkpoints(count, tmp_path):
     assert finished(RUNS, tmp_path, *moments("run", count)) == "interrupted\n"
 

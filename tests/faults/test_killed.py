@@ -7,7 +7,7 @@ import shutil
 import signal
 
 import pytest
-from faulting import Nursery, start, tried
+from faulting import Nursery, start, with_trials
 
 BEGIN = """
 import hashlib, sys, warnings
@@ -103,22 +103,22 @@ def check(kind, count, tmp_path):
             shutil.rmtree(folder, ignore_errors=True)
 
 
-@tried("kill: run")
+@with_trials("kill: run")
 def test_run(count, tmp_path):
     check("run", count, tmp_path)
 
 
-@tried("kill: wear")
+@with_trials("kill: wear")
 def test_wear(count, tmp_path):
     check("wear", count, tmp_path)
 
 
-@tried("kill: asperities")
+@with_trials("kill: asperities")
 def test_asperities(count, tmp_path):
     check("asperities", count, tmp_path)
 
 
-@tried("kill: sweep")
+@with_trials("kill: sweep")
 def test_sweep(count, tmp_path):
     check("sweep", count, tmp_path)
 

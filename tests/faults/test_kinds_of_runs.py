@@ -8,7 +8,7 @@ import shutil
 import signal
 
 import pytest
-from faulting import Nursery, tried
+from faulting import Nursery, with_trials
 from killed_runs import ANY, BODIES
 
 
@@ -24,15 +24,15 @@ def whole(request, nursery, tmp_path_factory):
     folder = tmp_path_factory.mktemp("whole")
     message, _ = nursery.run(f"{request.param}|memory inf|{folder / 'first'}")
     assert message is not None, nursery.message()
-    digest, most = message.split()
+    digest, maximum = message.split()
     again, seconds = nursery.run(f"{request.param}||{folder / 'run'}")
     assert digest == again
     assert len(digest) == 64
     files = [path.stat().st_size for path in folder.rglob("*") if path.is_file()]
-    return request.param, digest, seconds, max(files), float(most)
+    return request.param, digest, seconds, max(files), float(maximum)
 
 
-@tried("kill: kinds of runs")
+@with_trials("kill: kinds of runs")
 def test_killed_and_interrupted(whole, nursery, tmp_path, count):
     kind, digest, seconds, *_ = whole
     times = random.Random(f"stopped {kind}")
@@ -55,9 +55,9 @@ def test_full_disk(whole, nursery, tmp_path):
 
 def test_not_enough_memory(whole, nursery, tmp_path):
     """The folder with results is reported, and its run resumes with bit-identical results."""
-    kind, digest, *_, most = whole
+    kind, digest, *_, maximum = whole
     # A search skips loads whose runs do not fit, and reports if none fits.
-    there = 0.0 if kind == "found load" else 0.99 * most
+    there = 0.0 if kind == "found load" else 0.99 * maximum
     message, _ = nursery.run(f"{kind}|memory {there}|{tmp_path / 'run'}")
     assert re.search(r"requires about [\d.e+-]+ GB of memory, [\d.e+-]+ GB available", message)
     assert nursery.run(f"{kind}||{tmp_path / 'run'}")[0] == digest

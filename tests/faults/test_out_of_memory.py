@@ -48,12 +48,12 @@ def status(name):
     with open("/proc/self/status") as lines:
         return next(1024 * int(line.split()[1]) for line in lines if line.startswith(name))
 
-asked = [0.0]
+requested = [0.0]
 memory._MAX_UNCHECKED_BYTES = 0.0
-memory.require = lambda what, needed, remedy="": asked.append(needed)
+memory.require = lambda what, needed, remedy="": requested.append(needed)
 
-def computed(scene):
-    kind, n, nz = scene.split()
+def computed(problem):
+    kind, n, nz = problem.split()
     n, nz = int(n), int(nz)
     ends = "xy" if kind == "repeated" else ""
     grid = sc.Grid(n, n, 2e-3 / n, 2e-3 / n, nz, 1e-3 / nz if nz else None, ends)
@@ -75,7 +75,7 @@ def computed(scene):
         sim = rough_setups.simulation(grid=sc.Grid(n, n, 1e-6, 1e-6, nz, 1e-6),
                                       gap=rough_setups.rough_gap(grid=sc.Grid(n, n, 1e-6, 1e-6)))
         sim.step(load=1e-6)
-    asked.clear()
+    requested.clear()
     before = status("VmHWM")
     if kind == "contact":
         sc.ContactSolver(grid, elastic, elastic).solve(gap, load=300.0)
@@ -111,10 +111,10 @@ def computed(scene):
     elif kind in BODIES:
         state = sim.step(pressure=(2e9 if kind == "backstress" else 3e9) * pressure)
         assert (state.max_equivalent_plastic_strain() > 0)
-    return status("VmHWM") - before, sum(asked)
+    return status("VmHWM") - before, sum(requested)
 """
 )
-SCENES = [
+SETUPS = [
     "contact 700 0",
     "coupled 500 0",
     "heated 400 0",
@@ -137,19 +137,19 @@ SCENES = [
     "partial_slip 500 0",
     "rolling 400 0",
 ]
-assert len(SCENES) == TRIALS["memory: estimates"][0]
+assert len(SETUPS) == TRIALS["memory: estimates"][0]
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 def test_memory_estimates_agree_with_measurements():
     with contextlib.closing(Nursery(MEASURED)) as nursery:
         ratios = {}
-        for scene in SCENES:
-            result, _ = nursery.run(scene)
-            measured, asked = map(float, result.strip("()").split(","))
-            assert measured > 15e6, scene  # otherwise the test proves nothing
-            ratios[scene] = asked / measured
-    assert {scene: r for scene, r in ratios.items() if not 0.7 < r < 1.5} == {}
+        for problem in SETUPS:
+            result, _ = nursery.run(problem)
+            measured, requested = map(float, result.strip("()").split(","))
+            assert measured > 15e6, problem  # otherwise the test proves nothing
+            ratios[problem] = requested / measured
+    assert {problem: r for problem, r in ratios.items() if not 0.7 < r < 1.5} == {}
 
 
 HUGE = sc.Grid(60_000, 60_000, 1e-6, 1e-6, 1000, 1e-6)
@@ -202,12 +202,12 @@ def test_fields_beyond_the_memory_are_refused(name, monkeypatch):
 def test_a_plastic_zone_beyond_the_memory_is_refused_and_the_state_is_kept(monkeypatch):
     """The size of the zone is known only during the solve; the core checks before allocation."""
 
-    def scene():
+    def problem():
         grid = sc.Grid(81, 81, 18e-6, 18e-6, 60, 18e-6)
         gap = surfaces.paraboloid(grid, 7.5e-3)
         return sc.Simulation(grid, ELASTIC, STEEL, gap, residual_stress="fast")
 
-    simulation = scene()
+    simulation = problem()
     simulation.step(load=400.0)
     before = simulation.state.pressure.copy()
     with monkeypatch.context() as patch:
@@ -217,7 +217,7 @@ def test_a_plastic_zone_beyond_the_memory_is_refused_and_the_state_is_kept(monke
         with pytest.raises(MemoryError, match=message):
             simulation.step(load=1500.0)
     np.testing.assert_array_equal(simulation.state.pressure, before)
-    other = scene()
+    other = problem()
     other.step(load=400.0)
     np.testing.assert_array_equal(
         simulation.step(load=1500.0).plastic_strain(), other.step(load=1500.0).plastic_strain()

@@ -9,7 +9,7 @@ import signal
 
 import pytest
 import xarray as xr
-from faulting import Nursery, tried
+from faulting import Nursery, with_trials
 
 from case_texts import GRID, MINIMAL, SCAR, SWIFT, WEAR
 
@@ -139,7 +139,7 @@ class Stopped:
         return found
 
 
-@tried("stop: command")
+@with_trials("stop: command")
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_stopped_command_resumes_with_identical_bits(kind, nursery, tmp_path, count):
     whole = Stopped(nursery, kind, tmp_path / "whole")

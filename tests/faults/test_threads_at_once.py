@@ -4,7 +4,7 @@
 import hashlib
 from concurrent.futures import ThreadPoolExecutor
 
-from faulting import tried
+from faulting import with_trials
 
 import samcontact as sc
 
@@ -26,7 +26,7 @@ def solve(folder, number):
     return hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest()
 
 
-@tried("threads")
+@with_trials("threads")
 def test_same_digits(tmp_path, count):
     alone = [solve(tmp_path, number) for number in range(2 * count)]
     with ThreadPoolExecutor(2) as pool:

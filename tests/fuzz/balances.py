@@ -60,20 +60,20 @@ def assert_friction(simulation, before, state, step):
         # no slip, except for the tolerance
         assert (slipped[state.sticking] == 0).all()
     else:
-        most = mu * p.max() + 1e-300
-        assert (length <= mu * p + 1e-6 * most).all()
+        maximum = mu * p.max() + 1e-300
+        assert (length <= mu * p + 1e-6 * maximum).all()
         slides = (p > 0) & ~state.sticking
         one = state.substeps == 1 and simulation.increment_tol is None  # of which slip is
         if one and slides.any() and slipped.max() > 0:
             far = slides & (slipped > 1e-3 * slipped.max())
-            assert (length[far] >= mu * p[far] - 1e-4 * most).all()
+            assert (length[far] >= mu * p[far] - 1e-4 * maximum).all()
             along = np.einsum("kxy,kxy->xy", state.shear, state.slip)
-            assert (along[far] >= (1 - 1e-3) * (length * slipped)[far] - 1e-6 * most).all()
+            assert (along[far] >= (1 - 1e-3) * (length * slipped)[far] - 1e-6 * maximum).all()
     lost = 1e-9 * state.load * (abs(state.shift).max() + slipped.max())
     assert state.friction_work >= before.friction_work - lost
     if "tangential_load" in step and state.load > 0:
-        for wanted, found in zip(step["tangential_load"], state.tangential_load, strict=True):
-            assert wanted is None or abs(wanted - found) <= 1e-4 * state.load
+        for target, found in zip(step["tangential_load"], state.tangential_load, strict=True):
+            assert target is None or abs(target - found) <= 1e-4 * state.load
 
 
 def assert_body(simulation, before, state, body, material):

@@ -6,19 +6,19 @@ import math
 from drawn_setups import Setup, chance, power, uniform
 
 
-def contact(scene):
+def contact(problem):
     """Return the section [contact]."""
-    draw = scene.draw
+    draw = problem.draw
     found = {"on_border": "warn"} if chance(draw, 0.7) else {}
-    if scene.sticks:
+    if problem.sticks:
         mu = float(draw.choice([0.0, 0.02, 0.2, 0.5, 1.0, 2.0, math.inf]))
         found["friction"] = {"coulomb": mu}
     elif chance(draw, 0.5):
         found["friction"] = uniform(draw, 0, 1)
     if chance(draw, 0.3):
         found["tol"] = power(draw, 1e-9, 1e-4)
-    if scene.yields:
-        plain = not (scene.periodic or scene.layered)
+    if problem.yields:
+        plain = not (problem.periodic or problem.layered)
         if plain and chance(draw, 0.3):
             found["residual_stress"] = "exact"
         elif chance(draw, 0.1):
@@ -31,39 +31,39 @@ def contact(scene):
 class Driven:
     """Segments of a path, and heat consistent with their motion."""
 
-    def __init__(self, scene: Setup, mu: float):
-        self.scene, self.draw, self.mu = scene, scene.draw, min(mu, 1.0)
-        self.firm = scene.sticks and mu > 0
+    def __init__(self, problem: Setup, mu: float):
+        self.problem, self.draw, self.mu = problem, problem.draw, min(mu, 1.0)
+        self.firm = problem.sticks and mu > 0
         # a source that strains a body as much as its pressure does
-        strains = scene.conductivity / (scene.a * scene.expansion * scene.E)
+        strains = problem.conductivity / (problem.a * problem.expansion * problem.E)
         self.speed = strains * power(self.draw, 0.01, 1)
         self.heat = None
-        if scene.heated:
+        if problem.heated:
             self.heat = self.kind_of_heat()
         self.timed = self.heat is not None and ("history" in self.heat or "partition" in self.heat)
-        self.loads = scene.load * self.draw.uniform(0.2, 1.2, 3)
+        self.loads = problem.load * self.draw.uniform(0.2, 1.2, 3)
 
     def kind_of_heat(self):
-        draw, scene = self.draw, self.scene
-        if scene.sticks:
+        draw, problem = self.draw, self.problem
+        if problem.sticks:
             heat = {"partition": uniform(draw, 0, 1)}
         else:
             heat = {"factor": (self.speed * draw.uniform(0, 0.3, 2)).tolist()}
         kind = draw.integers(3)
-        moment = scene.a / self.speed
-        if kind == 0 and not scene.sticks:
+        moment = problem.a / self.speed
+        if kind == 0 and not problem.sticks:
             heat["history"] = [moment * uniform(draw, 0.02, 0.5), moment * uniform(draw, 1, 20)]
-        elif kind == 1 or scene.periodic:
+        elif kind == 1 or problem.periodic:
             heat["time"] = moment * power(draw, 0.1, 10)
         if chance(draw, 0.3):
-            heat["reference"] = 10 * scene.a
+            heat["reference"] = 10 * problem.a
         return heat
 
-    def timing(self, way=None):
+    def timing(self, travel=None):
         """Return the duration of a ramp, if the case depends on time."""
         if not self.timed:
             return {}
-        return {"duration": (abs(way) if way else self.scene.a) / self.speed}
+        return {"duration": (abs(travel) if travel else self.problem.a) / self.speed}
 
     def press(self, load):
         many = int(self.draw.integers(1, 3))
@@ -71,8 +71,8 @@ class Driven:
 
     def along(self, load):
         """Return a tangential displacement, a force or a rotation under the current load."""
-        draw, scene = self.draw, self.scene
-        small = self.mu * scene.a**2 / scene.R
+        draw, problem = self.draw, self.problem
+        small = self.mu * problem.a**2 / problem.R
         step = {"load": float(load), "increments": int(draw.integers(1, 3))} | self.timing()
         kind = draw.integers(5)
         if kind == 0:
@@ -81,7 +81,7 @@ class Driven:
             force = draw.uniform(-0.65, 0.65, 2) * self.mu * load
             step |= dict(zip(("tangential_load_x", "tangential_load_y"), force, strict=True))
         elif kind == 2:
-            step["twist"] = float(draw.normal() * small / scene.a)
+            step["twist"] = float(draw.normal() * small / problem.a)
         elif kind == 3:
             step["fret"] = {"shift_x": float(draw.normal() * small) or small, "cycles": 1}
             step["increments"] = 1
@@ -92,7 +92,7 @@ class Driven:
 
     def passing(self, load):
         """Return rolling or sliding with unloaded ends; friction pulls body 2 towards +x."""
-        draw, size = self.draw, self.scene.size
+        draw, size = self.draw, self.problem.size
         distance = size * uniform(draw, 1, 4)
         over = {"distance": distance, "step": size * float(draw.choice([0.5, 1.0, 1.3]))}
         over["step"] = min(over["step"], distance)
@@ -107,7 +107,7 @@ class Driven:
         if self.firm:
             over["slide_to_roll"] = uniform(draw, -0.02, 0.02)
             over["lateral_creepage"] = float(draw.choice([0.0, 1e-3]))
-            over["spin"] = float(draw.choice([0.0, 0.01])) / self.scene.a
+            over["spin"] = float(draw.choice([0.0, 0.01])) / self.problem.a
         elif chance(draw, 0.5):
             over["slide_to_roll"] = -uniform(draw, 0, 2)
         return segment | {"roll": over}
@@ -118,7 +118,7 @@ class Driven:
 
     def segments(self):
         draw = self.draw
-        if not self.still() and chance(draw, 0.35) and "x" not in self.scene.periodic:
+        if not self.still() and chance(draw, 0.35) and "x" not in self.problem.periodic:
             return [self.passing(self.loads[0])]
         path = [self.press(self.loads[0])]
         if self.firm:
@@ -138,21 +138,21 @@ class Driven:
 
 def drawn_case(seed):
     """Return a random case file, as a dictionary, that solves one contact."""
-    scene = Setup(seed)
-    draw = scene.draw
+    problem = Setup(seed)
+    draw = problem.draw
     case = {"title": f"drawn {seed}", "estimate_error": chance(draw, 0.1)}
-    bodies = [scene.body(False), scene.body(scene.yields)]
-    if scene.yields and chance(draw, 0.3):
-        bodies[0] = scene.body(True)
-    elif chance(draw, 0.2) and not scene.heated:
+    bodies = [problem.body(False), problem.body(problem.yields)]
+    if problem.yields and chance(draw, 0.3):
+        bodies[0] = problem.body(True)
+    elif chance(draw, 0.2) and not problem.heated:
         bodies[0] = {"law": "rigid"}
-    case |= {"body1": bodies[0], "body2": bodies[1], "contact": contact(scene)}
+    case |= {"body1": bodies[0], "body2": bodies[1], "contact": contact(problem)}
     friction = case["contact"].get("friction", 0.0)
-    driven = Driven(scene, friction["coulomb"] if isinstance(friction, dict) else friction)
-    case |= {"grid": scene.grid(), "surface": scene.surface(), "path": driven.segments()}
+    driven = Driven(problem, friction["coulomb"] if isinstance(friction, dict) else friction)
+    case |= {"grid": problem.grid(), "surface": problem.surface(), "path": driven.segments()}
     if driven.heat is not None:
         case["heat"] = driven.heat
     for body in (1, 2):
         if chance(draw, 0.15):
-            case[f"relief{body}"] = scene.relief()
+            case[f"relief{body}"] = problem.relief()
     return case

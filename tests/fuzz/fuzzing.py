@@ -27,7 +27,7 @@ INPUTS = {
 }
 
 
-def tried(name):
+def with_trials(name):
     """Parametrise a test with `count` inputs, and with more inputs if slow."""
     few, many = INPUTS[name]
     slow = pytest.param(many, marks=pytest.mark.slow, id="many")
@@ -37,7 +37,7 @@ def tried(name):
 def try_all(check, count, **strategies):
     """Call a check with `count` random inputs, equal in every run."""
 
-    def tried(**drawn):
+    def run_check(**drawn):
         check(**drawn)  # what it returns is for other callers
 
     steady = settings(
@@ -47,7 +47,7 @@ def try_all(check, count, **strategies):
         database=None,
         suppress_health_check=list(HealthCheck),
     )
-    steady(given(**strategies)(tried))()
+    steady(given(**strategies)(run_check))()
 
 
 def unless_refused(call, kind, text=""):

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from fuzzing import tried, try_all, unless_refused
+from fuzzing import try_all, unless_refused, with_trials
 from hypothesis import strategies as st
 
 from samcontact import Grid
@@ -47,7 +47,7 @@ scraps = st.one_of(
 
 def read(text):
     """Return the case, or None if it is refused correctly."""
-    case = unless_refused(lambda: parse_case(text, "scene.toml"), CaseError, "scene.toml: ")
+    case = unless_refused(lambda: parse_case(text, "case.toml"), CaseError, "case.toml: ")
     assert case is None or isinstance(case, (Case, AsperityCase))
     return case
 
@@ -91,12 +91,12 @@ def wild(draw):
     return text
 
 
-@tried("texts of case files")
+@with_trials("texts of case files")
 def test_any_text(count):
     try_all(read, count, text=st.one_of(mangled(), mangled(), st.text(max_size=200)))
 
 
-@tried("cases with extreme values")
+@with_trials("cases with extreme values")
 def test_wild_values(count):
     def check(text):
         case = read(text)
@@ -106,7 +106,7 @@ def test_wild_values(count):
     try_all(check, count, text=wild())
 
 
-@tried("construction of simulations from cases")
+@with_trials("construction of simulations from cases")
 def test_wild_cases_are_built_or_refused(count):
     """Cases with small grids; large grids are covered by the memory tests."""
 
@@ -117,7 +117,7 @@ def test_wild_cases_are_built_or_refused(count):
         cells = case.grid.nx * case.grid.ny * max(case.grid.nz, 1)
         if cells > 300_000:
             return
-        made = unless_refused(case.build, CaseError, "scene.toml: [")
+        made = unless_refused(case.build, CaseError, "case.toml: [")
         assert made is None or (isinstance(made[0].grid, Grid) and made[1] == case.steps())
 
     try_all(check, count, text=wild())
@@ -125,9 +125,9 @@ def test_wild_cases_are_built_or_refused(count):
 
 @pytest.mark.parametrize("content", [b"\xff\xfe\x00", b"\x00" * 100, b"title = '\xc3('"])
 def test_an_empty_text(tmp_path, content):
-    path = tmp_path / "scene.toml"
+    path = tmp_path / "case.toml"
     path.write_bytes(content)
-    with pytest.raises(CaseError, match=r"scene\.toml: "):
+    with pytest.raises(CaseError, match=r"case\.toml: "):
         load_case(path)
 
 

@@ -7,7 +7,7 @@ import warnings
 import numpy as np
 import pytest
 from damaging import change_boxes, damage, edit, write_edited
-from fuzzing import tried, try_all, unless_refused
+from fuzzing import try_all, unless_refused, with_trials
 from hypothesis import strategies as st
 
 import samcontact as sc
@@ -30,7 +30,7 @@ PATH = [
 ]
 
 
-def scene():
+def problem():
     return sc.Simulation(GRID, HARD, STEEL, GAP, relief2=BUMP, on_border="warn", tol=1e-5)
 
 
@@ -51,7 +51,7 @@ def digest(simulation):
 @pytest.fixture(scope="module")
 def saved(tmp_path_factory):
     """Return the bytes of a checkpoint with most kinds of parts, and the digest of its state."""
-    simulation = scene()
+    simulation = problem()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sc.ResolutionWarning)
         simulation.run(PATH[:2], progress=False)
@@ -61,7 +61,7 @@ def saved(tmp_path_factory):
     return file.read_bytes(), digest(simulation)
 
 
-@tried("flipped or cut bytes of checkpoints")
+@with_trials("flipped or cut bytes of checkpoints")
 def test_damaged_bytes(saved, tmp_path, count):
     content, expected = saved
     file = tmp_path / "state.h5"
@@ -80,7 +80,7 @@ def test_damaged_bytes(saved, tmp_path, count):
     assert same < 0.2 * count  # zeros for zeros, and the like
 
 
-@tried("edited parts of checkpoints")
+@with_trials("edited parts of checkpoints")
 def test_edited_parts(saved, tmp_path, count):
     """Files with a matching digest: accepted content can be computed with."""
     file = tmp_path / "state.h5"
@@ -97,7 +97,7 @@ def test_edited_parts(saved, tmp_path, count):
     try_all(check, count, change=edit())
 
 
-@tried("boxes of subdomains in checkpoints")
+@with_trials("boxes of subdomains in checkpoints")
 def test_changed_boxes(tmp_path, count):
     """Accepted content can be continued from; an error of a step is a documented one."""
     first, file = tmp_path / "first.h5", tmp_path / "state.h5"
@@ -127,7 +127,7 @@ def test_changed_boxes(tmp_path, count):
     assert refused > 0.3 * count
 
 
-@tried("flipped or cut bytes of a journal")
+@with_trials("flipped or cut bytes of a journal")
 @pytest.mark.filterwarnings("ignore:.*is damaged")
 def test_damaged_journal(tmp_path, count):
     """A run ends with the same bits if an increment is damaged or belongs to another run."""
@@ -160,9 +160,9 @@ def worn(tmp_path_factory):
     kept = []
     latest = wear_checkpoint.latest
 
-    def spy(path, scene):
-        kept.append(scene)
-        return latest(path, scene)
+    def spy(path, problem):
+        kept.append(problem)
+        return latest(path, problem)
 
     repeating.latest = spy
     try:
@@ -191,7 +191,7 @@ def standing_digest(standing):
     return total.hexdigest()
 
 
-@tried("flipped or cut bytes of wear checkpoints")
+@with_trials("flipped or cut bytes of wear checkpoints")
 def test_damaged_wear(worn, tmp_path, count):
     content, scene_, expected = worn
     file = tmp_path / "cycle.h5"
@@ -208,7 +208,7 @@ def test_damaged_wear(worn, tmp_path, count):
     try_all(check, count, hurt=damage())
 
 
-@tried("edited parts of wear checkpoints")
+@with_trials("edited parts of wear checkpoints")
 def test_edited_wear(worn, tmp_path, count):
     content, scene_, _ = worn
     file = tmp_path / "cycle.h5"

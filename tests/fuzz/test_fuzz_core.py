@@ -7,7 +7,7 @@ The bindings are called through the public functions and classes; a crash would 
 import warnings
 
 import numpy as np
-from fuzzing import tried, try_all, unless_refused
+from fuzzing import try_all, unless_refused, with_trials
 from hypothesis import strategies as st
 
 import samcontact as sc
@@ -71,7 +71,7 @@ def arrays(draw, *shapes):
     return values
 
 
-@tried("arguments of the grid, materials and surfaces")
+@with_trials("arguments of the grid, materials and surfaces")
 def test_small_things(count):
     grid = sc.Grid(5, 6, 1e-5, 1e-5, 3, 1e-5)
     calls = {
@@ -111,7 +111,7 @@ def test_small_things(count):
     )
 
 
-@tried("arguments of operators")
+@with_trials("arguments of operators")
 def test_operators(count):
     grid, flat = sc.Grid(5, 6, 1e-5, 1e-5, 3, 1e-5), sc.Grid(5, 6, 1e-5, 1e-5)
     calls = {
@@ -142,7 +142,7 @@ def test_operators(count):
     )
 
 
-@tried("arguments of contacts")
+@with_trials("arguments of contacts")
 def test_contacts(count):
     grid = sc.Grid(7, 6, 1e-5, 1e-5)
     dent = surfaces.paraboloid(grid, 1e-3)
@@ -185,13 +185,13 @@ def test_contacts(count):
     )
 
 
-@tried("arguments of steps")
+@with_trials("arguments of steps")
 def test_steps(count):
     """After a refused step the simulation continues like a new one."""
     grid = sc.Grid(7, 7, 1e-4, 1e-4, 5, 1e-4)
     gap = surfaces.paraboloid(grid, 7.5e-3)
 
-    def scene():
+    def problem():
         return sc.Simulation(grid, ELASTIC, STEEL, gap, on_border="warn", tol=1e-4)
 
     def last(simulation):
@@ -200,10 +200,10 @@ def test_steps(count):
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sc.GridTooSmallWarning)
-        expected = last(scene())
+        expected = last(problem())
 
     def check(arguments, strain):
-        simulation = scene()
+        simulation = problem()
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore", (sc.GridTooSmallWarning))
             warnings.simplefilter("ignore", sc.PlasticStrainWarning)

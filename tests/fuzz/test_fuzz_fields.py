@@ -41,7 +41,7 @@ MAX_CASES = 2
 """Cases in which a field is changed, for each type of its given value."""
 
 
-def spoiled(model, content, replaced, tried):
+def spoiled(model, content, replaced, attempts):
     """Yield copies of a section with one changed field, and its name and value.
 
     `tried` counts the cases of each field.
@@ -50,8 +50,8 @@ def spoiled(model, content, replaced, tried):
         kind, _ = opened(field.annotation)
         inner = [opened(one)[0] for one in members(kind)]
         given = content.get(name)
-        tried[model, name, type(given)] += 1
-        if tried[model, name, type(given)] <= MAX_CASES:
+        attempts[model, name, type(given)] += 1
+        if attempts[model, name, type(given)] <= MAX_CASES:
             for wrong in WRONG:
                 yield replaced({**content, name: wrong}), name, wrong
         if isinstance(given, dict) and all(map(is_model, inner)):
@@ -59,7 +59,7 @@ def spoiled(model, content, replaced, tried):
                 chosen(inner, given),
                 given,
                 lambda new, n=name: replaced({**content, n: new}),
-                tried,
+                attempts,
             )
         if isinstance(given, list) and given and isinstance(given[0], dict):
             models = [opened(one)[0] for one in members(opened(kind.__args__[0])[0])]
@@ -67,7 +67,7 @@ def spoiled(model, content, replaced, tried):
                 chosen(models, given[0]),
                 given[0],
                 lambda new, n=name, old=given: replaced({**content, n: [new, *old[1:]]}),
-                tried,
+                attempts,
             )
 
 
@@ -78,10 +78,10 @@ def chosen(models, given):
 
 
 def test_every_field():
-    refused, tried = Counter(), Counter()
+    refused, attempts = Counter(), Counter()
     for name, content in BASE.items():
         kind = AsperityCase if "asperities" in content else Case
-        for case, field, wrong in spoiled(kind, content, lambda new: new, tried):
+        for case, field, wrong in spoiled(kind, content, lambda new: new, attempts):
             try:
                 kind.model_validate(case)
             except CaseError as error:
@@ -129,14 +129,14 @@ def models_below(annotation):
     ],
 )  # fmt: skip
 def test_messages_of_wrong_kinds(old, new, message):
-    text = SCENE.replace(old, new, 1)
+    text = SETUP.replace(old, new, 1)
     with pytest.raises(CaseError) as error:
-        parse_case(text, "scene.toml")
+        parse_case(text, "case.toml")
     assert message in str(error.value)
     assert "\n" not in str(error.value)
 
 
-SCENE = """title = "Ball"
+SETUP = """title = "Ball"
 [grid]
 nx = 16
 ny = 16

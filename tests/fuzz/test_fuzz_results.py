@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from damaging import damage, edit, write_edited
-from fuzzing import tried, try_all, unless_refused
+from fuzzing import try_all, unless_refused, with_trials
 from hypothesis import strategies as st
 
 import samcontact as sc
@@ -42,7 +42,7 @@ def saved(tmp_path_factory):
         return file.read_bytes(), again.load()
 
 
-@tried("flipped or cut bytes of results")
+@with_trials("flipped or cut bytes of results")
 def test_damaged_bytes(saved, tmp_path, count):
     content, expected = saved
     file = tmp_path / "results.nc"
@@ -57,7 +57,7 @@ def test_damaged_bytes(saved, tmp_path, count):
     try_all(check, count, hurt=damage())
 
 
-@tried("edited parts of results")
+@with_trials("edited parts of results")
 def test_edited_parts(saved, tmp_path, count, monkeypatch):
     """Files edited by another program give a report, or are refused."""
     file = tmp_path / "results.nc"
@@ -103,7 +103,7 @@ def plain(values, suffix):
     return "\n".join(" ".join(map(repr, row)) for row in values.tolist()).encode()
 
 
-@tried("files of heights")
+@with_trials("files of heights")
 def test_files_of_heights(tmp_path, count):
     whole = np.round(np.sin(np.arange(20.0)).reshape(4, 5), 3)
 

@@ -15,7 +15,7 @@ import pytest
 from balances import assert_energy, assert_increment
 from drawn_paths import drawn_case
 from drawn_studies import STUDIES
-from fuzzing import INPUTS, tried
+from fuzzing import INPUTS, with_trials
 
 import samcontact as sc
 from samcontact.cases import Case, CaseError
@@ -105,7 +105,7 @@ def outcomes(seeds, solve=solve):
             try:
                 count[solve(seed)] += 1
             except Exception as error:
-                raise AssertionError(f"drawn scene {seed}") from error
+                raise AssertionError(f"drawn problem {seed}") from error
     return count
 
 
@@ -127,7 +127,7 @@ def test_ten_thousand_random_problems(first):
     assert count["convergence"] <= 0.1 * SETUPS_PER_PART
 
 
-@tried("studies")
+@with_trials("studies")
 @pytest.mark.parametrize("name", STUDIES)
 def test_random_studies_are_solved_in_balance(name, count):
     found = outcomes(range(count), partial(study, name))

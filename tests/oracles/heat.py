@@ -128,16 +128,16 @@ def frequency_response(w1, w2, z, heated, speed):
         root = np.sqrt(heated)
         h = depth / (2 * root)
         E = np.exp(-w * w * heated - h * h)
-        turn = np.exp(a * heated)
+        growth = np.exp(a * heated)
         plus, minus = _erfcx_pair(E, w * root, h, w * depth)
         minus = 2 * np.exp(-w * depth) - minus
-        g_plus, g_minus = _erfcx_pair(E * turn, wm * root, h, wm * depth)
+        g_plus, g_minus = _erfcx_pair(E * growth, wm * root, h, wm * depth)
         T = (g_minus - g_plus) / (2 * wm)
         decay = np.exp(-w * depth)
         small = abs(a) * np.minimum(heated, 1 / w**2) < 1e-8
         b = np.where(small, 1, a)
-        J = (turn * (plus + minus) - 2 * decay + w / wm * (g_minus - g_plus)) / b
-        J_z = w * (turn * (plus - minus) + 2 * decay - g_minus - g_plus) / b
+        J = (growth * (plus + minus) - 2 * decay + w / wm * (g_minus - g_plus)) / b
+        J_z = w * (growth * (plus - minus) + 2 * decay - g_minus - g_plus) / b
         J_rest = (
             plus * (heated + (w * depth - 1) / (2 * w * w))
             + minus * (heated - (w * depth + 1) / (2 * w * w))
@@ -180,9 +180,9 @@ def stress(points, z, a, b, nu, heated, speed, low=-30, n=16):
     quarter = np.unique(
         np.concatenate([np.linspace(0, 1, 3 + int(0.1 * far * top)), 1 - 2.0 ** -np.arange(1, 9.0)])
     )
-    turn = np.arctan2(speed[1], speed[0])
+    direction = np.arctan2(speed[1], speed[0])
     half = np.concatenate([quarter, 2 - quarter[-2::-1]]) * np.pi / 2
-    psi, weight_psi = _panels(half + turn, n)
+    psi, weight_psi = _panels(half + direction, n)
     w, psi = w[:, None], psi[None, :]
     w1, w2 = w * np.cos(psi), w * np.sin(psi)
     T, P, P_z, P0 = frequency_response(w1, w2, z, heated, speed)

@@ -58,11 +58,11 @@ def cell_displacement(i, j, rest, first, last):
     x, weight = np.polynomial.legendre.leggauss(12)
     if i == j == 0:
         # A disc, whose transform is a Bessel function, and the corners around it.
-        turn = np.pi / 4 * (x + 1) / 2
-        r = 0.5 / np.cos(turn)
+        angle = np.pi / 4 * (x + 1) / 2
+        r = 0.5 / np.cos(angle)
         of_points, q, of_waves = hankel(rest, r, first, last)
         corners = (
-            np.pi / 8 * weight * 0.5 * np.tan(turn) / np.cos(turn) * r * (2 * np.pi - 8 * turn)
+            np.pi / 8 * weight * 0.5 * np.tan(angle) / np.cos(angle) * r * (2 * np.pi - 8 * angle)
         )
         return np.pi * (j1(q / 2) / q) @ of_waves + corners @ of_points
     r = np.hypot((i + x / 2)[:, None], (j + x / 2)[None, :]).ravel()

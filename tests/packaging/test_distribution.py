@@ -25,11 +25,11 @@ def test_the_conda_recipe_has_the_version_and_dependencies_of_the_project():
     found = dict(re.findall(r"- ([\w-]+) >=([\d.]+)", run))
     found["matplotlib"] = found.pop("matplotlib-base")
     assert found.pop("python") == PROJECT["project"]["requires-python"].removeprefix(">=")
-    wanted = {}
+    expected = {}
     for requirement in PROJECT["project"]["dependencies"]:
         name, version = re.match(r"([\w-]+)>=([\d.]+)", requirement).groups()
-        wanted[name] = version
-    assert found == wanted
+        expected[name] = version
+    assert found == expected
 
 
 def test_wheels_are_for_the_supported_versions():

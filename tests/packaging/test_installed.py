@@ -28,9 +28,9 @@ def test_the_installation_contains_only_the_package():
     listing = ["--cached", "--others", "--exclude-standard", "python/samcontact"]
     command = ["git", "-C", str(ROOT), "ls-files", *listing]
     listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
-    wanted = {name.removeprefix("python/") for name in listed} | {str(CORE)}
+    expected = {name.removeprefix("python/") for name in listed} | {str(CORE)}
     packaged = {name for name in FILES if not re.search(r"\.dist-info/|\.pyc$|bin/", name)}
-    assert packaged == wanted
+    assert packaged == expected
     assert {"samcontact/py.typed", "samcontact/_core/__init__.pyi"} < packaged
     assert any(name.endswith("dist-info/licenses/LICENSE") for name in FILES)
 

@@ -76,14 +76,14 @@ def test_the_example_program_finds_the_library_and_agrees_with_hertz(prefix, tmp
 
 
 def test_the_library_version_is_the_project_version(prefix, tmp_path):
-    wanted = {VERSION: "1", "0.99": "0", "1.0": "0"}
+    expected = {VERSION: "1", "0.99": "0", "1.0": "0"}
     lines = ["cmake_minimum_required(VERSION 3.22)", "project(user LANGUAGES CXX)"]
-    for version in wanted:
+    for version in expected:
         lines += [
             "unset(samcontact_DIR CACHE)",
             f"find_package(samcontact {version} QUIET)",
             f"message(STATUS {version}=${{samcontact_FOUND}})",
         ]
     (tmp_path / "CMakeLists.txt").write_text("\n".join(lines))
-    said = call("cmake", "-S", tmp_path, "-B", tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}")
-    assert dict(re.findall(r"^-- ([\d.]+)=(\d)$", said, re.MULTILINE)) == wanted
+    output = call("cmake", "-S", tmp_path, "-B", tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}")
+    assert dict(re.findall(r"^-- ([\d.]+)=(\d)$", output, re.MULTILINE)) == expected

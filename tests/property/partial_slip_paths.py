@@ -34,18 +34,18 @@ class Path:
     def step(self):
         """Draw an increment: a force, a motion or neither for each direction and the rotation."""
         load = 4 / 3 * self.modulus * 10 ** self.draw.uniform(-2, -0.3)
-        most = 0.7 * min(self.mu, 1.0) * load  # along one, with the other within the bound
+        maximum = 0.7 * min(self.mu, 1.0) * load  # along one, with the other within the bound
         shift, force = [None, None], [None, None]
         for k in range(2):
             kind = self.draw.integers(3)
             if kind == 0:
                 shift[k] = float(self.draw.normal() * 0.1 * min(self.mu, 1.0))
             elif kind == 1:
-                force[k] = float(self.draw.uniform(-1, 1) * 0.9 * most)
+                force[k] = float(self.draw.uniform(-1, 1) * 0.9 * maximum)
         step = {"load": float(load), "shift": shift, "tangential_load": force}
-        turn = self.draw.integers(4)
-        if turn == 0:
+        kind = self.draw.integers(4)
+        if kind == 0:
             step["twist"] = float(self.draw.normal() * 0.1 * min(self.mu, 1.0))
-        elif turn == 1 and force == [None, None]:
-            step["torque"] = float(self.draw.uniform(-1, 1) * 0.1 * most * (load / self.modulus))
+        elif kind == 1 and force == [None, None]:
+            step["torque"] = float(self.draw.uniform(-1, 1) * 0.1 * maximum * (load / self.modulus))
         return step

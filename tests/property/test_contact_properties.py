@@ -19,7 +19,7 @@ poisson = st.floats(0.0, 0.499)
 frictions = st.one_of(st.just(0.0), st.floats(0.0, 1.0))
 loads = st.floats(-3.0, 2.0).map(lambda decade: 10.0**decade)
 seeds = st.integers(0, 2**32 - 1)
-scenes = st.fixed_dictionaries(
+problems = st.fixed_dictionaries(
     {
         "nx": counts,
         "ny": counts,
@@ -36,7 +36,7 @@ scenes = st.fixed_dictionaries(
 )
 
 
-class Scene:
+class Problem:
     """A rough ball on a flat, of any materials, on any grid."""
 
     def __init__(self, nx, ny, ratio, bodies, friction, seed, roughness):
@@ -70,40 +70,40 @@ border = pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 
 @border
 @few
-@given(given_scene=scenes, load=loads, by_approach=st.booleans())
-def test_complementarity_and_equilibrium(given_scene, load, by_approach):
+@given(given_problem=problems, load=loads, by_approach=st.booleans())
+def test_complementarity_and_equilibrium(given_problem, load, by_approach):
     """p >= 0, g >= 0, p g = 0 with g from the operators; the pressure carries the load."""
-    scene = Scene(**given_scene)
-    solver = scene.solver()
-    found = solver.solve(scene.gap, load=load)
+    problem = Problem(**given_problem)
+    solver = problem.solver()
+    found = solver.solve(problem.gap, load=load)
     if by_approach:
-        found = solver.solve(scene.gap, approach=found.approach)
+        found = solver.solve(problem.gap, approach=found.approach)
         assert found.load == pytest.approx(load, rel=1e-5)
-    p, u = found.pressure, scene.displacement(found.pressure)
-    g, scale = scene.gap + u - found.approach, np.abs(u).max()
+    p, u = found.pressure, problem.displacement(found.pressure)
+    g, scale = problem.gap + u - found.approach, np.abs(u).max()
     slack = TOL + 1e-13  # rounding of u
     assert p.min() >= 0
     assert g.min() >= -slack * scale
     assert np.minimum(p / p.max(), g / scale).max() <= slack
     assert np.abs(found.gap - g).max() <= slack * scale
-    assert p.sum() * scene.grid.cell_area == pytest.approx(found.load, rel=1e-12)
+    assert p.sum() * problem.grid.cell_area == pytest.approx(found.load, rel=1e-12)
 
 
 @border
 @few
-@given(given_scene=scenes, load=loads, factor=st.floats(1e-6, 1e6))
-def test_scaling_laws(given_scene, load, factor):
+@given(given_problem=problems, load=loads, factor=st.floats(1e-6, 1e6))
+def test_scaling_laws(given_problem, load, factor):
     """Pressure scales with the modulus, gap with the load, and all lengths with the length unit."""
-    scene = Scene(**given_scene)
-    found = scene.solver().solve(scene.gap, load=load)
-    higher = scene.solver().solve(factor * scene.gap, load=factor * load)
+    problem = Problem(**given_problem)
+    found = problem.solver().solve(problem.gap, load=load)
+    higher = problem.solver().solve(factor * problem.gap, load=factor * load)
     assert close(higher.pressure / factor, found.pressure, 1e-6)
-    stiffer = [b if b.is_rigid else sc.Material.elastic(factor * b.E, b.nu) for b in scene.bodies]
-    stiff = scene.solver(bodies=stiffer).solve(scene.gap, load=factor * load)
+    stiffer = [b if b.is_rigid else sc.Material.elastic(factor * b.E, b.nu) for b in problem.bodies]
+    stiff = problem.solver(bodies=stiffer).solve(problem.gap, load=factor * load)
     assert close(stiff.pressure / factor, found.pressure, 1e-6)
-    grid = scene.grid
+    grid = problem.grid
     large = sc.Grid(grid.nx, grid.ny, factor * grid.dx, factor * grid.dy)
-    grown = scene.solver(grid=large).solve(factor * scene.gap, load=factor**2 * load)
+    grown = problem.solver(grid=large).solve(factor * problem.gap, load=factor**2 * load)
     assert close(grown.pressure, found.pressure, 1e-6)
     for other in (higher.approach, stiff.approach * factor, grown.approach):
         assert other / factor == pytest.approx(found.approach, rel=1e-6)
@@ -111,43 +111,43 @@ def test_scaling_laws(given_scene, load, factor):
 
 @border
 @few
-@given(given_scene=scenes, load=loads)
-def test_mirror_symmetry(given_scene, load):
+@given(given_problem=problems, load=loads)
+def test_mirror_symmetry(given_problem, load):
     """Solutions are mirrored with the gap: along y, and along x if the bodies are swapped too."""
-    scene = Scene(**given_scene)
-    found = scene.solver().solve(scene.gap, load=load)
-    along_y = scene.solver().solve(scene.gap[:, ::-1], load=load)
+    problem = Problem(**given_problem)
+    found = problem.solver().solve(problem.gap, load=load)
+    along_y = problem.solver().solve(problem.gap[:, ::-1], load=load)
     assert close(along_y.pressure[:, ::-1], found.pressure, 1e-6)
-    along_x = scene.solver(bodies=scene.bodies[::-1]).solve(scene.gap[::-1], load=load)
+    along_x = problem.solver(bodies=problem.bodies[::-1]).solve(problem.gap[::-1], load=load)
     assert close(along_x.pressure[::-1], found.pressure, 1e-6)
 
 
 @border
 @few
-@given(given_scene=scenes, load=loads, seed=seeds)
-def test_the_initial_pressure_does_not_matter(given_scene, load, seed):
-    scene = Scene(**given_scene)
-    solver = scene.solver()
-    found = solver.solve(scene.gap, load=load)
-    start = np.random.default_rng(seed).exponential(1e9, scene.grid.surface_shape)
-    again = solver.solve(scene.gap, load=load, initial_pressure=start)
+@given(given_problem=problems, load=loads, seed=seeds)
+def test_the_initial_pressure_does_not_matter(given_problem, load, seed):
+    problem = Problem(**given_problem)
+    solver = problem.solver()
+    found = solver.solve(problem.gap, load=load)
+    start = np.random.default_rng(seed).exponential(1e9, problem.grid.surface_shape)
+    again = solver.solve(problem.gap, load=load, initial_pressure=start)
     assert close(again.pressure, found.pressure, 1e-6)
     assert again.approach == pytest.approx(found.approach, rel=1e-7)
 
 
 @border
 @few
-@given(given_scene=scenes, load=loads, more=st.floats(1.01, 100.0))
-def test_approach_grows_with_load(given_scene, load, more):
+@given(given_problem=problems, load=loads, more=st.floats(1.01, 100.0))
+def test_approach_grows_with_load(given_problem, load, more):
     """Monotone: (P2 - P1)(d2 - d1) > 0 and, for a convex energy, its slope is the approach."""
-    scene = Scene(**{**given_scene, "friction": 0.0})
-    one, other = (scene.solver().solve(scene.gap, load=part) for part in (load, more * load))
+    problem = Problem(**{**given_problem, "friction": 0.0})
+    one, other = (problem.solver().solve(problem.gap, load=part) for part in (load, more * load))
     assert other.approach > one.approach
 
     def energy(found):
         p = found.pressure
-        work = p * (0.5 * scene.displacement(p) + scene.gap)
-        return work.sum() * scene.grid.cell_area
+        work = p * (0.5 * problem.displacement(p) + problem.gap)
+        return work.sum() * problem.grid.cell_area
 
     rise = energy(other) - energy(one)
     slack = 1e-6 * other.approach * more * load
@@ -156,17 +156,17 @@ def test_approach_grows_with_load(given_scene, load, more):
 
 
 @border
-@pytest.mark.filterwarnings("ignore::samcontact.SingularPressureWarning")  # where a scene is cut
+@pytest.mark.filterwarnings("ignore::samcontact.SingularPressureWarning")  # where a problem is cut
 @few
-@given(given_scene=scenes, load=loads, shift=st.tuples(st.integers(0, 5), st.integers(0, 5)))
-def test_translation_by_whole_cells(given_scene, load, shift):
-    scene = Scene(**given_scene)
+@given(given_problem=problems, load=loads, shift=st.tuples(st.integers(0, 5), st.integers(0, 5)))
+def test_translation_by_whole_cells(given_problem, load, shift):
+    problem = Problem(**given_problem)
     i, j = shift
-    found = scene.solver().solve(scene.gap, load=load)
-    nx, ny = scene.grid.surface_shape
-    large = sc.Grid(nx + 5, ny + 5, scene.grid.dx, scene.grid.dy)
+    found = problem.solver().solve(problem.gap, load=load)
+    nx, ny = problem.grid.surface_shape
+    large = sc.Grid(nx + 5, ny + 5, problem.grid.dx, problem.grid.dy)
     gap = np.full(large.surface_shape, 1.0)
-    gap[i : i + nx, j : j + ny] = scene.gap
-    moved = scene.solver(grid=large).solve(gap, load=load)
+    gap[i : i + nx, j : j + ny] = problem.gap
+    moved = problem.solver(grid=large).solve(gap, load=load)
     assert close(moved.pressure[i : i + nx, j : j + ny], found.pressure, 1e-6)
     assert moved.approach == pytest.approx(found.approach, rel=1e-7)

@@ -28,7 +28,7 @@ def drawn(kind, path, pressure):
 def follow(kind, seed):
     """Follow a path; count solved and unsolved increments of identical and dissimilar bodies."""
     path, solved, failed = Path(seed), 0, 0
-    alike = path.bodies[0] == path.bodies[1]
+    identical = path.bodies[0] == path.bodies[1]
     rests = sc.ContactSolver(path.grid, *path.bodies, tol=TOL, on_border="warn")
     law = drawn(kind, path, rests.solve(path.gap, load=0.3 * path.modulus).pressure)
     path.mu = law.ratio(0.3 * path.modulus)
@@ -47,30 +47,30 @@ def follow(kind, seed):
             continue
         require_law(law, now, before)
         before, solved = now, solved + 1
-    return solved, failed * alike, failed * (not alike)
+    return solved, failed * identical, failed * (not identical)
 
 
 def require_law(law, now, before):
     """Assert shear within its bound (at it, along the slip, in slip zones) and work >= 0."""
     bound, length, slip = law.bound(now.pressure), np.hypot(*now.shear), np.hypot(*now.slip)
-    most = bound.max()
+    maximum = bound.max()
     assert (length <= bound * (1 + 1e-9)).all()
     assert not now.slip[:, now.sticking].any()
     far = slip > 1e-3 * max(slip.max(), 1e-300)
-    assert (length[far] >= bound[far] - 1e-4 * most).all()
+    assert (length[far] >= bound[far] - 1e-4 * maximum).all()
     power = (now.shear * now.slip).sum(axis=0)
-    assert (power[far] >= (1 - 1e-3) * (length * slip)[far] - 1e-6 * most * slip.max()).all()
+    assert (power[far] >= (1 - 1e-3) * (length * slip)[far] - 1e-6 * maximum * slip.max()).all()
     done = now.friction_work - before.friction_work
     assert done == pytest.approx(now.grid.cell_area * power.sum(), rel=1e-9, abs=1e-300)
-    assert done >= -TOL * most * now.contact_area * slip.max()
+    assert done >= -TOL * maximum * now.contact_area * slip.max()
 
 
 @pytest.mark.parametrize("kind", BOUNDED, ids=lambda kind: kind.law)
 def test_random_contacts_satisfy_the_friction_law(kind):
     """All contacts have a solution, except where the shear bound jumps at the contact edge of
     dissimilar materials: a cell there may neither close, because of its shear, nor open."""
-    solved, alike, different_bodies = np.sum([follow(kind, seed) for seed in range(40)], axis=0)
-    assert alike == 0
+    solved, identical, different_bodies = np.sum([follow(kind, seed) for seed in range(40)], axis=0)
+    assert identical == 0
     jumps = np.isinf(kind(*(1.0 for _ in kind.constants)).ratio(0.0))
     assert different_bodies <= (0.03 * solved if jumps else 0)
     assert solved > 0.7 * 5 * 40

@@ -133,26 +133,26 @@ def test_translation_in_the_plane(shape, shift, nu, seed):
 def test_exchange_of_x_and_y(shape, ratio, nu, seed):
     nx, ny, nz = shape
     grid = sc.Grid(nx, ny, 1e-5, ratio * 1e-5, nz, 1.5e-5)
-    turned = sc.Grid(ny, nx, ratio * 1e-5, 1e-5, nz, 1.5e-5)
+    rotated = sc.Grid(ny, nx, ratio * 1e-5, 1e-5, nz, 1.5e-5)
     p, sx, sy = random(seed, 3, nx, ny)
     strain = random(seed + 1, 6, nx, ny, nz)
-    shear, turned_shear = np.array([sx, sy]), np.array([sy.T, sx.T])
-    turned_strain = strain[SWAP].transpose(0, 2, 1, 3)
+    shear, swapped_shear = np.array([sx, sy]), np.array([sy.T, sx.T])
+    swapped_strain = strain[SWAP].transpose(0, 2, 1, 3)
 
     for axis, other in ("xy", "yx", "zz"):
         u = operators.surface_displacement(grid, p, E, nu, shear=shear, axis=axis)
-        v = operators.surface_displacement(turned, p.T, E, nu, shear=turned_shear, axis=other)
+        v = operators.surface_displacement(rotated, p.T, E, nu, shear=swapped_shear, axis=other)
         assert_close(v.T, u, 1e-12)
     depths = [0.0, 1e-5, 5e-5]
     s = operators.surface_stress(grid, p, depths, nu, shear=shear)
-    t = operators.surface_stress(turned, p.T, depths, nu, shear=turned_shear)
+    t = operators.surface_stress(rotated, p.T, depths, nu, shear=swapped_shear)
     assert_close(t[SWAP].transpose(0, 2, 1, 3), s, 1e-12)
     s = operators.residual_stress(grid, strain, E, nu)
-    t = operators.residual_stress(turned, turned_strain, E, nu)
+    t = operators.residual_stress(rotated, swapped_strain, E, nu)
     assert_close(t[SWAP].transpose(0, 2, 1, 3), s, 1e-11)
     for axis, other in ("xy", "yx", "zz"):
         u = operators.residual_displacement(grid, strain, nu, axis=axis)
-        v = operators.residual_displacement(turned, turned_strain, nu, axis=other)
+        v = operators.residual_displacement(rotated, swapped_strain, nu, axis=other)
         assert_close(v.T, u, 1e-11)
 
 
@@ -250,13 +250,13 @@ def test_reversal_of_x(shape, ratio, nu, seed):
     p, sx, sy = random(seed, 3, nx, ny)
     strain = random(seed + 1, 6, *shape)
     reversed_strain = (MIRROR_X[:, None, None, None] * strain)[:, ::-1]
-    shear, turned = np.array([sx, sy]), np.array([-sx, sy])[:, ::-1]
+    shear, rotated = np.array([sx, sy]), np.array([-sx, sy])[:, ::-1]
     for axis, sign in (("x", -1), ("y", 1), ("z", 1)):
         u = operators.surface_displacement(grid, p, E, nu, shear, axis=axis)
-        v = operators.surface_displacement(grid, p[::-1], E, nu, turned, axis=axis)
+        v = operators.surface_displacement(grid, p[::-1], E, nu, rotated, axis=axis)
         assert_close(sign * v[::-1], u, 1e-12)
     s = operators.surface_stress(grid, p, grid.z, nu, shear)
-    t = operators.surface_stress(grid, p[::-1], grid.z, nu, turned)
+    t = operators.surface_stress(grid, p[::-1], grid.z, nu, rotated)
     assert_close(MIRROR_X[:, None, None, None] * t[:, ::-1], s, 1e-12)
     for method, tolerance in (("exact", 1e-11), ("fast", IMAGE_TOL)):
         s = operators.residual_stress(grid, strain, E, nu, method=method)

@@ -13,10 +13,10 @@ pytestmark = [
 ]
 
 
-def any_body(draw, least):
+def any_body(draw, minimum):
     modulus, nu = 10 ** draw.uniform(10.7, 11.5), draw.uniform(0.05, 0.45)
     limit, slope = draw.uniform(0.6e9, 1.5e9), modulus * draw.uniform(0.01, 0.1)
-    kind = draw.integers(least, 4)
+    kind = draw.integers(minimum, 4)
     if kind == 0:
         return sc.Material.elastic(modulus, nu)
     if kind == 1:
@@ -35,9 +35,9 @@ def any_step(draw, mu, cell):
         return {"load": load, "tangential_load": (draw.uniform(-0.6, 0.6, 2) * mu * load).tolist()}
     if kind == 2:
         return {"load": load, "twist": float(draw.normal() * 5e-3 * mu)}
-    way, creepage, across = -cell * draw.integers(1, 3), *(draw.normal(size=2) * 2e-3)
-    ways = (float(way * (1 + creepage)), float(way))
-    return {"load": load, "advance": ways, "shift": (0.0, float(across * abs(way)))}
+    distance, creepage, across = -cell * draw.integers(1, 3), *(draw.normal(size=2) * 2e-3)
+    travels = (float(distance * (1 + creepage)), float(distance))
+    return {"load": load, "advance": travels, "shift": (0.0, float(across * abs(distance)))}
 
 
 def follow(seed):
@@ -59,8 +59,8 @@ def follow(seed):
         assert (np.hypot(*state.shear) <= mu * state.pressure * (1 + 1e-6) + 1.0).all()
         assert state.friction_work >= work - 1e-12 * step["load"]
         if "tangential_load" in step:
-            wanted = step["tangential_load"]
-            assert state.tangential_load == pytest.approx(wanted, abs=1e-5 * step["load"])
+            expected = step["tangential_load"]
+            assert state.tangential_load == pytest.approx(expected, abs=1e-5 * step["load"])
         assert np.isfinite(state.equivalent_plastic_strain()).all()
         work = state.friction_work
 

@@ -45,9 +45,9 @@ def follow(seed):
             done = now.friction_work - before.friction_work
             scale = path.mu * step["load"] * (abs(now.slip).max() + 1e-6)
             assert done >= -TOL * scale
-        for k, wanted in enumerate(step["tangential_load"]):
-            if wanted is not None:
-                assert now.tangential_load[k] == pytest.approx(wanted, abs=1e-5 * step["load"])
+        for k, expected in enumerate(step["tangential_load"]):
+            if expected is not None:
+                assert now.tangential_load[k] == pytest.approx(expected, abs=1e-5 * step["load"])
         before, solved = now, solved + 1
     return solved, failed
 

@@ -63,7 +63,7 @@ def test_a_gap_without_steps_has_no_step_next_to_any_cell(seed, shape, periodic)
     gap += 10 ** rng.uniform(-9, -2) * rng.standard_normal(shape) * rng.integers(0, 2)
     everywhere = np.ones(shape, dtype=bool)
     steps = any(
-        outline.steps_beside(one, gap, periodic)[0].any()
+        outline.steps_next_to(one, gap, periodic)[0].any()
         for sides in outline.sides_between(everywhere, everywhere, periodic)
         for one in [outline.away_from_border(sides, shape, periodic)]
     )
@@ -91,10 +91,10 @@ def test_a_wide_contact_is_not_reported_as_coarse(seed, shape, periodic, few):
     solution = SimpleNamespace(
         repulsion=pressure, outline=outline.outline_of(pressure, periodic), load=1.0
     )
-    scene = SimpleNamespace(grid=grid, hertz=lambda load: None)
+    problem = SimpleNamespace(grid=grid, hertz=lambda load: None)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        found = resolution.warn_of_contact(solution, scene, few, stacklevel=1)
+        found = resolution.warn_of_contact(solution, problem, few, stacklevel=1)
     share = resolution.area_uncertainty(pressure, periodic)
     thin = share > (resolution.AREA_ERROR_WARNING if few == 8 else resolution.AREA_ERROR_LIMIT)
     narrow = resolution.cells_across(pressure, periodic) < few
@@ -116,17 +116,17 @@ def test_loads_accepted_by_the_quick_check_pass_the_full_check(
     body = body.with_thermal(50.0, 1e-5, 1e-5)
     heat = sc.Heat(3e-2, velocity=((0.0, 0.0), (1.0, 0.0))) if heated else sc.Heat(0.0)
     gap = sc.surfaces.paraboloid(grid, 10**radius, ratio * 10**radius)
-    scene = hertz_estimate.ContactSetup(grid, gap, (sc.Material.elastic(E, 0.3), body))
-    least, most = scene.passing_loads(heat)
-    room = scene.largest_load_with_room
-    if scene.radii is None:
+    problem = hertz_estimate.ContactSetup(grid, gap, (sc.Material.elastic(E, 0.3), body))
+    minimum, maximum = problem.passing_loads(heat)
+    room = problem.largest_load_with_room
+    if problem.radii is None:
         return
-    around = most if math.isfinite(most) else room
+    around = maximum if math.isfinite(maximum) else room
     for load in np.geomspace(1e-10 * around, 1e2 * around, 49):
-        if least < load < most:
-            assert scene.failed_checks(heat, load) == []
+        if minimum < load < maximum:
+            assert problem.failed_checks(heat, load) == []
         if load <= room:
-            hertz = scene.hertz(load)
+            hertz = problem.hertz(load)
             assert max(2 * hertz.semi_axes[0] / (21 * grid.dy), 0.0) <= 1
             approach = hertz.contact.approach + gap.min()
-            assert scene.load_of(approach=approach) == pytest.approx(load, rel=1e-5)
+            assert problem.load_of(approach=approach) == pytest.approx(load, rel=1e-5)

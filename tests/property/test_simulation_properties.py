@@ -28,7 +28,7 @@ laws = st.sampled_from(["swift", "linear", "perfect"])
 paths = st.lists(st.just(0.0) | st.floats(1e-9, 900.0), min_size=2, max_size=5)
 
 
-def scene(body2, nx=21, ny=19, dx=60e-6, dy=65e-6, body1=ELASTIC, gap=None, length=1.0, **rest):
+def problem(body2, nx=21, ny=19, dx=60e-6, dy=65e-6, body1=ELASTIC, gap=None, length=1.0, **rest):
     grid = sc.Grid(nx, ny, dx * length, dy * length, 14, 60e-6 * length)
     if gap is None:
         gap = sc.surfaces.paraboloid(grid, RADIUS * length, 1.2 * RADIUS * length)
@@ -38,7 +38,7 @@ def scene(body2, nx=21, ny=19, dx=60e-6, dy=65e-6, body1=ELASTIC, gap=None, leng
 @few
 @given(law=laws, load=st.floats(400, 900))  # the hardest yields at 320
 def test_load_balance_flow_rule_and_dissipation(law, load):
-    simulation = scene(hardening(law))
+    simulation = problem(hardening(law))
     before = np.zeros(simulation.grid.volume_shape)
     for target in (0.5 * load, load, 0.2 * load, 0.0, 0.8 * load):
         state = simulation.step(load=target)
@@ -64,8 +64,8 @@ def test_load_balance_flow_rule_and_dissipation(law, load):
 )
 def test_results_are_independent_of_units(law, length, stress):
     """SI units, millimetres and megapascals, and dimensionless numbers give equal digits."""
-    reference = scene(hardening(law), tol=1e-10).step(load=700.0)
-    scaled = scene(
+    reference = problem(hardening(law), tol=1e-10).step(load=700.0)
+    scaled = problem(
         hardening(law, stress=stress),
         body1=sc.Material.elastic(E * stress, NU),
         length=length,
@@ -84,8 +84,8 @@ def test_exchange_of_x_and_y(law, seed):
     grid = sc.Grid(21, 19, 60e-6, 65e-6, 14, 60e-6)
     rough = 0.2e-6 * np.random.default_rng(seed).random(grid.surface_shape)
     gap = sc.surfaces.paraboloid(grid, RADIUS) + rough
-    one = scene(hardening(law), gap=gap).step(load=600.0)
-    other = scene(hardening(law), nx=19, ny=21, dx=65e-6, dy=60e-6, gap=gap.T).step(load=600.0)
+    one = problem(hardening(law), gap=gap).step(load=600.0)
+    other = problem(hardening(law), nx=19, ny=21, dx=65e-6, dy=60e-6, gap=gap.T).step(load=600.0)
     assert np.abs(one.pressure - other.pressure.T).max() < 1e-5 * one.pressure.max()
     g = one.equivalent_plastic_strain()
     assert g.max() > 0
@@ -99,7 +99,7 @@ def test_exchange_of_x_and_y(law, seed):
 @few
 @given(law=laws, friction=st.floats(0.0, 0.4))
 def test_symmetry_in_y_is_kept(law, friction):
-    state = scene(hardening(law), friction=friction).step(load=500.0)
+    state = problem(hardening(law), friction=friction).step(load=500.0)
     g = state.equivalent_plastic_strain()
     assert np.abs(g - g[:, ::-1]).max() < 1e-7 * max(g.max(), 1e-12)
     assert np.abs(state.pressure - state.pressure[:, ::-1]).max() < 1e-8 * state.pressure.max()
@@ -109,7 +109,7 @@ def test_symmetry_in_y_is_kept(law, friction):
 @given(law=laws, friction=st.floats(0.0, 0.6), path=paths)
 def test_equilibrium_and_complementarity_with_friction(law, friction, path):
     """On any path the pressure carries the load, and the gap is zero under pressure."""
-    simulation = scene(hardening(law), friction=friction, on_border="warn")
+    simulation = problem(hardening(law), friction=friction, on_border="warn")
     grid = simulation.grid
     for load in path:
         with warnings.catch_warnings():
@@ -134,7 +134,7 @@ def test_equilibrium_and_complementarity_with_friction(law, friction, path):
 def test_dissipation_is_never_negative(law, path):
     """Dissipation is not negative; the work of a closed path is dissipated or stored."""
     material = hardening(law)
-    simulation = scene(material, tol=1e-8, on_border="warn")
+    simulation = problem(material, tol=1e-8, on_border="warn")
     before, done, external = simulation.state, 0.0, 0.0
     ends = [part * load for load in path for part in (0.5, 1.0)]
     for load in [*ends, 0.0]:
@@ -164,7 +164,7 @@ def test_translation_by_whole_cells(law, load, shift):
     for a, b in ((0, 0), (i, j)):
         gap = np.full((25, 23), 1e-3)
         gap[a : a + 21, b : b + 19] = base
-        state = scene(hardening(law), nx=25, ny=23, gap=gap, tol=1e-9).step(load=load)
+        state = problem(hardening(law), nx=25, ny=23, gap=gap, tol=1e-9).step(load=load)
         inside = slice(a, a + 21), slice(b, b + 19)
         fields.append((state.pressure[inside], state.equivalent_plastic_strain()[inside]))
     for one, other in zip(*fields, strict=True):

@@ -344,9 +344,9 @@ CALLS = [
         for driver in DRIVERS
     ),
     *(
-        (f"paths.{name}", getattr(sc.paths, name), {**DRIVERS[0], **way, **rest, "increments": 2})
+        (f"paths.{name}", getattr(sc.paths, name), {**DRIVERS[0], **drive, **rest, "increments": 2})
         for name, rest in (("tangential", {}), ("fretting_loop", {"cycles": 1}))
-        for way in ({"force": (1.0, 0.0)}, {"shift": (1e-7, 0.0)})
+        for drive in ({"force": (1.0, 0.0)}, {"shift": (1e-7, 0.0)})
     ),
     ("paths.tangential", sc.paths.tangential,
      {"load": 10.0, "force": (1.0, 0.0), "start": (0.5, 0.0)}),

@@ -32,7 +32,7 @@ MADE_BY_THE_PACKAGE = {
 }  # fmt: skip
 """Results: only their methods take arguments of the user."""
 
-MEANT = {
+INTENDED = {
     # straight profiles
     ("surfaces.paraboloid", "Rx", math.inf),
     ("surfaces.paraboloid", "Ry", math.inf),
@@ -85,7 +85,7 @@ def spoiled(value, bad):
                 yield {**value, key: other}
 
 
-def hostile_calls(meant):
+def hostile_calls(intended):
     """Return (function, arguments, allowed names) of each call with one number replaced."""
     found = []
     for number, (name, function, arguments) in enumerate(CALLS):
@@ -94,7 +94,7 @@ def hostile_calls(meant):
                 for n, other in enumerate(spoiled(value, bad)):
                     # never one number in place of an array
                     replaced = isinstance(value, np.ndarray) and is_number(other)
-                    if ((name, argument, bad) in MEANT and not replaced) != meant:
+                    if ((name, argument, bad) in INTENDED and not replaced) != intended:
                         continue
                     call = (function, {**arguments, argument: other}, names_in(argument, value))
                     found.append(pytest.param(*call, id=f"{name}-{argument}-{bad}-{number}-{n}"))
@@ -109,7 +109,7 @@ def test_each_listed_call_is_valid(function, arguments):
     function(**arguments)
 
 
-@pytest.mark.parametrize(("function", "arguments", "names"), hostile_calls(meant=False))
+@pytest.mark.parametrize(("function", "arguments", "names"), hostile_calls(intended=False))
 def test_a_bad_argument_is_refused_by_name(function, arguments, names):
     with pytest.raises((ValueError, TypeError)) as error:
         function(**arguments)
@@ -117,7 +117,7 @@ def test_a_bad_argument_is_refused_by_name(function, arguments, names):
     assert any(is_named(name, text) for name in names), text
 
 
-@pytest.mark.parametrize(("function", "arguments", "names"), hostile_calls(meant=True))
+@pytest.mark.parametrize(("function", "arguments", "names"), hostile_calls(intended=True))
 def test_values_with_a_meaning_are_accepted(function, arguments, names):
     function(**arguments)
 
@@ -155,11 +155,11 @@ def test_every_public_argument_is_in_the_table():
     table = {}
     for name, _, arguments in CALLS:
         table.setdefault(name, set()).update(arguments)
-    wanted = {}
+    expected = {}
     for name, function in public_calls():
         kinds = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
         parameters = inspect.signature(function).parameters.values()
-        wanted[name] = {p.name for p in parameters if p.kind not in kinds} - {"self"}
-    assert len(wanted) > 100
-    assert sorted(set(wanted) - set(table)) == []
-    assert {n: sorted(wanted[n] - table[n]) for n in wanted if wanted[n] - table[n]} == {}
+        expected[name] = {p.name for p in parameters if p.kind not in kinds} - {"self"}
+    assert len(expected) > 100
+    assert sorted(set(expected) - set(table)) == []
+    assert {n: sorted(expected[n] - table[n]) for n in expected if expected[n] - table[n]} == {}

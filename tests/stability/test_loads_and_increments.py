@@ -99,11 +99,11 @@ def loaded(count, law=SOFT, friction=0.0, **settings):
     return state
 
 
-def differences(counts, reference, **scene):
+def differences(counts, reference, **problem):
     """Return the errors of the plastic strain, relative to its maximum."""
     found = []
     for count in counts:
-        strain = loaded(count, **scene).plastic_strain() - reference
+        strain = loaded(count, **problem).plastic_strain() - reference
         found.append(np.abs(strain).max() / np.abs(reference).max())
     return found
 
@@ -119,9 +119,9 @@ LAWS = {
 @pytest.mark.parametrize("law", LAWS)
 def test_smaller_increments_converge(law, friction):
     """Backward Euler converges with first order; 128 increments are the reference."""
-    scene = {"law": LAWS[law], "friction": friction, "on_border": "warn"}
-    reference = loaded(128, **scene).plastic_strain()
-    one, four, sixteen = differences((1, 4, 16), reference, **scene)
+    problem = {"law": LAWS[law], "friction": friction, "on_border": "warn"}
+    reference = loaded(128, **problem).plastic_strain()
+    one, four, sixteen = differences((1, 4, 16), reference, **problem)
     assert one < 0.1
     assert sixteen < 0.012
     assert sixteen < 0.35 * four

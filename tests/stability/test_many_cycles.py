@@ -27,7 +27,7 @@ SETTLED = 60
 REPEATED = {"exact": 1e-14, "fast": 1e-9}
 """Maximum change per settled cycle, relative to the largest value. Fast transforms have rounding
 errors: once in many cycles a cell at its yield stress flows by tol times an increment."""
-SCENES = [
+SETUPS = [
     ("linear", 0.0, 1000, "fast"),
     *((law, friction, 100, "exact") for law in LAWS for friction in (0.0, 0.2)),
     *((law, 0.2, 100, "fast") for law in ("linear", "kinematic")),
@@ -44,7 +44,7 @@ def largest(field):
     return np.abs(field).max()
 
 
-@pytest.mark.parametrize(("law", "friction", "cycles", "method"), SCENES)
+@pytest.mark.parametrize(("law", "friction", "cycles", "method"), SETUPS)
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 def test_shakedown_to_the_last_bits(law, friction, cycles, method):
     """Elastic shakedown: the first reloading differs by tol, later reloadings not at all."""

@@ -27,8 +27,8 @@ pytestmark = pytest.mark.filterwarnings(
 )
 
 
-def long(*scenes):
-    return [pytest.param(*scene, 1000, marks=pytest.mark.slow) for scene in scenes]
+def long(*problems):
+    return [pytest.param(*problem, 1000, marks=pytest.mark.slow) for problem in problems]
 
 
 def asperities():

@@ -33,8 +33,8 @@ def draw(seed):
     nx, ny = (2 * math.ceil(draws.uniform(1.9, 2.3) * reach / cell) + 1 for _ in range(2))
     nz = max(int(draws.integers(2000, 8193)) // (nx * ny), 6)
     grid = sc.Grid(nx, ny, cell, cell, nz, 3.2 * reach / nz)
-    ways = [(cell, cell), (0.0, cell), (cell, -cell), (0.5 * cell, 0.5 * cell)]
-    return body, other, grid, radius, 2 / 3 * math.pi * half**2 * p0, ways[draws.integers(4)]
+    travels = [(cell, cell), (0.0, cell), (cell, -cell), (0.5 * cell, 0.5 * cell)]
+    return body, other, grid, radius, 2 / 3 * math.pi * half**2 * p0, travels[draws.integers(4)]
 
 
 @pytest.mark.parametrize(
@@ -50,11 +50,11 @@ def draw(seed):
 )
 def test_random_moving_contacts_are_solved(seeds):
     for seed in seeds:
-        body, other, grid, radius, load, way = draw(seed)
+        body, other, grid, radius, load, distance = draw(seed)
         gap = sc.surfaces.paraboloid(grid, radius)
         bodies = sc.Simulation(grid, other, body, gap, on_border="warn")
         states = [bodies.step(load=load / 2), bodies.step(load=load)]
-        states += [bodies.step(load=load, advance=way) for _ in range(5)]
+        states += [bodies.step(load=load, advance=distance) for _ in range(5)]
         states.append(bodies.step(load=0.0))
         strain = [state.max_equivalent_plastic_strain(2) for state in states]
         assert 1e-4 < strain[-1] < 0.3, seed

@@ -8,39 +8,39 @@ import numpy as np
 import pytest
 
 from benchmarks.stability.scaled_setups import POWERS_OF_TWO, UNITS, Units
-from benchmarks.stability.table import apart
-from benchmarks.stability.units import SCENES, SLIDING
+from benchmarks.stability.table import relative_difference
+from benchmarks.stability.units import CASES, SLIDING
 
 pytestmark = pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-QUICK_CASE = "contact radius, load, time and temperature of the scene"
+QUICK_CASE = "contact radius, load, time and temperature of the problem"
 
 
 @cache
-def in_si(scene):
-    return SCENES[scene](Units())
+def in_si(problem):
+    return CASES[problem](Units())
 
 
 @pytest.mark.parametrize(
-    ("scene", "units"),
+    ("problem", "units"),
     [
         pair
         if QUICK_CASE in pair or pair[0] in SLIDING
         else pytest.param(*pair, marks=pytest.mark.slow)
-        for pair in itertools.product(SCENES, UNITS)
+        for pair in itertools.product(CASES, UNITS)
     ],
 )
-def test_same_digits_in_other_units(scene, units):
-    for name, values in SCENES[scene](Units(*UNITS[units])).items():
-        assert apart(values, in_si(scene)[name]) <= 1e-12, name
+def test_same_digits_in_other_units(problem, units):
+    for name, values in CASES[problem](Units(*UNITS[units])).items():
+        assert relative_difference(values, in_si(problem)[name]) <= 1e-12, name
 
 
-@pytest.mark.parametrize("scene", SCENES)
-def test_same_bits_in_powers_of_two(scene):
+@pytest.mark.parametrize("problem", CASES)
+def test_same_bits_in_powers_of_two(problem):
     """Such units change no mantissa, so results are bit-identical if no code compares or adds
     quantities of different units. Exceptions: numbers negligible against the largest, where
     logarithms of lengths are added, and error-controlled values of runs to an accuracy."""
-    least = 1e-13 if scene == "to an accuracy" else 1e-17
-    for name, values in SCENES[scene](Units(*POWERS_OF_TWO)).items():
-        if scene in SLIDING:
-            np.testing.assert_array_equal(values, in_si(scene)[name], err_msg=name)
-        assert apart(values, in_si(scene)[name]) <= least, name
+    minimum = 1e-13 if problem == "to an accuracy" else 1e-17
+    for name, values in CASES[problem](Units(*POWERS_OF_TWO)).items():
+        if problem in SLIDING:
+            np.testing.assert_array_equal(values, in_si(problem)[name], err_msg=name)
+        assert relative_difference(values, in_si(problem)[name]) <= minimum, name

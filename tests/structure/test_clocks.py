@@ -44,7 +44,7 @@ EXCEPTIONS = {
 }
 
 
-def looks(path):
+def clock_uses(path):
     """Return the lines of a file that use a clock."""
     found = []
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
@@ -62,13 +62,13 @@ def looks(path):
 def test_clocks_are_found(line, tmp_path, monkeypatch):
     monkeypatch.setattr(f"{__name__}.ROOT", tmp_path)
     (tmp_path / "file.py").write_text(line)
-    assert len(looks(tmp_path / "file.py")) == 1
+    assert len(clock_uses(tmp_path / "file.py")) == 1
 
 
 def test_no_test_uses_a_clock():
     others = [f for f in FILES if f != Path(__file__)]
     assert len(others) > 100
-    found = {str(path.relative_to(ROOT)): looks(path) for path in others}
+    found = {str(path.relative_to(ROOT)): clock_uses(path) for path in others}
     wrong = [line for name, lines in found.items() if name not in EXCEPTIONS for line in lines]
     assert wrong == []
     assert [name for name in EXCEPTIONS if not found[name]] == []  # no obsolete exceptions

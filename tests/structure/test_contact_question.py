@@ -45,12 +45,12 @@ def is_zero(node):
 def questions_in(text):
     """Return lines that compare a pressure field with zero, or count its non-zero cells."""
     for node in ast.walk(ast.parse(text)):
-        asked = None
+        requested = None
         if isinstance(node, ast.Compare) and isinstance(node.ops[0], (ast.Gt, ast.LtE)):
-            asked = node.left if is_zero(node.comparators[0]) else None
+            requested = node.left if is_zero(node.comparators[0]) else None
         elif isinstance(node, ast.Call) and getattr(node.func, "attr", None) in COUNTS:
-            asked = node.args[0] if node.args else None
-        if asked is not None and field_of(asked) in FIELDS:
+            requested = node.args[0] if node.args else None
+        if requested is not None and field_of(requested) in FIELDS:
             yield node.lineno
 
 

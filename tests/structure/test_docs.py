@@ -181,10 +181,10 @@ def test_equations_are_numbered_in_order():
     numbers = [int(number) for found in tags.values() for number, letter in found if not letter]
     assert numbers == list(range(1, len(numbers) + 1))
     row = re.compile(r"^\| \[.*\]\((\w+)\.md\) \| (.*?) ?\|", re.MULTILINE)
-    for name, said in row.findall(TEXTS[index]):
+    for name, label in row.findall(TEXTS[index]):
         found = [f"({number}{letter})" for number, letter in tags[f"docs/theory/{name}.md"]]
         ends = dict.fromkeys([found[0], found[-1]]) if found else []
-        assert said == " to ".join(ends), name
+        assert label == " to ".join(ends), name
 
 
 def sections(model=Section):

@@ -59,13 +59,13 @@ DIVIDED = {
     },
     "simulation": {
         "cells": set(),
-        "scene": {"cells"},
-        "strain": {"cells", "scene"},
-        "sources": {"cells", "scene", "strain"},
-        "state": {"cells", "scene", "strain", "sources"},
-        "body": {"cells", "scene", "strain", "sources", "state"},
-        "increment": {"cells", "scene", "strain", "sources", "state", "body"},
-        "": {"cells", "scene", "strain", "sources", "state", "body", "increment"},
+        "setup": {"cells"},
+        "strain": {"cells", "setup"},
+        "sources": {"cells", "setup", "strain"},
+        "state": {"cells", "setup", "strain", "sources"},
+        "body": {"cells", "setup", "strain", "sources", "state"},
+        "increment": {"cells", "setup", "strain", "sources", "state", "body"},
+        "": {"cells", "setup", "strain", "sources", "state", "body", "increment"},
     },
 }
 

@@ -171,7 +171,7 @@ def test_every_module_is_listed_with_its_first_line(site):
     for top, pattern in (("python/samcontact", "*.py"), ("cpp/include", "*.hpp")):
         stems = {file.stem for file in (DOCS.parent / top).rglob(pattern)}
         assert {stem for stem in stems if not stem.startswith("__")} <= set(rows)
-    assert [name for name, said in rows.items() if len(said) < 20] == []
+    assert [name for name, text in rows.items() if len(text) < 20] == []
     rooms = (site / "architecture.html").read_text()
     for folder in (DOCS.parent / "python" / "samcontact").glob("*/__init__.py"):
         assert f'<span class="pre">{folder.parent.name}</span>' in rooms

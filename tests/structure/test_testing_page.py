@@ -30,9 +30,9 @@ def test_every_kind_of_run_is_tested_and_on_the_page(folder):
 
 
 def test_memory_bounds_on_the_page_are_those_of_the_tests():
-    tried = (ROOT / "tests" / "faults" / "test_out_of_memory.py").read_text()
+    source = (ROOT / "tests" / "faults" / "test_out_of_memory.py").read_text()
     low, high = re.search(r"between ([\d.]+) and ([\d.]+) times the peak", PAGE).groups()
-    assert f"{low} < r < {high}" in tried
+    assert f"{low} < r < {high}" in source
 
 
 def test_every_family_has_its_folder():

@@ -67,8 +67,8 @@ def test_all_components_at_points(friction, measured):
         x, y = grid.x[i] / A, grid.y[j] / A
         expected = hertz_stress.stress(x, y, depths[k], friction[0], NU)
         if friction[1]:
-            turned = hertz_stress.stress(y, x, depths[k], friction[1], NU)
-            expected = turned[[1, 0, 2, 4, 3, 5]]
+            rotated = hertz_stress.stress(y, x, depths[k], friction[1], NU)
+            expected = rotated[[1, 0, 2, 4, 3, 5]]
         largest = max(largest, np.abs(stress[:, i, j, k] - expected).max())
     direction = {(0.0, 0.0): "no friction", (0.25, 0.0): "μ = 0.25 along x"}
     name = f"all components, largest error, {direction.get(friction, 'μ = 0.25 along y')}"

@@ -62,7 +62,7 @@ int main() {
   try {
     const auto steel = sam::Elastic::isotropic(210e9, 0.3);
     const auto aluminium = sam::Elastic::isotropic(70e9, 0.33);
-    const double radius = 10e-3, load = 50.0;  // m, N
+    const double radius = 10e-3, load = 50.0;  // [m], [N]
     const Contact exact = hertz(steel, aluminium, radius, load);
     const Contact found = solved(steel, aluminium, radius, load);
     const bool radius_agrees = agree("contact radius", "m", found.radius, exact.radius);

@@ -99,7 +99,7 @@ class Regions {
   static constexpr std::size_t smallest = std::size_t{1} << 16, largest = std::size_t{1} << 24;
   static constexpr std::size_t region = std::size_t{1} << 27;
 
-  /// With one line between fields, so that equal indices do not compete for the same cache set.
+  /// Leaves one cache line between fields, so that equal indices do not compete for one cache set.
   static std::size_t rounded(std::size_t bytes) { return (bytes + 2 * line - 1) / line * line; }
 
   static char* from_holes(char* start, Holes& holes, std::size_t length) {
@@ -127,7 +127,7 @@ class Regions {
   }
 
   std::mutex mutex_;
-  std::map<char*, Holes> regions_;  // by their start
+  std::map<char*, Holes> regions_;  // by start address
 };
 
 /// Never destroyed: fields may outlive every static object.

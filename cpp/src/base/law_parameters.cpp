@@ -26,6 +26,13 @@ void require_allowed(const std::string& name, double value, const Allowed& allow
   require(possible && inside && value <= allowed.high, name, text(allowed), value);
 }
 
+std::invalid_argument unknown_law(const std::string& what, const std::vector<std::string>& names,
+                                  const std::string& name) {
+  std::string list;
+  for (const std::string& known : names) list += (list.empty() ? "'" : ", '") + known + "'";
+  return std::invalid_argument(what + " must be one of " + list + ", got '" + name + "'");
+}
+
 std::string entry(const std::string& name, std::size_t n) {
   return name + '[' + std::to_string(n) + ']';
 }

@@ -68,14 +68,14 @@ std::optional<Span> waited(int) { return std::nullopt; }
 
 #endif
 
-/// Waiting times of the teams of one thread.
-class Watch {
+/// Number of threads in the teams of one thread, adjusted to their waiting times.
+class TeamControl {
  public:
   void enter() {
     if (depth_++ > 0) return;
     given_ = omp_get_max_threads();
-    const int most = lost_ ? 1 : std::clamp(given_, 1, max_threads());
-    if (most != size_.most()) size_ = TeamSize(most);
+    const int max_size = lost_ ? 1 : std::clamp(given_, 1, max_threads());
+    if (max_size != size_.max_size()) size_ = TeamSize(max_size);
     omp_set_num_threads(size_.size());
     began_ += Clock::now() - left_;  // an interval counts the time inside teams only
   }
@@ -90,15 +90,15 @@ class Watch {
   }
 
   void adjust() {
-    if (depth_ == 0 || size_.most() == 1 || keeps_number() || omp_in_parallel()) return;
+    if (depth_ == 0 || size_.max_size() == 1 || keeps_number() || omp_in_parallel()) return;
     const auto now = Clock::now();
     if (size_.size() == 1) {
       members_.clear();
       size_.try_more(now);
     } else if (std::ssize(members_) != size_.size()) {
-      meet();
+      start_interval();
     } else if (now - began_ >= window) {
-      judge(now);
+      end_interval(now);
     }
     omp_set_num_threads(size_.size());
   }
@@ -115,20 +115,20 @@ class Watch {
     Span waited;
   };
 
-  /// Ends an interval.
-  void judge(Clock::time_point now) {
+  /// Ends an interval and adjusts the number of threads.
+  void end_interval(Clock::time_point now) {
     std::vector<Span> spans;
     for (Member& member : members_) {
       const Span since = waited(member.id).value_or(member.waited);
       spans.push_back(since - member.waited);
       member.waited = since;
     }
-    size_.judge(now, now - began_, spans);
+    size_.update(now, now - began_, spans);
     began_ = now;
   }
 
   /// Starts the first interval of a team of another size, which may have other threads.
-  void meet() {
+  void start_interval() {
     members_.assign(size_.size(), {});
 #pragma omp parallel
     members_[omp_get_thread_num()].id = own_id();
@@ -136,7 +136,7 @@ class Watch {
     began_ = Clock::now();
   }
 
-  int depth_ = 0;  // of nested teams: a law that Python calls may have its own
+  int depth_ = 0;  // of nested teams: a law in Python may start its own
   int given_ = 1;
   TeamSize size_;
   bool lost_ = false;
@@ -144,17 +144,17 @@ class Watch {
   std::vector<Member> members_;
 };
 
-Watch& watch() {
-  static thread_local Watch one;
+TeamControl& team_control() {
+  static thread_local TeamControl one;
   return one;
 }
 
 }  // namespace
 
-Team::Team() { watch().enter(); }
-Team::~Team() { watch().leave(); }
-void adjust_team() { watch().adjust(); }
-void reset_team() { watch().lose(); }
+Team::Team() { team_control().enter(); }
+Team::~Team() { team_control().leave(); }
+void adjust_team() { team_control().adjust(); }
+void reset_team() { team_control().lose(); }
 
 }  // namespace samcontact
 

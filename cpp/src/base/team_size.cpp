@@ -17,7 +17,7 @@ constexpr milliseconds shortest_pause{200}, longest_pause{5000};
 
 }  // namespace
 
-void TeamSize::judge(Time now, Span length, std::span<const Span> waited) {
+void TeamSize::update(Time now, Span length, std::span<const Span> waited) {
   const auto late = static_cast<int>(std::ranges::count_if(waited, [&](Span span) {
     return static_cast<double>(span.count()) > late_fraction * static_cast<double>(length.count());
   }));
@@ -27,7 +27,7 @@ void TeamSize::judge(Time now, Span length, std::span<const Span> waited) {
 }
 
 void TeamSize::try_more(Time now) {
-  if (size_ < most_ && now >= next_try_) size_ = std::min(most_, 2 * size_);
+  if (size_ < max_size_ && now >= next_try_) size_ = std::min(max_size_, 2 * size_);
 }
 
 }  // namespace samcontact

@@ -78,11 +78,11 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
   return influence;
 }
 
-/// Next estimate of the coupling, from the result for `tried`.
-void accelerate(Anderson& anderson, Field& tried, Field& coupling) {
-  for (std::size_t i = 0; i < tried.size(); ++i) coupling[i] -= tried[i];
-  anderson.next(tried, std::move(coupling));
-  coupling = tried;
+/// Replaces the coupling computed from `estimate` by the next estimate.
+void accelerate(Anderson& anderson, Field& estimate, Field& coupling) {
+  for (std::size_t i = 0; i < estimate.size(); ++i) coupling[i] -= estimate[i];
+  anderson.next(estimate, std::move(coupling));
+  coupling = estimate;
 }
 
 }  // namespace
@@ -99,8 +99,8 @@ void require_below_mean(const Grid& grid, const Field& gap, Given normal) {
 std::string edge_warning(const Grid& grid, const Field& repulsion, const std::string& what) {
   const auto [at_x, at_y] = edge_repulsion(grid, repulsion);
   if (!in_contact(at_x) && !in_contact(at_y)) return {};
-  const double most = *std::max_element(repulsion.begin(), repulsion.end());
-  const auto percent = [most](double p) { return to_short_text(100 * p / most) + " %"; };
+  const double peak = *std::max_element(repulsion.begin(), repulsion.end());
+  const auto percent = [peak](double p) { return to_short_text(100 * p / peak) + " %"; };
   std::string where, what_helps;
   if (in_contact(at_x)) {
     where = percent(at_x) + " of the maximum at the edges normal to x";
@@ -141,7 +141,8 @@ ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence
       heated_(influence.is_heated()),
       multilevel_(grid, influence) {
   if (heated_ && law_->attracts()) {
-    throw std::invalid_argument("heating cannot be combined with attraction of the surfaces");
+    throw std::invalid_argument(
+        "heating cannot be combined with a contact law with attraction: use hard contact");
   }
 }
 

@@ -103,15 +103,15 @@ Box project(const double* path, std::size_t row, const Six u, const Six v, doubl
 /// Normal stress at all moments, and its maximum.
 SAMCONTACT_MULTIVERSION
 double largest(const double* path, std::size_t row, const Six n, double* normal) {
-  double most = none;
-#pragma omp simd reduction(max : most)
+  double maximum = none;
+#pragma omp simd reduction(max : maximum)
   for (std::size_t t = 0; t < row; ++t) {
     const double x = n[0] * path[t] + n[1] * path[row + t] + n[2] * path[2 * row + t] +
                      n[3] * path[3 * row + t] + n[4] * path[4 * row + t] + n[5] * path[5 * row + t];
     normal[t] = x;
-    most = x > most ? x : most;
+    maximum = x > maximum ? x : maximum;
   }
-  return most;
+  return maximum;
 }
 
 struct Found {
@@ -120,27 +120,27 @@ struct Found {
   Holders holders;
 };
 
-/// Whether the angle between two planes is less than one with the given cosine.
+/// Whether the angle between two planes is less than the angle with the given cosine.
 bool are_near(const Vector& a, const Vector& b, double cosine) {
   return std::fabs(dot(a, b)) > cosine;
 }
 
-/// Best initial planes, only one of neighbours, in descending order.
+/// Best initial planes in descending order; of neighbouring planes only the best.
 class Starts {
  public:
   double best() const { return count_ == 0 ? none : found_[0].value; }
   std::span<const Found> found() const { return {found_.data(), static_cast<std::size_t>(count_)}; }
 
-  /// Whether a value there would be among the best.
-  bool wants(const Vector& normal, double value) const {
+  /// Whether a plane with this value would be among the best.
+  bool accepts(const Vector& normal, double value) const {
     for (const Found& one : found()) {
       if (are_near(one.normal, normal, neighbours)) return one.value < value;
     }
     return count_ < max_starts || found_[max_starts - 1].value < value;
   }
 
-  void offer(const Found& one) {
-    if (!wants(one.normal, one.value)) return;
+  void insert(const Found& one) {
+    if (!accepts(one.normal, one.value)) return;
     int at = 0;
     while (at < count_ && !are_near(found_[at].normal, one.normal, neighbours)) ++at;
     if (at == count_ && count_ < max_starts) ++count_;
@@ -192,19 +192,19 @@ class Search {
       const auto [bound, number] = bounds.front();
       const Factors& plane = first[number];
       if (bound < starts.best() - reserve()) break;
-      if (starts.wants(plane.normal, bound)) starts.offer(look(plane, none));
+      if (starts.accepts(plane.normal, bound)) starts.insert(evaluate(plane, none));
       std::pop_heap(bounds.begin(), end);
     }
     return starts;
   }
 
-  /// Upper bound of the value of a plane, closer if it is above `least`: from the centre determined
-  /// by the holders of a nearby plane.
-  double at_most(const Factors& plane, double least, const Holders& near = {}) {
+  /// Upper bound of the value of a plane. If it is above `threshold`, a closer bound is computed
+  /// from the centre that the holders of a nearby plane determine.
+  double at_most(const Factors& plane, double threshold, const Holders& near = {}) {
     const Box box = project(shear_, row_, plane.u, plane.v, work_, work_ + row_);
     normal_ = largest(stress_, row_, plane.n, work_ + 3 * row_);
     radius_ = box.half_diagonal;
-    if (law_(radius_, normal_) > least) {
+    if (law_(radius_, normal_) > threshold) {
       std::array<double, 2> centre = near.count == 0 ? box.centre : std::array<double, 2>{};
       for (std::size_t m = 0; m < near.count; ++m) {
         for (std::size_t d = 0; d < 2; ++d) {
@@ -217,10 +217,10 @@ class Search {
     return law_(radius_, normal_);
   }
 
-  /// Value of a plane with its holders; if it is not above `least`, only its upper bound.
-  Found look(const Factors& plane, double least, const Holders& near = {}) {
-    Found found{at_most(plane, least, near), plane.normal, {}};
-    if (found.value <= least) return found;
+  /// Value of a plane with its holders; only its upper bound if that is not above `threshold`.
+  Found evaluate(const Factors& plane, double threshold, const Holders& near = {}) {
+    Found found{at_most(plane, threshold, near), plane.normal, {}};
+    if (found.value <= threshold) return found;
     double *squares = work_ + 2 * row_, *normals = work_ + 3 * row_;
     const std::size_t far = std::find(squares, squares + row_, square_) - squares;
     const SmallestBall<2> circle(work_, row_, squares, far);
@@ -235,12 +235,13 @@ class Search {
     return found;
   }
 
-  /// From the maximum of one piece to that of the next, until a piece contains its own maximum.
-  Found rise(Found at) {
+  /// Ascent from the maximum of one piece to the maximum of the next, until a piece contains its
+  /// own maximum.
+  Found climb_pieces(Found at) {
     for (int round = 0; round < 20; ++round) {
       const Piece piece(at.holders, shear_, stress_, row_);
       const Top top = top_of(piece, law_, at.normal, spacing / 2);
-      const Found next = look(Factors(Plane(top.normal)), at.value, at.holders);
+      const Found next = evaluate(Factors(Plane(top.normal)), at.value, at.holders);
       if (!(next.value > at.value)) break;
       at = next;
       if (at.value <= top.value + rounding * scale_) break;
@@ -248,18 +249,18 @@ class Search {
     return at;
   }
 
-  /// Ascent to a maximum; at the boundaries of pieces there are many, so that planes around one are
-  /// evaluated, at decreasing distances.
-  Found climb(Found at, double least) {
-    at = rise(at);
+  /// Ascent to a maximum. There are many local maxima at the boundaries of pieces: planes around
+  /// each are evaluated at decreasing distances.
+  Found climb(Found at, double threshold) {
+    at = climb_pieces(at);
     if (is_known(at.normal)) return at;
-    double turn = 0.0;  // of the hexagon: the next planes lie between its planes
-    for (double step = spacing / 2; step > spacing / 40; step /= 3, turn += pi / 6) {
+    double rotation = 0.0;  // angle of the hexagon: each lies between the corners of the last one
+    for (double step = spacing / 2; step > spacing / 40; step /= 3, rotation += pi / 6) {
       for (int tries = 0; tries < 4; ++tries) {
-        if (at.value + reserve() * step / spacing < least) return at;
-        const Found better = around(at, step, turn);
+        if (at.value + reserve() * step / spacing < threshold) return at;
+        const Found better = around(at, step, rotation);
         if (!(better.value > at.value)) break;
-        at = rise(better);
+        at = climb_pieces(better);
         if (is_known(at.normal)) return at;
       }
     }
@@ -267,20 +268,20 @@ class Search {
     return at;
   }
 
-  /// Whether another ascent has ended there.
+  /// Whether an earlier ascent has ended at this plane.
   bool is_known(const Vector& normal) const {
     return std::any_of(tops_.begin(), tops_.begin() + count_,
                        [&](const Vector& top) { return are_near(top, normal, same); });
   }
 
-  /// Best of a plane and six planes around it.
-  Found around(const Found& at, double step, double turn) {
+  /// Best of a plane and the six planes around it, in a hexagon rotated by an angle.
+  Found around(const Found& at, double step, double rotation) {
     const Plane plane(at.normal);
-    const double c = step * std::cos(turn), s = step * std::sin(turn);
+    const double c = step * std::cos(rotation), s = step * std::sin(rotation);
     Found best = at;
     for (const auto& [x, y] : hexagon) {
-      const Factors next(Plane(plane.beside(c * x - s * y, s * x + c * y)));
-      const Found found = look(next, best.value, at.holders);
+      const Factors next(Plane(plane.normal_at(c * x - s * y, s * x + c * y)));
+      const Found found = evaluate(next, best.value, at.holders);
       if (found.value > best.value) best = found;
     }
     return best;

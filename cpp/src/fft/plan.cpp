@@ -35,7 +35,7 @@ class Plans {
       plan = Plan(make(), destroy);
     }
     const Plan made = plan;
-    if (plans_.size() > most) plans_ = {{{kind, m, count, sign}, made}};
+    if (plans_.size() > max_plans) plans_ = {{{kind, m, count, sign}, made}};
     return made;
   }
 
@@ -49,7 +49,7 @@ class Plans {
   }
 
  private:
-  static constexpr std::size_t most = 200;
+  static constexpr std::size_t max_plans = 200;
   std::mutex mutex_;
   std::map<std::tuple<Kind, int, int, int>, Plan> plans_;
 };
@@ -117,8 +117,8 @@ int odd_part(int n) {
 
 }  // namespace
 
-int convolution_size(int n, int period, int least) {
-  const int size = good_even_size(std::max(2 * n - 1, least));
+int convolution_size(int n, int period, int min_size) {
+  const int size = good_even_size(std::max(2 * n - 1, min_size));
   return period > 0 && period % 2 == 0 && period <= size ? period : size;
 }
 

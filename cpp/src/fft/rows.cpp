@@ -75,15 +75,16 @@ void fold_ends(const double* first, const double* last, double* halves) {
   }
 }
 
-/// Spectra of the real rows, `stride` numbers from k to k, from those of the complex ones: of
-/// `count` k going up from the low pointers, and of h - k going down from the high ones.
+/// Spectra of the real rows from those of the complex rows, at `count` wavenumbers k that ascend
+/// from the low pointers and at h - k that descend from the high ones. Successive wavenumbers are
+/// `stride` numbers apart.
 SAMCONTACT_MULTIVERSION
-void unfold(const double* low, const double* high, std::ptrdiff_t count, const Complex* turn,
+void unfold(const double* low, const double* high, std::ptrdiff_t count, const Complex* twiddle,
             double* to_low, double* to_high, std::ptrdiff_t stride) {
   for (std::ptrdiff_t k = 0; k < count; ++k) {
     fetch<1>(to_low + ahead * stride);
     fetch<1>(to_high - ahead * stride);
-    const double c = 0.5 * turn[k].real(), s = 0.5 * turn[k].imag();
+    const double c = 0.5 * twiddle[k].real(), s = 0.5 * twiddle[k].imag();
     for (std::ptrdiff_t r = 0; r < 2 * block; r += 2) {
       const double even_re = 0.5 * (low[r] + high[r]), even_im = 0.5 * (low[r + 1] - high[r + 1]);
       const double odd_re = low[r + 1] + high[r + 1], odd_im = high[r] - low[r];
@@ -102,11 +103,11 @@ void unfold(const double* low, const double* high, std::ptrdiff_t count, const C
 
 SAMCONTACT_MULTIVERSION
 void fold(const double* low, const double* high, std::ptrdiff_t stride, int count,
-          const Complex* turn, double* to_low, double* to_high) {
+          const Complex* twiddle, double* to_low, double* to_high) {
   for (std::ptrdiff_t k = 0; k < count; ++k) {
     fetch<0>(low + ahead * stride);
     fetch<0>(high - ahead * stride);
-    const double c = turn[k].real(), s = turn[k].imag();
+    const double c = twiddle[k].real(), s = twiddle[k].imag();
     for (std::ptrdiff_t r = 0; r < 2 * block; r += 2) {
       const double even_re = low[r] + high[r], even_im = low[r + 1] - high[r + 1];
       const double re = low[r] - high[r], im = low[r + 1] + high[r + 1];
@@ -178,7 +179,7 @@ std::vector<RowRun> runs_of(std::span<const char> used) {
 }
 
 Rows::Rows(int n, int m)
-    : n_(n), m_(m), side_by_side_(m <= longest_side_by_side), turn_(m / 4 + std::size_t{1}) {
+    : n_(n), m_(m), side_by_side_(m <= longest_side_by_side), twiddle_(m / 4 + std::size_t{1}) {
   const int h = m / 2;
   const auto plan = [&](int sign) {
     return side_by_side_ ? plan_lines_side_by_side(h, static_cast<int>(block), sign)
@@ -186,7 +187,7 @@ Rows::Rows(int n, int m)
   };
   forward_ = plan(FFTW_FORWARD);
   inverse_ = plan(FFTW_BACKWARD);
-  for (int k = 0; k <= m / 4; ++k) turn_[k] = std::polar(1.0, -2.0 * std::numbers::pi * k / m);
+  for (int k = 0; k <= m / 4; ++k) twiddle_[k] = std::polar(1.0, -2.0 * std::numbers::pi * k / m);
 }
 
 /// rest: rows of n numbers that are not a whole block.
@@ -211,8 +212,8 @@ void Rows::forward_side_by_side(const double* plane, Room& room, double* columns
   gather(plane, n_, parts(room.samples.data()));
   fftw_execute_dft(forward_.get(), raw(room.samples.data()), raw(room.halves.data()));
   unfold_ends(halves, columns, columns + h * step);
-  unfold(halves + 2 * block, halves + 2 * block * (h - 1), h / 2, turn_.data() + 1, columns + step,
-         columns + (h - 1) * step, step);
+  unfold(halves + 2 * block, halves + 2 * block * (h - 1), h / 2, twiddle_.data() + 1,
+         columns + step, columns + (h - 1) * step, step);
 }
 
 void Rows::inverse_side_by_side(const double* columns, std::ptrdiff_t step, Room& room,
@@ -220,8 +221,8 @@ void Rows::inverse_side_by_side(const double* columns, std::ptrdiff_t step, Room
   const int h = m_ / 2;
   double* halves = parts(room.halves.data());
   fold_ends(columns, columns + h * step, halves);
-  fold(columns + step, columns + (h - 1) * step, step, h / 2, turn_.data() + 1, halves + 2 * block,
-       halves + 2 * block * (h - 1));
+  fold(columns + step, columns + (h - 1) * step, step, h / 2, twiddle_.data() + 1,
+       halves + 2 * block, halves + 2 * block * (h - 1));
   fftw_execute_dft(inverse_.get(), raw(room.halves.data()), raw(room.samples.data()));
   scatter(parts(room.samples.data()), n_, plane);
 }
@@ -243,8 +244,8 @@ void Rows::forward_lines(const double* plane, std::ptrdiff_t rows, Room& room, d
     const std::ptrdiff_t count = std::min(chunk, h / 2 + 1 - k);
     from_lines(lines + 2 * k, pitch, count, low);
     from_lines(lines + 2 * (h - k - count + 1), pitch, count, high + 2 * block * (chunk - count));
-    unfold(low, high + last, count, turn_.data() + k, columns + k * step, columns + (h - k) * step,
-           step);
+    unfold(low, high + last, count, twiddle_.data() + k, columns + k * step,
+           columns + (h - k) * step, step);
   }
 }
 
@@ -258,7 +259,7 @@ void Rows::inverse_lines(const double* columns, std::ptrdiff_t step, std::ptrdif
   to_lines(low, 1, lines, pitch);
   for (std::ptrdiff_t k = 1; k <= h / 2; k += chunk) {
     const std::ptrdiff_t count = std::min(chunk, h / 2 + 1 - k);
-    fold(columns + k * step, columns + (h - k) * step, step, count, turn_.data() + k, low,
+    fold(columns + k * step, columns + (h - k) * step, step, count, twiddle_.data() + k, low,
          high + last);
     to_lines(low, count, lines + 2 * k, pitch);
     to_lines(high + 2 * block * (chunk - count), count, lines + 2 * (h - k - count + 1), pitch);

@@ -43,8 +43,9 @@ void check_heat_arguments(const HeatSource& source, const HeatPoints& points, do
   const double extent =
       std::max({std::fabs(points.x.front()), std::fabs(points.x.back()),
                 std::fabs(points.y.front()), std::fabs(points.y.back()), source.a, source.b});
-  require(source.speed() * extent <= max_heat_path, "speed times extent", "<= 1e7",
-          source.speed() * extent);
+  require(source.speed() <= max_heat_path / extent, "speed",
+          "at most 1e7 over the largest of a, b, |x| and |y|, " + to_text(max_heat_path / extent),
+          source.speed());
 }
 
 }  // namespace samcontact::kernels

@@ -50,7 +50,7 @@ HeatProfile::HeatProfile(const std::vector<double>& x, double a)
   for (const double edge : all) {
     if (edges_.empty() || edge - edges_.back() > rounding) edges_.push_back(edge);
   }
-  // Last edge that is not above it, up to rounding.
+  // Index of an edge, up to rounding.
   const auto index = [&](double edge) {
     return static_cast<int>(std::upper_bound(edges_.begin(), edges_.end(), edge) - edges_.begin()) -
            1;
@@ -158,8 +158,8 @@ void HeatSum::flush() {
 double HeatSum::last_age(double v) const {
   const auto passed = [&](const HeatProfile& profile, double speed) {
     if (speed == 0) return std::numeric_limits<double>::infinity();
-    const double way = (speed > 0 ? profile.max() : -profile.min()) + profile.half_size();
-    return std::max(0.0, way + reach_ * v) / std::fabs(speed);
+    const double path = (speed > 0 ? profile.max() : -profile.min()) + profile.half_size();
+    return std::max(0.0, path + reach_ * v) / std::fabs(speed);
   };
   return std::min(passed(profile_x_, speed_x_), passed(profile_y_, speed_y_));
 }

@@ -94,7 +94,7 @@ void for_each_ring(const RingWaves& waves, double extent, double smallest_cell, 
     const bool is_last = outer * extent < last;
     const double inner = is_last ? 0.0 : 0.5 * outer;
     const double support = reach / (edge * (is_last ? outer : inner));
-    // Within the cells only their total acts, and that of a ring is zero.
+    // A kernel shorter than a cell acts through its integral only, which is zero for a ring.
     if (is_last || support >= 0.5 * smallest_cell) add(inner, outer, support, is_last);
     if (is_last) return;
   }

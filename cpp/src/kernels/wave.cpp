@@ -92,14 +92,14 @@ Stress shear_wave_mean(double kx, double ky, double z0, double z1, double nu) {
 }
 
 Stress strip_pressure_stress(double x, double z, double nu) {
-  const double turn = angle(x, z), xz = ratio(x * z, x, z), zz = ratio(z * z, x, z);
-  return {xz - turn, -2 * nu * turn, -turn - xz, 0.0, zz, 0.0};
+  const double arc = angle(x, z), xz = ratio(x * z, x, z), zz = ratio(z * z, x, z);
+  return {xz - arc, -2 * nu * arc, -arc - xz, 0.0, zz, 0.0};
 }
 
 Stress strip_shear_stress(double x, double z, double nu) {
-  const double turn = angle(x, z), xz = ratio(x * z, x, z), zz = ratio(z * z, x, z);
+  const double arc = angle(x, z), xz = ratio(x * z, x, z), zz = ratio(z * z, x, z);
   const double log = log_distance(x, z);
-  return {-2 * log - zz, -2 * nu * log, zz, 0.0, xz - turn, 0.0};
+  return {-2 * log - zz, -2 * nu * log, zz, 0.0, xz - arc, 0.0};
 }
 
 Stress strip_antiplane_stress(double x, double z) {
@@ -107,25 +107,25 @@ Stress strip_antiplane_stress(double x, double z) {
 }
 
 std::array<double, 6> bar_displacement(double x, double z, double nu) {
-  const double log = x * log_distance(x, z), turn = z * angle(x, z);
-  const double trace = -2 * nu * (log + turn);
+  const double log = x * log_distance(x, z), arc = z * angle(x, z);
+  const double trace = -2 * nu * (log + arc);
   const double shear = x == 0 ? 0.0 : 2 * x * std::atan(z / x);
-  return {2 * nu * log - (1 - 2 * nu) * turn + trace,
+  return {2 * nu * log - (1 - 2 * nu) * arc + trace,
           trace,
-          -2 * (1 - nu) * log - (1 - 2 * nu) * turn + trace,
+          -2 * (1 - nu) * log - (1 - 2 * nu) * arc + trace,
           0.0,
           shear,
           0.0};
 }
 
 std::array<double, 6> bar_displacement_across(double x, double z, double nu) {
-  const double log = z * log_distance(x, z), turn = x == 0 ? 0.0 : x * std::atan(z / x);
-  return {2 * log + turn, 2 * nu * (log + turn), turn, 0.0, -2 * z * angle(x, z), 0.0};
+  const double log = z * log_distance(x, z), arc = x == 0 ? 0.0 : x * std::atan(z / x);
+  return {2 * log + arc, 2 * nu * (log + arc), arc, 0.0, -2 * z * angle(x, z), 0.0};
 }
 
 std::array<double, 6> bar_displacement_along(double x, double z) {
-  const double log = log_distance(x, z), turn = x == 0 ? 0.0 : x * std::atan(z / x);
-  return {0.0, 0.0, 0.0, -2 * (x * log + z * angle(x, z)), 0.0, 2 * (z * log + turn)};
+  const double log = log_distance(x, z), arc = x == 0 ? 0.0 : x * std::atan(z / x);
+  return {0.0, 0.0, 0.0, -2 * (x * log + z * angle(x, z)), 0.0, 2 * (z * log + arc)};
 }
 
 }  // namespace samcontact::kernels

@@ -70,9 +70,10 @@ double Body::strain_at_yield() const {
 }
 
 std::size_t Body::backstresses() const {
-  std::size_t most = 0;
-  for (int n = 0; n < count(); ++n) most = std::max(most, material(n).backstresses.size());
-  return most;
+  std::size_t max_count = 0;
+  for (int n = 0; n < count(); ++n)
+    max_count = std::max(max_count, material(n).backstresses.size());
+  return max_count;
 }
 
 bool Body::changes_like(const Body& other) const {

@@ -51,8 +51,8 @@ double Voce::work(double g) const {
 
 void Tabulated::prepare(const Elastic&) {
   const std::size_t count = plastic_strain.size();
-  require(count >= 1 && count <= most, "number of values in plastic_strain",
-          "from 1 to " + std::to_string(most), static_cast<double>(count));
+  require(count >= 1 && count <= max_points, "number of values in plastic_strain",
+          "from 1 to " + std::to_string(max_points), static_cast<double>(count));
   require(stress.size() == count, "number of values in stress",
           "the number of values in plastic_strain, " + std::to_string(count),
           static_cast<double>(stress.size()));
@@ -111,7 +111,7 @@ Hardening Hardening::named(const std::string& name, const Values& values, const 
     });
     found = std::move(law);
   });
-  if (!known) throw std::invalid_argument("unknown hardening law '" + name + "'");
+  if (!known) throw unknown_law("hardening law", law_names<Laws>(), name);
   return {std::move(found), elastic};
 }
 

@@ -118,12 +118,12 @@ Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
                        const contact::FrictionLaw& friction, const Settings& settings,
                        const TransientHeating& transient_heating, Reliefs reliefs,
                        contact::SharedContactLaw contact_law)
-    : scene_((contact::require_gap(initial_gap, grid, "gap"),
-              std::make_shared<Scene>(grid, body1, body2, std::move(initial_gap), friction,
+    : setup_((contact::require_gap(initial_gap, grid, "gap"),
+              std::make_shared<Setup>(grid, body1, body2, std::move(initial_gap), friction,
                                       settings.image_tol, transient_heating, settings.reach,
                                       std::move(reliefs), settings.split, std::move(contact_law)))),
       settings_(settings),
-      state_(scene_, settings.residual_stress) {
+      state_(setup_, settings.residual_stress) {
   if (!grid.has_volume() && (body1.is_plastic() || body2.is_plastic())) {
     throw std::invalid_argument(
         "dz is required for an elastic-plastic body; the number of layers is chosen automatically");
@@ -132,17 +132,17 @@ Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
 }
 
 const Scans& Simulation::scans(const operators::HeatingPair& heating) {
-  const auto& [upper, lower] = scene_->bodies;
+  const auto& [upper, lower] = setup_->bodies;
   const bool equal =
-      scene_->media[0] == scene_->media[1] && heating[0] == heating[1] && upper.changes_like(lower);
+      setup_->media[0] == setup_->media[1] && heating[0] == heating[1] && upper.changes_like(lower);
   for (int b = 0; b < 2; ++b) {
-    if (!scene_->bodies[b].is_plastic()) continue;
+    if (!setup_->bodies[b].is_plastic()) continue;
     if (scans_[b] && scans_heating_[b] == heating[b]) continue;
     scans_[b] = b == 1 && scans_[0] && equal
                     ? scans_[0]
-                    : std::make_shared<const YieldScan>(scene_->grid, scene_->strength(b, {}),
-                                                        scene_->media[b],
-                                                        scene_->cache.heat_stress(b, heating[b]));
+                    : std::make_shared<const YieldScan>(setup_->grid, setup_->strength(b, {}),
+                                                        setup_->media[b],
+                                                        setup_->cache.heat_stress(b, heating[b]));
   }
   scans_heating_ = heating;
   return scans_;
@@ -150,15 +150,15 @@ const Scans& Simulation::scans(const operators::HeatingPair& heating) {
 
 void Simulation::check(const Target& target) const {
   if (!target.is_prescribed()) {
-    return contact::require_valid(target.drive, *scene_->contact_law);
+    return contact::require_valid(target.drive, *setup_->contact_law);
   }
-  if (scene_->contact_law->attracts()) {
+  if (setup_->contact_law->attracts()) {
     throw std::invalid_argument(
         "pressure cannot be prescribed for surfaces with attraction: no contact would be solved");
   }
-  contact::require_surface(target.tractions.pressure, scene_->grid, "pressure");
+  contact::require_surface(target.tractions.pressure, setup_->grid, "pressure");
   for (const Field* shear : {&target.tractions.shear_x, &target.tractions.shear_y}) {
-    if (!shear->empty()) contact::require_surface(*shear, scene_->grid, "shear");
+    if (!shear->empty()) contact::require_surface(*shear, setup_->grid, "shear");
   }
 }
 
@@ -166,10 +166,10 @@ std::vector<std::string> Simulation::edge_warnings(const State& reached,
                                                    const Target& target) const {
   if (target.is_prescribed()) return {};
   const Field repulsion = simulation::repulsion(reached);
-  std::string what = contact::edge_warning(scene_->grid, repulsion, describe(target));
+  std::string what = contact::edge_warning(setup_->grid, repulsion, describe(target));
   if (what.empty()) return {};
   if (settings_.on_border == contact::OnBorder::error) {
-    throw contact::too_small(scene_->grid, repulsion, what);
+    throw contact::too_small(setup_->grid, repulsion, what);
   }
   return {std::move(what)};
 }
@@ -180,7 +180,7 @@ State Simulation::end_state(const Target& target) {
 }
 
 State Simulation::heated_by_slip(Target target) {
-  const Grid& grid = scene_->grid;
+  const Grid& grid = setup_->grid;
   const double duration = std::exchange(target.duration, 0.0);
   const auto moving = symmetry_of({target.heating[0].of_power(), target.heating[1].of_power()});
   Field& power = target.slip_power;
@@ -212,7 +212,7 @@ const State& Simulation::step(const Target& target) {
   const long contact_before = counters_.contact_iterations;
   Target whole = target;
   const auto& [pressure, shear_x, shear_y] = target.tractions;
-  if (shear_x.empty() && shear_y.empty()) whole.tractions = scene_->friction.tractions(pressure);
+  if (shear_x.empty() && shear_y.empty()) whole.tractions = setup_->friction.tractions(pressure);
   const bool slip_heats = whole.heating[0].is_of_slip() || whole.heating[1].is_of_slip();
   State reached = slip_heats ? heated_by_slip(std::move(whole)) : end_state(whole);
   reached.contact_iterations = static_cast<int>(counters_.contact_iterations - contact_before);
@@ -223,8 +223,8 @@ const State& Simulation::step(const Target& target) {
 
 void Simulation::set_plastic_state(int body, const Box& whole, const Field& strain,
                                    const Field& equivalent, const Field& backstress) {
-  const Grid grid = whole.grid(scene_->grid);
-  if (!scene_->bodies[body].is_plastic()) {
+  const Grid grid = whole.grid(setup_->grid);
+  if (!setup_->bodies[body].is_plastic()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
                                 " is not elastic-plastic: its plastic strain cannot be set");
   }
@@ -236,8 +236,8 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
     require(lowest >= 0, "equivalent", ">= 0 everywhere", lowest);
   }
   if (!backstress.empty()) {
-    const auto materials = scene_->strength(body, state_.travel).materials(whole);
-    check_backstress(scene_->bodies[body], materials, backstress, grid);
+    const auto materials = setup_->strength(body, state_.travel).materials(whole);
+    check_backstress(setup_->bodies[body], materials, backstress, grid);
   }
   // Box of all cells with a history.
   Box box;
@@ -262,16 +262,16 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
   // Plastic strain has no trace except for rounding.
   const auto tensor =
       trace <= 1e-12 * largest ? operators::Tensor::deviator : operators::Tensor::full;
-  const std::size_t terms = scene_->bodies[body].backstresses();
+  const std::size_t terms = setup_->bodies[body].backstresses();
   const auto record = record_of({whole, strain, equivalent, backstress, terms}, box, tensor);
-  state_.plastic[body] = from_record(record, scene_->grid, terms);
-  const Grid& window = scene_->grid;
+  state_.plastic[body] = from_record(record, setup_->grid, terms);
+  const Grid& window = setup_->grid;
   state_.flow_boxes[body] = {box.intersected({0, 0, window.nx, window.ny, box.nz})};
 }
 
 void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& strain) {
-  const Grid& grid = scene_->grid;
-  scene_->require_volume(body);
+  const Grid& grid = setup_->grid;
+  setup_->require_volume(body);
   Box down = box;
   down.nz += k0;
   const bool inside = Box::surface(grid).contains({box.i0, box.j0, box.nx, box.ny, 1}) && k0 >= 0 &&
@@ -282,7 +282,7 @@ void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& 
   require_field(strain, 6 * box.volume_size(), "strain", shape_text({6, box.nx, box.ny, box.nz}));
   Eigenstrains sum = state_.eigenstrain;
   sum[body] = sum_of(sum[body], box, k0, strain);
-  require_followed(sum, *scene_, state_.travel);
+  require_followed(sum, *setup_, state_.travel);
   state_.eigenstrain = std::move(sum);
   state_.contact_gap.clear();
   state_.last_flow = nullptr;
@@ -295,7 +295,7 @@ void Simulation::restore(const State& state, const Counters& counters) {
 }
 
 std::size_t Simulation::volume_bytes() const {
-  std::size_t bytes = scene_->cache.bytes();
+  std::size_t bytes = setup_->cache.bytes();
   for (int b = 0; b < 2; ++b) {
     if (const auto& strain = state_.eigenstrain[b]) bytes += strain->tiles().bytes();
     if (const auto& plastic = state_.plastic[b]) {

@@ -195,8 +195,8 @@ def choice(name: str, value: Any, allowed: tuple[Any, ...]) -> Any:
         value = value[()]
     for item in allowed:
         # True and 1 + 0j are equal to 1; 2.0 is accepted as 2
-        alike = Real if isinstance(item, Real) else type(item)
-        if isinstance(value, alike) and not isinstance(value, _NON_REAL_TYPES) and value == item:
+        kind = Real if isinstance(item, Real) else type(item)
+        if isinstance(value, kind) and not isinstance(value, _NON_REAL_TYPES) and value == item:
             return item
     listed = ", ".join(repr(item) for item in allowed)
     raise ValueError(f"{name} must be one of {listed}, got {in_short(value)}")
@@ -362,7 +362,7 @@ def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray
     return array
 
 
-def of_bodies(name: str, value: float | Sequence[float]) -> tuple[float, float]:
+def value_per_body(name: str, value: float | Sequence[float]) -> tuple[float, float]:
     """Return a finite float >= 0 for each body; a single number is for body 2 (body 1: 0)."""
     given = real_array(name, value)
     pair = [0.0, value] if given.ndim == 0 else list(given)

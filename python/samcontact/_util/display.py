@@ -65,7 +65,7 @@ def quantity(value: float, unit: str = "", digits: int = 4) -> str:
     if not math.isfinite(value):
         return {math.inf: "∞", -math.inf: "-∞"}.get(value, "none")
     if unit == "m²":
-        shown = next(name for name, least in _AREA_UNITS if abs(value) >= least)
+        shown = next(name for name, unit_size in _AREA_UNITS if abs(value) >= unit_size)
         return f"{value * _AREA_FACTORS[shown]:.{digits}g} {shown}"
     mantissa, power = f"{value:.{digits - 1}e}".split("e")
     place, shift = divmod(int(power), 3)

@@ -54,11 +54,11 @@ def forget() -> bool:
 memory.CACHE_RELEASERS.append(forget)
 
 
-def _drop(most: float) -> None:
-    """Remove the fields unused for longest until at most `most` bytes remain in the cache."""
+def _drop(limit: float) -> None:
+    """Remove the fields unused for longest until at most `limit` bytes remain in the cache."""
     total = sum(field.nbytes for mine in _fields.values() for field in mine.values())
     for mine in list(_fields.values()):
         for name in list(mine):
-            if total <= most:
+            if total <= limit:
                 return
             total -= mine.pop(name).nbytes

@@ -17,7 +17,7 @@ MIN_STACK_BYTES = 2**20
 """Minimum stack of a thread [bytes]: an increment crashed with 16 kB and passed with 32 kB."""
 
 
-def most_threads() -> int:
+def max_threads() -> int:
     """Return the maximum number of threads, eight per processor; more would only wait."""
     return 8 * (os.cpu_count() or 1)
 
@@ -41,11 +41,11 @@ def _number_of_threads(given: str) -> str | None:
             stacklevel=2,
         )
         return None
-    return ",".join(str(min(count or 1, most_threads())) for count in counts)
+    return ",".join(str(min(count or 1, max_threads())) for count in counts)
 
 
 def _limit(given: str) -> str:
-    return str(min(_count(given.strip()) or most_threads(), most_threads()))
+    return str(min(_count(given.strip()) or max_threads(), max_threads()))
 
 
 def _stack(given: str) -> str | None:
@@ -82,7 +82,7 @@ def _settings() -> Iterator[tuple[str, str | None]]:
     defaults = {
         "OMP_WAIT_POLICY": "passive",
         "GOMP_SPINCOUNT": "10000",
-        "OMP_THREAD_LIMIT": str(most_threads()),
+        "OMP_THREAD_LIMIT": str(max_threads()),
     }
     for name, value in defaults.items():
         if name not in os.environ:

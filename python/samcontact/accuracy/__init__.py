@@ -2,8 +2,8 @@
 """Solution of a case to a prescribed accuracy, with automatic grids and increments."""
 
 from .._util.errors import AccuracyWarning
-from .asked import to_accuracy
 from .outcome import AccuracyResult
+from .prescribed import to_accuracy
 from .refinable_case import RefinableCase
 
 __all__ = ["AccuracyResult", "AccuracyWarning", "RefinableCase", "to_accuracy"]

@@ -39,7 +39,7 @@ class _Limit(NamedTuple):
     of: str
 
 
-def require_attainable(name: str, target: float, simulation: Simulation, most: float) -> None:
+def require_attainable(name: str, target: float, simulation: Simulation, max_load: float) -> None:
     """Raise ValueError if no load up to the largest can give the target value.
 
     Bounds follow from Hertz theory for a parabolic gap, from the yield stress, and from the size of
@@ -53,15 +53,15 @@ def require_attainable(name: str, target: float, simulation: Simulation, most: f
         Target value in SI units.
     simulation : Simulation
         Simulation for the largest load.
-    most : float
+    max_load : float
         Largest load [N].
     """
     kind = name.partition(",")[0].partition("_body")[0]
     _, unit = label_and_unit(name)
-    largest = _upper_bound(name, simulation, most)
+    largest = _upper_bound(name, simulation, max_load)
     shown = f"value = {target!r} of {name.replace(',', ' or ')}"
 
-    def meant() -> str:
+    def unit_hint() -> str:
         """Return a hint, as text, at the first unit in which the number would be attainable."""
         for other, factor in _UNIT_ERROR_FACTORS.get(unit, {}).items() if kind != YIELD else ():
             value = factor * target
@@ -75,20 +75,20 @@ def require_attainable(name: str, target: float, simulation: Simulation, most: f
 
     if largest is not None and target > largest.value:
         raise ValueError(
-            f"{shown} cannot be reached: at loads up to {most:.6g} N the value is below "
-            f"{largest.value:.6g}, {largest.of}{meant()}"
+            f"{shown} cannot be reached: at loads up to {max_load:.6g} N the value is below "
+            f"{largest.value:.6g}, {largest.of}{unit_hint()}"
         )
-    if why := _reason_too_small(kind, target, simulation):
-        raise ValueError(f"{shown} is too small for the grid: {why}{meant()}")
+    if reason := _reason_too_small(kind, target, simulation):
+        raise ValueError(f"{shown} is too small for the grid: {reason}{unit_hint()}")
 
 
-def _upper_bound(name: str, simulation: Simulation, most: float) -> _Limit | None:
-    """Return the upper bound of a quantity for loads up to `most` [N]; None if unknown."""
+def _upper_bound(name: str, simulation: Simulation, max_load: float) -> _Limit | None:
+    """Return the upper bound of a quantity for loads up to `max_load` [N]; None if unknown."""
     first = name.partition(",")[0]
     kind, _, number = first.partition("_body")
     both = simulation.body1, simulation.body2
     bodies = [both[int(number) - 1]] if number and first == name else list(both)
-    expected = simulation.engine.estimate.hertz(load=most)
+    expected = simulation.engine.estimate.hertz(load=max_load)
     found = [
         _strain_bound(kind),
         _strength_bound(kind, bodies),
@@ -156,20 +156,20 @@ def _hertz_bound(kind: str, simulation: Simulation, expected: ExpectedContact) -
 
 def _reason_too_small(kind: str, target: float, simulation: Simulation) -> str | None:
     """Return, as text, why the grid cannot resolve so small a value; None if it can."""
-    grid, scene = simulation.grid, simulation.engine.estimate
+    grid, estimate = simulation.grid, simulation.engine.estimate
     if kind == "contact_area" and target < grid.cell_area:
         return f"one cell has an area of {quantity(grid.cell_area, 'm²')}"
-    radii = scene.radii
+    radii = estimate.radii
     if kind not in ("max_pressure", "max_von_mises", "approach") or radii is None:
         return None
     if kind == "approach":
-        expected = scene.hertz(approach=target + float(scene.gap.min()))
+        expected = estimate.hertz(approach=target + float(estimate.gap.min()))
     else:
-        like = scene.hertz(load=1.0)
+        like = estimate.hertz(load=1.0)
         if like is None:
             return None
         # the pressure of a Hertz contact grows as the cube root of the load
-        expected = scene.hertz(load=(target / like.contact.p0) ** 3)
+        expected = estimate.hertz(load=(target / like.contact.p0) ** 3)
     if expected is None or 2 * expected.semi_axes[0] >= max(grid.dx, grid.dy):
         return None
     across = quantity(2 * expected.semi_axes[0], "m")

@@ -51,7 +51,7 @@ class Estimate(NamedTuple):
     """Whether each value is extrapolated."""
 
 
-def of_grids(series: ArrayLike) -> Estimate:
+def extrapolate_grids(series: ArrayLike) -> Estimate:
     """Extrapolate values to zero cell size, from grids refined by the factor `REFINEMENT_RATIO`.
 
     Parameters
@@ -76,9 +76,9 @@ def of_grids(series: ArrayLike) -> Estimate:
     scaled = [
         np.abs(step) * REFINEMENT_RATIO ** (-2 * age) for age, step in enumerate(steps[::-1][:3])
     ]
-    least = MIN_RELATIVE_ERROR * REFINEMENT_RATIO ** (-2 * (len(f) - 1)) * np.abs(f[-1])
+    floor = MIN_RELATIVE_ERROR * REFINEMENT_RATIO ** (-2 * (len(f) - 1)) * np.abs(f[-1])
     widest = np.max(scaled, axis=0)  # zero for prescribed quantities
-    careful = np.where(widest > 0, np.maximum(SAFETY_FACTOR * widest, least), 0.0)
+    careful = np.where(widest > 0, np.maximum(SAFETY_FACTOR * widest, floor), 0.0)
     if len(f) < 4:
         return Estimate(f[-1], careful, np.zeros(last.shape, dtype=bool))
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -91,7 +91,7 @@ def of_grids(series: ArrayLike) -> Estimate:
     return Estimate(np.where(clean, f[-1] + beyond, f[-1]), np.where(clean, errors, careful), clean)
 
 
-def of_doublings(steps: ArrayLike, used: int = 0) -> Estimate:
+def extrapolate_increments(steps: ArrayLike, used: int = 0) -> Estimate:
     """Estimate the change of a value as the increments tend to infinity (first-order convergence).
 
     Parameters
@@ -127,12 +127,12 @@ def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
     return np.maximum(CORRECTION_CHANGE_PER_GRID * change, MIN_CORRECTION_CHANGE)
 
 
-def irregular(more: FloatArray, twice: FloatArray) -> FloatArray:
+def irregular(more: FloatArray, doubled: FloatArray) -> FloatArray:
     """Return the part of the increment corrections that is not of first order.
 
     Parameters
     ----------
-    more, twice : ndarray
+    more, doubled : ndarray
         Corrections of the values for n and for 2 n increments.
 
     Returns
@@ -141,8 +141,12 @@ def irregular(more: FloatArray, twice: FloatArray) -> FloatArray:
         Zero where the ratio of the corrections is within `FIRST_ORDER_RATIOS`.
     """
     low, high = FIRST_ORDER_RATIOS
-    inside = (more * twice > 0) & (abs(more) >= low * abs(twice)) & (abs(more) <= high * abs(twice))
-    return np.where(inside, 0.0, np.abs(more - 2.0 * twice))
+    inside = (
+        (more * doubled > 0)
+        & (abs(more) >= low * abs(doubled))
+        & (abs(more) <= high * abs(doubled))
+    )
+    return np.where(inside, 0.0, np.abs(more - 2.0 * doubled))
 
 
 def combined(found: Estimate, parts: Sequence[int]) -> Estimate:

@@ -24,7 +24,7 @@ from ..simulation.repeated import coarsened
 from ..simulation.restoring import repeat_with
 from ..simulation.run import run_into
 from ..simulation.steps import STEP_ARGUMENTS
-from ..solutions.contact_area import area_doubt
+from ..solutions.contact_area import perimeter_correction
 from ..solutions.peak import peak
 from ..solutions.state import on_common_grid
 from ..solutions.tangential_quantities import ROUNDING_ERROR, along_surface, not_rounding
@@ -276,13 +276,13 @@ def _differences(
             for name, value in fine.items()
             if value != 0 and name not in endless and name.partition("_body")[0] in kind
         }
-        least = _MIN_ERROR_OF_KIND * max(relative.values(), default=0.0)
+        floor = _MIN_ERROR_OF_KIND * max(relative.values(), default=0.0)
         for name in relative:
-            found[name] = max(found[name], least * abs(fine[name]))
+            found[name] = max(found[name], floor * abs(fine[name]))
     if fine["contact_area"] > 0:
         share = area_uncertainty(state.repulsion, state.grid.periodic)
         of_area = _AREA_ERROR_FACTOR * (2 * share / ROUND_SPOT_AREA_ERROR) ** 1.5
-        of_area += area_doubt(state.repulsion, state.grid.periodic)
+        of_area += perimeter_correction(state.repulsion, state.grid.periodic)
         cells = np.count_nonzero(state.in_contact)
         if 0 < (open_ := state.pressure.size - cells) < cells and state.grid.periodic == "xy":
             of_area *= (cells / open_) ** 0.5  # here the open spots are unresolved
@@ -312,14 +312,14 @@ def _slip_errors(
     return found
 
 
-def said_of_increments(attributes: Mapping[Any, Any]) -> str:
+def increments_note(attributes: Mapping[Any, Any]) -> str:
     """Return, as text, how much more increments would change whole fields; "" if unknown."""
     start = "increment_error_"
     shares = {str(n).removeprefix(start): s for n, s in attributes.items() if start in str(n)}
     return f"{increment_errors.error_summary(shares)} of its maximum" if shares else ""
 
 
-def said_of_slope(share: float) -> str:
+def slope_note(share: float) -> str:
     """Return, as text, the fraction of surface slope below four cells; "" if `share` is NaN."""
     if not np.isfinite(share):
         return ""
@@ -348,7 +348,7 @@ class ErrorRow(NamedTuple):
     increment: int
     shown: str
     relative: float
-    asked: float | None = None
+    target: float | None = None
     by_increments: float | None = None
     """Relative change by more increments; None if unknown, or if included in `relative`."""
 
@@ -371,15 +371,15 @@ def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:
     values = {name: dataset[f"{name}_best" if f"{name}_best" in dataset else name].values
               for name in names}  # fmt: skip
     errors = {name: dataset[f"{name}_error"].values for name in names}
-    asked = {name: dataset[f"{name}_error"].attrs.get("accuracy") for name in names}
+    targets = {name: dataset[f"{name}_error"].attrs.get("accuracy") for name in names}
     by_increments = {name: dataset[f"{name}_error"].attrs.get("by_increments") for name in names}
-    return _largest_of(values, errors, asked, by_increments)
+    return _largest_of(values, errors, targets, by_increments)
 
 
 def _largest_of(
     values: Mapping[str, FloatArray],
     errors: Mapping[str, FloatArray],
-    asked: Mapping[str, float | None],
+    targets: Mapping[str, float | None],
     by_increments: Mapping[str, float | None],
 ) -> list[ErrorRow]:
     """Return a row for the maximum of each quantity that is neither prescribed nor zero."""
@@ -393,8 +393,8 @@ def _largest_of(
             label = quantity_of.heading
             label = label if body is None else f"{label}, body {body}"
             shown = quantity(float(values[name][at]), unit, 5)
-            wanted = asked.get(name)  # for all increments, relative to the maximum
-            relative = float((error[at] if wanted is None else np.nanmax(error)) / known[at])
-            row = ErrorRow(label, at + 1, shown, relative, wanted, by_increments.get(name))
+            target = targets.get(name)  # for all increments, relative to the maximum
+            relative = float((error[at] if target is None else np.nanmax(error)) / known[at])
+            row = ErrorRow(label, at + 1, shown, relative, target, by_increments.get(name))
             rows.append(row)
     return rows

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .._util.checks import FloatArray
-from .estimate import by_grid, irregular, of_doublings
+from .estimate import by_grid, extrapolate_increments, irregular
 from .refinable_case import GridRun
 
 Runs = Mapping[tuple[int, int], GridRun]
@@ -53,7 +53,7 @@ def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
         made.append(Doubling(n, max(g for g, m in runs if m == 2 * n and (g, n) in runs)))
     steps = np.array([runs[g, 2 * n].values - runs[g, n].values for n, g in made])
     first = [n for n, _ in made].index(used)
-    more, twice = of_doublings(steps, first), of_doublings(steps, first + 1)
+    more, doubled = extrapolate_increments(steps, first), extrapolate_increments(steps, first + 1)
     sizes = np.abs(steps[first:])
     sizes[-1] *= 2.0  # the sum of all following changes equals the last
     shares = [by_grid(runs[g, used].values, finest) for _, g in made[first:]]
@@ -62,5 +62,5 @@ def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
         errors=more.errors,
         doublings=made[first:],
         by_grid=[share * size for share, size in zip(shares, sizes, strict=True)],
-        irregular=irregular(more.values, twice.values),
+        irregular=irregular(more.values, doubled.values),
     )

@@ -93,27 +93,27 @@ class FoundLoad(HtmlTable):
 class LoadSearch:
     """Load search, which solves each load at most once per grid.
 
-    start, most: initial and maximum load [N]; tolerance: relative tolerance on the quantity.
+    start, max_load: initial and maximum load [N]; tolerance: relative tolerance on the quantity.
     """
 
     def __init__(
         self, quantity: str, target: float, build: Callable[[float], Built], start: float,
-        most: float, tolerance: float, progress: bool,
+        max_load: float, tolerance: float, progress: bool,
     ) -> None:  # fmt: skip
-        simulation, path = _checked_build(build, most)
+        simulation, path = _checked_build(build, max_load)
         self.name, self.target = resolved(quantity, simulation), target
-        self.build, self.start, self.most = build, start, most
+        self.build, self.start, self.max_load = build, start, max_load
         self.tolerance, self.progress = tolerance, progress
         self.bodies = simulation.body1, simulation.body2
         self.solves = Solves(describe(simulation.engine, path=list(path), quantity=self.name))
-        require_attainable(self.name, target, simulation, most)
+        require_attainable(self.name, target, simulation, max_load)
         self.largest = (0.0, 0.0)
         """Largest value so far, and its load."""
         self._last: tuple[str, Built, list[State]] | None = None
         self._reported: set[str] = set()
 
     def find(self) -> FoundLoad:
-        return _refined(self, _enclosed(self, self.start, self.most), self.tolerance)
+        return _refined(self, _enclosed(self, self.start, self.max_load), self.tolerance)
 
     def on_coarse(self, load: float) -> float:
         """Return (value - target)/target for a load [N] on the coarse grid."""
@@ -165,8 +165,7 @@ class LoadSearch:
 
     def _progress_text(self, reached: float) -> str:
         label, unit = label_and_unit(self.name)
-        wanted = quantity(self.target, unit)
-        return f"{label} {quantity(reached, unit)} (target {wanted})"
+        return f"{label} {quantity(reached, unit)} (target {quantity(self.target, unit)})"
 
     def _value_of(self, state: State) -> float:
         if self.name == YIELD:
@@ -195,12 +194,12 @@ class LoadSearch:
         """Whether first yield is sought and yield stress or initial stress varies with depth."""
         return self.name == YIELD and any(map(has_depth_profile, self.yielding.values()))
 
-    def refuse(self, why: object) -> ValueError:
+    def refuse(self, reason: object) -> ValueError:
         reached, load = self.largest
         name = self.name.replace(",", " or ")
         return ValueError(
             f"value = {self.target!r} of {name} cannot be reached: the maximum is {reached:.6g} at "
-            f"{load:.6g} N; {why}"
+            f"{load:.6g} N; {reason}"
         )
 
 
@@ -260,7 +259,7 @@ def find_load(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
     )
     if checkpoint is not None and callable(case):  # its results at other loads are unknown
-        search.solves.who |= identity(function=case)
+        search.solves.run_identity |= identity(function=case)
     with search.solves.kept_in(checkpoint):
         return search.find()
 
@@ -291,8 +290,8 @@ def prepare_search(
         known = case_of_contact("case", case)
         start = max_load(known)
         build = ScaledCase(known, start)
-    most = _MAX_FACTOR * start if largest_load is None else positive("largest_load", largest_load)
-    return LoadSearch(quantity, target, build, min(start, most), most, relative, progress)
+    limit = _MAX_FACTOR * start if largest_load is None else positive("largest_load", largest_load)
+    return LoadSearch(quantity, target, build, min(start, limit), limit, relative, progress)
 
 
 def _checked_build(build: Callable[[float], Built], load: float) -> Built:
@@ -309,8 +308,8 @@ def _checked_build(build: Callable[[float], Built], load: float) -> Built:
 def _marks(states: Sequence[State]) -> set[int]:
     """Return the indices of the last increment at maximum load and of the last increment."""
     loads = [state.load for state in states]
-    most = max(loads) * (1 - 1e-9)
-    return {max(n for n, load in enumerate(loads) if load >= most), len(states) - 1}
+    max_load = max(loads) * (1 - 1e-9)
+    return {max(n for n, load in enumerate(loads) if load >= max_load), len(states) - 1}
 
 
 def _name(load: float) -> str:
@@ -318,37 +317,37 @@ def _name(load: float) -> str:
     return f"grid_{load!r}"
 
 
-def _enclosed(search: LoadSearch, start: float, most: float) -> float:
+def _enclosed(search: LoadSearch, start: float, max_load: float) -> float:
     """Return the approximate load [N], found on the coarse grid if the grid can be coarsened."""
     try:
         coarsening.coarser_grid(search.build(start)[0].grid)
-        missing = search.on_coarse
+        deviation = search.on_coarse
     except ValueError:
-        missing = search.on_grid
-    why: list[object] = [f"increase largest_load, now {most:.6g} N"]
+        deviation = search.on_grid
+    reason: list[object] = [f"increase largest_load, now {max_load:.6g} N"]
 
-    def tried(load: float) -> float | None:
+    def trial_value(load: float) -> float | None:
         """Return (value - target)/target for a load [N]; None if the solution failed."""
         try:
-            return missing(load)
+            return deviation(load)
         except (ValueError, ConvergenceError, MemoryError) as error:
-            why[0] = error
+            reason[0] = error
             return None
 
-    low, value = start, tried(start)
+    low, value = start, trial_value(start)
     while (value is None or value > 0) and low > _MIN_FACTOR * start:
-        most, low = (low, 0.5 * low) if value is None else (most, 0.5 * low)
-        value = tried(low)
+        max_load, low = (low, 0.5 * low) if value is None else (max_load, 0.5 * low)
+        value = trial_value(low)
     if value is None or value > 0:
-        raise search.refuse(why[0])
+        raise search.refuse(reason[0])
     high, value = low, -1.0
     while value is None or value < 0:
-        low, most = (high, most) if value is not None else (low, 0.5 * (low + high))
-        high = min(2.0 * low, most)
+        low, max_load = (high, max_load) if value is not None else (low, 0.5 * (low + high))
+        high = min(2.0 * low, max_load)
         if high < (1 + _RTOL) * low:
-            raise search.refuse(why[0])
-        value = tried(high)
-    found: float = scipy.optimize.brentq(missing, low, high, xtol=_RTOL * low, rtol=_RTOL)
+            raise search.refuse(reason[0])
+        value = trial_value(high)
+    found: float = scipy.optimize.brentq(deviation, low, high, xtol=_RTOL * low, rtol=_RTOL)
     return found
 
 
@@ -358,12 +357,12 @@ def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
     points: list[tuple[float, float]] = []
     load = near
     for _ in range(_MAX_FINE_SOLVES):
-        missing = search.on_grid(load)
-        points.append((load, missing))
-        low, high = (load, high) if missing < 0 else (low, load)
-        if abs(missing) <= tolerance and len(points) > 1:
-            return _outcome(search, load, missing, _slope(points))
-        step = -missing / _slope(points) if len(points) > 1 else -missing * load
+        deviation = search.on_grid(load)
+        points.append((load, deviation))
+        low, high = (load, high) if deviation < 0 else (low, load)
+        if abs(deviation) <= tolerance and len(points) > 1:
+            return _outcome(search, load, deviation, _slope(points))
+        step = -deviation / _slope(points) if len(points) > 1 else -deviation * load
         load += min(max(step if step else tolerance * load, -0.5 * load), load)
         if not low < load < high:
             load = 0.5 * (low + high)
@@ -372,24 +371,25 @@ def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:
     """Return the slope between the last (load, difference) point and its nearest neighbour."""
-    *others, (load, missing) = points
+    *others, (load, deviation) = points
     other, value = min(others, key=lambda point: abs(point[0] - load))
-    slope = (missing - value) / (load - other)
+    slope = (deviation - value) / (load - other)
     return slope if slope > 0 else 1.0 / load
 
 
-def _outcome(search: LoadSearch, load: float, missing: float, slope: float) -> FoundLoad:
+def _outcome(search: LoadSearch, load: float, deviation: float, slope: float) -> FoundLoad:
     (simulation, path), states = search.run(load)
     try:
-        beside = estimated(simulation, path, states, partial(search.solves.run, f"errors_{load!r}"))
-        errors = [_relative(beside.values[n], beside.errors[n]) for n in search.parts]
+        solve = partial(search.solves.run, f"errors_{load!r}")
+        estimates = estimated(simulation, path, states, solve)
+        errors = [_relative(estimates.values[n], estimates.errors[n]) for n in search.parts]
         if search.has_depth_profile:  # kinks of the profile are resolved to one layer
-            errors.append(abs(search.on_coarse(load) - missing))
+            errors.append(abs(search.on_coarse(load) - deviation))
         error = max(errors)
     except (ValueError, ConvergenceError, MemoryError):  # no estimate
         error = math.nan
-    value = search.target * (1.0 + missing)
-    load_error = (abs(missing) + error) / slope
+    value = search.target * (1.0 + deviation)
+    load_error = (abs(deviation) + error) / slope
     return FoundLoad(search.name, load, load_error, value, error * value, states)
 
 

@@ -148,10 +148,10 @@ def used_strength(state: State, n: int, body: Material) -> float:
 
     Raises ValueError if the maximum may lie below the deepest layer of the state.
     """
-    least = float(body.yield_stress(0.0))
+    strength = float(body.yield_stress(0.0))
     if not has_depth_profile(body):
-        return error_controlled_quantities.value(state, f"max_von_mises_body{n}") / least
-    used = von_mises(state.stress(n)) / (least * body.yield_factor(state.depths))
+        return error_controlled_quantities.value(state, f"max_von_mises_body{n}") / strength
+    used = von_mises(state.stress(n)) / (strength * body.yield_factor(state.depths))
     over_depth = used.max(axis=(0, 1))
     if over_depth.argmax() == len(over_depth) - 1:
         raise ValueError(

@@ -160,7 +160,7 @@ class RefinableCase:
         self._part_of_layers = self._part_of_all_layers()
 
     @property
-    def who(self) -> Identity:
+    def run_identity(self) -> Identity:
         """Identity that stored runs must match; the prescribed accuracy enters as the tolerance."""
         return identity(
             names=self.names, tol=self.tol, **self.case.model_dump(exclude=_FIELDS_WITHOUT_EFFECT)
@@ -262,13 +262,13 @@ class RefinableCase:
         if not depths:
             return None
         part = common_part(depths)
-        least = min(self._sizes(0)) / _MAX_CELL_ASPECT
-        if part is None or part < least:
+        min_thickness = min(self._sizes(0)) / _MAX_CELL_ASPECT
+        if part is None or part < min_thickness:
             listed = ", ".join(f"{depth:.6g}" for depth in depths)
             raise ValueError(
                 f"layers: the depths of the interfaces, {listed} m, must be multiples of a common "
-                f"length >= {least:.2g} m, so that cells fit all layers: round the thicknesses, or "
-                "specify [grid] instead of accuracy"
+                f"length >= {min_thickness:.2g} m, so that cells fit all layers: round the "
+                "thicknesses, or specify [grid] instead of accuracy"
             )
         return part
 
@@ -282,7 +282,7 @@ class RefinableCase:
         self, level: int, increments: int, solves: Solves | None = None, *, progress: bool = False
     ) -> GridSolution:
         """Solve the case on a grid, continuing from stored increments."""
-        solves = Solves(self.who) if solves is None else solves
+        solves = Solves(self.run_identity) if solves is None else solves
         name, case = name_of(level, increments), self.on(level, increments)
         with warnings.catch_warnings(record=True) as issued:
             warnings.simplefilter("always")

@@ -14,7 +14,13 @@ from .._util.display import counts, percent
 from .._util.errors import AccuracyWarning, SingularPressureWarning
 from .._util.progress import report_progress
 from ..diagnostics.sharp_edges import is_singular
-from .estimate import MIN_AREA_CORRECTION_CHANGE, REFINEMENT_RATIO, Estimate, combined, of_grids
+from .estimate import (
+    MIN_AREA_CORRECTION_CHANGE,
+    REFINEMENT_RATIO,
+    Estimate,
+    combined,
+    extrapolate_grids,
+)
 from .increments import TRIAL_LEVEL, Correction, correction, trial_runs
 from .outcome import AccuracyResult, largest
 from .refinable_case import GridRun, GridSolution, RefinableCase, marks_of
@@ -48,30 +54,30 @@ class AccuracySearch:
 
     def __init__(
         self,
-        scene: RefinableCase,
-        asked: dict[str, float],
+        refinable: RefinableCase,
+        targets: dict[str, float],
         memory: float,
         limit: float,
         progress: bool,
     ) -> None:
-        self.scene, self.asked, self.memory, self.limit = scene, asked, memory, limit
-        self.parts = scene.parts
-        self.chosen = [scene.names.index(name) for name in asked]
-        self.wanted = np.array(list(asked.values()))
+        self.refinable, self.targets, self.memory, self.limit = refinable, targets, memory, limit
+        self.parts = refinable.parts
+        self.chosen = [refinable.names.index(name) for name in targets]
+        self.target_values = np.array(list(targets.values()))
         self.progress = progress
-        self.solves = Solves(scene.who)
+        self.solves = Solves(refinable.run_identity)
         self.runs: dict[tuple[int, int], GridRun] = {}
         self.grids: list[GridRun] = []
-        self.used = MIN_INCREMENTS if scene.has_history else 1
+        self.used = MIN_INCREMENTS if refinable.has_history else 1
         self.needs = ""
 
     def run(self, level: int, increments: int) -> GridRun:
         key = level, increments
         if key not in self.runs:
-            made = self.scene.run(level, increments, self.solves, progress=self.progress)
+            made = self.refinable.run(level, increments, self.solves, progress=self.progress)
             self.runs[key] = made
             self._forget(but=[made, *self.grids[-1:]])
-            each = f", {increments} increments per segment" if self.scene.has_history else ""
+            each = f", {increments} increments per segment" if self.refinable.has_history else ""
             line = f"grid {level + 1}: {counts(*made.cells)} cells{each}, {made.seconds:.2g} s"
             _logger.info("%s", line)
             report_progress(line, shown=self.progress)
@@ -91,17 +97,17 @@ class AccuracySearch:
 
     def search(self) -> AccuracyResult:
         first = self.run(0, self.used)
-        self.scene.settle(first)
+        self.refinable.settle(first)
         self._leave_out_singular(first)
-        if self.scene.has_history:
-            self._judge_increments()
+        if self.refinable.has_history:
+            self._choose_increments()
         grids = self.grids = [self.run(0, self.used)]
         while True:
-            if not np.isfinite(self.wanted).any():  # no quantity converges
+            if not np.isfinite(self.target_values).any():  # no quantity converges
                 break
             enough = len(grids) >= MIN_GRIDS
             found = self._estimate(grids)
-            worst = float(np.max(self._relative(found) / self.wanted))
+            worst = float(np.max(self._relative(found) / self.target_values))
             report_progress(self._errors_above_target(found), shown=self.progress and enough)
             if enough and worst <= 1.0:
                 break
@@ -119,10 +125,10 @@ class AccuracySearch:
         """Exclude quantities that do not converge because the pressure is singular at an edge."""
         issued = () if run.solved is None else run.solved.issued
         if any(issubclass(warning.category, SingularPressureWarning) for warning in issued):
-            endless = [is_singular(name) for name in self.asked]
-            self.wanted = np.where(endless, np.inf, self.wanted)
+            endless = [is_singular(name) for name in self.targets]
+            self.target_values = np.where(endless, np.inf, self.target_values)
             if any(endless):
-                names = ", ".join(name for name in self.asked if is_singular(name))
+                names = ", ".join(name for name in self.targets if is_singular(name))
                 self.needs = f"{names} do not converge at a sharp edge on any grid"
 
     def best(self) -> AccuracyResult | None:
@@ -131,29 +137,30 @@ class AccuracySearch:
 
     def _errors_above_target(self, found: Estimate) -> str:
         """Return, as text, the errors that exceed the prescribed accuracy."""
-        relative = dict(zip(self.asked, self._relative(found), strict=True))
-        above = [f"{n} {percent(e)}" for n, e in relative.items() if e > self.asked[n]]
+        relative = dict(zip(self.targets, self._relative(found), strict=True))
+        above = [f"{n} {percent(e)}" for n, e in relative.items() if e > self.targets[n]]
         return f"  estimated errors: {', '.join(above) or 'all below the prescribed accuracy'}"
 
-    def _judge_increments(self) -> None:
+    def _choose_increments(self) -> None:
         """Choose the number of increments from coarse-grid runs with doubled increments."""
         while True:
             series = trial_runs(self.runs)
             if len(series) >= 3:
                 more = correction(self.runs, MIN_INCREMENTS, series[0].values)
                 limit = self._join(series[0].values + more.values, more.errors)
-                if np.all(self._relative(limit) <= 0.25 * self.wanted):
+                if np.all(self._relative(limit) <= 0.25 * self.target_values):
                     break
             if not self._more_increments():
                 break
+        allowed = self.target_values
         for run in series[:-1]:
             self.used = run.increments
             off = np.abs(limit.values - self._join(run.values, 0.0 * run.values).values)
             left = correction(self.runs, self.used, run.values).irregular
             uneven = self._join(run.values, left)
             if np.all(
-                (self._relative(limit._replace(errors=off)) <= MAX_CORRECTED_ERROR * self.wanted)
-                & (self._relative(uneven) <= MAX_IRREGULAR_SHARE * self.wanted)
+                (self._relative(limit._replace(errors=off)) <= MAX_CORRECTED_ERROR * allowed)
+                & (self._relative(uneven) <= MAX_IRREGULAR_SHARE * allowed)
             ):
                 break
 
@@ -173,8 +180,8 @@ class AccuracySearch:
 
     def _on_finer_grid(self, grids: list[GridRun], found: Correction) -> bool:
         """Repeat the increment doubling with the largest error on a finer grid, if affordable."""
-        spoiled = [self._error_ratio(grids, errors) for errors in found.by_grid]
-        count, before = found.doublings[int(np.argmax(spoiled))]
+        error_ratios = [self._error_ratio(grids, errors) for errors in found.by_grid]
+        count, before = found.doublings[int(np.argmax(error_ratios))]
         allowed = min(
             NEXT_GRID_TIME_SHARE * self._growth(grids) * grids[-1].seconds,
             self.limit - self.seconds,
@@ -189,8 +196,8 @@ class AccuracySearch:
 
     def _estimate(self, grids: list[GridRun]) -> Estimate:
         """Return the estimate with grid and increment errors, shape (increments, quantities)."""
-        found = of_grids([run.values for run in grids])
-        if self.scene.has_history:
+        found = extrapolate_grids([run.values for run in grids])
+        if self.refinable.has_history:
             more = correction(self.runs, self.used, grids[-1].values)
             errors = found.errors + more.errors + self._with_cross_error(found.values, more)
             found = Estimate(found.values + more.values, errors, found.extrapolated)
@@ -199,7 +206,7 @@ class AccuracySearch:
     def _with_cross_error(self, values: FloatArray, more: Correction) -> FloatArray:
         """Return the error of coarse-grid increment corrections when applied to the finest grid."""
         mixed: FloatArray = sum(more.by_grid) + more.irregular
-        before = self.scene.names.index
+        before = self.refinable.names.index
         area, pressure = (sum(self.parts[: before(n)]) for n in ("contact_area", "max_pressure"))
         p = values[:, pressure]
         share = np.divide(np.abs(more.values[:, pressure]), p, out=np.zeros_like(p), where=p > 0)
@@ -214,14 +221,16 @@ class AccuracySearch:
 
     def _error_ratio(self, grids: list[GridRun], errors: FloatArray) -> float:
         """Return the maximum ratio of relative errors to the prescribed accuracy."""
-        return float(np.max(self._relative(self._join(grids[-1].values, errors)) / self.wanted))
+        return float(
+            np.max(self._relative(self._join(grids[-1].values, errors)) / self.target_values)
+        )
 
     def _reduce_increment_error(self, grids: list[GridRun]) -> bool:
         """Add a run if the increment error is too large; return whether a run was added.
 
         The run has more increments, or is on a finer grid.
         """
-        if not self.scene.has_history:
+        if not self.refinable.has_history:
             return False
         found = correction(self.runs, self.used, grids[-1].values)
         if self._error_ratio(grids, found.errors) > 0.5 and self._more_increments():
@@ -260,20 +269,22 @@ class AccuracySearch:
 
     def _finest(self, last: GridRun) -> GridSolution:
         if last.solved is None:  # values were read from a checkpoint
-            last.solved = self.scene.solve(last.level, last.increments, self.solves)
+            last.solved = self.refinable.solve(last.level, last.increments, self.solves)
         return last.solved
 
     def _outcome(self, grids: list[GridRun]) -> AccuracyResult:
-        found, names, last = self._estimate(grids), self.scene.names, self._finest(grids[-1])
-        kept = [names.index(name) for name in self.asked]
-        endless = [i for i, most in zip(kept, self.wanted, strict=True) if np.isinf(most)]
+        found, names, last = self._estimate(grids), self.refinable.names, self._finest(grids[-1])
+        kept = [names.index(name) for name in self.targets]
+        endless = [
+            i for i, target in zip(kept, self.target_values, strict=True) if np.isinf(target)
+        ]
         found.errors[:, endless] = np.inf
         values, errors = largest(found.values, found.errors)
         return AccuracyResult(
             values={names[i]: float(values[i]) for i in kept},
             errors={names[i]: float(errors[i]) for i in kept},
-            accuracy=self.asked,
-            reached=not endless and bool(np.all(self._relative(found) <= self.wanted)),
+            accuracy=self.targets,
+            reached=not endless and bool(np.all(self._relative(found) <= self.target_values)),
             series={names[i]: found.values[:, i] for i in kept},
             series_errors={names[i]: found.errors[:, i] for i in kept},
             increments=tuple(marks_of(last.case)),
@@ -290,11 +301,11 @@ def _warn_of(outcome: AccuracyResult, last: GridSolution) -> None:
     for warning in last.issued:
         warnings.warn(warning.message, stacklevel=4)
     if not outcome.reached:
-        relative, asked = outcome.relative_errors, outcome.accuracy
-        name = max(asked, key=lambda one: relative[one] / asked[one])
+        relative, targets = outcome.relative_errors, outcome.accuracy
+        name = max(targets, key=lambda one: relative[one] / targets[one])
         warnings.warn(
             f"prescribed accuracy not reached: estimated relative error of {name} is "
-            f"{relative[name]:.2g}, target {asked[name]:.3g}; {outcome.needs}: to reach "
+            f"{relative[name]:.2g}, target {targets[name]:.3g}; {outcome.needs}: to reach "
             f"it, increase max_memory or max_time, relax the accuracy, or exclude {name} "
             "from quantities",
             AccuracyWarning,

@@ -33,7 +33,7 @@ class _Solve(NamedTuple):
     """Simulation, its identity, and the states of its increments so far."""
 
     simulation: Simulation
-    who: Identity
+    run_identity: Identity
     states: list[State]
 
 
@@ -42,12 +42,12 @@ class Solves:
 
     Parameters
     ----------
-    who : Identity
+    run_identity : Identity
         Identity of the task; files of another task are refused.
     """
 
-    def __init__(self, who: Identity) -> None:
-        self.who = who | identity(version=version)
+    def __init__(self, run_identity: Identity) -> None:
+        self.run_identity = run_identity | identity(version=version)
         self.given: dict[str, Tree] = {}
         """Results of each solution, as passed to `add`."""
         self._folder: Path | None = None
@@ -59,7 +59,7 @@ class Solves:
         if folder is None:
             yield
             return
-        require_identified(self.who)
+        require_identified(self.run_identity)
         self._folder = file_path("checkpoint", folder)
         with locked(self._folder):
             for file in sorted(self._folder.glob("*.h5")):
@@ -75,7 +75,7 @@ class Solves:
                 f"{error}: this checkpoint is not used, and the case is solved again", stacklevel=4
             )
             return
-        require_same(file.parent, self.who, tree)
+        require_same(file.parent, self.run_identity, tree)
         self.given[file.stem] = tree["given"]
 
     def run(
@@ -117,7 +117,9 @@ class Solves:
         for name in self.given:
             self._write(folder, name)
         for name, solve in self._solves.items():
-            Journal(folder / name, solve.simulation.engine, solve.who).add_all(solve.states)
+            Journal(folder / name, solve.simulation.engine, solve.run_identity).add_all(
+                solve.states
+            )
 
     def _write(self, folder: Path, name: str) -> None:
-        write(folder / f"{name}.h5", _KIND, {"run": self.who, "given": self.given[name]})
+        write(folder / f"{name}.h5", _KIND, {"run": self.run_identity, "given": self.given[name]})

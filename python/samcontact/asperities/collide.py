@@ -131,12 +131,12 @@ def collide(
     simulation = Simulation(grid, body1, body2, gap, relief1=relief1, relief2=relief2, **settings)
     simulation.monitor.checks_steps = False  # the first contact is always small
     simulation.monitor.checks_increments = False
-    way = {"passes": count, "step": step, "back_and_forth": back_and_forth}
+    arguments = {"passes": count, "step": step, "back_and_forth": back_and_forth}
     rows: list[list[IncrementRow]] = []
     unloaded: list[State] = []
     expected = 2 * whole_steps(collision.half_angle / step) + 1
     with (
-        journal_of(checkpoint, simulation.engine, collision=collision, **way) as journal,
+        journal_of(checkpoint, simulation.engine, collision=collision, **arguments) as journal,
         progress_bar(count * expected, "increment", shown=progress) as bar,
     ):
         run = CollisionPasses(collision, simulation, step, journal, bar)

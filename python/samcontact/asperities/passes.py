@@ -98,11 +98,11 @@ class CollisionPasses:
 
     def _move(self, position: int, unloaded: bool = False) -> None:
         """Move to a position (in steps) and solve the increment, or restore it from the journal."""
-        turn = (position - self.position) * self.step
+        distance = (position - self.position) * self.step
         self.position = position
         before = self.state
         if self.journal is None or (kept := self.journal.next()) is None:
-            advance = self.collision.advance(turn)
+            advance = self.collision.advance(distance)
             target: dict[str, Any] = {"load": 0.0} if unloaded else {"approach": self._approach()}
             kept = self.simulation.step(**target, advance=advance)
             if self.journal is not None:

@@ -107,7 +107,7 @@ def cells_under_load(series: xr.Dataset) -> xr.DataArray:
     return cells
 
 
-def of_passes(series: xr.Dataset) -> xr.Dataset:
+def pass_results(series: xr.Dataset) -> xr.Dataset:
     """Results of each pass: values at its end, extreme forces, maximum pressure and resolution."""
     passes: xr.Dataset = series[list(BY_PASS)].assign(
         max_force_x=series["force_x"].max("increment"),

@@ -47,8 +47,8 @@ def material_rows(material: Any) -> Rows:
 def _over_depth(z: tuple[float, ...], values: tuple[float, ...], unit: str) -> str:
     span = " to ".join(dict.fromkeys(quantity(v, unit) for v in (values[0], values[-1])))
     inside = [quantity(edge, unit) for edge in (min(values), max(values))]
-    most = "" if set(inside) <= set(span.split(" to ")) else f", within {' to '.join(inside)}"
-    return f"{span} from {quantity(z[0], 'm')} to {quantity(z[-1], 'm')}{most}"
+    range_text = "" if set(inside) <= set(span.split(" to ")) else f", within {' to '.join(inside)}"
+    return f"{span} from {quantity(z[0], 'm')} to {quantity(z[-1], 'm')}{range_text}"
 
 
 def material_in_short(material: Any) -> str:

@@ -217,11 +217,13 @@ def require_bodies(*bodies: Any) -> None:
             )
 
 
-def require_homogeneous(why: str, *bodies: Any) -> None:
+def require_homogeneous(reason: str, *bodies: Any) -> None:
     """Raise ValueError, with the reason, for layered bodies; TypeError for other objects."""
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Layered):
-            raise ValueError(f"body{n} must be a Material, got {len(body.layers)} layer(s): {why}")
+            raise ValueError(
+                f"body{n} must be a Material, got {len(body.layers)} layer(s): {reason}"
+            )
         require_type(f"body{n}", body, Material)
 
 

@@ -19,14 +19,14 @@ from .display import material_rows
 from .hardening_laws import checked_constants, core_material
 
 
-def _many(value: Any) -> list[Any]:
+def _as_list(value: Any) -> list[Any]:
     value = value.tolist() if isinstance(value, np.ndarray) else value
     return list(value) if isinstance(value, Iterable) else [value]
 
 
 def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
     """Return a group of constants, e.g. the thermal constants, as floats; check their number."""
-    values = _many(given)
+    values = _as_list(given)
     if len(values) != len(parts):
         raise ValueError(f"{name} must contain {', '.join(parts)}, got {in_short(given)}")
     return tuple(number(part, value) for part, value in zip(parts, values, strict=True))
@@ -63,7 +63,7 @@ class Material(HasDepthProfiles, HtmlTable):
     def __post_init__(self) -> None:
         object.__setattr__(self, "parameters", checked_constants(self.law, self.parameters))
         terms = tuple(
-            _numbers("kinematic", ("modulus", "recovery"), t) for t in _many(self.kinematic)
+            _numbers("kinematic", ("modulus", "recovery"), t) for t in _as_list(self.kinematic)
         )
         object.__setattr__(self, "kinematic", terms)
         if self.thermal is not None:
@@ -202,7 +202,7 @@ class Material(HasDepthProfiles, HtmlTable):
         TypeError
             An argument is not a number.
         """
-        moduli, recoveries = _many(modulus), _many(recovery)
+        moduli, recoveries = _as_list(modulus), _as_list(recovery)
         if not isinstance(recovery, (list, tuple)) and len(recoveries) == 1:  # one for all
             recoveries *= len(moduli)
         if len(moduli) != len(recoveries) or not moduli:
@@ -380,8 +380,8 @@ class Material(HasDepthProfiles, HtmlTable):
 
     def __repr__(self) -> str:
         """Constructor call with all attributes."""
-        beside = [field.name for field in fields(self)[2:]]
-        extra = {name: getattr(self, name) for name in beside}
+        other_fields = [field.name for field in fields(self)[2:]]
+        extra = {name: getattr(self, name) for name in other_fields}
         given = {
             **self.parameters,
             **{name: value for name, value in extra.items() if value not in ((), None)},

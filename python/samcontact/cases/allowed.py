@@ -30,10 +30,10 @@ def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any
             for part in parts[1:]:
                 marks += [part, *part.metadata] if isinstance(part, FieldInfo) else [part]
             continue
-        wanted = members(annotation)
-        if len(wanted) != 1 or wanted[0] is annotation:
+        options = members(annotation)
+        if len(options) != 1 or options[0] is annotation:
             return annotation, marks
-        annotation = wanted[0]
+        annotation = options[0]
 
 
 def members(annotation: Any) -> list[Any]:
@@ -123,11 +123,12 @@ def described(annotation: Any, metadata: Sequence[Any] = ()) -> str:
 
 def _counted(limits: dict[str, Any], one: str) -> str:
     """Describe a list by its allowed lengths and the description `one` of an element."""
-    least, most = limits.get("min_length"), limits.get("max_length")
-    if most is None:
-        count = f"at least {least} " if least else ""
-        return count + (one.removeprefix("a ") if least == 1 else _several(one))
-    return (f"{most} " if least == most else f"{least or 0} to {most} ") + _several(one)
+    min_count, max_count = limits.get("min_length"), limits.get("max_length")
+    if max_count is None:
+        count = f"at least {min_count} " if min_count else ""
+        return count + (one.removeprefix("a ") if min_count == 1 else _several(one))
+    count = f"{max_count}" if min_count == max_count else f"{min_count or 0} to {max_count}"
+    return f"{count} {_several(one)}"
 
 
 def _several(text: str) -> str:

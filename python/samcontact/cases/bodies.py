@@ -24,7 +24,7 @@ class KinematicHardening(Section):
     recovery: NonNegative | list[NonNegative] = 0.0
 
     @model_validator(mode="after")
-    def _as_many(self) -> KinematicHardening:
+    def _as_lists(self) -> KinematicHardening:
         moduli = self.modulus if isinstance(self.modulus, list) else [self.modulus]
         if not 1 <= len(moduli) <= 4:
             raise ValueError(f"modulus must have 1 to 4 values, got {len(moduli)}")

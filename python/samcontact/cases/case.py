@@ -56,8 +56,8 @@ MAX_CHARACTERS = 100_000_000
 
 def _accuracy(given: Any) -> Any:
     """Check that the prescribed accuracy consists of relative errors in (0, 1)."""
-    wanted = list(given.values()) if isinstance(given, dict) else [given]
-    for value in wanted or [given]:
+    values = list(given.values()) if isinstance(given, dict) else [given]
+    for value in values or [given]:
         number = isinstance(value, (int, float)) and not isinstance(value, bool)
         if given is not None and not (number and 0 < value < 1):
             raise ValueError(

@@ -77,11 +77,13 @@ def _require_repeatable(case: Any) -> None:
         raise ValueError(
             "shakedown requires an elastic-plastic body: set a law, or remove [shakedown]"
         )
-    ways = [math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)]
-    if max(map(abs, ways)) > 1e-12:
+    travels = [
+        math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)
+    ]
+    if max(map(abs, travels)) > 1e-12:
         raise ValueError(
             "shakedown requires a closed path, but at its end body 1 and body 2 have "
-            f"moved by {tuple(ways)!r} m: add motion that returns both bodies, or remove "
+            f"moved by {tuple(travels)!r} m: add motion that returns both bodies, or remove "
             "[shakedown]"
         )
 

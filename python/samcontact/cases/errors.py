@@ -137,9 +137,9 @@ def nearest(name: str, fields: Sequence[str]) -> str | None:
     """Return the field probably meant by a wrong name (synonym, similar spelling), or None."""
     lower = {field.lower(): field for field in reversed(fields)}
     word = re.sub(r"[^a-z]", "", name.lower())
-    for meant in _SYNONYMS.get(word, ()):
-        if meant in fields:
-            return meant
+    for suggestion in _SYNONYMS.get(word, ()):
+        if suggestion in fields:
+            return suggestion
     found = difflib.get_close_matches(name.lower(), lower, 1, cutoff=0.5)
     return lower[found[0]] if found else None
 
@@ -148,9 +148,9 @@ def _elsewhere(root: type[BaseModel], name: str) -> str | None:
     """Return "section.field" of another section that has a field of this name, or None."""
     for section, field in root.model_fields.items():
         known = {inner for model in models_in(field.annotation) for inner in model.model_fields}
-        for meant in (name, name.removeprefix(f"{section}_")):
-            if meant in known:
-                return f"{section}.{meant}"
+        for suggestion in (name, name.removeprefix(f"{section}_")):
+            if suggestion in known:
+                return f"{section}.{suggestion}"
     return None
 
 

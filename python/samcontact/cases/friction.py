@@ -51,9 +51,9 @@ def _friction_section() -> Any:
             )
             globals()[annotation.__name__] = annotation  # for pickling
         laws[name] = (annotation | None, None)
-    says = _FrictionLaw.__doc__
+    docstring = _FrictionLaw.__doc__
     return create_model(
-        "FrictionSection", __base__=_FrictionLaw, __doc__=says, __module__=__name__, **laws
+        "FrictionSection", __base__=_FrictionLaw, __doc__=docstring, __module__=__name__, **laws
     )
 
 

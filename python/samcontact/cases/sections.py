@@ -270,8 +270,8 @@ def settings_section(name: str, module: str, without: tuple[str, ...] = (), **de
             default = None  # hard contact
         annotation = _annotation(allowed)
         found[setting] = (annotation | None if default is None else annotation, default)
-    says = "[contact]: solver settings."
-    return create_model(name, __base__=Section, __doc__=says, __module__=module, **found)
+    docstring = "[contact]: solver settings."
+    return create_model(name, __base__=Section, __doc__=docstring, __module__=module, **found)
 
 
 if TYPE_CHECKING:

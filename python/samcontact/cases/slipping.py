@@ -77,8 +77,8 @@ class TangentialSection(Section):
                      for a, b in zip(before, fractions, strict=True)]  # fmt: skip
             driven.append([(part, None) for part in parts])
             forces.append(0.0 if start == 0.0 and not moved else None)
-        for step, x, y, turn in zip(steps, *driven, strict=True):
-            step.update(_arguments(x, y, turn))
+        for step, x, y, rotation in zip(steps, *driven, strict=True):
+            step.update(_arguments(x, y, rotation))
         if reached.quantity == "load" and reached.value == 0.0:
             forces = [0.0, 0.0, 0.0]
         return reached._replace(forces=tuple(forces))
@@ -101,9 +101,9 @@ def _arguments(*directions: tuple[float | None, float | None]) -> dict[str, Any]
 
     directions: (motion, force) along x, along y and about z.
     """
-    (x, force_x), (y, force_y), (turn, torque) = directions
+    (x, force_x), (y, force_y), (rotation, torque) = directions
     given: dict[str, Any] = {"shift": (x, y), "tangential_load": (force_x, force_y)}
-    given |= {"twist": turn, "torque": torque}
+    given |= {"twist": rotation, "torque": torque}
     return {name: value for name, value in given.items() if value not in (None, (None, None))}
 
 
@@ -170,8 +170,8 @@ class Fretting(Section):
 
     def reached(self, before: EndState) -> EndState:
         ends = (None, None) if self.force is None else self.force
-        turned = before.forces[2]
-        return before._replace(forces=(*ends, 0.0 if turned == 0.0 else None))
+        torque = before.forces[2]
+        return before._replace(forces=(*ends, 0.0 if torque == 0.0 else None))
 
 
 def _pair(x: float | None, y: float | None) -> tuple[float, float] | None:
@@ -184,9 +184,9 @@ def require_held(step: dict[str, Any], friction: FrictionLaw) -> None:
     pulled = math.hypot(*(force or 0.0 for force in step.get("tangential_load", ())))
     if load is None or pulled == 0.0:
         return
-    most = friction.ratio(0.0) * load if load > 0 else 0.0
-    if not pulled < most:
+    limit = friction.ratio(0.0) * load if load > 0 else 0.0
+    if not pulled < limit:
         raise ValueError(
-            f"tangential load must be below the friction limit ({most!r} N at load "
+            f"tangential load must be below the friction limit ({limit!r} N at load "
             f"{load!r} N), got {pulled!r} N: prescribe shift_x, shift_y for full sliding"
         )

@@ -60,7 +60,7 @@ class WearSection(Section):
 
     def solve(
         self,
-        scene: Simulation,
+        simulation: Simulation,
         cycle: list[dict[str, object]],
         checkpoint: str | os.PathLike[str] | None,
         progress: bool,
@@ -69,13 +69,13 @@ class WearSection(Section):
         from .. import wear
 
         # all settings, so that none is read from the file and then ignored
-        arguments = signature(type(scene)).parameters.values()
+        arguments = signature(type(simulation)).parameters.values()
         names = [argument.name for argument in arguments if argument.kind is argument.KEYWORD_ONLY]
-        common: dict[str, Any] = {name: getattr(scene, name) for name in names}
-        common |= {"friction": scene.friction, "cycle": cycle, "cycles": self.cycles}
+        common: dict[str, Any] = {name: getattr(simulation, name) for name in names}
+        common |= {"friction": simulation.friction, "cycle": cycle, "cycles": self.cycles}
         common |= {"checkpoint": checkpoint, "progress": progress}
-        bodies = cast("Material", scene.body1), cast("Material", scene.body2)
-        given = scene.grid, *bodies, scene.initial_gap
+        bodies = cast("Material", simulation.body1), cast("Material", simulation.body2)
+        given = simulation.grid, *bodies, simulation.initial_gap
         if self.threshold is None:
             common |= {self.law: getattr(self, self.law), "repeats": self.repeats}
             return wear.fretting(*given, **common)

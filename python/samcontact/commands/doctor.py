@@ -18,9 +18,9 @@ def doctor() -> None:
         for name, text in checkup.installation():
             click.echo(f"{name:<12}{text}")
         click.echo()
-        for verdict in checkup.self_check():
-            number = f"{verdict.shown}, limit {verdict.condition}"
-            click.echo(f"{verdict.word:<8}{verdict.name}: {number}")
-            failed = failed or not verdict.passed
+        for check in checkup.self_check():
+            number = f"{check.shown}, limit {check.condition}"
+            click.echo(f"{check.word:<8}{check.name}: {number}")
+            failed = failed or not check.passed
     if failed:
         raise SystemExit(EXIT_FAILED)

@@ -117,12 +117,12 @@ def report(run: Path, output: Path | None) -> None:
         target = output or default
         if source.exists():  # a missing file is reported below
             _require_page(target)
-        beside = source.with_name("shakedown.nc")
+        shakedown_file = source.with_name("shakedown.nc")
         with ExitStack() as opened:
             dataset = opened.enter_context(results.open_results(source))
             repeated = None
-            if source.name == "results.nc" and beside.is_file():
-                repeated = opened.enter_context(results.open_results(beside))
+            if source.name == "results.nc" and shakedown_file.is_file():
+                repeated = opened.enter_context(results.open_results(shakedown_file))
             opened.enter_context(_recorded(target, default))
             file = reports.write(dataset, target, shakedown=repeated)
             failed = [check for check in reports.checks(dataset) if not check.passed]

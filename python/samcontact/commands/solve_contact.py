@@ -15,14 +15,14 @@ from rich.console import Console
 
 from .. import hertz, results
 from ..accuracy import AccuracyResult
-from ..accuracy.asked import prepare_search
 from ..accuracy.grid_errors import (
     GridErrors,
     error_rows,
     estimate_errors,
-    said_of_increments,
-    said_of_slope,
+    increments_note,
+    slope_note,
 )
+from ..accuracy.prescribed import prepare_search
 from ..results.against_hertz import hertz_rows
 from ..results.dataset import completeness
 from ..results.slipping import moved_along, without_rounding
@@ -37,7 +37,7 @@ from .fatigue import write_fatigue
 from .folder import publish, written_names
 from .interrupted import Checkpoints, checkpoints_of
 from .shakedown import write_shakedown
-from .tables import CONTACT_COLUMNS, Sheet, numbers, of_contact, values_sheet
+from .tables import CONTACT_COLUMNS, Sheet, contact_columns, numbers, values_sheet
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -63,7 +63,7 @@ def solve_contact(
             "--animate requires rolling or sliding motion and a grid with dz, or Coulomb friction"
         )
     simulation, path = case.build()
-    who = describe(simulation.engine, path=path)
+    run_identity = describe(simulation.engine, path=path)
     # before the computation: an unusable folder must not cost a run
     written = written_names(case, "results", figures, animate)
     with checkpoints_of(directory, case, written) as checkpoints:
@@ -72,7 +72,7 @@ def solve_contact(
         states: list[State] = []
 
         def write(folder: Path) -> None:
-            Journal(folder, simulation.engine, who).add_all(states)
+            Journal(folder, simulation.engine, run_identity).add_all(states)
 
         try:
             with checkpoints.used() if journal else nullcontext() as kept:
@@ -166,9 +166,9 @@ class _ContactRun:
         console.print(_summary(dataset, body))
         if (sheet := _errors_sheet(dataset)) is not None:
             console.print(sheet)
-        if text := said_of_increments(dataset.attrs):
+        if text := increments_note(dataset.attrs):
             console.print(text, markup=False, highlight=False)
-        if errors is not None and (text := said_of_slope(errors.slope_beyond)):
+        if errors is not None and (text := slope_note(errors.slope_beyond)):
             console.print(text, markup=False, highlight=False)
         if self.accurate is None and (text := self.simulation.engine.enlargement):
             text += "; [grid] specifies the initial grid"
@@ -247,7 +247,7 @@ def _summary(dataset: xr.Dataset, body: int) -> Sheet:
     """Return the table of the main quantities at all increments, in readable units."""
     along = moved_along(dataset)
     names = (*CONTACT_COLUMNS, "imprint_depth", "travel", *along, "iterations")
-    shown = of_contact(dataset, names, body)
+    shown = contact_columns(dataset, names, body)
     columns = [
         (quantity, without_rounding(dataset[name].values) if name in along
          else dataset[name].values, None)
@@ -262,18 +262,18 @@ def _errors_sheet(dataset: xr.Dataset) -> Sheet | None:
     rows = error_rows(dataset)
     if not rows:
         return None
-    asked = [row.asked for row in rows if row.asked is not None]
-    title = "Estimated errors" if asked else "Estimated grid errors (from a grid coarsened by 2)"
+    targets = [row.target for row in rows if row.target is not None]
+    title = "Estimated errors" if targets else "Estimated grid errors (from a grid coarsened by 2)"
     sheet = Sheet(title)
     sheet.add("", [row.label for row in rows])
     sheet.add("increment", [str(row.increment) for row in rows])
     sheet.add("value", [row.shown for row in rows])
-    sheet.add("error\n[%]" if asked else "grid error\n[%]", [row.percent for row in rows])
+    sheet.add("error\n[%]" if targets else "grid error\n[%]", [row.percent for row in rows])
     if any(row.by_increments is not None for row in rows):
         shares = ["" if r.by_increments is None else f"{100 * r.by_increments:.2g}" for r in rows]
         sheet.add("increment\nerror [%]", shares)
-    if asked:
-        sheet.add("target\n[%]", [f"{100 * accuracy:.3g}" for accuracy in asked])
+    if targets:
+        sheet.add("target\n[%]", [f"{100 * accuracy:.3g}" for accuracy in targets])
     return sheet
 
 

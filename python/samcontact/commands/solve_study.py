@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from rich.console import Console
 
 from .._util.quantities import ASPERITIES, WEAR
-from ..asperities.series import of_passes
+from ..asperities.series import pass_results
 from ..files.atomic import replacing
 from ..plotting import asperities, wear
 from ..plotting.parts import journal_column
@@ -149,7 +149,7 @@ def _increments(series: xr.Dataset) -> pd.DataFrame:
 
 
 def _passes_sheet(series: xr.Dataset) -> Sheet:
-    passes = of_passes(series)
+    passes = pass_results(series)
     columns = [(ASPERITIES[name], passes[name].values, None) for name in _PASS_COLUMNS]
     name = "residual_displacement"
     prints = [(ASPERITIES[name], passes[name].sel(body=b).values, b) for b in (1, 2)]

@@ -21,7 +21,7 @@ from ..solutions.peak import peak_of_dataset
 from ..sweeps import SweepInterrupted, sweep
 from .errors import EXIT_FAILED
 from .signals import exit_code
-from .tables import CONTACT_COLUMNS, Sheet, new_console, numbers, of_contact
+from .tables import CONTACT_COLUMNS, Sheet, contact_columns, new_console, numbers
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -160,7 +160,7 @@ def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | AsperityCase)
             name: quantity for name, quantity in _ASPERITY_COLUMNS.items() if name in dataset
         }
     else:
-        columns = of_contact(dataset, CONTACT_COLUMNS, case.output.body)
+        columns = contact_columns(dataset, CONTACT_COLUMNS, case.output.body)
     for name, quantity in columns.items():
         values = [_table_value(one, name, case) * quantity.factor for one in cases]
         sheet.add(quantity.column(), numbers(values, quantity.digits))

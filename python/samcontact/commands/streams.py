@@ -51,7 +51,7 @@ class _GuardedStream:
                 encoding = self._stream.encoding
                 self.write(text.encode(encoding, "samcontact.nearest").decode(encoding))
             except OSError as error:
-                self._lose(error)
+                self._redirect(error)
         return len(text)
 
     def flush(self) -> None:
@@ -59,15 +59,15 @@ class _GuardedStream:
             try:
                 self._stream.flush()
             except OSError as error:
-                self._lose(error)
+                self._redirect(error)
 
-    def _lose(self, error: OSError) -> None:
+    def _redirect(self, error: OSError) -> None:
         """Redirect a failed stream to the null device, so that flushing at exit cannot fail."""
         self.error = error
         with suppress(OSError, ValueError, AttributeError):
-            nowhere = os.open(os.devnull, os.O_WRONLY)
-            os.dup2(nowhere, self._stream.fileno())
-            os.close(nowhere)
+            null_device = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(null_device, self._stream.fileno())
+            os.close(null_device)
 
     def __getattr__(self, name: str) -> Any:
         if name == "buffer":  # click would write to it directly
@@ -82,9 +82,9 @@ def guarded_output() -> Iterator[None]:
     At the end, raise SystemExit with code 1 if output was lost.
     """
     streams, form = (sys.stdout, sys.stderr), warnings.formatwarning
-    with open(os.devnull, "w", encoding="utf-8") as nowhere:
+    with open(os.devnull, "w", encoding="utf-8") as null_device:
         # closed streams are None
-        guards = [_GuardedStream(nowhere if stream is None else stream) for stream in streams]
+        guards = [_GuardedStream(null_device if stream is None else stream) for stream in streams]
         sys.stdout, sys.stderr = guards
         warnings.formatwarning = lambda message, *_, **__: f"warning: {message}\n"
         try:

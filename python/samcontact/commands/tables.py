@@ -132,7 +132,7 @@ CONTACT_COLUMNS = (
 """Quantities in tables of a contact."""
 
 
-def of_contact(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
+def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
     """Return the quantities `names`, of the contact or `body`, by variable name in the results."""
     found = ((f"{name}_body{body}", name) for name in names)
     variables = ((own if own in dataset else name, name) for own, name in found)

@@ -22,28 +22,28 @@ _REMEDY = ": enlarge "
 _WARNING_HINT = ', or set on_border="warn"'
 
 
-def add_border_remedies(error: ValueError, scene: ContactSetup) -> None:
+def add_border_remedies(error: ValueError, setup: ContactSetup) -> None:
     """Add remedies to a GridTooSmallError for a gap that is an array (fixed grid)."""
-    error.args = (f"{advised(str(error), scene, _WARNING_HINT)}; {ENLARGEMENT_HINT}",)
+    error.args = (f"{advised(str(error), setup, _WARNING_HINT)}; {ENLARGEMENT_HINT}",)
 
 
-def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
+def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
     """Return the message `text` about the grid edge with better remedies for a gap array.
 
     ask: further remedy, to be repeated at the end of a new message.
     """
     before, _, remedy = text.partition(_REMEDY)
-    if scene.radii is not None or not remedy:
+    if setup.radii is not None or not remedy:
         return text
-    if tilt := _tilt(scene.gap):
+    if tilt := _tilt(setup.gap):
         return (
             f'{before}. The gap is tilted {tilt}: level a measured surface with detrend="height"'
-            f"{ask}"
+            f"{remedy_prefix}"
         )
     if "covers" in before:
         return (
             f"{before}: a surface in contact everywhere reaches the edge of any grid; "
-            f"{_PERIODIC_HINT}{ask}"
+            f"{_PERIODIC_HINT}{remedy_prefix}"
         )
     remedy = 'remove the shape of a measured surface with detrend="curvature"'
     return f"{text}; {remedy}, or {_PERIODIC_HINT}"

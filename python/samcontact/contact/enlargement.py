@@ -25,13 +25,13 @@ _SIDE_GROWTH, _MIN_SIDE_GROWTH = (
 def counts_for(
     error: GridTooSmallError,
     first: Grid,
-    scene: hertz_estimate.ContactSetup,
+    setup: hertz_estimate.ContactSetup,
     load: float | None = None,
     approach: float | None = None,
 ) -> list[int]:
     """Numbers of cells along x and y of the enlarged grid; ValueError if they are too many."""
-    shape, sizes = scene.grid.surface_shape, (scene.grid.dx, scene.grid.dy)
-    halves = zip(hertz_estimate.extent(scene, load, approach), sizes, strict=True)
+    shape, sizes = setup.grid.surface_shape, (setup.grid.dx, setup.grid.dy)
+    halves = zip(hertz_estimate.extent(setup, load, approach), sizes, strict=True)
     needed = [math.ceil(2 * HERTZ_MARGIN * half / d) for half, d in halves]
     fits = all(n >= cells for n, cells in zip(shape, needed, strict=True))
     counts = [
@@ -40,10 +40,12 @@ def counts_for(
         )
         for axis, n, cells in zip("xy", shape, needed, strict=True)
     ]
-    most = MAX_ENLARGEMENT * first.nx * first.ny
-    most = max(most, MAX_ENLARGEMENT * needed[0] * needed[1] if fits else MAX_CELLS_UNFITTED)
-    if counts[0] * counts[1] > most:
-        raise ValueError(f"{counts[0]} x {counts[1]} cells exceed the limit of {most}")
+    max_cells = MAX_ENLARGEMENT * first.nx * first.ny
+    max_cells = max(
+        max_cells, MAX_ENLARGEMENT * needed[0] * needed[1] if fits else MAX_CELLS_UNFITTED
+    )
+    if counts[0] * counts[1] > max_cells:
+        raise ValueError(f"{counts[0]} x {counts[1]} cells exceed the limit of {max_cells}")
     return counts
 
 
@@ -58,8 +60,8 @@ def explain_failed_enlargement(error: GridTooSmallError, grid: Grid) -> Iterator
         raise error from reason
 
 
-def enlarged_evenly(n: int, wanted: float) -> int:
+def enlarged_evenly(n: int, min_cells: float) -> int:
     """Return n if n >= `wanted`, else n increased to `wanted`, by an even number, at least n/4."""
-    if wanted <= n:
+    if min_cells <= n:
         return n
-    return n + 2 * math.ceil((max(wanted, _MIN_SIDE_GROWTH * n) - n) / 2)
+    return n + 2 * math.ceil((max(min_cells, _MIN_SIDE_GROWTH * n) - n) / 2)

@@ -107,12 +107,12 @@ class ContactSolver(ContactFields):
         self._heating = heating(self.heat, (body1, body2), grid)
         cell = memory_of_contact(self._law, (body1, body2), self.heat)
         memory.require_for_grid("a contact", grid, memory.surface(grid, cell))
-        scene = grid._core, body1._core.stack, body2._core.stack
+        setup = grid._core, body1._core.stack, body2._core.stack
         law, contact = self._law.to_core(), self.contact_law.to_core()
         if self._law.sticks:
-            self._core = _core.PartialSlipContact(*scene, law, contact)
+            self._core = _core.PartialSlipContact(*setup, law, contact)
         else:
-            self._core = _core.ContactSolver(*scene, law, self._heating, contact)
+            self._core = _core.ContactSolver(*setup, law, self._heating, contact)
 
     def __repr__(self) -> str:
         return (
@@ -259,7 +259,7 @@ def _made(
 
 
 def solve_driven(  # warnings name the caller's caller
-    asked: ContactSolver,
+    initial: ContactSolver,
     gap: ArrayLike | Callable[[Grid], ArrayLike],
     load: float | None,
     approach: float | None,
@@ -270,50 +270,50 @@ def solve_driven(  # warnings name the caller's caller
     driver = exactly_one(load=load, approach=approach)
     value = number(driver, load if approach is None else approach)
     if driver == "approach":
-        require_reference(asked.heat)
+        require_reference(initial.heat)
     start = None
     if initial_pressure is not None:
-        start = finite_array("initial_pressure", initial_pressure, asked.grid.surface_shape)
+        start = finite_array("initial_pressure", initial_pressure, initial.grid.surface_shape)
         # values negligible against any load would lead to division by zero
         start = np.where(np.abs(start) > 1e-75, start, 0.0)
-    surfaces, solver = SurfaceGeometry(gap), asked
-    if callable(gap) and drive.previous is not None and not fits(drive.previous, asked.grid):
-        solver = asked._over(drive.previous.grid.surface_shape)
-    window, bodies = surfaces.over(solver.grid), (asked.body1, asked.body2)
-    pulled = asked.contact_law.attracts
-    scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
+    surfaces, solver = SurfaceGeometry(gap), initial
+    if callable(gap) and drive.previous is not None and not fits(drive.previous, initial.grid):
+        solver = initial._over(drive.previous.grid.surface_shape)
+    window, bodies = surfaces.over(solver.grid), (initial.body1, initial.body2)
+    pulled = initial.contact_law.attracts
+    setup = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
     target = {"load": load, "approach": approach}
-    finding = scene.warn_of_units(
-        asked.heat, target, is_loaded=drive.previous is not None, stacklevel=3
+    finding = setup.warn_of_units(
+        initial.heat, target, is_loaded=drive.previous is not None, stacklevel=3
     )
     while True:
         try:
             solution, complaint = solver._solved_from(start, window, driver, value, drive)
             break
         except _core.ConvergenceError as error:
-            hertz_estimate.explain_digits(error, scene.gap)
+            hertz_estimate.explain_digits(error, setup.gap)
             raise
         except _core.GridTooSmallError as error:
-            hertz_estimate.explain_size(error, scene.hertz(load, approach))
-            if not callable(gap) and not asked.grid.periodic:
-                add_border_remedies(error, scene)
-            if not callable(gap) or asked.grid.periodic or pulled:
+            hertz_estimate.explain_size(error, setup.hertz(load, approach))
+            if not callable(gap) and not initial.grid.periodic:
+                add_border_remedies(error, setup)
+            if not callable(gap) or initial.grid.periodic or pulled:
                 raise
             with explain_failed_enlargement(error, window.grid):
-                counts = counts_for(error, asked.grid, scene, load, approach)
-                solver, before = asked._over(counts), window
+                counts = counts_for(error, initial.grid, setup, load, approach)
+                solver, before = initial._over(counts), window
                 window = surfaces.over(solver.grid)
                 require_consistent_overlap(window, before)
-            scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
+            setup = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
             start = None
     if complaint:
-        text = complaint if callable(gap) else advised(complaint, scene)
+        text = complaint if callable(gap) else advised(complaint, setup)
         warnings.warn(text, GridTooSmallWarning, stacklevel=3)
     if finding is None or not finding.of_contact:
-        resolution.warn_of_contact(solution, scene, stacklevel=3)
-    resolution.warn_of_strain(solution, scene, stacklevel=3)
-    yield_check.warn_of_yield(solution, bodies, asked._law, stacklevel=3)
-    if sharp_edges.may_have_edge(solution, scene):
+        resolution.warn_of_contact(solution, setup, stacklevel=3)
+    resolution.warn_of_strain(solution, setup, stacklevel=3)
+    yield_check.warn_of_yield(solution, bodies, initial._law, stacklevel=3)
+    if sharp_edges.may_have_edge(solution, setup):
         edge = sharp_edges.edge_of(solution, bodies, window.initial_gap)
         sharp_edges.warn_of_edge(solution, edge, stacklevel=3)
     return solution

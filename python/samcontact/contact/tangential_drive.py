@@ -41,7 +41,7 @@ class TangentialInput:
     @classmethod
     def of(cls, motions: Mapping[str, Any], forces: Mapping[str, Any]) -> TangentialInput:
         """Combine motions and forces; components without prescribed value have zero motion."""
-        (moved, motion), (turned, turn) = motions.items()
+        (moved, motion), (rotation_name, rotation) = motions.items()
         (pulled, force), (wrung, torque) = forces.items()
         given = zip(
             (f"{moved} and {pulled} along x", f"{moved} and {pulled} along y"),
@@ -49,7 +49,8 @@ class TangentialInput:
             pair_of(pulled, force),
             strict=True,
         )
-        all_given = [*given, (f"{turned} and {wrung}", _maybe(turned, turn), _maybe(wrung, torque))]
+        about_z = _maybe(rotation_name, rotation), _maybe(wrung, torque)
+        all_given = [*given, (f"{rotation_name} and {wrung}", *about_z)]
         for names, a, b in all_given:
             if a is not None and b is not None:
                 raise ValueError(
@@ -85,20 +86,20 @@ class TangentialDrive:
 
     given: TangentialInput
     previous: ShearedSolution | None
-    ways: tuple[float, float] = (0.0, 0.0)
+    travels: tuple[float, float] = (0.0, 0.0)
     """Displacement of each surface through the contact in this increment [m]."""
 
     @property
-    def way(self) -> float:
+    def mean_travel(self) -> float:
         """Mean displacement of both surfaces through the grid [m]."""
-        return 0.5 * (self.ways[0] + self.ways[1])
+        return 0.5 * (self.travels[0] + self.travels[1])
 
     def _before(self, grid: Grid) -> Before | tuple[None, None, None, float]:
         """Fields at the end of the preceding increment, on the current grid."""
         if self.previous is None:
             return None, None, None, 0.0
         before = before_on(self.previous, grid)
-        cells = round(self.way / grid.dx)
+        cells = round(self.mean_travel / grid.dx)
         if cells == 0:
             return before
         _require_kept(before[0], cells, grid)
@@ -114,14 +115,14 @@ class TangentialDrive:
     ) -> tuple[PartialSlipSolution, str]:
         """Return the solution with accumulated motions, and a message about the grid edge."""
         p, s, g, d = self._before(grid)
-        moves = self.way != 0
+        moves = self.mean_travel != 0
         if start is None and moves and self.previous is not None:
             start = before_on(self.previous, grid)[0]  # the contact stays where it is
         x, y, turn = self.given.values
         # slip due to rotation: at the positions of the cells during the motion
-        lead = _core.spin_lead * self.way
+        lead = _core.spin_lead * self.mean_travel
         if not self.given.is_force[0]:
-            x += self.ways[0] - self.ways[1]
+            x += self.travels[0] - self.travels[1]
         if not self.given.is_force[1]:
             y -= lead * turn
         drive = self.given.is_force, (x, y, turn)
@@ -162,10 +163,10 @@ def carried(field: FloatArray, cells: int) -> FloatArray:
 def _require_kept(pressure: FloatArray, cells: int, grid: Grid) -> None:
     """Raise ValueError if a shift by `cells` moves pressure off the grid."""
     rows = np.flatnonzero(in_contact(pressure).any(axis=1))
-    least, most = (-int(rows[0]), grid.nx - 1 - int(rows[-1])) if rows.size else (cells, cells)
-    if not least <= cells <= most:
+    low, high = (-int(rows[0]), grid.nx - 1 - int(rows[-1])) if rows.size else (cells, cells)
+    if not low <= cells <= high:
         raise ValueError(
-            f"advance must move the contact of the preceding increment by {least} to {most} cells "
+            f"advance must move the contact of the preceding increment by {low} to {high} cells "
             f"of {grid.dx!r} m, so that it stays on the grid, got {cells} cells as the mean of "
             "both bodies: use smaller steps, or a longer grid"
         )
@@ -206,7 +207,7 @@ def tangential_drive(
     grid: Grid,
 ) -> TangentialDrive:
     """Create a tangential drive from checked arguments; in full sliding it prescribes nothing."""
-    first, second = (float(way) for way in finite_array("advance", advance, (2,)))
+    first, second = (float(distance) for distance in finite_array("advance", advance, (2,)))
     moves = None if first == second == 0 else advance
     along = given_along(
         friction, shift, tangential_load, twist, torque, previous=previous, advance=moves
@@ -223,21 +224,21 @@ def tangential_drive(
 
 def _require_rolling(drive: TangentialDrive, grid: Grid) -> None:
     """Raise ValueError unless the contact can roll the given distance."""
-    first, second = drive.ways
-    cells = in_cells("advance", drive.way, grid.dx)
+    first, second = drive.travels
+    cells = in_cells("advance", drive.mean_travel, grid.dx)
     if drive.previous is None:
         raise ValueError(
-            f"advance must be (0, 0) without previous, got {drive.ways!r}: solve the normal "
+            f"advance must be (0, 0) without previous, got {drive.travels!r}: solve the normal "
             "contact first and pass it as previous"
         )
     if grid.along_x:
         raise ValueError(
-            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got {drive.ways!r}"
+            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got {drive.travels!r}"
         )
     if abs(cells - round(cells)) > 1e-6:
         raise ValueError(
             f"advance must be a whole number of cells of {grid.dx!r} m as the mean of both bodies, "
-            f"got {drive.way!r} m: use steps of whole cells, or a matching cell size"
+            f"got {drive.mean_travel!r} m: use steps of whole cells, or a matching cell size"
         )
     if abs(first - second) > grid.dx:
         raise ValueError(

@@ -36,7 +36,7 @@ class YieldPosition(NamedTuple):
     z: float
 
 
-Look = Callable[[float], YieldPosition]
+ExcessAt = Callable[[float], YieldPosition]
 """Function that gives the maximum excess at a maximum pressure [Pa]."""
 
 
@@ -68,12 +68,14 @@ def first_yield(body: Material, spread: float, friction: float | None) -> tuple[
     return p0, spread * p0 * np.array([*across, place.z])
 
 
-def _root(look: Look, low: float, high: float) -> float:
-    while look(low).excess >= 0:
+def _root(yield_at: ExcessAt, low: float, high: float) -> float:
+    while yield_at(low).excess >= 0:
         low /= _PRESSURE_FACTOR
-    while look(high).excess < 0:
+    while yield_at(high).excess < 0:
         high *= _PRESSURE_FACTOR
-    root = scipy.optimize.brentq(lambda p: look(p).excess, low, high, xtol=1e-12 * high, rtol=1e-12)
+    root = scipy.optimize.brentq(
+        lambda p: yield_at(p).excess, low, high, xtol=1e-12 * high, rtol=1e-12
+    )
     return float(root)
 
 
@@ -99,10 +101,10 @@ def _unit_stress(
     body: Material, friction: float | None, angle: FloatArray, r: FloatArray, z: FloatArray
 ) -> FloatArray:
     """Contact stress divided by maximum pressure [-], shape (6, angles, r, z)."""
-    turned, out, down = np.meshgrid(angle, r, z, indexing="ij")
+    theta, out, down = np.meshgrid(angle, r, z, indexing="ij")
     if friction is None:
         return line_field(out, down, body.nu)
-    return field(out * np.cos(turned), out * np.sin(turned), down, body.nu, friction)
+    return field(out * np.cos(theta), out * np.sin(theta), down, body.nu, friction)
 
 
 def _max_excess(
@@ -160,11 +162,11 @@ class _LocalSearch:
         size: float,
     ) -> None:
         self._body, self._spread, self._friction = body, spread, friction
-        ways = np.linspace(-1.0, 1.0, 21)
-        r = place.r + 0.05 * size * ways
+        offsets = np.linspace(-1.0, 1.0, 21)
+        r = place.r + 0.05 * size * offsets
         self._r: FloatArray = np.unique(np.append(r if friction else np.abs(r), place.r))
-        turn = np.zeros(1) if _angles(body, friction) == 1 else 0.4 * size * ways
-        self._angle: FloatArray = np.asarray(place.angle + turn, dtype=np.float64)
+        rotation = np.zeros(1) if _angles(body, friction) == 1 else 0.4 * size * offsets
+        self._angle: FloatArray = np.asarray(place.angle + rotation, dtype=np.float64)
         reach = 0.2 * size * max(1.0, place.z)
         low, high = max(0.0, place.z - reach), place.z + reach
         self._z: FloatArray = np.unique(np.append(np.linspace(low, high, 41), place.z))

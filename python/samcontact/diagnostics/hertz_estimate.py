@@ -133,12 +133,12 @@ class ContactSetup:
             return None
         xx, xy, yy = (found[3:] / (a * a, a * b, b * b)).tolist()
         mean, half = 0.5 * (xx + yy), math.hypot(0.5 * (xx - yy), xy)
-        least, most = mean - half, mean + half
-        if not least > 1e-9 * most:  # a cylinder, a saddle, a hollow
+        flattest, sharpest = mean - half, mean + half
+        if not flattest > 1e-9 * sharpest:  # a cylinder, a saddle, a hollow
             return None
         scale = highest - lowest
-        turn = math.sin(0.5 * math.atan2(2.0 * xy, xx - yy))  # of the plane of maximum curvature
-        return 1.0 / (scale * least), 1.0 / (scale * most), turn
+        sine = math.sin(0.5 * math.atan2(2.0 * xy, xx - yy))  # of the plane of maximum curvature
+        return 1.0 / (scale * flattest), 1.0 / (scale * sharpest), sine
 
     @cached_property
     def E_star(self) -> float:
@@ -181,9 +181,9 @@ class ContactSetup:
         Raises ValueError if the Hertz contact is far smaller than a cell, unless the bodies have
         been loaded before or a warning filter ignores `UnitWarning`.
         """
-        before, after, (least, most) = self._checked(heat)
+        before, after, (lowest, highest) = self._checked(heat)
         of_contact: list[plausibility.PlausibilityCheck] = []
-        if target and self._is_hertzian and not least < self.load_of(**target) < most:
+        if target and self._is_hertzian and not lowest < self.load_of(**target) < highest:
             of_contact = self.failed_checks(heat, **target)
         for finding in (*before, *of_contact, *after):
             if not is_loaded:

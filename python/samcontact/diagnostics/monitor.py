@@ -50,13 +50,13 @@ class Monitor:
             self.checks_steps, self.checks_increments = enabled
 
     def warn_of_units(
-        self, scene: ContactSetup, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
+        self, setup: ContactSetup, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
     ) -> None:
         """Issue unit warnings before an increment; equivalent later warnings are suppressed."""
         if self.setup_warned:
             return
         loaded = self.largest_load > 0
-        finding = scene.warn_of_units(heat, target, is_loaded=loaded, stacklevel=stacklevel + 1)
+        finding = setup.warn_of_units(heat, target, is_loaded=loaded, stacklevel=stacklevel + 1)
         if not finding:
             return
         self.setup_warned = True
@@ -64,55 +64,55 @@ class Monitor:
             self.contact_warned = True
             self.checks_steps = False
 
-    def warn_of_run(self, states: Sequence[State], scene: ContactSetup, *, stacklevel: int) -> None:
+    def warn_of_run(self, states: Sequence[State], setup: ContactSetup, *, stacklevel: int) -> None:
         """Issue warnings about the grid resolution after a run."""
         if not self.contact_warned:
-            resolution.warn_of_run(states, scene, stacklevel=stacklevel + 1)
+            resolution.warn_of_run(states, setup, stacklevel=stacklevel + 1)
 
     def warn(
-        self, state: State, scene: ContactSetup, complaints: list[str], *, stacklevel: int
+        self, state: State, setup: ContactSetup, complaints: list[str], *, stacklevel: int
     ) -> None:
         """Issue warnings after an increment; complaints: messages of the core on the grid edge."""
         for complaint in complaints:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
-        if scene.plastic and not self.clipping_warned and (text := _cut_text(state)):
+        if setup.plastic and not self.clipping_warned and (text := _cut_text(state)):
             self.clipping_warned = True
             warnings.warn(text, GridTooSmallWarning, stacklevel=stacklevel + 1)
         if self.checks_steps and (load := state.load) > self.largest_load:
             self.largest_load = load
-            warned = resolution.warn_of_step(state, scene, stacklevel=stacklevel + 1)
+            warned = resolution.warn_of_step(state, setup, stacklevel=stacklevel + 1)
             self.checks_steps = not warned
         if not self.pressure_warned:
             self.pressure_warned = resolution.warn_of_strain(
-                state, scene, stacklevel=stacklevel + 1
+                state, setup, stacklevel=stacklevel + 1
             )
-        if not self.edge_warned and sharp_edges.may_have_edge(state, scene):
+        if not self.edge_warned and sharp_edges.may_have_edge(state, setup):
             edge = sharp_edges.edge_of_state(state)
             self.edge_warned = sharp_edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
-        if scene.plastic:
-            self._warn_of_flow(state, scene, stacklevel=stacklevel + 1)
+        if setup.plastic:
+            self._warn_of_flow(state, setup, stacklevel=stacklevel + 1)
 
-    def _warn_of_flow(self, state: State, scene: ContactSetup, *, stacklevel: int) -> None:
+    def _warn_of_flow(self, state: State, setup: ContactSetup, *, stacklevel: int) -> None:
         """Issue warnings about plastic flow after an increment."""
         if not self.limit_warned:
-            self.limit_warned = warn_of_limit(state, scene, stacklevel=stacklevel + 1)
+            self.limit_warned = warn_of_limit(state, setup, stacklevel=stacklevel + 1)
         if not self.alternation_warned:
             self.alternation_warned = warn_of_alternation(state, stacklevel=stacklevel + 1)
-        if not self.strain_warned and (text := _strain_text(state, scene)):
+        if not self.strain_warned and (text := _strain_text(state, setup)):
             self.strain_warned = True
             warnings.warn(text, PlasticStrainWarning, stacklevel=stacklevel + 1)
 
 
-def _strain_text(state: State, scene: ContactSetup) -> str:
+def _strain_text(state: State, setup: ContactSetup) -> str:
     """Text of the warning if a plastic strain exceeds the small-strain limit, else ""."""
-    for body, *_ in scene.plastic:
+    for body, *_ in setup.plastic:
         accumulated, magnitude = state.max_strains[body - 1]
         if accumulated <= MAX_SMALL_STRAIN and magnitude <= MAX_SMALL_STRAIN:
             continue
         # Reversed flow accumulates without bound while the strain stays small.
-        mostly_reversed = magnitude < 0.5 * accumulated
+        is_reversed = magnitude < 0.5 * accumulated
         limit = f"above the small-strain limit of {MAX_SMALL_STRAIN}: results are unreliable"
-        if accumulated > MAX_SMALL_STRAIN and not mostly_reversed:
+        if accumulated > MAX_SMALL_STRAIN and not is_reversed:
             return (
                 f"the accumulated equivalent plastic strain of body {body} is {accumulated:.3g}, "
                 f"{limit} (plastic strain magnitude sqrt(2/3 e:e) at most {magnitude:.3g})"

@@ -26,30 +26,31 @@ _MIN_ALTERNATION = 0.15
 zones of four layers stay below it, grid artefacts reach 0.2."""
 
 
-def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
+def warn_of_limit(state: State, setup: ContactSetup, *, stacklevel: int) -> bool:
     """Warn if the mean pressure exceeds the fully plastic limit; return True after a warning.
 
     The mean pressure of a single contact spot on a homogeneous half-space is at most about three
     yield stresses: 2.97 in a line contact (Prandtl), about 3 in a round contact. With too few cells
     the computed pressure is higher, because plastic flow at the edge is resolved to one cell only.
     """
-    largest, most = state.outline.largest, _MAX_LIMIT_EXCESS * LIMIT_PRESSURE_RATIO
-    if largest <= most * scene.weakest:  # yield stress never falls, mean pressure is below maximum
+    largest, max_ratio = state.outline.largest, _MAX_LIMIT_EXCESS * LIMIT_PRESSURE_RATIO
+    # yield stress never falls, mean pressure is below maximum
+    if largest <= max_ratio * setup.weakest:
         return False
     if not state.load > 0 or state.grid.periodic or not math.isfinite(state.approach):
         return False
     strains = {n: state.max_equivalent_plastic_strain(n) for n in (1, 2)}
     found = [
         (float(body.yield_stress(strains[n])), n)
-        for n, body in enumerate(scene.bodies, 1)
+        for n, body in enumerate(setup.bodies, 1)
         if isinstance(body, Material) and body.is_plastic and strains[n] > 0
         and not (body.kinematic or body.yield_profile or body.residual_stress)
     ]  # fmt: skip
     stress, number = min(found, default=(math.inf, 0))
-    if largest <= most * stress:
+    if largest <= max_ratio * stress:
         return False
     mean = state.mean_pressure / stress
-    if mean <= most or spots(state.repulsion) > 1:
+    if mean <= max_ratio or spots(state.repulsion) > 1:
         return False
     across = cells_across(state.repulsion)
     over = 100 * (mean / LIMIT_PRESSURE_RATIO - 1)

@@ -111,14 +111,14 @@ def _body_and_heat_checks(bodies: tuple[Body, Body], heat: Heat) -> Iterator[Pla
     for number, (whole, body) in enumerate(zip(bodies, map(softest, bodies), strict=True), 1):
         if body.is_plastic:
             name, ratio = f"yield stress over E of body {number}", body.min_yield_stress / body.E
-            verdict = Check(name, ratio, MIN_YIELD_STRAIN, at_least=True)
-            yield PlausibilityCheck(verdict, lambda: "Use Pa for both")
+            check = Check(name, ratio, MIN_YIELD_STRAIN, at_least=True)
+            yield PlausibilityCheck(check, lambda: "Use Pa for both")
         yield from _failed(_body_checks(f"body {number}", whole))
     for number, body in _heated(bodies, heat):
         yield from _thermal_checks(number, body)
         speed = math.hypot(*heat.velocity[number - 1])
-        verdict = Check(f"heat.velocity of body {number}", speed, MAX_SPEED, unit="m/s")
-        yield from _failed([PlausibilityCheck(verdict, lambda: "Use m/s")])
+        check = Check(f"heat.velocity of body {number}", speed, MAX_SPEED, unit="m/s")
+        yield from _failed([PlausibilityCheck(check, lambda: "Use m/s")])
 
 
 def _failed_strength_checks(bodies: tuple[Body, Body]) -> Iterator[PlausibilityCheck]:
@@ -148,14 +148,14 @@ def passing_loads(
     load = contact.expected.contact.load
     checks = [finding.check for finding in contact_plausibility_checks(contact, grid, bodies, heat)]
     checks += [finding.check for finding in _layer_check(contact, grid, map(softest, bodies))]
-    least, most = 0.0, math.inf
+    lower, upper = 0.0, math.inf
     for check in checks:
         share = max(check.value, 1e-30 * check.limit) / check.limit
         if check.at_least:
-            least = max(least, load * share ** (-2.0 if share > 1 else -3.0))
+            lower = max(lower, load * share ** (-2.0 if share > 1 else -3.0))
         else:
-            most = min(most, load * share ** (-1.5 if share < 1 else -3.0))
-    return least, most
+            upper = min(upper, load * share ** (-1.5 if share < 1 else -3.0))
+    return lower, upper
 
 
 def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, Material]]:
@@ -173,11 +173,9 @@ def _failed(findings: Iterable[PlausibilityCheck]) -> Iterator[PlausibilityCheck
 
 def warn_if_implausible(finding: PlausibilityCheck, *, stacklevel: int) -> None:
     """Issue a `UnitWarning` if a check has failed."""
-    verdict = finding.check
-    if not verdict.passed:
-        text = (
-            f"likely unit error: {verdict.name} is {verdict.shown} ({verdict.condition} expected)"
-        )
+    check = finding.check
+    if not check.passed:
+        text = f"likely unit error: {check.name} is {check.shown} ({check.condition} expected)"
         warnings.warn(f"{text}. {finding.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
 
 
@@ -195,16 +193,14 @@ def require_solvable(finding: PlausibilityCheck) -> None:
 
 def wear_coefficient(name: str, value: float) -> PlausibilityCheck:
     """Check of a wear coefficient [1/Pa]: volume per friction work, or per load and distance."""
-    verdict = Check(name, value, MAX_WEAR_COEFFICIENT, unit="1/Pa")
-    return PlausibilityCheck(
-        verdict, lambda: "Use 1/Pa, m³ per joule: 1e-6 mm³/(N m) is 1e-15 1/Pa"
-    )
+    check = Check(name, value, MAX_WEAR_COEFFICIENT, unit="1/Pa")
+    return PlausibilityCheck(check, lambda: "Use 1/Pa, m³ per joule: 1e-6 mm³/(N m) is 1e-15 1/Pa")
 
 
 def strength(name: str, value: float) -> PlausibilityCheck:
     """Check of a fatigue limit, or of a yield stress outside a material [Pa]."""
-    verdict = Check(name, value, MIN_STRESS_LIMIT, at_least=True, unit="Pa")
-    return PlausibilityCheck(verdict, lambda: "Use Pa: 300 MPa is 300e6")
+    check = Check(name, value, MIN_STRESS_LIMIT, at_least=True, unit="Pa")
+    return PlausibilityCheck(check, lambda: "Use Pa: 300 MPa is 300e6")
 
 
 def _body_checks(name: str, body: Body) -> Iterator[PlausibilityCheck]:
@@ -213,8 +209,8 @@ def _body_checks(name: str, body: Body) -> Iterator[PlausibilityCheck]:
         return
     for place, (material, thickness) in enumerate(body.layers):
         layer = f"layers[{place}] of {name}"
-        verdict = Check(f"thickness of {layer}", thickness, MAX_PROFILE_DEPTH, unit="m")
-        yield PlausibilityCheck(verdict, lambda: "Use m")
+        check = Check(f"thickness of {layer}", thickness, MAX_PROFILE_DEPTH, unit="m")
+        yield PlausibilityCheck(check, lambda: "Use m")
         yield from _material_checks(layer, material)
     yield from _material_checks(f"the substrate of {name}", body.substrate)
 
@@ -222,22 +218,22 @@ def _body_checks(name: str, body: Body) -> Iterator[PlausibilityCheck]:
 def _material_checks(name: str, body: Material) -> Iterator[PlausibilityCheck]:
     for modulus, _ in body.kinematic:
         label = f"modulus of kinematic hardening over E of {name}"
-        for limit, least in ((MIN_STRESS_RATIO, True), (MAX_BACKSTRESS_MODULUS_RATIO, False)):
-            verdict = Check(label, modulus / body.E, limit, least)
-            yield PlausibilityCheck(verdict, lambda: "Use Pa for both")
+        for limit, at_least in ((MIN_STRESS_RATIO, True), (MAX_BACKSTRESS_MODULUS_RATIO, False)):
+            check = Check(label, modulus / body.E, limit, at_least)
+            yield PlausibilityCheck(check, lambda: "Use Pa for both")
     if body.yield_profile is not None:
-        most_of_law = max(body.yield_profile[1])
-        verdict = Check(f"maximum yield factor of {name}", most_of_law, MAX_YIELD_FACTOR)
+        max_factor = max(body.yield_profile[1])
+        check = Check(f"maximum yield factor of {name}", max_factor, MAX_YIELD_FACTOR)
         yield PlausibilityCheck(
-            verdict, lambda: "The yield factor is the ratio of local hardness to core hardness"
+            check, lambda: "The yield factor is the ratio of local hardness to core hardness"
         )
         yield _depth_check(f"depth of the yield profile of {name}", body.yield_profile)
     if body.residual_stress is not None:
         largest = max(abs(v) for values in body.residual_stress[1:] for v in values)
         if largest > 0:
             label = f"maximum residual stress over E of {name}"
-            verdict = Check(label, largest / body.E, MIN_STRESS_RATIO, at_least=True)
-            yield PlausibilityCheck(verdict, lambda: "Use Pa for both: -800 MPa is -800e6")
+            check = Check(label, largest / body.E, MIN_STRESS_RATIO, at_least=True)
+            yield PlausibilityCheck(check, lambda: "Use Pa for both: -800 MPa is -800e6")
         yield _depth_check(f"depth of the residual stress of {name}", body.residual_stress)
 
 
@@ -247,8 +243,8 @@ def _strength_check(number: int, body: Material) -> PlausibilityCheck:
     of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
     largest = max(*of_law, *given.get("stress", ()))
     name = f"maximum yield stress over E of body {number}"
-    verdict = Check(name, largest / body.E, MAX_YIELD_STRAIN)
-    return PlausibilityCheck(verdict, lambda: "Use Pa for both: 210 GPa is 210e9")
+    check = Check(name, largest / body.E, MAX_YIELD_STRAIN)
+    return PlausibilityCheck(check, lambda: "Use Pa for both: 210 GPa is 210e9")
 
 
 def _depth_check(name: str, profile: Profile) -> PlausibilityCheck:
@@ -264,11 +260,11 @@ def _depth_check(name: str, profile: Profile) -> PlausibilityCheck:
 def _thermal_checks(number: int, body: Material) -> Iterator[PlausibilityCheck]:
     conductivity, expansion, diffusivity = body.thermal or (1.0, 0.0, 1.0)
     name = f"volumetric heat capacity (conductivity over diffusivity) of body {number}"
-    for limit, least in zip(HEAT_CAPACITY_RANGE, (True, False), strict=True):
-        verdict = Check(name, conductivity / diffusivity, limit, least, "J/(m³ K)")
-        yield PlausibilityCheck(verdict, lambda: f"Solids have 1e6 to 4e6: use {_THERMAL_UNITS}")
-    verdict = Check(f"thermal expansion of body {number}", expansion, MAX_EXPANSION, unit="1/K")
-    yield PlausibilityCheck(verdict, lambda: "Steel has 1.2e-5 1/K")
+    for limit, at_least in zip(HEAT_CAPACITY_RANGE, (True, False), strict=True):
+        check = Check(name, conductivity / diffusivity, limit, at_least, "J/(m³ K)")
+        yield PlausibilityCheck(check, lambda: f"Solids have 1e6 to 4e6: use {_THERMAL_UNITS}")
+    check = Check(f"thermal expansion of body {number}", expansion, MAX_EXPANSION, unit="1/K")
+    yield PlausibilityCheck(check, lambda: "Steel has 1.2e-5 1/K")
 
 
 def _temperature_check(
@@ -284,19 +280,19 @@ def _temperature_check(
         size = min(size, math.sqrt(diffusivity * size / speed))
     rise = factor * contact.expected.contact.p0 * size / conductivity
     name = f"estimated frictional temperature rise of body {number}"
-    verdict = Check(name, rise, MAX_TEMPERATURE_RISE, unit="K")
-    return PlausibilityCheck(verdict, lambda: f"Use m/s for heat.factor, {_THERMAL_UNITS}")
+    check = Check(name, rise, MAX_TEMPERATURE_RISE, unit="K")
+    return PlausibilityCheck(check, lambda: f"Use m/s for heat.factor, {_THERMAL_UNITS}")
 
 
 def part_of_radius(
-    contact: ExpectedExtent, said: Callable[[], str] | None = None
+    contact: ExpectedExtent, remedy: Callable[[], str] | None = None
 ) -> PlausibilityCheck:
-    """Check of contact size over radius; said: start of the remedy, default: Hertz estimate."""
-    first = said or (lambda: str(contact.expected))
+    """Check of contact size over radius; remedy: its start, default: Hertz estimate."""
+    first = remedy or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
-    verdict = Check("half-width of the Hertz contact over its radius", share, MAX_HALF_WIDTH_RATIO)
+    check = Check("half-width of the Hertz contact over its radius", share, MAX_HALF_WIDTH_RATIO)
     taken = "The theory assumes half-spaces, and paraboloids for spheres"
-    return PlausibilityCheck(verdict, lambda: f"{first()}. {taken}", True)
+    return PlausibilityCheck(check, lambda: f"{first()}. {taken}", True)
 
 
 def _contact_checks(
@@ -304,20 +300,20 @@ def _contact_checks(
 ) -> Iterator[PlausibilityCheck]:
     expected, extent = contact.expected, contact.extent
 
-    def said() -> str:
+    def remedy() -> str:
         return f"{expected}. {likely_unit_errors(contact, grid)}"
 
-    yield part_of_radius(contact, said)
+    yield part_of_radius(contact, remedy)
     windows = max(
         2 * e / (n * d)
         for e, n, d in zip(extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     )
     name = "width of the Hertz contact relative to the grid"
-    yield PlausibilityCheck(Check(name, windows, MAX_GRID_WIDTHS), said, True)
+    yield PlausibilityCheck(Check(name, windows, MAX_GRID_WIDTHS), remedy, True)
     wider = max(_flattened(contact, body) for body in bodies)
     cells = wider * min(2 * e / d for e, d in zip(extent, (grid.dx, grid.dy), strict=True))
     check = Check(_CELLS_ACROSS, cells, MIN_CELLS_ACROSS, at_least=True)
-    yield PlausibilityCheck(check, said, True)
+    yield PlausibilityCheck(check, remedy, True)
     if any(b.is_plastic and expected.contact.p0 > b.min_yield_stress for b in bodies):
         yield from _layer_check(contact, grid, bodies)
 
@@ -330,8 +326,8 @@ def _layer_check(
     if dz is not None:
         wider = max(_flattened(contact, body) for body in bodies)
         name = "half-width of the Hertz contact in layers"
-        verdict = Check(name, wider * contact.expected.semi_axes[1] / dz, MAX_LAYERS)
-        yield PlausibilityCheck(verdict, lambda: f"Use m: dz = {quantity(dz, 'm')}")
+        check = Check(name, wider * contact.expected.semi_axes[1] / dz, MAX_LAYERS)
+        yield PlausibilityCheck(check, lambda: f"Use m: dz = {quantity(dz, 'm')}")
 
 
 def _flattened(contact: ExpectedExtent, body: Material) -> float:

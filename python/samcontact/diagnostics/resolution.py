@@ -42,11 +42,11 @@ _MAX_STRESS_DEPTH = 0.8
 
 
 def warn_of_strain(
-    solution: ContactSolution | State, scene: ContactSetup, *, stacklevel: int
+    solution: ContactSolution | State, setup: ContactSetup, *, stacklevel: int
 ) -> bool:
     """Warn of pressures beyond linear elasticity; return True after a warning."""
     largest = solution.outline.largest
-    share = largest / scene.E_star
+    share = largest / setup.E_star
     if not share > MAX_ELASTIC_STRAIN:
         return False
     text = (
@@ -194,13 +194,13 @@ def layers_across_plastic_zone(extent: Sequence[tuple[int, int]]) -> float:
 
 def warn_of_contact(
     solution: ContactSolution | State,
-    scene: ContactSetup,
+    setup: ContactSetup,
     few: int = RECOMMENDED_CELLS,
     *,
     stacklevel: int,
 ) -> bool:
     """Warn if contact or spots are fewer than `few` cells wide; return True after a warning."""
-    pressure, grid = solution.repulsion, scene.grid
+    pressure, grid = solution.repulsion, setup.grid
     outline = solution.outline
     share = _uncertainty(outline)
     thin = share > (AREA_ERROR_WARNING if few >= RECOMMENDED_CELLS else AREA_ERROR_LIMIT)
@@ -217,7 +217,7 @@ def warn_of_contact(
     elif not _is_wide(pressure) and (cells := cells_across(pressure, grid.periodic)) < few:
         text = (
             f"is only {cells:.0f} cells across ({cell}; at least {RECOMMENDED_CELLS} recommended). "
-            f"{_remedy(solution, scene)}"
+            f"{_remedy(solution, setup)}"
         )
     elif thin:
         width = 2 * AREA_PER_SIDE / share
@@ -232,8 +232,8 @@ def warn_of_contact(
     return True
 
 
-def _remedy(solution: ContactSolution | State, scene: ContactSetup) -> str:
-    expected = scene.hertz(load=solution.load)
+def _remedy(solution: ContactSolution | State, setup: ContactSetup) -> str:
+    expected = setup.hertz(load=solution.load)
     if expected is None:
         return "Use smaller cells"
     widest = quantity(2 * expected.semi_axes[1] / RECOMMENDED_CELLS, "m")
@@ -262,7 +262,7 @@ def warn_of_zone(
 
 
 def warn_if_yield_unresolved(
-    peak: State, last: State, scene: ContactSetup, few: int = MINIMUM_CELLS, *, stacklevel: int
+    peak: State, last: State, setup: ContactSetup, few: int = MINIMUM_CELLS, *, stacklevel: int
 ) -> bool:
     """Warn if layers are too thick to show yield below a contact; return True after a warning.
 
@@ -270,13 +270,13 @@ def warn_if_yield_unresolved(
     layers.
     """
     grid = peak.grid
-    if grid.dz is None or (hardest := peak.outline.largest) < scene.weakest:
+    if grid.dz is None or (hardest := peak.outline.largest) < setup.weakest:
         return False
     if peak.outline.reach * min(grid.dx, grid.dy) >= few * grid.dz * (1 + 1e-9):
         return False
     doubtful = [
         body.number
-        for body in scene.plastic
+        for body in setup.plastic
         if hardest >= body.weakest and not last.max_equivalent_plastic_strain(body.number) > 0
     ]
     if not doubtful:
@@ -297,14 +297,14 @@ def warn_if_yield_unresolved(
     return True
 
 
-def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
+def warn_of_step(state: State, setup: ContactSetup, *, stacklevel: int) -> bool:
     """Warn of resolution faults that later increments cannot correct; True after a warning."""
     if math.isfinite(state.approach):
-        if warn_of_contact(state, scene, MINIMUM_CELLS, stacklevel=stacklevel + 1):
+        if warn_of_contact(state, setup, MINIMUM_CELLS, stacklevel=stacklevel + 1):
             return True
-        if warn_if_yield_unresolved(state, state, scene, 1, stacklevel=stacklevel + 1):
+        if warn_if_yield_unresolved(state, state, setup, 1, stacklevel=stacklevel + 1):
             return True
-    for body, _, yielding in scene.plastic:
+    for body, _, yielding in setup.plastic:
         strain = state.max_strains[body - 1][0]
         beyond = False
         for E, stress in yielding:
@@ -314,11 +314,11 @@ def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
     return False
 
 
-def warn_of_run(states: Sequence[State], scene: ContactSetup, *, stacklevel: int) -> bool:
+def warn_of_run(states: Sequence[State], setup: ContactSetup, *, stacklevel: int) -> bool:
     """Warn if the grid does not resolve contact or plastic zones; return True after a warning."""
     solved = [state for state in states if math.isfinite(state.approach)]
     peak = max(solved, key=lambda state: state.load, default=None)
-    if peak is not None and warn_of_contact(peak, scene, stacklevel=stacklevel + 1):
+    if peak is not None and warn_of_contact(peak, setup, stacklevel=stacklevel + 1):
         return True
     moments = [peak, states[-1]] if peak is not None else list(states[-1:])
     warned = [
@@ -327,7 +327,7 @@ def warn_of_run(states: Sequence[State], scene: ContactSetup, *, stacklevel: int
         if moments and moments[-1].max_equivalent_plastic_strain(body) > 0
     ]
     if peak is not None:
-        warned.append(warn_if_yield_unresolved(peak, states[-1], scene, stacklevel=stacklevel + 1))
+        warned.append(warn_if_yield_unresolved(peak, states[-1], setup, stacklevel=stacklevel + 1))
     return any(warned)
 
 

@@ -23,7 +23,7 @@ from ..solutions.outline import (
     has_ridge,
     sides_between,
     sides_of,
-    steps_beside,
+    steps_next_to,
 )
 
 if TYPE_CHECKING:
@@ -94,17 +94,17 @@ def sharp_edge(
     if not has_ridge(p, periodic):
         return None
     found, inside = whole[window], in_contact(p)
-    looked_at = [(sides, heights) for sides in sides_of(inside, periodic)]
+    groups = [(sides, heights) for sides in sides_of(inside, periodic)]
     if initial_gap is not None:
         before = np.asarray(initial_gap, dtype=np.float64)[window]
         for sides in sides_between(inside, inside, periodic):
-            looked_at.append((away_from_border(sides, p.shape, periodic), before))
-    for sides, surface in looked_at:
+            groups.append((away_from_border(sides, p.shape, periodic), before))
+    for sides, surface in groups:
         rising = _rising(sides, p)
         if not rising.any():
             continue
         sides = sides._replace(i=sides.i[rising], j=sides.j[rising])
-        steps, height = steps_beside(sides, surface, periodic)
+        steps, height = steps_next_to(sides, surface, periodic)
         deflection = p[sides.i, sides.j] * grid_sizes[sides.axis] / E_star
         high = steps & (height > MIN_STEP_RATIO * deflection)
         found[sides.i[high], sides.j[high]] = True
@@ -123,13 +123,13 @@ def sharp_edge(
     return SharpEdge(whole, (int(i) + first[0], int(j) + first[1]))
 
 
-def may_have_edge(solution: ContactSolution | State, scene: ContactSetup) -> bool:
+def may_have_edge(solution: ContactSolution | State, setup: ContactSetup) -> bool:
     """Whether `edge_of` may find an edge.
 
     There is an edge only if the pressure drops to zero at an open step, or if the undeformed gap
     has a step that the load has closed.
     """
-    return solution.outline.rises or scene.may_have_steps
+    return solution.outline.rises or setup.may_have_steps
 
 
 def edge_of(

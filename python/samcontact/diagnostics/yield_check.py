@@ -105,8 +105,8 @@ def _over_yield(
     traction = _traction(solution, friction)
     if traction > 0:
         ratio, depth = _sliding(nu, round(min(traction, _MAX_FRICTION), 3))
-        least = float(body.yield_stress_at(np.array([depth * half]))[0])
-        found = max(found, (ratio * largest / least, ratio * largest))
+        yield_stress = float(body.yield_stress_at(np.array([depth * half]))[0])
+        found = max(found, (ratio * largest / yield_stress, ratio * largest))
     return found
 
 

@@ -237,8 +237,10 @@ def _tensors(name: str, given: Any, shape: str, axis: int) -> FloatArray:
         )
     if not np.isfinite(stress).all():
         raise ValueError(f"{name} must be finite everywhere")
-    if (most := float(np.abs(stress).max())) > MAX_STRESS:
-        raise ValueError(f"{name} must be at most {MAX_STRESS:g} Pa in magnitude, got {most:.6g}")
+    if (max_stress := float(np.abs(stress).max())) > MAX_STRESS:
+        raise ValueError(
+            f"{name} must be at most {MAX_STRESS:g} Pa in magnitude, got {max_stress:.6g}"
+        )
     return stress
 
 

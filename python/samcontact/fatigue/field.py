@@ -105,8 +105,8 @@ class FatigueField(ShortRepr, HtmlTable):
 
     def over_depth(self) -> FloatArray:
         """Maximum value in each layer, shape (nz,); for a stress array, along the last axis."""
-        most: FloatArray = self.values.reshape(-1, self.values.shape[-1]).max(axis=0)
-        return most
+        maximum: FloatArray = self.values.reshape(-1, self.values.shape[-1]).max(axis=0)
+        return maximum
 
     def to_dataset(self) -> xr.Dataset:
         """Convert to labelled fields with units, for files and plots.

@@ -112,9 +112,9 @@ def has_columns(path: Path) -> bool:
 def _read(source: Path, format: str | None, given: ReaderArguments) -> MeasuredSurface:
     found = table(source) if format in (None, "xyz") else None
     if found is not None and (which := columns(found.values, source)) is not None:
-        return _of_columns(source, found, which, given)
+        return _surface_from_columns(source, found, which, given)
     if format in (None, "array") and is_plain(source):
-        return _of_rows(source, given)
+        return _surface_from_rows(source, given)
     if format == "array":
         raise ValueError(
             f'format must not be "array": {source} is not a plain file of numbers (.npy, .txt, '
@@ -123,7 +123,7 @@ def _read(source: Path, format: str | None, given: ReaderArguments) -> MeasuredS
     return with_library(source, format, given)
 
 
-def _of_rows(source: Path, given: ReaderArguments) -> MeasuredSurface:
+def _surface_from_rows(source: Path, given: ReaderArguments) -> MeasuredSurface:
     """Read a surface from a plain file with rows of heights."""
     heights = plain_heights(source)
     if given.steps is None:
@@ -138,7 +138,7 @@ def _of_rows(source: Path, given: ReaderArguments) -> MeasuredSurface:
     return MeasuredSurface(heights, *given.steps, attrs)
 
 
-def _of_columns(
+def _surface_from_columns(
     source: Path, found: Table, which: tuple[int, ...], given: ReaderArguments
 ) -> MeasuredSurface:
     """Read a profile from two columns x and z, or a map from three columns x, y, z."""

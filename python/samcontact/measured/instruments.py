@@ -41,14 +41,14 @@ def require_format(name: str | None) -> str | None:
         return None
     if not isinstance(name, str):
         raise TypeError(f'format must be a string, e.g. "sur", got {in_short(name)}')
-    wanted = name.lower().lstrip(".")
-    if wanted in OWN_FORMATS:
-        return wanted
+    key = name.lower().lstrip(".")
+    if key in OWN_FORMATS:
+        return key
     io = library("SurfaceTopography.IO")
     known = sorted({*OWN_FORMATS, *io.lookup_reader_by_format})
-    if wanted in known:
-        return wanted
-    near = difflib.get_close_matches(wanted, known, 1)
+    if key in known:
+        return key
+    near = difflib.get_close_matches(key, known, 1)
     hint = f"did you mean {near[0]!r}?" if near else f"one of {', '.join(known)}"
     raise ValueError(f"format must be the name of a reader, got {in_short(name)}: {hint}")
 
@@ -134,9 +134,9 @@ def _read(
     io: Any, path: Path, file: BinaryIO, format: str, given: ReaderArguments
 ) -> MeasuredSurface:
     """Read a surface; raise _ReaderError if a reader fails, ValueError for an invalid argument."""
-    reader = _tried(io, lambda: io.open_topography(file, format=format))
+    reader = _call_reader(io, lambda: io.open_topography(file, format=format))
     with reader:
-        if not len(_tried(io, lambda: list(reader.channels))):
+        if not len(_call_reader(io, lambda: list(reader.channels))):
             raise _ReaderError("the file has no channels")
         info = _channel(reader, given.channel, path)
         steps, unit = given.steps, given.unit
@@ -145,14 +145,14 @@ def _read(
         if plain:
             steps, unit = steps and steps[::-1], unit or "m"
         missing = _missing(info, steps, unit, path)
-        topography = _tried(io, lambda: info.topography(**missing).to_unit("m"))
+        topography = _call_reader(io, lambda: info.topography(**missing).to_unit("m"))
         attrs = _provenance(path, format, info, topography)
         if info.dim == 1:
             x = written_positions(path) if format == "xyz" else None
             x = None if x is None else x * metres(str(info.unit or unit))
-            surface: MeasuredSurface = _tried(io, lambda: _profile(topography, attrs, x))
+            surface: MeasuredSurface = _call_reader(io, lambda: _profile(topography, attrs, x))
             return surface
-        heights, sizes = _tried(io, lambda: (topography.heights(), topography.pixel_size))
+        heights, sizes = _call_reader(io, lambda: (topography.heights(), topography.pixel_size))
     if plain:
         heights, sizes = heights.T, sizes[::-1]
     if format == "nms":
@@ -160,7 +160,7 @@ def _read(
     return MeasuredSurface(heights, float(sizes[0]), float(sizes[1]), attrs)
 
 
-def _tried(io: Any, call: Any) -> Any:
+def _call_reader(io: Any, call: Any) -> Any:
     """Call a reader; raise _ReaderError for any error, as damaged files cause all kinds."""
     try:
         return call()

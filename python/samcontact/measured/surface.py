@@ -201,8 +201,9 @@ class MeasuredSurface(ShortRepr):
         -------
         MeasuredSurface
         """
-        turned = self.heights[:, ::-1] if choice("axis", axis, ("y", "x")) == "y" else None
-        return self._changed(self.heights[::-1] if turned is None else turned, mirrored=axis)
+        along_y = choice("axis", axis, ("y", "x")) == "y"
+        heights = self.heights[:, ::-1] if along_y else self.heights[::-1]
+        return self._changed(heights, mirrored=axis)
 
     def on(
         self,

@@ -15,9 +15,9 @@ from .._util.checks import (
     finite,
     load_or_approach,
     number,
-    of_bodies,
     positive,
     step_count,
+    value_per_body,
 )
 
 Steps = list[dict[str, Any]]
@@ -96,7 +96,7 @@ class RollingPasses:
                     steps.append(self._timed({"load": 0.0, "advance": advance}, back))
                 steps += [*loading, *map(self._moved, lengths), *unloading]
         if self.heat_factor is not None:
-            of_bodies("heat_factor", self.heat_factor)
+            value_per_body("heat_factor", self.heat_factor)
             steps[0] = {**steps[0], "heat_factor": self.heat_factor}
         return [dict(step) for step in steps]
 

@@ -15,9 +15,9 @@ from .._util.checks import (
     finite,
     finite_array,
     load_or_approach,
-    of_bodies,
     positive,
     step_count,
+    value_per_body,
 )
 
 Path = list[dict[str, Any]]
@@ -52,7 +52,7 @@ def _with_parts(
         part = positive("duration", duration) / len(steps)
         steps = [{**step, "duration": part} for step in steps]
     if heat_factor is not None:
-        of_bodies("heat_factor", heat_factor)
+        value_per_body("heat_factor", heat_factor)
         steps[0] = {**steps[0], "heat_factor": heat_factor}
     return steps
 

@@ -62,8 +62,8 @@ def fatigue_depth(
     for field in several:
         depth, values = field.coordinates["z"] * 1e6, field.over_depth() * factor
         (line,) = ax.plot(values, depth, linewidth=1.4, label=_name(field))
-        most = int(values.argmax())
-        ax.plot(values[most], depth[most], "o", color=line.get_color(), markersize=4)
+        peak = int(values.argmax())
+        ax.plot(values[peak], depth[peak], "o", color=line.get_color(), markersize=4)
     if limit is not None:
         bound = positive("limit", limit) * factor
         ax.axvline(bound, color="0.35", linewidth=1.0, linestyle=(0, (5, 3)), label="limit")
@@ -177,8 +177,8 @@ def _coloured(
     plane = Plane(*(edges(side, _step(side)) for side in sides))
     ax = show_surface(ax, plane, values, _quantity(field), axes[0], note)
     i, j = np.unravel_index(int(values.argmax()), values.shape)
-    most = sides[0][i] * 1e6, sides[1][j] * 1e6
-    ax.plot(*most, "x", color="white", markersize=7, markeredgewidth=1.6)
+    peak = sides[0][i] * 1e6, sides[1][j] * 1e6
+    ax.plot(*peak, "x", color="white", markersize=7, markeredgewidth=1.6)
     return ax
 
 

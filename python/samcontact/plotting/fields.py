@@ -237,20 +237,20 @@ def _show(
         ax.text(0.5, 0.5, "identically\nzero", transform=ax.transAxes, ha="center", va="center")
     else:
         norm, bands, lines = scale_of(shown, quantity)
-        look: dict[str, Any] = {"cmap": quantity.colours, "norm": norm}
+        style: dict[str, Any] = {"cmap": quantity.colours, "norm": norm}
         if cells:
             sides = plane.across * 1e6, plane.down * 1e6
-            drawn = [ax.pcolormesh(*sides, shown.T, rasterized=True, **look)]
+            drawn = [ax.pcolormesh(*sides, shown.T, rasterized=True, **style)]
         else:
             field = plane.smooth(shown)
-            drawn = [without_seams(ax.contourf(*field, levels=bands, **look))]
+            drawn = [without_seams(ax.contourf(*field, levels=bands, **style))]
             if len(lines):
                 drawn.append(ax.contour(*field, levels=lines, linestyles="solid", **_CONTOUR_STYLE))
-        beside: dict[str, Any] = {"label": "" if titled else label, "ticks": FittedLocator()}
+        bar_options: dict[str, Any] = {"label": "" if titled else label, "ticks": FittedLocator()}
         ends = max(bands[0], norm.vmin), min(bands[-1], norm.vmax)
         if below:
-            beside |= {"location": "bottom", "aspect": 40, "fraction": 0.3}
-        bar = ax.figure.colorbar(ScalarMappable(**look), ax=ax, **beside)
+            bar_options |= {"location": "bottom", "aspect": 40, "fraction": 0.3}
+        bar = ax.figure.colorbar(ScalarMappable(**style), ax=ax, **bar_options)
         (bar.ax.set_xlim if below else bar.ax.set_ylim)(*ends)
     if titled or zero:
         ax.set_title(label, fontsize="medium")

@@ -124,34 +124,36 @@ def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
     for label, values, colour, style in lines:
         ax.plot(s * 1e6, values, style, color=colour, linewidth=1.2, label=label)
     normal = np.stack([values for _, values, _, _ in lines[:-1]])
-    most = float(normal.max())
+    max_normal = float(normal.max())
     # a unique maximum for mirror-symmetric stresses
-    which, at = np.unravel_index(int(np.argmax(normal >= most - 1e-6 * abs(most))), normal.shape)
-    if most > _MIN_MARKED_TENSION * max(np.abs(values).max() for _, values, _, _ in lines):
-        label = f"{_TENSION_LABEL} {most:.4g} {CONTACT['stress'].shown}"
+    which, at = np.unravel_index(
+        int(np.argmax(normal >= max_normal - 1e-6 * abs(max_normal))), normal.shape
+    )
+    if max_normal > _MIN_MARKED_TENSION * max(np.abs(values).max() for _, values, _, _ in lines):
+        label = f"{_TENSION_LABEL} {max_normal:.4g} {CONTACT['stress'].shown}"
         colour = lines[which][2]
         ax.plot(
             s[at] * 1e6, normal[which, at], "o", color=colour, markersize=4, zorder=3, label=label
         )
 
 
-def interface_figure(scene: ContactResults, number: int) -> Figure:
+def interface_figure(results: ContactResults, number: int) -> Figure:
     """Return a figure of the stress at the interfaces of a body, with one panel per interface.
 
     Profiles pass through the row of cells in which the in-plane stress varies most. If there are
     many interfaces, only the ones with the highest tension are shown.
     """
-    stress, grid = scene.field("interface_stress", number), scene.grid
+    stress, grid = results.field("interface_stress", number), results.grid
     tension = stress[:, [0, 2]].max(axis=(0, 1, 2, 3))
     shown = np.sort(np.argsort(-tension, kind="stable")[:_MAX_PANELS])
     change = np.ptp(stress[:, COMPONENT_INDEX["xx"]][..., shown], axis=1).max(axis=(0, 2))
     y = float(grid.y[row_of_interest(change, grid.y)])
     figure = new_figure(5.0, 0.5 + 2.6 * len(shown))
     panels = np.ravel(figure.subplots(len(shown), 1, sharex=True))
-    contact = repulsion_of(scene.dataset).sel(increment=number).values
+    contact = repulsion_of(results.dataset).sel(increment=number).values
     for ax, interface in zip(panels, shown, strict=True):
         interface_profile(
-            stress, grid, ax, interface=int(interface), interfaces=scene.interfaces,
+            stress, grid, ax, interface=int(interface), interfaces=results.interfaces,
             position=y, contact=contact,
         )  # fmt: skip
     for ax in panels[1:]:

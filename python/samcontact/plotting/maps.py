@@ -15,7 +15,7 @@ from ..problem.contact_law import in_contact
 from ..results.reading import cell_size
 from .fields import Plane, inside_of_contact, name_sides, outline, show_surface
 from .parts import SURFACES, edges
-from .shown import of_either_sign, quantity_of
+from .shown import quantity_for_values, quantity_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -87,14 +87,17 @@ def surface_map(
     )
 
 
-def peak_map(scene: ContactResults, name: str, ax: Axes) -> Axes:
+def peak_map(results: ContactResults, name: str, ax: Axes) -> Axes:
     """Draw a `surface_map` of pressure or gap at the increment with maximum stress of a run."""
-    values, repulsion = scene.surface(name, scene.peak), scene.surface("repulsion", scene.peak)
-    shown = of_either_sign(name, values, scene.grid)
-    solved = np.isfinite(scene.dataset["approach"].values[scene.peak])
+    values = results.surface(name, results.peak)
+    repulsion = results.surface("repulsion", results.peak)
+    shown = quantity_for_values(name, values, results.grid)
+    solved = np.isfinite(results.dataset["approach"].values[results.peak])
     # prescribed tractions do not close the gap
     known = name if solved or name == "pressure" else None
-    return _draw(values, scene.grid, ax, known, shown, repulsion, scene.map_look[0], cells=False)
+    return _draw(
+        values, results.grid, ax, known, shown, repulsion, results.map_look[0], cells=False
+    )
 
 
 def _draw(

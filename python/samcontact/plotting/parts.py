@@ -70,13 +70,13 @@ def journal_column(width: str = "single") -> Iterator[None]:
         The width is unknown.
     """
     choice("width", width, (*_COLUMNS, "screen"))
-    looks: Any = {}
+    rc_settings: Any = {}
     if width in _COLUMNS:
         thin = dict.fromkeys(("axes.linewidth", "xtick.major.width", "ytick.major.width"), 0.6)
-        looks = {"font.size": _COLUMNS[width][1], **thin}
+        rc_settings = {"font.size": _COLUMNS[width][1], **thin}
     token = _in_column.set(width)
     try:
-        with matplotlib.rc_context(looks):
+        with matplotlib.rc_context(rc_settings):
             yield
     finally:
         _in_column.reset(token)

@@ -44,7 +44,7 @@ def quantity_of(
     return shown if label is None else shown._replace(heading=label)
 
 
-def of_either_sign(name: str, values: FloatArray, grid: Grid) -> Quantity:
+def quantity_for_values(name: str, values: FloatArray, grid: Grid) -> Quantity:
     """Return the quantity with this name, with a diverging colour map if values are negative.
 
     Prescribed tractions may be tensile, and may cause interpenetration.
@@ -60,20 +60,20 @@ def signed(quantity: Quantity) -> Quantity:
 
 def require_possible(argument: str, values: FloatArray, quantity: Quantity, grid: Grid) -> None:
     """Raise ValueError for values that are impossible for a quantity (wrong field or unit)."""
-    least, largest = float(np.nanmin(values)), float(np.nanmax(np.abs(values)))
+    minimum, largest = float(np.nanmin(values)), float(np.nanmax(np.abs(values)))
     unit = "" if quantity.unit == "1" else f" {quantity.unit}"
     another = "check the quantity; `section` and `surface_map` show any field if it is omitted"
-    if quantity.from_zero and least < -_rounding(values, quantity, grid):
+    if quantity.from_zero and minimum < -_rounding(values, quantity, grid):
         raise ValueError(
             f"{argument} must be >= 0 to be shown as {quantity.heading}, got values down to "
-            f"{least:.4g}{unit}: {another}"
+            f"{minimum:.4g}{unit}: {another}"
         )
-    most = _MAX_VALUES.get(quantity.kind, np.inf)
+    limit = _MAX_VALUES.get(quantity.kind, np.inf)
     if quantity.unit == "m":
-        most = _MAX_LENGTH_RATIO * _size(grid)
-    if largest > most:
+        limit = _MAX_LENGTH_RATIO * _size(grid)
+    if largest > limit:
         raise ValueError(
-            f"{argument} must be at most {most:.4g}{unit} to be shown as {quantity.heading}, got "
+            f"{argument} must be at most {limit:.4g}{unit} to be shown as {quantity.heading}, got "
             f"{largest:.4g}{unit}: {another}"
         )
 

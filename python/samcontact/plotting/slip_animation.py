@@ -100,9 +100,9 @@ def course_of(states: Sequence[State]) -> ForceHistory:
         moved = np.array([state.twist for state in states])
     up, along = CONTACT[force], CONTACT[motion]
     label = along.label
-    ways = -np.mean([state.travel for state in states], axis=1)
-    if ways.any():
-        moved, along, label = ways, CONTACT["travel"], "distance rolled [µm]"
+    travels = -np.mean([state.travel for state in states], axis=1)
+    if travels.any():
+        moved, along, label = travels, CONTACT["travel"], "distance rolled [µm]"
     return ForceHistory(moved * along.factor, pull * up.factor, (label, up.label))
 
 

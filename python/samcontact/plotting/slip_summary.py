@@ -29,30 +29,30 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-def slip_figures(scene: ContactResults) -> dict[str, Figure]:
+def slip_figures(results: ContactResults) -> dict[str, Figure]:
     """Return the figures of a run with partial slip by name; an empty dict with full sliding."""
-    data = scene.dataset
+    data = results.dataset
     if "friction_work" not in data or not np.any(
         in_contact(repulsion_of(data).values[chosen(data)])
     ):
         return {}
-    across, size = scene.map_look
+    across, size = results.map_look
     figures = {"partial_slip": new_figure(*size)}
     slip = np.stack([data[f"slip_{axis}"].values[chosen(data)] for axis in "xy"])
     repulsion = repulsion_of(data).values[chosen(data)]
-    look: Any = {"unit": "m", "across": across}
-    partial_slip_map(repulsion, slip, scene.grid, figures["partial_slip"].subplots(), **look)
+    options: Any = {"unit": "m", "across": across}
+    partial_slip_map(repulsion, slip, results.grid, figures["partial_slip"].subplots(), **options)
     along = driven(data)
     if along and "travel_body1" in data:
         if along[0] != "z":
-            figures |= _of_rolling(data, along[0])
+            figures |= _rolling_figures(data, along[0])
     elif along:
         figures["fretting_loop"] = new_figure()
         fretting_loop(data, figures["fretting_loop"].subplots(), direction=along[0])
     return figures
 
 
-def _of_rolling(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
+def _rolling_figures(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
     """Return figures of the force versus distance rolled and, if it varies, versus creepage."""
     figures = {"rolling_force": new_figure()}
     rolling_force(dataset, figures["rolling_force"].subplots(), direction=direction)

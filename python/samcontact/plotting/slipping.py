@@ -116,8 +116,8 @@ def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], plane: P
     cells = np.argwhere(touching)
     size_of_cell = np.array([side[1] - side[0] for side in plane])
     sides = (np.ptp(cells, axis=0) + 1) * size_of_cell
-    apart = max(float(sides.max()) / _ARROWS_PER_SIDE, *size_of_cell)
-    every = [max(round(apart / d), 1) for d in size_of_cell]
+    spacing = max(float(sides.max()) / _ARROWS_PER_SIDE, *size_of_cell)
+    every = [max(round(spacing / d), 1) for d in size_of_cell]
     middle = cells.mean(axis=0).round().astype(int)
     shown = np.zeros(touching.shape, dtype=bool)
     shown[middle[0] % every[0] :: every[0], middle[1] % every[1] :: every[1]] = True
@@ -130,7 +130,7 @@ def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], plane: P
         slip[1][shown] / largest,
         angles="xy",
         scale_units="xy",
-        scale=1e-6 / (_MAX_ARROW_LENGTH * apart),
+        scale=1e-6 / (_MAX_ARROW_LENGTH * spacing),
         width=0.004,
         color="k",
         pivot="mid",
@@ -229,8 +229,10 @@ def fretting_loop(
     force, motion = FORCE_AND_MOTION[choice("direction", direction, tuple(FORCE_AND_MOTION))]
     require_slip(dataset)
     ax = axes_or_new(ax)
-    way, pull = (np.append(0.0, dataset[n].values) * CONTACT[n].factor for n in (motion, force))
-    ax.plot(way, pull, "o-", markersize=3, linewidth=1.0, label=label)
+    distance, pull = (
+        np.append(0.0, dataset[n].values) * CONTACT[n].factor for n in (motion, force)
+    )
+    ax.plot(distance, pull, "o-", markersize=3, linewidth=1.0, label=label)
     work = float(dataset["friction_work"].values[-1])
     factor, unit = prefixed(work, "J")
     ax.set_title(f"frictional work {work * factor:.4g} {unit}", fontsize="medium")
@@ -326,12 +328,12 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
     if "travel_body1" not in dataset:
         raise ValueError("dataset must be from rolling bodies, got one without travel")
     force = CONTACT[FORCE_AND_MOTION[direction][0]]
-    way = -0.5 * sum(dataset[f"travel_body{body}"].values for body in (1, 2))
+    distance = -0.5 * sum(dataset[f"travel_body{body}"].values for body in (1, 2))
     pull = np.where(
         dataset["load"].values > 0, dataset[FORCE_AND_MOTION[direction][0]].values, np.nan
     )
     ax = axes_or_new(ax)
-    ax.plot(way * 1e6, pull, "o-", markersize=3, linewidth=1.0)
+    ax.plot(distance * 1e6, pull, "o-", markersize=3, linewidth=1.0)
     if (largest := largest_force(dataset)) is not None:
         _bounds(ax, np.nan_to_num(pull), largest)
         ax.legend(frameon=False)
@@ -352,11 +354,11 @@ def require_slip(dataset: xr.Dataset) -> None:
 def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArray]:
     """Return creepage [-] and force [N] of the increments in which bodies roll under load."""
     force, motion = FORCE_AND_MOTION[direction]
-    ways = [np.diff(dataset[f"travel_body{body}"].values, prepend=0.0) for body in (1, 2)]
-    way = -0.5 * (ways[0] + ways[1])
-    rolls = (np.abs(way) > 1e-3 * float(dataset.attrs["dx"])) & (dataset["load"].values > 0)
+    travels = [np.diff(dataset[f"travel_body{body}"].values, prepend=0.0) for body in (1, 2)]
+    distance = -0.5 * (travels[0] + travels[1])
+    rolls = (np.abs(distance) > 1e-3 * float(dataset.attrs["dx"])) & (dataset["load"].values > 0)
     slip = np.diff(dataset[motion].values, prepend=0.0)
-    return slip[rolls] / way[rolls], dataset[force].values[rolls]
+    return slip[rolls] / distance[rolls], dataset[force].values[rolls]
 
 
 def largest_force(dataset: xr.Dataset) -> float | None:

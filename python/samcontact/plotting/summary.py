@@ -85,21 +85,21 @@ def summary_figures(
     """
     choice("format", format, ("png", "pdf", "svg"))
     body = body_shown(dataset, body)
-    scene = ContactResults(dataset, body, hertz)
+    results = ContactResults(dataset, body, hertz)
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
-    figures = _peak_figures(scene)
+    figures = _peak_figures(results)
     figures["load_approach"] = _panel()
     load_approach(dataset, figures["load_approach"].axes[0], hertz=hertz)
-    figures |= slip_figures(scene)
-    figures |= _temperature_figures(scene)
-    if scene.track is not None:
+    figures |= slip_figures(results)
+    figures |= _temperature_figures(results)
+    if results.track is not None:
         travel = dataset[f"travel_body{body}"].values
-        figures |= _track_figures(scene.track)
-        if "z" in scene.track.sizes:
-            figures |= track_summary(scene.track, travel)
+        figures |= _track_figures(results.track)
+        if "z" in results.track.sizes:
+            figures |= track_summary(results.track, travel)
     elif f"residual_displacement_body{body}" in dataset:
-        figures |= _imprint_figures(scene)
+        figures |= _imprint_figures(results)
     with recording(folder) as record:
         files = {folder / f"{name}.{format}": figure for name, figure in figures.items()}
         for file in files:
@@ -109,11 +109,11 @@ def summary_figures(
 
 def increments_shown(dataset: xr.Dataset, body: int) -> set[int]:
     """Return the numbers of the increments with maximum stress and temperature, and of the last."""
-    scene = ContactResults(dataset, body, None)
-    shown = {scene.peak, dataset.sizes["increment"] - 1}
-    if scene.hottest is not None:
-        shown.add(scene.hottest)
-    return {scene.number(position) for position in shown}
+    results = ContactResults(dataset, body, None)
+    shown = {results.peak, dataset.sizes["increment"] - 1}
+    if results.hottest is not None:
+        shown.add(results.hottest)
+    return {results.number(position) for position in shown}
 
 
 def _panel(width: float = _WIDTH, height: float = 3.6) -> Figure:
@@ -122,81 +122,81 @@ def _panel(width: float = _WIDTH, height: float = 3.6) -> Figure:
     return figure
 
 
-def _load_text(scene: ContactResults, position: int) -> str:
-    return f"load {float(scene.dataset['load'].values[position]):.6g} N"
+def _load_text(results: ContactResults, position: int) -> str:
+    return f"load {float(results.dataset['load'].values[position]):.6g} N"
 
 
-def _peak_figures(scene: ContactResults) -> dict[str, Figure]:
+def _peak_figures(results: ContactResults) -> dict[str, Figure]:
     """Draw pressure, gap and stresses at the increment with the maximum stress."""
-    grid, number = scene.grid, scene.number(scene.peak)
-    _, size = scene.map_look
+    grid, number = results.grid, results.number(results.peak)
+    _, size = results.map_look
     figures = {"pressure": _panel(), "pressure_map": _panel(*size), "gap_map": _panel(*size)}
-    pressure = scene.surface("pressure", scene.peak)
-    y = scene.row(pressure)
+    pressure = results.surface("pressure", results.peak)
+    y = results.row(pressure)
     ax = figures["pressure"].axes[0]
-    draw_pressure(pressure, grid, ax, scene.hertz, "x", y)
-    add_to_title(ax, _load_text(scene, scene.peak), elsewhere("y", y, grid.dy))
+    draw_pressure(pressure, grid, ax, results.hertz, "x", y)
+    add_to_title(ax, _load_text(results, results.peak), elsewhere("y", y, grid.dy))
     for name in ("pressure", "gap"):
-        peak_map(scene, name, figures[f"{name}_map"].axes[0])
-    if scene.has("stress", number):
+        peak_map(results, name, figures[f"{name}_map"].axes[0])
+    if results.has("stress", number):
         figures["axis_stress"] = _panel(4.6, 4.2)
-        ax, stress = figures["axis_stress"].axes[0], scene.field("stress", number)
-        axis_profile(stress, grid, ax, body=scene.graded, interfaces=scene.interfaces)
-    if scene.has("interface_stress", number):
-        figures["interface"] = interface_figure(scene, number)
-    if any(scene.has(name, number) for name in _SECTION_FIELDS):
-        figures["sections"] = _sections(scene, number)
+        ax, stress = figures["axis_stress"].axes[0], results.field("stress", number)
+        axis_profile(stress, grid, ax, body=results.graded, interfaces=results.interfaces)
+    if results.has("interface_stress", number):
+        figures["interface"] = interface_figure(results, number)
+    if any(results.has(name, number) for name in _SECTION_FIELDS):
+        figures["sections"] = _sections(results, number)
     return figures
 
 
-def _sections(scene: ContactResults, number: int) -> Figure:
+def _sections(results: ContactResults, number: int) -> Figure:
     fields = {
-        name: scene.field(name, number) for name in _SECTION_FIELDS if scene.has(name, number)
+        name: results.field(name, number) for name in _SECTION_FIELDS if results.has(name, number)
     }
-    y = scene.row(next(iter(fields.values())))
-    figure = new_figure(_WIDTH, scene.section_height * len(fields))
+    y = results.row(next(iter(fields.values())))
+    figure = new_figure(_WIDTH, results.section_height * len(fields))
     panels = np.ravel(figure.subplots(len(fields), 1))
     for ax, (name, field) in zip(panels, fields.items(), strict=True):
         lines: Any = {
-            "interfaces": scene.interfaces,
-            "contact": scene.surface("repulsion", scene.peak),
+            "interfaces": results.interfaces,
+            "contact": results.surface("repulsion", results.peak),
         }
-        section(field, scene.grid, ax, quantity=name, position=y, **lines)
-        add_to_title(ax, elsewhere("y", y, scene.grid.dy))
+        section(field, results.grid, ax, quantity=name, position=y, **lines)
+        add_to_title(ax, elsewhere("y", y, results.grid.dy))
     return figure
 
 
-def _temperature_figures(scene: ContactResults) -> dict[str, Figure]:
+def _temperature_figures(results: ContactResults) -> dict[str, Figure]:
     """Draw the temperature rise of a heated body."""
-    if scene.hottest is None:
+    if results.hottest is None:
         return {}
-    grid, rise = scene.grid, scene.surface("surface_temperature", scene.hottest)
+    grid, rise = results.grid, results.surface("surface_temperature", results.hottest)
     figures = {"flash_temperature": _panel()}
-    y = scene.row(rise)
+    y = results.row(rise)
     ax = temperature_profile(rise, grid, figures["flash_temperature"].axes[0], position=y)
-    add_to_title(ax, _load_text(scene, scene.hottest), elsewhere("y", y, grid.dy))
-    if scene.has("temperature", number := scene.number(scene.hottest)):
-        figures["temperature"] = _panel(_WIDTH, scene.section_height)
-        field, ax = scene.field("temperature", number), figures["temperature"].axes[0]
+    add_to_title(ax, _load_text(results, results.hottest), elsewhere("y", y, grid.dy))
+    if results.has("temperature", number := results.number(results.hottest)):
+        figures["temperature"] = _panel(_WIDTH, results.section_height)
+        field, ax = results.field("temperature", number), figures["temperature"].axes[0]
         section(field, grid, ax, quantity="temperature", position=y)
     return figures
 
 
-def _imprint_figures(scene: ContactResults) -> dict[str, Figure]:
+def _imprint_figures(results: ContactResults) -> dict[str, Figure]:
     """Draw residual imprint and residual stress of a stationary contact."""
-    grid, depth = scene.grid, scene.surface("residual_displacement", -1)
-    across, size = scene.map_look
+    grid, depth = results.grid, results.surface("residual_displacement", -1)
+    across, size = results.map_look
     figures = {"imprint": _panel(), "imprint_map": _panel(*size)}
-    y = scene.row(depth)
+    y = results.row(depth)
     ax = imprint_profile(depth, grid, figures["imprint"].axes[0], position=y)
-    add_to_title(ax, _load_text(scene, -1), elsewhere("y", y, grid.dy))
-    pressed = scene.surface("repulsion", scene.peak)
+    add_to_title(ax, _load_text(results, -1), elsewhere("y", y, grid.dy))
+    pressed = results.surface("repulsion", results.peak)
     below: Any = {"quantity": "imprint", "contact": pressed, "across": across}
     surface_map(depth, grid, figures["imprint_map"].axes[0], **below)
-    if scene.has("residual_stress", number := scene.number(-1)):
-        residual = scene.field("residual_von_mises", number)
-        y = scene.row(residual)
-        figures["residual"] = _panel(_WIDTH, scene.section_height)
+    if results.has("residual_stress", number := results.number(-1)):
+        residual = results.field("residual_von_mises", number)
+        y = results.row(residual)
+        figures["residual"] = _panel(_WIDTH, results.section_height)
         ax = figures["residual"].axes[0]
         section(
             residual,
@@ -204,7 +204,7 @@ def _imprint_figures(scene: ContactResults) -> dict[str, Figure]:
             ax,
             quantity="residual_von_mises",
             position=y,
-            interfaces=scene.interfaces,
+            interfaces=results.interfaces,
         )
         add_to_title(ax, elsewhere("y", y, grid.dy))
     return figures

@@ -277,12 +277,12 @@ def track_summary(track: xr.Dataset, travel: FloatArray) -> dict[str, Figure]:
     start, end = float(places.min()), float(places.max())
     depth = np.abs(track["residual_displacement"].values).max(axis=1)
     strained = track["equivalent_plastic_strain"].values.max(axis=(1, 2))
-    most = float(x[int(np.argmax(strained))])
+    peak_position = float(x[int(np.argmax(strained))])
 
     prints = new_figure(5.0, 6.0)
     along, across = prints.subplots(2, 1)
     imprint_along(track, along)
-    rows = {nearest(x, place) for place in (start, 0.5 * (start + end), end, most)}
+    rows = {nearest(x, place) for place in (start, 0.5 * (start + end), end, peak_position)}
     shown = [row for row in sorted(rows) if depth[row] > 0.02 * depth.max()]
     track_imprint(track, across, axis="y", positions=[float(x[row]) for row in shown or rows])
 
@@ -302,6 +302,6 @@ def track_summary(track: xr.Dataset, travel: FloatArray) -> dict[str, Figure]:
     for ax, quantity in zip(panels, _RESIDUAL_FIELDS, strict=False):
         track_section(shown_part, ax, quantity=quantity, position=y)
         add_to_title(ax, elsewhere("y", y, grid.dy))
-    track_section(track, panels[-1], plane="x", position=most)
-    add_to_title(panels[-1], place("x", most))
+    track_section(track, panels[-1], plane="x", position=peak_position)
+    add_to_title(panels[-1], place("x", peak_position))
     return {"track_imprint": prints, "track_sections": sections}

@@ -74,21 +74,21 @@ def view(
     choice("quantity", quantity, _FIELDS)
     if not volume_names(dataset, body):
         raise ValueError(f"dataset must have volume fields of body {body}, got none")
-    scene, number = ContactResults(dataset, body, None), stored_number(dataset, increment, True)
-    if not scene.has("stress" if quantity == "residual_von_mises" else quantity, number):
+    results, number = ContactResults(dataset, body, None), stored_number(dataset, increment, True)
+    if not results.has("stress" if quantity == "residual_von_mises" else quantity, number):
         raise ValueError(
             f"dataset must contain {quantity} of body {body} in all cells at increment {number}"
         )
     pv = _pyvista()
     with pv.vtk_verbosity("off"):
-        plotter: pyvista.Plotter = _drawn(pv, scene, number, quantity)
+        plotter: pyvista.Plotter = _drawn(pv, results, number, quantity)
     return plotter
 
 
-def _drawn(pv: Any, scene: ContactResults, number: int, quantity: str) -> Any:
-    field, shown = scene.field(quantity, number) * CONTACT[quantity].factor, CONTACT[quantity]
-    sign = 1.0 if scene.body == 1 else -1.0
-    grid = scene.grid
+def _drawn(pv: Any, results: ContactResults, number: int, quantity: str) -> Any:
+    field, shown = results.field(quantity, number) * CONTACT[quantity].factor, CONTACT[quantity]
+    sign = 1.0 if results.body == 1 else -1.0
+    grid = results.grid
     depths = np.append(0.0, (np.arange(field.shape[2]) + 1.0) * (grid.dz or 0.0))
     sides = (edges(grid.x, grid.dx) * 1e6, edges(grid.y, grid.dy) * 1e6, sign * depths * 1e6)
     norm, _, _ = scale_of(field, shown)
@@ -102,10 +102,10 @@ def _drawn(pv: Any, scene: ContactResults, number: int, quantity: str) -> Any:
         lighting=False,
         scalar_bar_args={"title": f"{shown.label}\n", "color": "black"},
     )
-    repulsion = repulsion_of(scene.dataset).sel(increment=number).values
-    for line in _edge(scene, repulsion):
+    repulsion = repulsion_of(results.dataset).sel(increment=number).values
+    for line in _edge(results, repulsion):
         plotter.add_mesh(pv.lines_from_points(line), color="black", line_width=3)
-    for depth in scene.interfaces[scene.interfaces < depths[-1]] * 1e6 * sign:
+    for depth in results.interfaces[results.interfaces < depths[-1]] * 1e6 * sign:
         plotter.add_mesh(_loop(pv, sides, float(depth)), color="black", line_width=2)
     plotter.show_bounds(xtitle="x [µm]", ytitle="y [µm]", ztitle="z [µm]", color="black")
     plotter.camera_position = [(1.0, -1.2, -0.8 * sign), (0, 0, 0), (0, 0, -sign)]
@@ -128,13 +128,13 @@ def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
     return points.clip_box(quarter, invert=True).extract_surface(algorithm="dataset_surface")
 
 
-def _edge(scene: ContactResults, repulsion: FloatArray) -> list[FloatArray]:
+def _edge(results: ContactResults, repulsion: FloatArray) -> list[FloatArray]:
     """Return the edge of the contact as lines on the surface [µm]."""
     import contourpy  # a dependency of Matplotlib
 
     if not repulsion.any() or np.all(in_contact(repulsion)):
         return []
-    grid = scene.grid
+    grid = results.grid
     plane = Plane(edges(grid.x, grid.dx), edges(grid.y, grid.dy))
     contours = contourpy.contour_generator(*plane.smooth(inside_of_contact(repulsion)))
     lines: Any = contours.lines(0.0)

@@ -123,12 +123,12 @@ def worn_profile(
     ax.set_ylabel(WEAR["heights"].label)
     ax.set_title(place("y" if axis == "x" else "x", float(across[index])), fontsize="medium")
     if len(shown) > 1:
-        beside: dict[str, Any] = {
+        legend_options: dict[str, Any] = {
             "loc": "center left",
             "bbox_to_anchor": (1.0, 0.5),
             "ncols": 1 + len(shown) // 16,
         }
-        ax.legend(title="cycles", frameon=False, fontsize="small", **beside)
+        ax.legend(title="cycles", frameon=False, fontsize="small", **legend_options)
     return finish(ax)
 
 
@@ -238,10 +238,10 @@ def fretting_panels(
     above, below = figure.subplots(2, 1, sharex=True)
     for states, label, colour in ((first, "first", "0.55"), (last, "last", "C0")):
         x = np.asarray(states[-1].grid.x) * 1e6
-        way = np.sum([np.hypot(*state.slip) for state in states], axis=0)
+        slip_distance = np.sum([np.hypot(*state.slip) for state in states], axis=0)
         style: dict[str, Any] = {"color": colour, "linewidth": 1.2, "label": f"{label} cycle"}
         above.plot(x, states[-1].pressure[:, j] * 1e-9, **style)
-        below.plot(x, way[:, j] * 1e6, **style)
+        below.plot(x, slip_distance[:, j] * 1e6, **style)
     above.set_ylabel("pressure [GPa]")
     above.set_title(place("y", float(grid.y[j])), fontsize="medium")
     above.legend(frameon=False, fontsize="small")

@@ -75,11 +75,11 @@ class ContactLaw(HtmlTable):
                 f"pressure cannot be combined with contact_law = {self!r}: with a prescribed "
                 "pressure there is no contact to solve"
             )
-        ways: Sequence[float] = given.get("advance", (0.0, 0.0))
-        if np.any(ways):
+        travels: Sequence[float] = given.get("advance", (0.0, 0.0))
+        if np.any(travels):
             raise ValueError(
-                f"advance must be (0, 0) with contact_law = {self!r}, got {tuple(ways)!r}: motion "
-                "through the grid is not supported with attraction"
+                f"advance must be (0, 0) with contact_law = {self!r}, got {tuple(travels)!r}: "
+                "motion through the grid is not supported with attraction"
             )
 
 

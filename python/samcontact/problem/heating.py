@@ -90,10 +90,10 @@ def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> N
             f"heat.velocity of body {body} must be <= {fastest:.4g} m/s on this grid "
             f"({extent:.4g} m long, diffusivity {diffusivity:.4g} m^2/s), got {speed:.4g} m/s"
         )
-    least = 1e-55 * diffusivity / min(grid.dx, grid.dy)
-    if 0 < speed < least:
+    minimum = 1e-55 * diffusivity / min(grid.dx, grid.dy)
+    if 0 < speed < minimum:
         raise ValueError(
-            f"heat.velocity of body {body} must be 0 or >= {least:.3g} m/s, got {speed:.3g} m/s"
+            f"heat.velocity of body {body} must be 0 or >= {minimum:.3g} m/s, got {speed:.3g} m/s"
         )
 
 
@@ -101,9 +101,9 @@ def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float
     """Raise ValueError if the shortest step of the history is too short for the cells."""
     cell = max(grid.dx, grid.dy)
     if math.sqrt(diffusivity * shortest) < MIN_DIFFUSION_LENGTH * cell:
-        least = (MIN_DIFFUSION_LENGTH * cell) ** 2 / diffusivity
+        minimum = (MIN_DIFFUSION_LENGTH * cell) ** 2 / diffusivity
         raise ValueError(
-            f"heat.history must have a shortest step >= {least:.4g} s for body {body}, got "
+            f"heat.history must have a shortest step >= {minimum:.4g} s for body {body}, got "
             f"{shortest:.4g} s: in this time heat must diffuse over at least "
             f"{MIN_DIFFUSION_LENGTH:g} of the cell length {cell:.4g} m "
             f"(diffusivity {diffusivity:.4g} m^2/s)"

@@ -32,17 +32,17 @@ class RangeSetting:
     unit: str = ""
 
     def __str__(self) -> str:
-        least, most = (
+        lower, upper = (
             None if limit is None else f"{limit:g}".replace("e-0", "e-")
             for limit in (
                 self.ge if self.gt is None else self.gt,
                 self.le if self.lt is None else self.lt,
             )
         )
-        if most is None:
-            return f"a finite number {'>=' if self.gt is None else '>'} {least}"
+        if upper is None:
+            return f"a finite number {'>=' if self.gt is None else '>'} {lower}"
         ends = "[" if self.gt is None else "(", "]" if self.lt is None else ")"
-        return f"in {ends[0]}{least}, {most}{ends[1]}"
+        return f"in {ends[0]}{lower}, {upper}{ends[1]}"
 
     def check(self, name: str, value: Any) -> float:
         """Return the value as a float; raise ValueError if it is out of range."""

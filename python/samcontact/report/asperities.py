@@ -11,7 +11,7 @@ import numpy as np
 from .. import plotting
 from .._util.check import Check
 from .._util.quantities import ASPERITIES
-from ..asperities.series import cells_under_load, of_passes
+from ..asperities.series import cells_under_load, pass_results
 from ..plotting.parts import counted, finish, new_figure
 from .figures import ReportFigure, embedded
 from .quality_checks import cells_across_contact, layers_across_plastic_zone
@@ -38,7 +38,7 @@ _PASS_VARIABLES = (
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
     """Return the variables of the template for an asperity collision."""
-    passes = of_passes(dataset)
+    passes = pass_results(dataset)
     table = values_table(passes, "pass", ASPERITIES, _PASS_VARIABLES)
     maxima = maxima_table(passes, "pass", ASPERITIES, _PASS_VARIABLES[:9])
     return {

@@ -58,15 +58,15 @@ def contact_figures(
     dataset: xr.Dataset, body: int, hertz: HertzContact | None
 ) -> list[ReportFigure]:
     """Return all figures of a contact for which the required fields are stored."""
-    scene = ContactResults(dataset, body, hertz)
+    results = ContactResults(dataset, body, hertz)
     drawn = []
     for part in (_contact, slipping.figures, _volume, _temperature, _imprint, _track, _convergence):
-        drawn += [embedded(*made) for made in part(scene)]
+        drawn += [embedded(*made) for made in part(results)]
     return drawn
 
 
-def _increment_text(scene: ContactResults, number: int) -> str:
-    load = float(scene.dataset["load"].sel(increment=number))
+def _increment_text(results: ContactResults, number: int) -> str:
+    load = float(results.dataset["load"].sel(increment=number))
     return f"increment {number}, {load:.6g} N"
 
 
@@ -81,53 +81,57 @@ def embedded(caption: str, description: str, figure: Figure) -> ReportFigure:
     return ReportFigure(caption, description, f"data:image/png;base64,{text}")
 
 
-def _contact(scene: ContactResults) -> Iterator[Made]:
-    number = scene.number(scene.peak)
-    pressure = scene.surface("pressure", scene.peak)
-    beside = ", with the Hertz contact as a dashed line" if scene.hertz is not None else ""
+def _contact(results: ContactResults) -> Iterator[Made]:
+    number = results.number(results.peak)
+    pressure = results.surface("pressure", results.peak)
+    hertz_text = ", with the Hertz contact as a dashed line" if results.hertz is not None else ""
     for axis, across in (("x", "y"), ("y", "x")):
-        row = scene.row(pressure, across)
-        figure, cell = new_figure(), getattr(scene.grid, f"d{across}")
-        ax = draw_pressure(pressure, scene.grid, figure.subplots(), scene.hertz, axis, row)
+        row = results.row(pressure, across)
+        figure, cell = new_figure(), getattr(results.grid, f"d{across}")
+        ax = draw_pressure(pressure, results.grid, figure.subplots(), results.hertz, axis, row)
         add_to_title(ax, elsewhere(across, row, cell))
-        text = f"Pressure along {axis} at {place(across, row)}{beside}; the maximum in the grid is "
-        text += f"{pressure.max() * 1e-9:.4g} GPa."
-        yield f"Pressure along {axis}, {_increment_text(scene, number)}", text, figure
+        text = f"Pressure along {axis} at {place(across, row)}{hertz_text}; the maximum in the "
+        text += f"grid is {pressure.max() * 1e-9:.4g} GPa."
+        yield f"Pressure along {axis}, {_increment_text(results, number)}", text, figure
     for name in ("pressure", "gap"):
-        figure = new_figure(*scene.map_look[1])
-        peak_map(scene, name, figure.subplots())
+        figure = new_figure(*results.map_look[1])
+        peak_map(results, name, figure.subplots())
         text = f"Map of the {name} on the whole grid."
-        yield f"Map of the {name}, {_increment_text(scene, number)}", text, figure
-    if not np.any(np.isfinite(scene.dataset["approach"])):
+        yield f"Map of the {name}, {_increment_text(results, number)}", text, figure
+    if not np.any(np.isfinite(results.dataset["approach"])):
         return
     figure = new_figure()
-    plotting.load_approach(scene.dataset, figure.subplots(), hertz=scene.hertz)
-    yield "Load–approach curve", f"Load versus approach of all increments{beside}.", figure
+    plotting.load_approach(results.dataset, figure.subplots(), hertz=results.hertz)
+    yield "Load–approach curve", f"Load versus approach of all increments{hertz_text}.", figure
 
 
-def _volume(scene: ContactResults) -> Iterator[Made]:
-    if f"stress_body{scene.body}" not in scene.dataset:
+def _volume(results: ContactResults) -> Iterator[Made]:
+    if f"stress_body{results.body}" not in results.dataset:
         return
-    data = scene.dataset
+    data = results.dataset
     stored = data["output_increment"].values
     number = int(stored[peak_of_dataset(data.sel(increment=stored))])
-    if scene.has("stress", number):
-        figure, stress = new_figure(4.6, 4.2), scene.field("stress", number)
+    if results.has("stress", number):
+        figure, stress = new_figure(4.6, 4.2), results.field("stress", number)
         plotting.axis_profile(
-            stress, scene.grid, figure.subplots(), body=scene.graded, interfaces=scene.interfaces
+            stress,
+            results.grid,
+            figure.subplots(),
+            body=results.graded,
+            interfaces=results.interfaces,
         )
-        when = f"body {scene.body}, {_increment_text(scene, number)}"
-        text = f"Stresses along the axis versus depth.{_utilisation(scene, stress)}"
+        when = f"body {results.body}, {_increment_text(results, number)}"
+        text = f"Stresses along the axis versus depth.{_utilisation(results, stress)}"
         yield f"Stress along the axis, {when}", text, figure
-    if scene.has("interface_stress", number):
-        yield _interfaces(scene, number)
+    if results.has("interface_stress", number):
+        yield _interfaces(results, number)
     for name in ("von_mises", "hydrostatic", "equivalent_plastic_strain"):
-        if scene.has(name, number):
-            yield _section(scene, name, number)
+        if results.has(name, number):
+            yield _section(results, name, number)
 
 
-def _interfaces(scene: ContactResults, number: int) -> Made:
-    stress = scene.field("interface_stress", number)
+def _interfaces(results: ContactResults, number: int) -> Made:
+    stress = results.field("interface_stress", number)
     shear = float(np.hypot(stress[:, 3], stress[:, 4]).max())
     tension = max(float(stress[:, :2].max()), 0.0), max(float(stress[:, 2].max()), 0.0)
     along, across, sheared = (f"{CONTACT['stress'].factor * v:.4g}" for v in (*tension, shear))
@@ -135,13 +139,13 @@ def _interfaces(scene: ContactResults, number: int) -> Made:
         "Stress on both sides of the interfaces, along x. Maxima over the interfaces: in-plane "
         f"tension {along} MPa, normal tension {across} MPa, shear {sheared} MPa."
     )
-    when = f"body {scene.body}, {_increment_text(scene, number)}"
-    return f"Stress at the interfaces, {when}", text, interface_figure(scene, number)
+    when = f"body {results.body}, {_increment_text(results, number)}"
+    return f"Stress at the interfaces, {when}", text, interface_figure(results, number)
 
 
-def _utilisation(scene: ContactResults, stress: FloatArray) -> str:
+def _utilisation(results: ContactResults, stress: FloatArray) -> str:
     """Describe the maximum ratio of von Mises stress to yield stress in a graded body."""
-    body, grid = scene.graded, scene.grid
+    body, grid = results.graded, results.grid
     if body is None or not body.is_plastic:
         return ""
     ratio = von_mises(stress) / body.yield_stress_at(grid.z)
@@ -151,77 +155,77 @@ def _utilisation(scene: ContactResults, stress: FloatArray) -> str:
     return f" Maximum of von Mises stress / initial yield stress: {ratio.max():.4g}, at {where}."
 
 
-def _section(scene: ContactResults, quantity: str, number: int) -> Made:
-    values, shown = scene.field(quantity, number), CONTACT[quantity]
-    figure = new_figure(5.0, scene.section_height)
-    y = scene.row(values)
+def _section(results: ContactResults, quantity: str, number: int) -> Made:
+    values, shown = results.field(quantity, number), CONTACT[quantity]
+    figure = new_figure(5.0, results.section_height)
+    y = results.row(values)
     ax = plotting.section(
         values,
-        scene.grid,
+        results.grid,
         figure.subplots(),
         quantity=quantity,
         position=y,
-        interfaces=scene.interfaces,
-        contact=repulsion_of(scene.dataset).sel(increment=number).values,
+        interfaces=results.interfaces,
+        contact=repulsion_of(results.dataset).sel(increment=number).values,
     )
-    add_to_title(ax, elsewhere("y", y, scene.grid.dy))
+    add_to_title(ax, elsewhere("y", y, results.grid.dy))
     low, high = (f"{shown.factor * float(value):.4g}" for value in (values.min(), values.max()))
     text = (
         f"Section of the {shown.heading} in the plane {place('y', y)}. In the whole volume it is "
         f"from {low} to {high} {shown.shown}."
     )
     name = f"{shown.heading[0].upper()}{shown.heading[1:]}"
-    return f"{name}, body {scene.body}, {_increment_text(scene, number)}", text, figure
+    return f"{name}, body {results.body}, {_increment_text(results, number)}", text, figure
 
 
-def _temperature(scene: ContactResults) -> Iterator[Made]:
-    if scene.hottest is None:
+def _temperature(results: ContactResults) -> Iterator[Made]:
+    if results.hottest is None:
         return
-    rise, figure = scene.surface("surface_temperature", scene.hottest), new_figure()
-    y = scene.row(rise)
-    ax = plotting.temperature_profile(rise, scene.grid, figure.subplots(), position=y)
-    add_to_title(ax, elsewhere("y", y, scene.grid.dy))
+    rise, figure = results.surface("surface_temperature", results.hottest), new_figure()
+    y = results.row(rise)
+    ax = plotting.temperature_profile(rise, results.grid, figure.subplots(), position=y)
+    add_to_title(ax, elsewhere("y", y, results.grid.dy))
     text = f"Temperature rise of the surface along x, up to {rise.max():.4g} K."
-    when = f"body {scene.body}, {_increment_text(scene, scene.number(scene.hottest))}"
+    when = f"body {results.body}, {_increment_text(results, results.number(results.hottest))}"
     yield f"Flash temperature, {when}", text, figure
 
 
-def _imprint(scene: ContactResults) -> Iterator[Made]:
+def _imprint(results: ContactResults) -> Iterator[Made]:
     """Yield residual imprint and stress after the last increment, for a body without a track."""
-    if scene.track is not None:
+    if results.track is not None:
         return
-    data, number = scene.dataset, scene.number(-1)
+    data, number = results.dataset, results.number(-1)
     figure = new_figure()
     ax, deepest = figure.subplots(), list[str]()
     for body in (1, 2):
         name = f"residual_displacement_body{body}"
         if name in data:
             values = data[name].values[-1]
-            plotting.imprint_profile(values, scene.grid, ax, label=f"body {body}")
+            plotting.imprint_profile(values, results.grid, ax, label=f"body {body}")
             ax.lines[-1].set_linestyle("--" if deepest else "-")  # the imprints may coincide
             deepest.append(f"{values.max() * 1e9:.4g} nm in body {body}")
     if deepest:
         ax.legend(frameon=False)  # again, with the line styles
         text = f"Residual displacement of the surface along x, at most {', '.join(deepest)}."
-        yield f"Residual imprint, {_increment_text(scene, number)}", text, figure
-    if f"residual_displacement_body{scene.body}" in data:
-        values = scene.surface("residual_displacement", -1)
-        across, size = scene.map_look
-        pressed, figure = scene.surface("repulsion", scene.peak), new_figure(*size)
+        yield f"Residual imprint, {_increment_text(results, number)}", text, figure
+    if f"residual_displacement_body{results.body}" in data:
+        values = results.surface("residual_displacement", -1)
+        across, size = results.map_look
+        pressed, figure = results.surface("repulsion", results.peak), new_figure(*size)
         seen: Any = {"quantity": "imprint", "contact": pressed, "across": across}
-        plotting.surface_map(values, scene.grid, figure.subplots(), **seen)
+        plotting.surface_map(values, results.grid, figure.subplots(), **seen)
         caption = (
-            f"Map of the residual imprint, body {scene.body}, {_increment_text(scene, number)}"
+            f"Map of the residual imprint, body {results.body}, {_increment_text(results, number)}"
         )
         yield caption, "Map of the residual displacement of the whole surface.", figure
-    if scene.has("residual_stress", number):
-        yield _section(scene, "residual_von_mises", number)
+    if results.has("residual_stress", number):
+        yield _section(results, "residual_von_mises", number)
 
 
-def _track(scene: ContactResults) -> Iterator[Made]:
-    if (track := scene.track) is None:
+def _track(results: ContactResults) -> Iterator[Made]:
+    if (track := results.track) is None:
         return
-    depth, when = track["residual_displacement"].values, f"body {scene.body}, unloaded"
+    depth, when = track["residual_displacement"].values, f"body {results.body}, unloaded"
     figure = new_figure()
     plotting.track.imprint_along(track, figure.subplots())
     text = f"Residual displacement along the track, at most {depth.max() * 1e9:.4g} nm."
@@ -241,8 +245,8 @@ def _track(scene: ContactResults) -> Iterator[Made]:
     )
 
 
-def _convergence(scene: ContactResults) -> Iterator[Made]:
-    data = scene.dataset
+def _convergence(results: ContactResults) -> Iterator[Made]:
+    data = results.dataset
     number = data["increment"].values
     figure = new_figure(5.6, 5.2 if "plastic_strain_residual" in data else 2.7)
     if "plastic_strain_residual" in data:

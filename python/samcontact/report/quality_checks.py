@@ -55,13 +55,13 @@ def _load_balance(dataset: xr.Dataset, case: Case | None, tol: float) -> Check:
     """Compare the integrated pressure with the load of the case, or without a case as stored."""
     area = cell_size(dataset, "x") * cell_size(dataset, "y")
     total = area * dataset["pressure"].values.sum(axis=(1, 2))
-    wanted = dataset["load"].values.copy()
+    targets = dataset["load"].values.copy()
     steps = case.steps() if case is not None else []
-    if len(steps) == len(wanted):
+    if len(steps) == len(targets):
         for index, step in enumerate(steps):
-            wanted[index] = step.get("load", wanted[index])
-    scale = float(np.max(np.abs(wanted))) or 1.0
-    error = float(np.max(np.abs(total - wanted))) / scale
+            targets[index] = step.get("load", targets[index])
+    scale = float(np.max(np.abs(targets))) or 1.0
+    error = float(np.max(np.abs(total - targets))) / scale
     name = "load balance: relative difference between integrated pressure and load"
     return Check(name, error, tol)
 
@@ -186,7 +186,7 @@ def _errors(dataset: xr.Dataset) -> Iterator[Check]:
     For surfaces that are only given on the grid, also check the slope at short wavelengths.
     """
     rows = error_rows(dataset)
-    estimated = [row for row in rows if row.asked is None and np.isfinite(row.relative)]
+    estimated = [row for row in rows if row.target is None and np.isfinite(row.relative)]
     if estimated:
         worst = max(estimated, key=lambda row: row.relative)
         name = f"maximum estimated relative grid error: {worst.label}"
@@ -196,8 +196,8 @@ def _errors(dataset: xr.Dataset) -> Iterator[Check]:
         name = "maximum estimated relative error due to increments"
         yield Check(name, float(max(shares)), MAX_RELATIVE_ERROR)
     for row in rows:
-        if row.asked is not None:
-            yield Check(f"estimated relative error, {row.label}", row.relative, row.asked)
+        if row.target is not None:
+            yield Check(f"estimated relative error, {row.label}", row.relative, row.target)
     if "slope_beyond" in dataset.attrs:
         name = "fraction of the mean-square slope at wavelengths below four cells"
         yield Check(name, float(dataset.attrs["slope_beyond"]), MAX_SLOPE_FRACTION)

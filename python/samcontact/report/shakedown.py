@@ -44,8 +44,8 @@ def table(dataset: xr.Dataset) -> Table:
 
 
 def figure(dataset: xr.Dataset) -> ReportFigure:
-    drawn, verdict = new_figure(), str(dataset.attrs["response"])
+    drawn, response = new_figure(), str(dataset.attrs["response"])
     net, flow = (dataset[name].values / dataset.attrs["yield_strain"] for name in ("net", "flow"))
-    draw_cycles(dataset["cycle"].values, net, flow, verdict, drawn.subplots())
-    text = f"Net plastic strain of each cycle, and its plastic flow as a dashed line: {verdict}."
+    draw_cycles(dataset["cycle"].values, net, flow, response, drawn.subplots())
+    text = f"Net plastic strain of each cycle, and its plastic flow as a dashed line: {response}."
     return embedded("Repeated load cycles", text, drawn)

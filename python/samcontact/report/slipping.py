@@ -34,7 +34,7 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
         return
     law = law_of_attributes(dataset.attrs)
     shear = _shear(dataset)
-    most = largest_force(dataset)
+    reference = largest_force(dataset)
     solved = np.isfinite(dataset["approach"].values)  # prescribed tractions obey no friction law
     if law is not None and not law.prevents_slip and np.any(solved):
         bound = law.bound(repulsion_of(dataset).values[solved])
@@ -43,12 +43,12 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
         yield Check(name, float(beyond.max()) / largest if largest > 0 else 0.0, tol)
     steps = case.steps() if case is not None else []
     pulled = any("tangential_load" in step for step in steps)
-    if pulled and len(steps) == dataset.sizes["increment"] and most:
+    if pulled and len(steps) == dataset.sizes["increment"] and reference:
         name = (
             "tangential force balance: difference from the prescribed force, relative to the "
             "maximum force"
         )
-        yield Check(name, _force_difference(dataset, shear, steps) / most, tol)
+        yield Check(name, _force_difference(dataset, shear, steps) / reference, tol)
     work = np.diff(dataset["friction_work"].values, prepend=0.0)
     yield Check("minimum frictional work in an increment", float(work.min()), 0.0, True, "J")
     if (balance := balance_of(dataset)) is not None:
@@ -67,21 +67,24 @@ def _force_difference(dataset: xr.Dataset, shear: FloatArray, steps: list[dict[s
     area = cell_size(dataset, "x") * cell_size(dataset, "y")
     totals = area * shear.sum(axis=(2, 3))
     missed = [
-        abs(totals[direction, index] - wanted)
+        abs(totals[direction, index] - target)
         for index, step in enumerate(steps)
-        for direction, wanted in enumerate(step.get("tangential_load", ()))
-        if wanted is not None
+        for direction, target in enumerate(step.get("tangential_load", ()))
+        if target is not None
     ]
     return float(max(missed, default=0.0))
 
 
-def figures(scene: ContactResults) -> Iterator[tuple[str, str, Figure]]:
+def figures(results: ContactResults) -> Iterator[tuple[str, str, Figure]]:
     """Yield caption, description and figure for each figure of partial slip."""
-    data = scene.dataset
-    for name, figure in slip_figures(scene).items():
+    data = results.dataset
+    for name, figure in slip_figures(results).items():
         title = figure.axes[0].get_title()
         if name == "partial_slip":
-            number, share = scene.number(chosen(data)), data["stick_fraction"].values[chosen(data)]
+            number, share = (
+                results.number(chosen(data)),
+                data["stick_fraction"].values[chosen(data)],
+            )
             text = f"Map of the contact with a stick fraction of {100 * share:.3g} %; {title}."
             yield f"Stick and slip zones, increment {number}", text, figure
         elif name == "fretting_loop":

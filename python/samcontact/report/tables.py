@@ -13,7 +13,7 @@ import numpy as np
 from .._util.checks import FloatArray
 from .._util.display import counts, lengths, quantity
 from .._util.quantities import CONTACT, Quantity
-from ..accuracy.grid_errors import error_rows, said_of_increments
+from ..accuracy.grid_errors import error_rows, increments_note
 from ..bodies.depth_profiles import PROFILE_ARGUMENTS
 from ..cases.field_units import field_unit
 from ..problem.friction import law_of_attributes
@@ -71,7 +71,7 @@ def parameters(dataset: xr.Dataset) -> list[Row]:
     if not text:
         return _from_attributes(dataset)
     content = tomllib.loads(text)
-    rows = _of_grid(dataset) if "accuracy" in content else []  # the chosen grid
+    rows = _grid_rows(dataset) if "accuracy" in content else []  # the chosen grid
     for section, fields in content.items():
         if section == "output" or not isinstance(
             fields, (dict, list)
@@ -116,7 +116,7 @@ def _value(value: Any, unit: str) -> str:
     return f"{value:.6g} {unit}".strip()
 
 
-def _of_grid(dataset: xr.Dataset) -> list[Row]:
+def _grid_rows(dataset: xr.Dataset) -> list[Row]:
     axes = [axis for axis in "xyz" if axis in dataset.sizes]
     sizes = [float(dataset.attrs[f"d{axis}"]) for axis in axes if f"d{axis}" in dataset.attrs]
     cells = Row("grid", "cells", counts(*(dataset.sizes[axis] for axis in axes)))
@@ -127,7 +127,7 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
     if "x" not in dataset.sizes:  # no contact fields: show numerical attributes
         plain = {str(k): v for k, v in dataset.attrs.items() if not isinstance(v, str)}
         return [Row("run", name, _value(float(value), "")) for name, value in plain.items()]
-    rows = _of_grid(dataset)
+    rows = _grid_rows(dataset)
     for body in (1, 2):
         prefix = f"body{body}_"
         for name, value in dataset.attrs.items():
@@ -180,7 +180,7 @@ def maxima_table(
     for name in names:
         if quantities[name].shown in ("cells", "layers"):  # of the resolution
             continue
-        for body, values in _of_bodies(dataset, name):
+        for body, values in _values_by_body(dataset, name):
             sizes = np.where(np.isfinite(values), np.abs(values), -1.0)
             at = int(sizes.argmax())
             if sizes[at] > 0:
@@ -216,8 +216,10 @@ def _energy_table(balance: EnergyBalance) -> Table:
         "plastic dissipation": balance.plastic_work,
         "unaccounted for": balance.imbalance * balance.work_input,
     }
-    most = balance.work_input or 1.0
-    rows = [(name, [cell(value, 1.0), _percent(value / most)]) for name, value in parts.items()]
+    reference = balance.work_input or 1.0
+    rows = [
+        (name, [cell(value, 1.0), _percent(value / reference)]) for name, value in parts.items()
+    ]
     note = (
         f"Energy budget after the last increment. The work input since the start is "
         f"{balance.work_input:.6g} J; its difference from the net external work was recovered."
@@ -231,7 +233,7 @@ def errors_table(dataset: xr.Dataset) -> Table:
     more = {
         heading: [getattr(row, name) for row in found]
         for heading, name in (
-            ("target [%]", "asked"),
+            ("target [%]", "target"),
             ("increment error [%]", "by_increments"),
         )
         if any(getattr(row, name) is not None for row in found)
@@ -245,17 +247,17 @@ def errors_table(dataset: xr.Dataset) -> Table:
         ]
         cells += [_percent(shares[n]) for shares in more.values()]
         rows.append((row.label, cells))
-    asked = any(row.asked is not None for row in found)
+    has_target = any(row.target is not None for row in found)
     note = (
         "Best values at the ends of the path segments, extrapolated from all grids and numbers of "
         "increments. Figures and increments are those of the finest grid."
-        if asked
+        if has_target
         else "Estimated grid errors, relative to the value, from a grid coarsened by 2. Volume "
         "quantities are compared only at the increment of maximum stress and at the last increment."
     )
-    if by_increments := said_of_increments(dataset.attrs):
+    if by_increments := increments_note(dataset.attrs):
         note += f" {by_increments[0].upper()}{by_increments[1:]}."
-    heading = "error [%]" if asked else "grid error [%]"
+    heading = "error [%]" if has_target else "grid error [%]"
     return Table(["increment", "value", heading, *more], rows, "quantity", note)
 
 
@@ -276,7 +278,7 @@ def values_table(
     """Return a table of variables along a dimension; variables of a body have a column per body."""
     found = []
     for name in names:
-        for body, values in _of_bodies(dataset, name):
+        for body, values in _values_by_body(dataset, name):
             shown = quantities[name].fitting(float(values.max()))
             found.append((shown.of(body), values, shown.factor))
     columns = [(heading, values, factor, _ROUNDING_ERROR * np.nanmax(np.abs(values), initial=0.0))
@@ -288,7 +290,7 @@ def values_table(
     return Table([heading for heading, *_ in columns], rows, dim)
 
 
-def _of_bodies(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, FloatArray]]:
+def _values_by_body(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, FloatArray]]:
     """Yield the body and the values of a variable; body None: the variable is not of one body."""
     if name in dataset and "body" not in dataset[name].dims:
         yield None, dataset[name].values

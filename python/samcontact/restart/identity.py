@@ -36,9 +36,9 @@ def _identified(part: Any) -> str:
         return f"{_UNIDENTIFIED_PREFIX}{error}"
 
 
-def require_identified(who: Identity) -> None:
+def require_identified(run_identity: Identity) -> None:
     """Raise UnidentifiedError if an argument of a run cannot be identified."""
-    for name, text in who.items():
+    for name, text in run_identity.items():
         if text.startswith(_UNIDENTIFIED_PREFIX):
             raise UnidentifiedError(
                 f"{name} cannot be identified, so checkpoints of different runs cannot be "
@@ -48,16 +48,16 @@ def require_identified(who: Identity) -> None:
             )
 
 
-def digest(who: Identity) -> str:
+def digest(run_identity: Identity) -> str:
     """Return one digest of all arguments of an identity."""
-    return _hash(repr(sorted(who.items())).encode())
+    return _hash(repr(sorted(run_identity.items())).encode())
 
 
 def differences(now: Identity, before: Identity) -> str:
     """Describe the differences between two identities, e.g. "load 2.0 instead of 1.0"."""
 
     def change_of(name: str) -> str:
-        new, old = (str(who.get(name, "nothing")) for who in (now, before))
+        new, old = (str(run_identity.get(name, "nothing")) for run_identity in (now, before))
         digests = new.count("#") + old.count("#")
         return f"different {name}" if digests else f"{name} {new} instead of {old}"
 

@@ -74,9 +74,9 @@ def _take(directory: Path, remedy: str, name: str) -> int:
         except BlockingIOError:
             pid = os.read(handle, 20).decode("ascii", "replace").strip()
             os.close(handle)
-            who = f", process {pid}" if pid else ""
+            holder = f", process {pid}" if pid else ""
             raise OSError(
-                f"another run of samcontact writes to {directory}{who}: wait until it ends, or "
+                f"another run of samcontact writes to {directory}{holder}: wait until it ends, or "
                 f"{remedy}"
             ) from None
         except OSError:  # a file system without locks

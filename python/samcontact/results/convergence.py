@@ -94,8 +94,8 @@ def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], lis
         moved = moved or any(state.travel)
         extent, grid = strained_extent(state, body), state.grid
         shape = (*grid.surface_shape, len(state.depths))
-        beside = not (moved or grid.along_x), not grid.along_y
-        margins.append(free_cells(extent, shape, *beside))
+        has_edges = not (moved or grid.along_x), not grid.along_y
+        margins.append(free_cells(extent, shape, *has_edges))
         layers.append(layers_across_plastic_zone(extent))
     return margins, layers
 

@@ -259,13 +259,13 @@ def _add_volume(
     gathered = [body for body in bodies if is_gathered(stored, body)]
     for body in gathered:
         add_gathered(dataset, stored, body)
-    wanted = [
+    volume_fields = [
         (name, dims, body)
         for body, inelastic in bodies.items()
         for name, (dims, needs_plasticity) in _VOLUME_FIELDS.items()
         if body not in gathered and (inelastic or not needs_plasticity)
     ]
-    for name, dims, body in [*wanted, *(("temperature", _VOLUME, body) for body in heated)]:
+    for name, dims, body in [*volume_fields, *(("temperature", _VOLUME, body) for body in heated)]:
         fields = np.stack([getattr(state, name)(body=body) for state in stored])
         add(dataset, name, dims, fields, body)
     for body in bodies:
@@ -286,7 +286,7 @@ def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> 
     add(dataset, "interface_stress", dims, fields, body)
 
 
-def _of_body(prefix: str, body: Body) -> dict[str, Any]:
+def _material_attributes(prefix: str, body: Body) -> dict[str, Any]:
     """Return the material of a body as attributes; each name begins with the given prefix."""
     found: dict[str, Any] = {f"{prefix}law": body.law}
     if isinstance(body, Layered):
@@ -294,7 +294,7 @@ def _of_body(prefix: str, body: Body) -> dict[str, Any]:
         for name, material in zip(
             names_of_materials(len(body.layers)), materials_of(body), strict=True
         ):
-            found |= _of_body(f"{prefix}{name}_", material)
+            found |= _material_attributes(f"{prefix}{name}_", material)
         return found
     found |= {f"{prefix}{name}": value for name, value in body.parameters.items()}
     if body.thermal is not None:
@@ -333,7 +333,7 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
     if simulation.grid.dz is not None:
         attributes["dz"] = float(simulation.grid.dz)
     for body in (1, 2):
-        attributes |= _of_body(f"body{body}_", _material(simulation, body))
+        attributes |= _material_attributes(f"body{body}_", _material(simulation, body))
     if case is not None:
         attributes["description"] = case.description
         attributes["case"] = case.text

@@ -51,7 +51,7 @@ def max_von_mises(state: State, body: int) -> float:
 
 def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> None:
     """Add the gathered fields of the increments with volume fields."""
-    parts = [_of_state(state, body) for state in states]
+    parts = [_state_fields(state, body) for state in states]
     cells = np.unique(np.concatenate([numbers for numbers, _ in parts]))
     dim = f"cell_body{body}"
     add(dataset, "cell", dim, cells, body)
@@ -112,7 +112,7 @@ def _value_outside(name: str) -> float:
     return 0.0 if "strain" in name else np.nan
 
 
-def _of_state(state: State, body: int) -> tuple[NDArray[np.int64], dict[str, FloatArray]]:
+def _state_fields(state: State, body: int) -> tuple[NDArray[np.int64], dict[str, FloatArray]]:
     """Return the numbers of cells with plastic strain, and the field in them, [component][cell]."""
     shape = (*state.grid.surface_shape, len(state.depths))
     numbers = []
@@ -120,7 +120,7 @@ def _of_state(state: State, body: int) -> tuple[NDArray[np.int64], dict[str, Flo
     for zone in state.zones(body):
         inside, there = strained_cells(zone, shape)
         numbers.append(np.ravel_multi_index(there, shape))
-        for name, values in _of_zone(zone, inside).items():
+        for name, values in _zone_fields(zone, inside).items():
             parts[name].append(values)
     if not numbers:
         none = {name: np.zeros((6, 0) if tensor else 0) for name, tensor in _FIELDS.items()}
@@ -128,7 +128,7 @@ def _of_state(state: State, body: int) -> tuple[NDArray[np.int64], dict[str, Flo
     return np.concatenate(numbers), {n: np.concatenate(p, axis=-1) for n, p in parts.items()}
 
 
-def _of_zone(zone: Zone, inside: tuple[NDArray[np.intp], ...]) -> dict[str, FloatArray]:
+def _zone_fields(zone: Zone, inside: tuple[NDArray[np.intp], ...]) -> dict[str, FloatArray]:
     i, j, k = inside
     stress = zone.stress()[:, i, j, k]
     return {

@@ -144,16 +144,16 @@ def _require_closed(simulation: Simulation, steps: Sequence[Mapping[str, Any]]) 
     if not any(body.is_plastic for body in (simulation.body1, simulation.body2)):
         raise ValueError("simulation must have an elastic-plastic body, got two elastic bodies")
     dx = simulation.grid.dx
-    ways = [
+    travels = [
         math.fsum(in_cells("advance", float(step.get("advance", (0.0, 0.0))[n]), dx) * dx
                   for step in steps)
         for n in (0, 1)
     ]  # fmt: skip
-    if max(map(abs, ways)) > 1e-6 * dx:
-        back = tuple(-way for way in ways)
+    if max(map(abs, travels)) > 1e-6 * dx:
+        back = tuple(-travel for travel in travels)
         raise ValueError(
-            f"cycle must return both bodies, but they have travelled {ways!r} m at its end: append "
-            f"{{'load': 0.0, 'advance': {back!r}}}"
+            f"cycle must return both bodies, but they have travelled {travels!r} m at its end: "
+            f"append {{'load': 0.0, 'advance': {back!r}}}"
         )
 
 
@@ -175,7 +175,7 @@ class _RepeatedCycles:
         self._errors: list[float] = []
         self.state = simulation.state
         self.strain: dict[int, FloatArray] = {}
-        self._most = MAX_JUMP_CYCLES
+        self._max_jump = MAX_JUMP_CYCLES
         self._number = 0
         self._jump: Jump | None = None
         self._kept: tuple[Jump, Changes] | None = None
@@ -202,7 +202,7 @@ class _RepeatedCycles:
         self.cycles.append(Cycle(self._number, flow, net))
         self.response = self._classified()
         if self.response == UNDECIDED and self.accelerate and len(self._changes) == 3:
-            self._jump = jump(self.simulation, self._changes, self._most)
+            self._jump = jump(self.simulation, self._changes, self._max_jump)
             if self._jump is not None:
                 self._number += self._jump.cycles
 
@@ -230,10 +230,10 @@ class _RepeatedCycles:
         if made.confirmed(found):
             self._errors.append(made.error(found))
             self._changes, self._kept = [], (made, found)
-            self._most = min(MAX_JUMP_CYCLES, 2 * made.cycles)
+            self._max_jump = min(MAX_JUMP_CYCLES, 2 * made.cycles)
             return True
         self.rejected += 1
-        self._most, self._changes, self._jump = max(made.cycles // 2, 2), [], made
+        self._max_jump, self._changes, self._jump = max(made.cycles // 2, 2), [], made
         self.take_back()
         return False
 

@@ -86,14 +86,16 @@ class Trend:
         total = self.total(cycles)
         return [cycles * d + total * e for d, e in zip(self.last, self.steps[1], strict=True)]
 
-    def safe_cycles(self, most: int) -> int:
+    def safe_cycles(self, max_cycles: int) -> int:
         """Return the number of cycles over which the predicted change has a small error."""
         size = norm(self.last)
         if size == 0:
             return 0
         if self.factor > 0 and norm(self.later(10 * MAX_JUMP_CYCLES)) < 0.2 * size:  # it decays
-            most = min(most, math.ceil(math.log(_MIN_REMAINING_FRACTION) / math.log(self.factor)))
-        counts = range(1, most + 1)
+            max_cycles = min(
+                max_cycles, math.ceil(math.log(_MIN_REMAINING_FRACTION) / math.log(self.factor))
+            )
+        counts = range(1, max_cycles + 1)
         # The misfit may accumulate like the differences, and at least like that of a single cycle.
         missed = [self.misfit * max(self.total(n), n) for n in counts]
         return sum(miss <= _MAX_PREDICTION_ERROR * size for miss in missed)
@@ -101,13 +103,11 @@ class Trend:
 
 def trend(changes: Sequence[Changes], field: str) -> Trend | None:
     """Return the trend of a field over three cycles; None if its cells differ between cycles."""
-    of_bodies = [
-        at_common_depth([each[body].of(field) for each in changes]) for body in changes[-1]
-    ]
+    by_body = [at_common_depth([each[body].of(field) for each in changes]) for body in changes[-1]]
     cells = {tuple((c.first, c.of(field).shape[:-1]) for c in each.values()) for each in changes}
     if len(cells) != 1:
         return None
-    return Trend(*([fields[moment] for fields in of_bodies] for moment in range(3)))
+    return Trend(*([fields[moment] for fields in by_body] for moment in range(3)))
 
 
 @dataclass(frozen=True)
@@ -149,10 +149,10 @@ class Jump:
         return missed + 0.5 * self.cycles * grown
 
 
-def jump(simulation: Simulation, changes: Sequence[Changes], most: int) -> Jump | None:
+def jump(simulation: Simulation, changes: Sequence[Changes], max_cycles: int) -> Jump | None:
     """Jump over as many cycles as is safe, and return the jump; None if no jump is safe."""
     flow = trend(changes, "plastic_strain")
-    if flow is None or (cycles := flow.safe_cycles(most)) < 2:
+    if flow is None or (cycles := flow.safe_cycles(max_cycles)) < 2:
         return None
     state, added = simulation.state, {name: trend(changes, name) for name in FIELDS}
     for place, (body, now) in enumerate(changes[-1].items()):

@@ -372,8 +372,8 @@ def first_yield(
         half, across, shear = _line_path(depth, nu, friction).T
         radius = np.hypot(half, shear)
         if tresca:
-            beside = 0.5 * (np.abs(math.sqrt(3.0) * across) + radius)
-            return float(np.maximum(radius, beside).max())
+            far_side = 0.5 * (np.abs(math.sqrt(3.0) * across) + radius)
+            return float(np.maximum(radius, far_side).max())
         return float(np.hypot(radius, across).max())
 
     largest, depth = _worst_depth(required_k)

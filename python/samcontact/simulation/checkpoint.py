@@ -35,7 +35,7 @@ KIND = "simulation"
 
 def write_checkpoint(path: str | os.PathLike[str], kept: Snapshot, **more: Any) -> None:
     """Write a checkpoint file; if this fails, an old file remains. more: further data to store."""
-    tree = {"scene": _scene(kept.arguments), "state": kept.state, "counters": kept.counters}
+    tree = {"setup": _setup_tree(kept.arguments), "state": kept.state, "counters": kept.counters}
     write(path, KIND, tree | more)
 
 
@@ -51,13 +51,13 @@ def read_checkpoint(
         ) from error
     tree = read(path, KIND)
     with readable(path):
-        given = _arguments(tree["scene"], law1, law2)
+        given = _arguments(tree["setup"], law1, law2)
         return Snapshot(given, tree["state"], tree["counters"]), tree
 
 
-def _scene(given: Mapping[str, Any]) -> Tree:
+def _setup_tree(given: Mapping[str, Any]) -> Tree:
     """Convert the arguments of a simulation to a tree of plain data."""
-    scene: Tree = {
+    setup: Tree = {
         "grid": given["grid"].__getstate__(),
         "settings": {item.name: given[item.name] for item in fields(Settings)}
         | {
@@ -68,12 +68,12 @@ def _scene(given: Mapping[str, Any]) -> Tree:
         "gap": given["gap"],
     }
     for name in ("body1", "body2"):
-        scene[name] = _body_tree(given[name])
+        setup[name] = _body_tree(given[name])
     for name in ("relief1", "relief2"):
         relief = given[name]
         if relief is not None:
-            scene[name] = {item.name: getattr(relief, item.name) for item in fields(Relief)}
-    return scene
+            setup[name] = {item.name: getattr(relief, item.name) for item in fields(Relief)}
+    return setup
 
 
 def _body_tree(body: Body) -> Tree:
@@ -95,9 +95,9 @@ def _body_tree(body: Body) -> Tree:
     }
 
 
-def _arguments(scene: Tree, *laws: Any) -> dict[str, Any]:
+def _arguments(setup: Tree, *laws: Any) -> dict[str, Any]:
     """Convert a tree of plain data back to the arguments of a simulation."""
-    given: dict[str, Any] = dict(scene["settings"])
+    given: dict[str, Any] = dict(setup["settings"])
     known = {item.name: item.default for item in fields(Settings)}
     required = {name for name, default in known.items() if default is not None}
     if not required <= set(given) <= set(known):
@@ -107,14 +107,14 @@ def _arguments(scene: Tree, *laws: Any) -> dict[str, Any]:
         )
     given["friction"] = law_of(given["friction"])
     given["contact_law"] = contact_law.law_of(given["contact_law"])
-    given["heat"] = Heat(**scene["heat"])
-    given["grid"] = Grid(**scene["grid"])
+    given["heat"] = Heat(**setup["heat"])
+    given["grid"] = Grid(**setup["grid"])
     for name, law in zip(("body1", "body2"), laws, strict=True):
-        given[name] = _body(name, scene[name], law)
-    given["gap"] = array(scene, "gap", given["grid"].surface_shape, may_end=True)
+        given[name] = _body(name, setup[name], law)
+    given["gap"] = array(setup, "gap", given["grid"].surface_shape, may_end=True)
     for name in ("relief1", "relief2"):
-        if name in scene:
-            given[name] = Relief(**scene[name])
+        if name in setup:
+            given[name] = Relief(**setup[name])
     return given
 
 

@@ -104,7 +104,7 @@ def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int
         moves = np.asarray(given.get("advance", (0.0, 0.0)), dtype=np.float64)
         whole = np.allclose(moves / (2 * fine.dx), np.round(moves / (2 * fine.dx)), atol=1e-6)
         if waiting and given == path[len(which) - 1]:
-            steps[-1] |= _of_both(given)
+            steps[-1] |= _sum_of_two(given)
             if given.get("duration") is not None:
                 steps[-1]["duration"] = 2 * given["duration"]
             waiting = False
@@ -115,7 +115,7 @@ def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int
     return steps, which
 
 
-def _of_both(step: Mapping[str, Any]) -> dict[str, Any]:
+def _sum_of_two(step: Mapping[str, Any]) -> dict[str, Any]:
     """Combine two equal increments: add their motions; forces are those of the second increment."""
     moved: dict[str, Any] = {"advance": tuple(2 * s for s in step["advance"])}
     if step.get("shift") is not None:
@@ -195,8 +195,8 @@ def _gap(setup: SimulationSetup, domain: Domain, grid: Grid) -> FloatArray:
         kept = share >= 0.5
         return np.where(kept, height / np.where(kept, share, 1.0), np.inf)
     relieved = any(relief is not None for relief in domain.reliefs)
-    scene = ContactSetup(domain.grid, domain.initial_gap, setup.bodies, relieved)
-    if scene.radii is None:
+    contact = ContactSetup(domain.grid, domain.initial_gap, setup.bodies, relieved)
+    if contact.radii is None:
         return _averaged(domain.initial_gap, domain.grid, grid)
     fine = domain.grid
     pads = [max(0, math.ceil(0.5 * (2 * m - n))) + 1 for m, n in _counts(grid, fine)]

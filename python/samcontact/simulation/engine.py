@@ -33,6 +33,8 @@ from .steps import Step, StepArguments
 
 _logger = logging.getLogger("samcontact")
 
+_FIXED = "the grid is fixed"
+
 
 class Engine:
     """Solver of the increments of a simulation, on a domain (grid, surfaces) that may be enlarged.
@@ -53,14 +55,14 @@ class Engine:
         self.first = self.domain
         """The domain before any enlargement."""
 
-    def _open(self, domain: Domain, stand: Callable[[Any], object] | None = None) -> None:
+    def _open(self, domain: Domain, prepare: Callable[[Any], object] | None = None) -> None:
         """Switch to another domain; `stand` sets the state of the new core (default: initial).
 
         After an error or interrupt, the old domain and core remain in use.
         """
         core = self._core_over(domain)
-        if stand is not None:
-            stand(core)
+        if prepare is not None:
+            prepare(core)
         setup, grid = self.setup, domain.grid
         relieved = any(relief is not None for relief in domain.reliefs)
         relieved = relieved or setup.contact_law.attracts
@@ -183,10 +185,10 @@ class Engine:
         needed = list(shape)
         for box in filter(None, boxes):
             for axis, (n, first, cells) in enumerate(zip(shape, box[:2], box[2:4], strict=True)):
-                beside = max(-first, first + cells - n, 0)
-                needed[axis] = max(needed[axis], n + 2 * beside)
+                excess = max(-first, first + cells - n, 0)
+                needed[axis] = max(needed[axis], n + 2 * excess)
         counts = [enlarged_evenly(n, m) for n, m in zip(shape, needed, strict=True)]
-        if self._why_fixed or tuple(counts) == shape:
+        if self._reason_fixed or tuple(counts) == shape:
             return False
         try:
             self._switch_to(counts)
@@ -195,11 +197,11 @@ class Engine:
         return True
 
     @property
-    def _why_fixed(self) -> str:
+    def _reason_fixed(self) -> str:
         """Reason why the domain cannot be enlarged; empty if it can be enlarged."""
         setup = self.setup
         if setup.settings.on_border != "error" or self.domain.grid.periodic:
-            return "it stays"
+            return _FIXED
         if self.heat.history is not None or setup.body1.softening or setup.body2.softening:
             return "the grid cannot be enlarged with heat.history or thermal softening"
         if setup.contact_law.attracts:
@@ -212,11 +214,11 @@ class Engine:
         self, error: GridTooSmallError, load: float | None = None, approach: float | None = None
     ) -> None:
         """Switch to a larger domain; raise the error if the domain cannot be enlarged."""
-        if why := self._why_fixed:
-            if why == ENLARGEMENT_HINT and not callable(self.setup.surfaces.gap):
+        if reason := self._reason_fixed:
+            if reason == ENLARGEMENT_HINT and not callable(self.setup.surfaces.gap):
                 add_border_remedies(error, self.estimate)
-            elif why != "it stays":
-                error.args = (f"{error}; {why}",)
+            elif reason != _FIXED:
+                error.args = (f"{error}; {reason}",)
             raise error
         with explain_failed_enlargement(error, self.domain.grid):
             counts = counts_for(error, self.first.grid, self.estimate, load, approach)

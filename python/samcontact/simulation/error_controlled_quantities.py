@@ -158,8 +158,8 @@ def _bounds(state: State, body: int, ranges: Sequence[slice]) -> FloatArray:
             continue
         strains = [field[:, :, own] for field in fields]
         parts = [_parts_of_material(strain, is_layer=True) for strain in strains]
-        most = max(strain.max(initial=0.0) for strain in strains)
-        bounds[3 * n : 3 * n + 3] = material.yield_stress(max(most, np.max(parts)))
+        max_strain = max(strain.max(initial=0.0) for strain in strains)
+        bounds[3 * n : 3 * n + 3] = material.yield_stress(max(max_strain, np.max(parts)))
     return bounds
 
 
@@ -170,9 +170,9 @@ def has_parts(name: str, bodies: Sequence[Body]) -> int:
     return _count(len(materials_of(bodies[int(name[-1]) - 1])))
 
 
-def values(state: State, wanted: Sequence[str]) -> dict[str, float]:
+def values(state: State, quantities: Sequence[str]) -> dict[str, float]:
     """Return the values [SI units] of quantities of a state, by their names in results files."""
-    return {name: value(state, name) for name in wanted}
+    return {name: value(state, name) for name in quantities}
 
 
 def peak_value(field: ArrayLike) -> float:

@@ -109,21 +109,21 @@ def eigenstrain_field(
             raise ValueError(f"strain must have shape (6,) or (6, nx, ny, nz), got {shape}")
         field = finite_array("strain", strain, shape)
     sizes = zip("xyz", place, field.shape[1:], (*grid.surface_shape, grid.nz), strict=True)
-    for axis, start, count, most in sizes:
-        if start + count > most and not (axis == "z" and grid.nz == 0):
+    for axis, start, count, limit in sizes:
+        if start + count > limit and not (axis == "z" and grid.nz == 0):
             raise ValueError(
-                f"the box must lie in the grid, which has {most} cells along {axis}, got cells "
+                f"the box must lie in the grid, which has {limit} cells along {axis}, got cells "
                 f"{start} to {start + count - 1}"
             )
     return place, np.ascontiguousarray(np.moveaxis(field, 3, 1))
 
 
-def _three(name: str, numbers: Cells, least: int) -> tuple[int, int, int]:
+def _three(name: str, numbers: Cells, minimum: int) -> tuple[int, int, int]:
     """Return three checked integers."""
     try:
         i, j, k = numbers
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name} must be three integers, got {in_short(numbers)}") from error
     for number in (i, j, k):
-        integer(name, number, least)
+        integer(name, number, minimum)
     return int(i), int(j), int(k)

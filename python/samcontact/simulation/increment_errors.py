@@ -216,22 +216,24 @@ def _compared(
         first = repeat(setup, grid, heat, steps)
     start = float(domain.initial_gap.min())
     halves = halved(steps, first, start)
-    joined, ends = halves or doubled(steps, first, start, grid.dx, heat)
+    merged, ends = halves or doubled(steps, first, start, grid.dx, heat)
     compared = f"{'half' if halves else 'twice'} as many increments"
     # Motions by single cells are merged on larger cells.
     factors = [
         f * len(steps) / len(path) for f in (_HALVING_FACTORS if halves else _DOUBLING_FACTORS)
     ]
-    second = repeat(setup, grid, heat, joined)
+    second = repeat(setup, grid, heat, merged)
     if level > 0:
         compared += f", both on cells {2**level} times as large"
     pairs = [(first[one], second[other]) for one, other in ends]
     loads = [one.load for one, _ in pairs]
     top = peak(None, [float(one.pressure.max()) for one, _ in pairs], loads)
     marks = [pairs[n] for n in sorted({top, len(pairs) - 1})]
-    values = _of_values(setup, grid, marks) if certified else {}
+    values = _value_differences(setup, grid, marks) if certified else {}
     return IncrementErrors(
-        _scaled(_of_fields(setup, pairs, marks), factors), _scaled(values, factors), compared
+        _scaled(_field_differences(setup, pairs, marks), factors),
+        _scaled(values, factors),
+        compared,
     )
 
 
@@ -256,7 +258,7 @@ def _level(states: Sequence[State]) -> int:
 Pairs = Sequence[tuple["State", "State"]]
 
 
-def _of_fields(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, float]:
+def _field_differences(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, float]:
     """Return the maximum difference of each field, relative to the maximum value of the field."""
     names = ["pressure", "shear"] if setup.friction.sticks else ["pressure"]
     found = {}
@@ -275,9 +277,9 @@ def _of_fields(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, 
     return {name: share for name, share in found.items() if math.isfinite(share)}
 
 
-def _difference(both: Sequence[tuple[FloatArray, ...]], least: float) -> float:
-    """Return the maximum difference, relative to the larger of the maximum value and `least`."""
-    largest = max([least, *(float(np.abs(one).max()) for one, _ in both)])
+def _difference(both: Sequence[tuple[FloatArray, ...]], floor: float) -> float:
+    """Return the maximum difference, relative to the larger of the maximum value and `floor`."""
+    largest = max([floor, *(float(np.abs(one).max()) for one, _ in both)])
     differences = [float(np.abs(np.subtract(*_common(*pair))).max()) for pair in both]
     return max(differences) / largest if largest > 0 else 0.0
 
@@ -298,7 +300,7 @@ def _common(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]
     return cut[0], cut[1]
 
 
-def _of_values(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict[str, float]:
+def _value_differences(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict[str, float]:
     """Return the differences of quantities with error control, relative to the larger value."""
     names = error_controlled_quantities.names(setup.bodies, volume=grid.has_volume)
     one, other = (

@@ -81,8 +81,8 @@ def _sizes(before: Step, step: Step) -> dict[str, float]:
     for name in ("tangential_load", "shift", "advance"):
         if name in step:
             starts = before[name] if name == "tangential_load" else (0.0, 0.0)
-            ways = [0.0 if q is None else q - p for p, q in zip(starts, step[name], strict=True)]
-            found[name] = max(map(abs, ways))
+            changes = [0.0 if q is None else q - p for p, q in zip(starts, step[name], strict=True)]
+            found[name] = max(map(abs, changes))
     return found
 
 
@@ -105,10 +105,10 @@ def _before(
 def _halves(step: Step, before: Step, dx: float, heat: Heat) -> list[dict[str, Any]]:
     first, second = dict(step), dict(step)
     if "advance" in step:
-        ways = [0.5 * way for way in step["advance"]]
-        if any(abs(way / dx - round(way / dx)) > 1e-6 for way in ways):
+        changes = [0.5 * change for change in step["advance"]]
+        if any(abs(change / dx - round(change / dx)) > 1e-6 for change in changes):
             return [first]
-        first["advance"] = second["advance"] = tuple(ways)
+        first["advance"] = second["advance"] = tuple(changes)
     if heat.history is not None and 0.5 * step["duration"] < heat.history[0]:
         return [first]
     for name in _TARGETS:
@@ -133,22 +133,22 @@ def _continues(before: Step, step: Step, after: Step) -> bool:
     """Whether two successive increments change all loads and motions in one direction."""
     if step.keys() != after.keys():
         return False
-    ways = [(before[name], step[name], after[name]) for name in _TARGETS if name in step]
+    changes = [(before[name], step[name], after[name]) for name in _TARGETS if name in step]
     if "tangential_load" in step:
-        ways += zip(before["tangential_load"], step["tangential_load"], after["tangential_load"],
+        changes += zip(before["tangential_load"], step["tangential_load"], after["tangential_load"],
                     strict=True)  # fmt: skip
-    ways += [(0.0, step[n], step[n] + after[n]) for n in ("twist",) if n in step]
+    changes += [(0.0, step[n], step[n] + after[n]) for n in ("twist",) if n in step]
     for name in ("shift", "advance"):
         if name in step:
-            ways += [
+            changes += [
                 (0.0, s, None if s is None or t is None else s + t)
                 for s, t in zip(step[name], after[name], strict=True)
             ]
     same_heat = step.get("heat_factor") == after.get("heat_factor")
-    return same_heat and all(_is_one_way(*way) for way in ways)
+    return same_heat and all(_is_monotonic(*change) for change in changes)
 
 
-def _is_one_way(a: float, b: float | None, c: float | None) -> bool:
+def _is_monotonic(a: float, b: float | None, c: float | None) -> bool:
     """Whether the changes from a to b and from b to c have equal signs and similar magnitudes."""
     if b is None or c is None:
         return b is None and c is None
@@ -156,13 +156,13 @@ def _is_one_way(a: float, b: float | None, c: float | None) -> bool:
 
 
 def _merged(step: Step, after: Step) -> dict[str, Any]:
-    joined = dict(after)
+    merged = dict(after)
     for name in _MOTIONS:
         if name in step:
-            joined[name] = step[name] + after[name]
+            merged[name] = step[name] + after[name]
     for name in ("shift", "advance"):
         if name in step:
-            joined[name] = tuple(
+            merged[name] = tuple(
                 None if s is None else s + t for s, t in zip(step[name], after[name], strict=True)
             )
-    return joined
+    return merged

@@ -34,16 +34,16 @@ def describe(engine: Engine, **what: Any) -> Identity:
 
     Softening laws are separate parts, so that messages can name them.
     """
-    scene = engine.setup.on_domain(engine.first, engine.heat)
+    arguments = engine.setup.on_domain(engine.first, engine.heat)
     for number in (1, 2):
-        body = scene[f"body{number}"]
+        body = arguments[f"body{number}"]
         if isinstance(body, Material) and body.softening is not None:
-            scene[f"body{number}"] = replace(body, softening=None)
-            scene[f"softening law of body {number}"] = body.softening
+            arguments[f"body{number}"] = replace(body, softening=None)
+            arguments[f"softening law of body {number}"] = body.softening
     for name in ("eigenstrain1", "eigenstrain2"):
         if (given := getattr(engine.core.state, name)) is not None:
             what[name] = given
-    return identity(**scene, **what)
+    return identity(**arguments, **what)
 
 
 @contextmanager
@@ -69,7 +69,7 @@ class Journal:
         Created if missing.
     engine : Engine
         Solver of the increments.
-    who : Identity
+    run_identity : Identity
         Identity of the run, from `describe` before the first increment. Checkpoints of another run
         are refused.
 
@@ -80,10 +80,12 @@ class Journal:
         be identified, because a softening law has data that Python cannot read.
     """
 
-    def __init__(self, folder: str | os.PathLike[str], engine: Engine, who: Identity) -> None:
+    def __init__(
+        self, folder: str | os.PathLike[str], engine: Engine, run_identity: Identity
+    ) -> None:
         self.folder, self.engine = file_path("checkpoint", folder), engine
-        require_identified(who)
-        self.who = who
+        require_identified(run_identity)
+        self.run_identity = run_identity
         self.count = 0
         """Number of increments so far, both restored and newly solved."""
         self.folder.mkdir(parents=True, exist_ok=True)
@@ -92,7 +94,7 @@ class Journal:
             require_marked(file, "move this file, or choose another folder")
         for file in files:  # the first intact one identifies the run
             with suppress(DamagedCheckpointError):
-                require_same(self.folder, who, read(file, KIND))
+                require_same(self.folder, run_identity, read(file, KIND))
                 break
 
     def next(self) -> State | None:
@@ -115,14 +117,14 @@ class Journal:
     def _restore(self, file: Path) -> None:
         bodies = self.engine.setup.bodies
         kept, tree = read_checkpoint(file, [body.softening for body in bodies])
-        require_same(self.folder, self.who, tree)
+        require_same(self.folder, self.run_identity, tree)
         with readable(file):
             self.engine.restore(kept)
 
     def add(self, state: State | None = None) -> None:
         """Store a checkpoint after a new increment, of the current state or of an earlier state."""
         kept = self.engine.snapshot(state)
-        write_checkpoint(self._file(self.count + 1), kept, run=self.who)
+        write_checkpoint(self._file(self.count + 1), kept, run=self.run_identity)
         self.count += 1
 
     def add_all(self, states: Iterable[State]) -> None:

@@ -374,8 +374,8 @@ class Simulation(Configured, HtmlTable):
     _rows = simulation_rows
 
     def __repr__(self) -> str:
-        scene = f"{self.grid!r}, {self.body1!r}, {self.body2!r}, {self._settings}"
-        return f"Simulation({scene}, heat={self.heat!r})"
+        setup_text = f"{self.grid!r}, {self.body1!r}, {self.body2!r}, {self._settings}"
+        return f"Simulation({setup_text}, heat={self.heat!r})"
 
     def __reduce__(self) -> tuple[Any, ...]:
         return reduced(type(self), self.engine, self.monitor)

@@ -15,9 +15,9 @@ from .._util.checks import (
     finite_array,
     in_cells,
     number,
-    of_bodies,
     positive,
     tractions,
+    value_per_body,
 )
 from .._util.short_text import in_short
 from ..contact.tangential_drive import TangentialInput, given_along
@@ -101,12 +101,12 @@ class StepArguments:
             raise ValueError(f"shear cannot be combined with {kind}: set friction instead")
         else:
             value = number(kind, load if kind == "load" else approach)
-        ways = AT_REST if advance is AT_REST else _ways(grid, advance)
+        travels = AT_REST if advance is AT_REST else _travels(grid, advance)
         tangential = _NO_MOTION
         if not (shift is None and tangential_load is None and twist is None and torque is None):
             tangential = given_along(friction, shift, tangential_load, twist, torque)
         if pressure is not None or torque is not None:
-            _require_possible(friction, tangential, pressure, shear, torque, ways)
+            _require_possible(friction, tangential, pressure, shear, torque, travels)
         lasts = _duration(heat, duration)
         if heat_factor is not None and heat.partition is not None:
             raise ValueError(
@@ -114,13 +114,13 @@ class StepArguments:
                 f"got {in_short(heat_factor)}: the heat flux follows from the frictional power"
             )
         if heat_factor is not None:
-            heat = replace(heat, factor=of_bodies("heat_factor", heat_factor))
-        if heat.history is not None and lasts is not None and ways != AT_REST:
-            _require_motion_of_heat(heat, lasts, ways, grid.dx)
+            heat = replace(heat, factor=value_per_body("heat_factor", heat_factor))
+        if heat.history is not None and lasts is not None and travels != AT_REST:
+            _require_motion_of_heat(heat, lasts, travels, grid.dx)
         heated = self._heating_of(heat, None if heat.history is None else lasts)
         if kind == "approach":
             require_reference(heat)
-        return Step(kind, value, heat, heated, lasts or 0.0, ways, tangential, **given)
+        return Step(kind, value, heat, heated, lasts or 0.0, travels, tangential, **given)
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
         """Return the heating of both bodies for the core; duration of a transient increment [s]."""
@@ -132,10 +132,10 @@ class StepArguments:
         return known[2]
 
 
-def _ways(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
+def _travels(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
     """Return the distance by which each surface moves in the increment [cells]."""
     given = finite_array("advance", advance, (2,))
-    first, second = (in_cells("advance", float(way), grid.dx) for way in given)
+    first, second = (in_cells("advance", float(travel), grid.dx) for travel in given)
     if grid.along_x and (first, second) != AT_REST:
         raise ValueError(
             f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got "

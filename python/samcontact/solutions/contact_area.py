@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .._util.checks import FloatArray
 from ..problem.contact_law import in_contact
-from .outline import Sides, around, sides_of, steps_beside
+from .outline import Sides, around, sides_of, steps_next_to
 
 AREA_PER_SIDE = (math.pi - 1 + math.log(2)) / 24
 """Mean excess of the counted area, per cell side on the outline of a smooth spot [cells]."""
@@ -52,7 +52,9 @@ def contact_area(
     return _located(pressure, periodic, gap)[0] * cell_area
 
 
-def area_doubt(pressure: ArrayLike, periodic: str = "", gap: ArrayLike | None = None) -> float:
+def perimeter_correction(
+    pressure: ArrayLike, periodic: str = "", gap: ArrayLike | None = None
+) -> float:
     """Return the perimeter correction of `contact_area`, relative to the contact area [-].
 
     The correction is 0 if the contact edge is located from the pressure. Arguments as for
@@ -81,8 +83,8 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
         return float(count), 0.0
     by_perimeter = max(count - taken_off, 0.5 * count)
     # in nearly full contact, the open spots must be resolved
-    least = min(count, inside.size - count) if set(periodic) == {"x", "y"} else count
-    trust = (MIN_COUNTED_CORRECTION - taken_off / least) / (
+    reference = min(count, inside.size - count) if set(periodic) == {"x", "y"} else count
+    trust = (MIN_COUNTED_CORRECTION - taken_off / reference) / (
         MIN_COUNTED_CORRECTION - MAX_LOCATED_CORRECTION
     )
     if trust <= 0:
@@ -104,7 +106,7 @@ def _on_cells(sides: Sides, gap: ArrayLike | None, periodic: str) -> NDArray[np.
     """Return, for each side, whether it coincides with the contact edge at a step of the gap."""
     if gap is None:
         return np.zeros(len(sides.i), dtype=np.bool_)
-    return steps_beside(sides, np.asarray(gap, dtype=np.float64), periodic)[0]
+    return steps_next_to(sides, np.asarray(gap, dtype=np.float64), periodic)[0]
 
 
 def _inside_of_zero_line(
@@ -121,8 +123,8 @@ def _inside_of_zero_line(
     field = (pressure / pressure.max()) ** 2
     held = np.full(field.shape, np.nan)
     for sides, fixed in steps:
-        beside = sides.neighbours(field.shape)
-        held[beside[0][fixed], beside[1][fixed]] = -field[sides.i[fixed], sides.j[fixed]]
+        i, j = sides.neighbours(field.shape)
+        held[i[fixed], j[fixed]] = -field[sides.i[fixed], sides.j[fixed]]
     for axis, name in enumerate("xy"):
         width = [(_PADDING_CELLS, _PADDING_CELLS) if n == axis else (0, 0) for n in (0, 1)]
         if name in periodic:

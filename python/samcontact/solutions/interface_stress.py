@@ -35,12 +35,12 @@ def stress_at_interfaces(
     grid: Grid,
     layered: Layered,
     tractions: tuple[FloatArray, FloatArray],
-    of_strain: Callable[[int], FloatArray] | None,
+    residual_stress: Callable[[int], FloatArray] | None,
 ) -> FloatArray:
     """Return the stress on both sides of each interface [Pa], see `State.interface_stress`.
 
-    tractions: pressure and shear on the body; of_strain: function of a number of cell layers that
-    returns the stress due to plastic strain.
+    tractions: pressure and shear on the body; residual_stress: function of a number of cell layers
+    that returns the stress due to plastic strain.
     """
     pressure, shear = tractions
     depths = layered.interfaces
@@ -54,9 +54,9 @@ def stress_at_interfaces(
     found = np.stack(np.split(stress, len(SIDES), axis=-1))
     for component, initial in zip((0, 1, 5), layered.residual_stress_at(sides), strict=True):
         found[:, component] += initial[:, None, None, :]
-    if of_strain is not None and grid.dz is not None:
+    if residual_stress is not None and grid.dz is not None:
         cuts = np.rint(depths / grid.dz).astype(int).tolist()
-        found += _continued(of_strain(cuts[-1] + len(_FACE_WEIGHTS)), cuts)
+        found += _continued(residual_stress(cuts[-1] + len(_FACE_WEIGHTS)), cuts)
     return found
 
 

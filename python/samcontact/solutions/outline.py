@@ -77,7 +77,7 @@ class Sides(NamedTuple):
 
 
 def away_from_border(sides: Sides, shape: tuple[int, ...], periodic: str) -> Sides:
-    """Return the sides for which all cells used by `steps_beside` lie inside the grid."""
+    """Return the sides for which all cells used by `steps_next_to` lie inside the grid."""
     if "xy"[sides.axis] in periodic:
         return sides
     at, n = (sides.i if sides.axis == 0 else sides.j), shape[sides.axis]
@@ -95,12 +95,12 @@ def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
 
 
 def sides_between(
-    inside: NDArray[np.bool_], beside: NDArray[np.bool_], periodic: str
+    inside: NDArray[np.bool_], other: NDArray[np.bool_], periodic: str
 ) -> Iterator[Sides]:
     """Yield the sides between cells of two masks, separately for four directions."""
     for axis, name in enumerate("xy"):
         for step in (1, -1):
-            outside = np.roll(beside, -step, axis)
+            outside = np.roll(other, -step, axis)
             if name not in periodic:
                 border: list[slice | int] = [slice(None), slice(None)]
                 border[axis] = -1 if step > 0 else 0
@@ -109,7 +109,7 @@ def sides_between(
             yield Sides(i, j, axis, step)
 
 
-def steps_beside(
+def steps_next_to(
     sides: Sides, gap: FloatArray, periodic: str
 ) -> tuple[NDArray[np.bool_], FloatArray]:
     """Return whether the gap has an upward step at each side, and the height of each step [m].
@@ -124,12 +124,12 @@ def steps_beside(
         into, out = own - inner, next_out - outer
         bends = np.abs(into - (inner - further_in)), np.abs(further_out - next_out - out)
         height = outer - own - 0.5 * (into + out)
-        least = np.maximum(np.abs(out - into), MIN_STEP_RATIO * np.maximum(*bends))
+        threshold = np.maximum(np.abs(out - into), MIN_STEP_RATIO * np.maximum(*bends))
         # rounding of heights with a large offset
-        least = np.maximum(least, 1e-9 * np.abs(own))
-        found = np.nan_to_num(height, nan=0.0) > np.nan_to_num(least, nan=0.0, posinf=0.0)
-    nothing = ~np.isfinite(outer)
-    return np.asarray(found | nothing), np.where(nothing, np.inf, height)
+        threshold = np.maximum(threshold, 1e-9 * np.abs(own))
+        found = np.nan_to_num(height, nan=0.0) > np.nan_to_num(threshold, nan=0.0, posinf=0.0)
+    no_body = ~np.isfinite(outer)
+    return np.asarray(found | no_body), np.where(no_body, np.inf, height)
 
 
 def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArray:
@@ -145,7 +145,7 @@ def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArr
 def may_have_steps(gap: FloatArray, periodic: str) -> bool:
     """Whether the gap of undeformed bodies may have a step between two cells.
 
-    If it has none, `steps_beside` finds no step at any side that is `away_from_border`.
+    If it has none, `steps_next_to` finds no step at any side that is `away_from_border`.
     """
     if not np.isfinite(gap).all():
         return True
@@ -194,10 +194,10 @@ def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
 def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:
     """Return, for each side, whether its cell has a higher pressure than both neighbours."""
     own, inner = pressure[sides.i, sides.j], pressure[sides.neighbours(pressure.shape, -1)]
-    beside = pressure[sides.neighbours(pressure.shape, 1)]
+    outer = pressure[sides.neighbours(pressure.shape, 1)]
     found: NDArray[np.bool_] = (
         in_contact(inner)
         & (own > MIN_EDGE_PRESSURE_RATIO * inner)
-        & (own > MIN_EDGE_PRESSURE_RATIO * beside)
+        & (own > MIN_EDGE_PRESSURE_RATIO * outer)
     )
     return found

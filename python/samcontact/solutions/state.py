@@ -246,12 +246,12 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         layered = layered_body(self.setup.bodies, body, self.offset(body))
         tractions = self.pressure, self.shear if body == 2 else -self.shear
 
-        def of_strain(layers: int) -> FloatArray:
+        def residual(layers: int) -> FloatArray:
             deep = self.at_layers(layers)
             return deep.residual_stress(body) - deep.initial_stress(body)
 
         strained = self.max_plastic_strain_magnitude(body) > 0 or self.has_eigenstrain(body)
-        return stress_at_interfaces(self.grid, layered, tractions, of_strain if strained else None)
+        return stress_at_interfaces(self.grid, layered, tractions, residual if strained else None)
 
     def von_mises(self, body: int = 2) -> FloatArray:
         """Von Mises stress [Pa], shape (nx, ny, nz)."""
@@ -352,9 +352,9 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     ) -> FloatArray:
         """Return a field from the cache, from other fields or from the core."""
         index = choice("body", body, (1, 2)) - 1
-        return kept(self, (name, index), compute or (lambda: self._of_core(name, index)))
+        return kept(self, (name, index), compute or (lambda: self._core_field(name, index)))
 
-    def _of_core(self, name: str, index: int) -> FloatArray:
+    def _core_field(self, name: str, index: int) -> FloatArray:
         if name in _VOLUME_FIELDS:
             strained = self._core.max_plastic_strain_magnitude(index) > 0
             exact = strained and self.setup.settings.residual_stress == "exact"

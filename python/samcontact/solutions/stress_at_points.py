@@ -76,8 +76,8 @@ def _half_cells(grid: Grid, tractions: Tractions, points: FloatArray) -> FloatAr
     for traction in tractions:
         if traction is not None:
             loaded[1:-1, 1:-1] |= traction != 0
-    beside = np.any([loaded[i, j] for i, j in itertools.product(*cells)], axis=0)
-    half[:, ~beside | (points[2] >= _EDGE_TOLERANCE * min(grid.dx, grid.dy))] = 0.0
+    is_loaded = np.any([loaded[i, j] for i, j in itertools.product(*cells)], axis=0)
+    half[:, ~is_loaded | (points[2] >= _EDGE_TOLERANCE * min(grid.dx, grid.dy))] = 0.0
     return half
 
 

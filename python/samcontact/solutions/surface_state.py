@@ -183,8 +183,8 @@ def rows_along_surface(state: SurfaceState) -> Rows:
         ("sticking cells", f"{np.count_nonzero(state.sticking)} of {touching} in contact"),
     ]
     if state.twist != 0.0:
-        turned = [("torque", state.torque, "N m"), ("twist", state.twist, "rad")]
-        rows[2:2] = [(name, quantity(value, unit)) for name, value, unit in turned]
+        rotational = [("torque", state.torque, "N m"), ("twist", state.twist, "rad")]
+        rows[2:2] = [(name, quantity(value, unit)) for name, value, unit in rotational]
     return rows
 
 

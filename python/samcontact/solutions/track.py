@@ -68,7 +68,7 @@ class Track(FixedAttributes):
         """
         return kept(
             self, f"residual_displacement along {axis_number(axis)}",
-            lambda: self._of_core("residual_displacement", axis_number(axis)),
+            lambda: self._core_field("residual_displacement", axis_number(axis)),
         )  # fmt: skip
 
     def residual_stress(self) -> FloatArray:
@@ -160,9 +160,9 @@ class Track(FixedAttributes):
         return xr.Dataset(data, coordinates, {"body": self.body, **sizes})
 
     def _field(self, name: str) -> FloatArray:
-        return kept(self, name, lambda: self._of_core(name))
+        return kept(self, name, lambda: self._core_field(name))
 
-    def _of_core(self, name: str, *axis: int) -> FloatArray:
+    def _core_field(self, name: str, *axis: int) -> FloatArray:
         cell = (
             memory.FAST_RESIDUAL_BYTES if name.startswith("residual") else memory.VOLUME_FIELD_BYTES
         )

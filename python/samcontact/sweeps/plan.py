@@ -60,11 +60,11 @@ def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str
         raise ValueError(
             f"parameters must have equal numbers of values in mode 'zip', got {listed}"
         )
-    wanted = math.prod(counts.values()) if mode == "product" else max(counts.values())
-    if wanted > MAX_CASES:
+    count = math.prod(counts.values()) if mode == "product" else max(counts.values())
+    if count > MAX_CASES:
         listed = ", ".join(f"{name} {count}" for name, count in counts.items())
         raise ValueError(
-            f"a sweep must have at most {MAX_CASES} cases, got {wanted} (values of {listed} in "
+            f"a sweep must have at most {MAX_CASES} cases, got {count} (values of {listed} in "
             f"mode {in_short(mode)}): use fewer values, or mode 'zip' to combine them pairwise"
         )
     combine: Any = itertools.product if mode == "product" else zip

@@ -105,7 +105,7 @@ def fretting(
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
     require_own(checkpoint)
-    scene = make_setup(
+    setup = make_setup(
         grid,
         (body1, body2),
         SurfaceGeometry(gap, relief1, relief2),
@@ -116,7 +116,7 @@ def fretting(
         integer("repeats", repeats, 1),
         settings,
     )
-    return repeat(FrettingResult, scene, _advance, count, checkpoint, progress)
+    return repeat(FrettingResult, setup, _advance, count, checkpoint, progress)
 
 
 @dataclass(frozen=True)
@@ -126,7 +126,7 @@ class _Repeat:
     states: tuple[State, ...]
     work: FloatArray
     """Frictional work [J/m^2]."""
-    way: FloatArray
+    slip_distance: FloatArray
     """Slip distance [m]."""
     worn: FloatArray
     """Wear depth for a coefficient of 1 [m Pa]."""
@@ -134,41 +134,41 @@ class _Repeat:
     """Wear depth for a coefficient of 1, per unit pressure [m]."""
 
 
-def _solve_repeat(scene: FrettingSetup, heights: Mapping[int, list[FloatArray]]) -> _Repeat:
+def _solve_repeat(setup: FrettingSetup, heights: Mapping[int, list[FloatArray]]) -> _Repeat:
     """Solve one repeat on the current surfaces, after a lead-in from bodies without history."""
-    relief1, relief2 = reliefs_of(scene, WearProgress(dict(heights)))
+    relief1, relief2 = reliefs_of(setup, WearProgress(dict(heights)))
     simulation = Simulation(
-        scene.grid,
-        *scene.bodies,
-        scene.gap,
-        scene.friction,
+        setup.grid,
+        *setup.bodies,
+        setup.gap,
+        setup.friction,
         relief1=relief1,
         relief2=relief2,
-        **scene.settings,
+        **setup.settings,
     )
     simulation.monitor.checks_steps = False
     simulation.monitor.checks_increments = False  # not for each of many repeats
-    states = _closed(simulation, scene)
-    ways = np.array([np.hypot(*state.slip) for state in states])
+    states = _closed(simulation, setup)
+    slips = np.array([np.hypot(*state.slip) for state in states])
     work = np.sum([(state.shear * state.slip).sum(axis=0) for state in states], axis=0)
-    way = ways.sum(axis=0)
-    if scene.law == "archard":
-        swept = np.sum([state.pressure for state in states] * ways, axis=0)
-        return _Repeat(states, work, way, swept, way)
+    slip_distance = slips.sum(axis=0)
+    if setup.law == "archard":
+        swept = np.sum([state.pressure for state in states] * slips, axis=0)
+        return _Repeat(states, work, slip_distance, swept, slip_distance)
     pressures = np.concatenate([state.pressure[state.in_contact] for state in states])
-    ratio = scene.friction.ratio(float(pressures.mean())) if pressures.size else 0.0
-    return _Repeat(states, work, way, work, ratio * way)
+    ratio = setup.friction.ratio(float(pressures.mean())) if pressures.size else 0.0
+    return _Repeat(states, work, slip_distance, work, ratio * slip_distance)
 
 
-def _closed(simulation: Simulation, scene: FrettingSetup) -> tuple[State, ...]:
+def _closed(simulation: Simulation, setup: FrettingSetup) -> tuple[State, ...]:
     """Repeat the loop until the shear is periodic, and return the states of the last repeat."""
-    lead = closing(scene.cycle)
-    for step in scene.cycle[:lead]:
+    lead = closing(setup.cycle)
+    for step in setup.cycle[:lead]:
         simulation.step(**step)
     for _ in range(_MAX_REPEATS):
         start = simulation.state
-        states = tuple(simulation.step(**step) for step in scene.cycle[lead:])
-        bound = float(scene.friction.bound(max(s.pressure.max() for s in states)))
+        states = tuple(simulation.step(**step) for step in setup.cycle[lead:])
+        bound = float(setup.friction.bound(max(s.pressure.max() for s in states)))
         if np.abs(states[-1].shear - start.shear).max() <= _MAX_SHEAR_MISMATCH * bound:
             return states
     raise ValueError(
@@ -178,49 +178,49 @@ def _closed(simulation: Simulation, scene: FrettingSetup) -> tuple[State, ...]:
 
 
 def _advance(
-    scene: FrettingSetup, standing: WearProgress
+    setup: FrettingSetup, standing: WearProgress
 ) -> tuple[tuple[State, ...], WearProgress]:
     """Advance by one cycle, in as many parts as stability requires."""
     heights = {body: [*before, before[-1]] for body, before in standing.heights.items()}
-    left, parts, work, removed = float(scene.repeats), 0, 0.0, np.zeros(scene.grid.surface_shape)
-    first = _solve_repeat(scene, heights)
+    left, parts, work, removed = float(setup.repeats), 0, 0.0, np.zeros(setup.grid.surface_shape)
+    first = _solve_repeat(setup, heights)
     if not standing.cycles and not any(state.in_contact.any() for state in first.states):
         raise ValueError(
             "cycle must bring the bodies into contact in its repeated part, "
             "got no contact: increase the load"
         )
     while left > 0:
-        now = _solve_repeat(scene, heights) if parts else first
-        most = _most_repeats(scene, now)
-        if left > (_MAX_PARTS - parts) * most:
+        now = _solve_repeat(setup, heights) if parts else first
+        max_repeats = _max_repeats(setup, now)
+        if left > (_MAX_PARTS - parts) * max_repeats:
             raise ValueError(
-                f"{scene.law} and repeats are too large: a cycle may be divided into at "
-                f"most {_MAX_PARTS} solutions, and each can stand for only {most:.3g} "
-                f"repeats; got {max(scene.coefficients)!r} 1/Pa and {scene.repeats} "
+                f"{setup.law} and repeats are too large: a cycle may be divided into at "
+                f"most {_MAX_PARTS} solutions, and each can stand for only {max_repeats:.3g} "
+                f"repeats; got {max(setup.coefficients)!r} 1/Pa and {setup.repeats} "
                 "repeats: use fewer repeats, or check the unit of the coefficient"
             )
-        count = min(left, most)
+        count = min(left, max_repeats)
         removed += count * now.worn
-        work += count * _integral(scene.grid, now.work)
-        for body in scene.worn:
-            lost = scene.coefficients[body - 1] * removed
+        work += count * _integral(setup.grid, now.work)
+        for body in setup.worn:
+            lost = setup.coefficients[body - 1] * removed
             heights[body][-1] = standing.heights[body][-1] - lost
         left, parts = left - count, parts + 1
-    volumes = tuple(scene.coefficients[b - 1] * _integral(scene.grid, removed) for b in scene.worn)
+    volumes = tuple(setup.coefficients[b - 1] * _integral(setup.grid, removed) for b in setup.worn)
     cycle = _record(first, heights, volumes, len(standing.cycles) + 1, parts, work)
     return first.states, WearProgress(heights, {}, [*standing.cycles, cycle])
 
 
-def _most_repeats(scene: FrettingSetup, now: _Repeat) -> float:
+def _max_repeats(setup: FrettingSetup, now: _Repeat) -> float:
     """Return the number of repeats after which the contact must be solved again.
 
     Wear of depth c p changes a pressure wave of wavenumber k by the fraction -c E* k/2.
     """
-    grid = scene.grid
+    grid = setup.grid
     steps = [1 / step for n, step in ((grid.nx, grid.dx), (grid.ny, grid.dy)) if n > 1]
     shortest = math.pi * math.hypot(*steps)
-    stiffness = 0.5 * hertz.effective_modulus(*scene.bodies) * shortest
-    change = sum(scene.coefficients) * float(now.per_pressure.max()) * stiffness
+    stiffness = 0.5 * hertz.effective_modulus(*setup.bodies) * shortest
+    change = sum(setup.coefficients) * float(now.per_pressure.max()) * stiffness
     return _MAX_PRESSURE_CHANGE / change if change > 0 else math.inf
 
 
@@ -234,7 +234,7 @@ def _record(
 ) -> FrettingCycle:
     losses = [rows[-2] - rows[-1] for rows in heights.values()]
     loaded = max(first.states, key=lambda state: state.load)
-    grid, sticking = loaded.grid, loaded.in_contact & (first.way == 0)
+    grid, sticking = loaded.grid, loaded.in_contact & (first.slip_distance == 0)
     return FrettingCycle(
         number=number,
         parts=parts,
@@ -242,7 +242,7 @@ def _record(
         volume=volumes,
         lost_volume=tuple(_integral(grid, loss) for loss in losses),
         depth=tuple(float(loss.max()) for loss in losses),
-        slip_distance=float(first.way.max()),
+        slip_distance=float(first.slip_distance.max()),
         max_pressure=max(float(state.pressure.max()) for state in first.states),
         contact_area=loaded.contact_area,
         stick_area=int(np.count_nonzero(sticking)) * grid.cell_area,

@@ -12,9 +12,9 @@ from .._util.checks import (
     exactly_one,
     finite_array,
     number,
-    of_bodies,
     require_type,
     step_list,
+    value_per_body,
 )
 from .._util.short_text import in_short
 from ..bodies.layered import require_homogeneous
@@ -87,7 +87,7 @@ def make_setup(
             f"friction must be > 0 and finite for wear by frictional work, got {friction!r}"
         )
     law = exactly_one(energy=energy, archard=archard)
-    coefficients = of_bodies(law, energy if energy is not None else archard)  # type: ignore[arg-type]
+    coefficients = value_per_body(law, energy if energy is not None else archard)  # type: ignore[arg-type]
     if not any(coefficients):
         raise ValueError(f"{law} must be > 0 for at least one body, got {coefficients!r}")
     warn_if_implausible(wear_coefficient(law, max(coefficients)), stacklevel=4)
@@ -115,11 +115,13 @@ def closing(path: list[dict[str, Any]]) -> int:
     Raises ValueError if the path does not return to an earlier step, or if bodies move.
     """
     places = _places(path)
-    most = [max(abs(place[k][1]) for place in places) for k in range(len(places[0]))]
+    scales = [max(abs(place[k][1]) for place in places) for k in range(len(places[0]))]
     for n, place in enumerate(places[:-1]):
         if all(
             kind == last_kind and abs(value - last) <= _ROUNDING_ERROR * size
-            for (kind, value), (last_kind, last), size in zip(place, places[-1], most, strict=True)
+            for (kind, value), (last_kind, last), size in zip(
+                place, places[-1], scales, strict=True
+            )
         ):
             return n
     raise ValueError(

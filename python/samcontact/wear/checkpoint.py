@@ -73,8 +73,8 @@ class WearProgress:
     cycles: list[AnyCycle] = field(default_factory=list)
 
 
-def _identity(scene: WearProblem) -> Identity:
-    return identity(**vars(scene))
+def _identity(problem: WearProblem) -> Identity:
+    return identity(**vars(problem))
 
 
 def alone(path: str | os.PathLike[str]) -> AbstractContextManager[None]:
@@ -95,18 +95,18 @@ def require_own(path: str | os.PathLike[str] | None) -> None:
             require_marked(file)
 
 
-def write(path: str | os.PathLike[str], scene: WearProblem, standing: WearProgress) -> None:
+def write(path: str | os.PathLike[str], problem: WearProblem, standing: WearProgress) -> None:
     """Write a checkpoint file; the old file is copied to `_before`, and stays if this fails."""
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)
     records = {
         item.name: np.array([getattr(one, item.name) for one in standing.cycles])
-        for item in dataclasses.fields(scene.record)
+        for item in dataclasses.fields(problem.record)
     }
     tree: Tree = {f"heights{body}": np.stack(rows) for body, rows in standing.heights.items()}
     tree |= {f"strain{body}": vars(kept) for body, kept in standing.strains.items()}
-    write_file(path, _KIND, {"run": _identity(scene), **tree, "cycles": records})
+    write_file(path, _KIND, {"run": _identity(problem), **tree, "cycles": records})
 
 
 def _is_whole(path: str | os.PathLike[str]) -> bool:
@@ -116,11 +116,11 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
         return False
 
 
-def latest(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | None:
+def latest(path: str | os.PathLike[str], problem: WearProblem) -> WearProgress | None:
     """Read a checkpoint file; if it is damaged, warn and read that of the preceding cycle."""
-    require_identified(_identity(scene))
+    require_identified(_identity(problem))
     try:
-        return read(path, scene)
+        return read(path, problem)
     except DamagedCheckpointError as error:
         if not _before(path).exists():
             raise DamagedCheckpointError(
@@ -129,10 +129,10 @@ def latest(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | N
         warnings.warn(
             f"{error}: the run continues from the checkpoint of the preceding cycle", stacklevel=3
         )
-        return read(_before(path), scene)
+        return read(_before(path), problem)
 
 
-def read(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | None:
+def read(path: str | os.PathLike[str], problem: WearProblem) -> WearProgress | None:
     """Read the state from a checkpoint file; None if there is no file.
 
     Raises CheckpointError if the file is damaged, of another kind, or from other arguments.
@@ -140,43 +140,43 @@ def read(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | Non
     if not Path(path).exists():
         return None
     tree = read_file(path, _KIND)
-    require_same(path, _identity(scene), tree)
+    require_same(path, _identity(problem), tree)
     try:
-        return _standing(tree, scene)
+        return _standing(tree, problem)
     except READ_ERRORS as error:
         raise damaged(path, error) from error
 
 
-def _standing(tree: Tree, scene: WearProblem) -> WearProgress:
-    cycles = _cycles(tree["cycles"], scene)
+def _standing(tree: Tree, problem: WearProblem) -> WearProgress:
+    cycles = _cycles(tree["cycles"], problem)
     standing = WearProgress({}, {}, cycles)
-    for body in scene.worn:
-        _, rows = scene.rows(body)
-        shape = (len(cycles) + 1, rows, scene.grid.ny)
+    for body in problem.worn:
+        _, rows = problem.rows(body)
+        shape = (len(cycles) + 1, rows, problem.grid.ny)
         standing.heights[body] = list(array(tree, f"heights{body}", shape))
     for body in (1, 2):
         if f"strain{body}" in tree:
             part, back = tree[f"strain{body}"], None
-            ny, layers = scene.grid.ny, scene.grid.nz or None
+            ny, layers = problem.grid.ny, problem.grid.nz or None
             equivalent = array(part, "equivalent", (None, ny, layers))
             strain = array(part, "strain", (6, *equivalent.shape))
             if "backstress" in part:
-                terms = len(scene.bodies[body - 1].kinematic)
+                terms = len(problem.bodies[body - 1].kinematic)
                 back = array(part, "backstress", (terms, *strain.shape))
             standing.strains[body] = BodyStrain(int(part["first"]), strain, equivalent, back)
     return standing
 
 
-def _cycles(records: Tree, scene: WearProblem) -> list[AnyCycle]:
-    count, worn = len(records["number"]), len(scene.worn)
-    for item in dataclasses.fields(scene.record):
-        per_body = item.name in scene.record.PER_BODY
+def _cycles(records: Tree, problem: WearProblem) -> list[AnyCycle]:
+    count, worn = len(records["number"]), len(problem.worn)
+    for item in dataclasses.fields(problem.record):
+        per_body = item.name in problem.record.PER_BODY
         shape: tuple[int, ...] = (count, worn) if per_body else (count,)
         if np.shape(records[item.name]) != shape:
             raise ValueError(f"{item.name} of the cycles must have {shape} finite numbers")
     if list(records["number"]) != list(range(1, count + 1)):
         raise ValueError("the cycles must be numbered consecutively")
-    return [scene.record(**{k: _plain(v[n]) for k, v in records.items()}) for n in range(count)]
+    return [problem.record(**{k: _plain(v[n]) for k, v in records.items()}) for n in range(count)]
 
 
 def _plain(value: Any) -> Any:

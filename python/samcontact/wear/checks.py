@@ -70,9 +70,9 @@ class WearSetup:
     def rows(self, body: int) -> tuple[int, int]:
         """Return the first row and number of rows of a body that pass through the grid."""
         cells = travels(self.cycle)[:, body - 1] / self.grid.dx
-        beside = max(self.filter.sides) + _MARGIN_ROWS
-        first = -int(np.ceil(cells.max())) - beside
-        end = self.grid.nx - int(np.floor(cells.min())) + beside
+        margin = max(self.filter.sides) + _MARGIN_ROWS
+        first = -int(np.ceil(cells.max())) - margin
+        end = self.grid.nx - int(np.floor(cells.min())) + margin
         return first, end - first
 
 
@@ -112,7 +112,7 @@ def make_setup(
             )
     path = step_list("cycle", cycle, STEP_ARGUMENTS)
     _check_cycle(path, grid)
-    scene = WearSetup(
+    setup = WearSetup(
         grid,
         bodies,
         surfaces.initial_gap,
@@ -125,8 +125,8 @@ def make_setup(
         surfaces.reliefs,
         settings,
     )
-    _check_filter(scene)
-    return scene
+    _check_filter(setup)
+    return setup
 
 
 def make_filter(
@@ -181,12 +181,12 @@ def travels(path: list[dict[str, Any]]) -> FloatArray:
     return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
 
 
-def _check_filter(scene: WearSetup) -> None:
+def _check_filter(setup: WearSetup) -> None:
     """Raise ValueError for a filter wider than the contact, which would spread wear beyond it."""
     with warnings.catch_warnings():
         # in the cycles, bodies yield and do not reach this elastic pressure
         warnings.simplefilter("ignore", ElasticStrainWarning)
-        pressure = _elastic_pressure(scene)
+        pressure = _elastic_pressure(setup)
     touched_cells = in_contact(pressure)
     if not touched_cells.any():
         raise ValueError("cycle must have at least one step with contact, got none")
@@ -194,36 +194,36 @@ def _check_filter(scene: WearSetup) -> None:
         touched = np.flatnonzero(touched_cells.any(axis=1 - axis))
         extent = int(touched[-1] - touched[0]) + 1
         size = f"the contact ({extent} cells along {name} at maximum load)"
-        if isinstance(scene.filter, Gaussian):
-            cells = scene.filter.deviation[axis]
+        if isinstance(setup.filter, Gaussian):
+            cells = setup.filter.deviation[axis]
             if cells * _MOVING_MEAN_WIDTH > max(extent, 1):
-                dx = (scene.grid.dx, scene.grid.dy)[axis]
+                dx = (setup.grid.dx, setup.grid.dy)[axis]
                 longest = max(extent, 1) * dx / _MOVING_MEAN_WIDTH
                 raise ValueError(
                     f"smoothing_length must be <= {longest:.3g} m, so that wear is not spread "
                     f"beyond {size}, got {cells * dx:.6g}"
                 )
-        elif scene.filter.sides[axis] > max(extent, 1):
+        elif setup.filter.sides[axis] > max(extent, 1):
             raise ValueError(
-                f"window must not be larger than {size}, got {scene.filter.sides[axis]}"
+                f"window must not be larger than {size}, got {setup.filter.sides[axis]}"
             )
 
 
-def _elastic_pressure(scene: WearSetup) -> FloatArray:
-    path, grid = scene.cycle, scene.grid
+def _elastic_pressure(setup: WearSetup) -> FloatArray:
+    path, grid = setup.cycle, setup.grid
     given = [step["pressure"] for step in path if step.get("pressure") is not None]
     if given:
         fields = [finite_array("pressure", field, grid.surface_shape) for field in given]
         return max(fields, key=lambda field: float(field.sum()))
-    gap = scene.gap.copy()
-    for relief in scene.reliefs:
+    gap = setup.gap.copy()
+    for relief in setup.reliefs:
         if relief is not None:
             gap -= heights_over(relief, 0, grid.nx)
     body1, body2 = (
-        Material.elastic(body.E, body.nu) if body.is_plastic else body for body in scene.bodies
+        Material.elastic(body.E, body.nu) if body.is_plastic else body for body in setup.bodies
     )
     solver = ContactSolver(
-        grid, body1, body2, scene.friction, on_border=scene.settings.get("on_border", "error")
+        grid, body1, body2, setup.friction, on_border=setup.settings.get("on_border", "error")
     )
     loads = [number("load", step["load"]) for step in path if step.get("load") is not None]
     if max(loads) > 0:

@@ -109,7 +109,7 @@ def run(
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
     require_own(checkpoint)
-    scene = make_setup(
+    setup = make_setup(
         grid,
         (body1, body2),
         SurfaceGeometry(gap, relief1, relief2),
@@ -121,31 +121,31 @@ def run(
         friction,
         settings,
     )
-    return repeat(WearResult, scene, _advance, count, checkpoint, progress)
+    return repeat(WearResult, setup, _advance, count, checkpoint, progress)
 
 
-def _advance(scene: WearSetup, standing: WearProgress) -> tuple[Moments, WearProgress]:
-    moments = _solve(scene, standing)
-    return moments, _wear(scene, standing, moments)
+def _advance(setup: WearSetup, standing: WearProgress) -> tuple[Moments, WearProgress]:
+    moments = _solve(setup, standing)
+    return moments, _wear(setup, standing, moments)
 
 
-def _solve(scene: WearSetup, standing: WearProgress) -> Moments:
+def _solve(setup: WearSetup, standing: WearProgress) -> Moments:
     """Solve one cycle; return the state at maximum load and the state at the end.
 
     Among several states at maximum load (e.g. in rolling), the state with the maximum pressure is
     returned.
     """
-    body1, body2 = scene.bodies
-    relief1, relief2 = reliefs_of(scene, standing)
+    body1, body2 = setup.bodies
+    relief1, relief2 = reliefs_of(setup, standing)
     simulation = Simulation(
-        scene.grid,
+        setup.grid,
         body1,
         body2,
-        scene.gap,
-        scene.friction,
+        setup.gap,
+        setup.friction,
         relief1=relief1,
         relief2=relief2,
-        **scene.settings,
+        **setup.settings,
     )
     simulation.monitor.checks_steps = False
     simulation.monitor.checks_increments = False  # not for each of many cycles
@@ -153,8 +153,8 @@ def _solve(scene: WearSetup, standing: WearProgress) -> Moments:
         simulation.set_plastic_strain(
             body, kept.strain, kept.equivalent, kept.backstress, first=kept.first
         )
-    peak = state = simulation.step(**scene.cycle[0])
-    for step in scene.cycle[1:]:
+    peak = state = simulation.step(**setup.cycle[0])
+    for step in setup.cycle[1:]:
         state = simulation.step(**step)
         if state.load >= (1.0 - LOAD_TOLERANCE) * peak.load:
             more = state.load > (1.0 + LOAD_TOLERANCE) * peak.load
@@ -186,25 +186,25 @@ def _strain_of(state: State, body: int) -> BodyStrain | None:
     )
 
 
-def _wear(scene: WearSetup, standing: WearProgress, moments: Moments) -> WearProgress:
+def _wear(setup: WearSetup, standing: WearProgress, moments: Moments) -> WearProgress:
     """Remove overstrained material after a cycle, and move the remaining plastic strain up."""
     peak, end = moments
-    found = {body: _strain_of(end, body) for body in (1, 2) if scene.bodies[body - 1].is_plastic}
+    found = {body: _strain_of(end, body) for body in (1, 2) if setup.bodies[body - 1].is_plastic}
     strains = {body: kept for body, kept in found.items() if kept is not None}
     heights = {body: list(before) for body, before in standing.heights.items()}
     sums: list[tuple[float, float, float]] = []
-    for body in scene.worn:
-        exact = _worn_depth(scene, body, strains.get(body))
-        volume = math.fsum(exact.flat) * scene.grid.cell_area
-        worn = scene.filter(exact)
+    for body in setup.worn:
+        exact = _worn_depth(setup, body, strains.get(body))
+        volume = math.fsum(exact.flat) * setup.grid.cell_area
+        worn = setup.filter(exact)
         heights[body].append(heights[body][-1] - worn)
-        lost = math.fsum((heights[body][-2] - heights[body][-1]).flat) * scene.grid.cell_area
+        lost = math.fsum((heights[body][-2] - heights[body][-1]).flat) * setup.grid.cell_area
         sums.append((volume, lost, float(worn.max())))
         if body in strains and volume > 0:
-            moved = exact if scene.strain_depth == "exact" else worn
-            strains[body] = _moved_up(scene, body, strains[body], moved)
+            moved = exact if setup.strain_depth == "exact" else worn
+            strains[body] = _moved_up(setup, body, strains[body], moved)
     volumes, losts, depths = zip(*sums, strict=True)
-    bodies = [found[body] for body in scene.worn]
+    bodies = [found[body] for body in setup.worn]
     record = Cycle(
         number=len(standing.cycles) + 1,
         volume=volumes,
@@ -213,7 +213,7 @@ def _wear(scene: WearSetup, standing: WearProgress, moments: Moments) -> WearPro
         surface_strain=tuple(_largest(b, slice(0, 1)) for b in bodies),
         max_equivalent_plastic_strain=tuple(_largest(b, slice(None)) for b in bodies),
         max_pressure=float(peak.pressure.max()),
-        max_von_mises=max(float(peak.von_mises(body=body).max()) for body in scene.worn),
+        max_von_mises=max(float(peak.von_mises(body=body).max()) for body in setup.worn),
         contact_area=peak.contact_area,
         cells_across_contact=resolution.cells_across(peak.repulsion),
         layers_across_plastic_zone=tuple(
@@ -227,17 +227,17 @@ def _largest(kept: BodyStrain | None, layers: slice) -> float:
     return 0.0 if kept is None else float(kept.equivalent[:, :, layers].max())
 
 
-def _worn_depth(scene: WearSetup, body: int, kept: BodyStrain | None) -> FloatArray:
+def _worn_depth(setup: WearSetup, body: int, kept: BodyStrain | None) -> FloatArray:
     """Return the wear depth before smoothing [m], on the rows of `heights`."""
-    grid = scene.grid
+    grid = setup.grid
     assert grid.dz is not None
-    first, rows = scene.rows(body)
+    first, rows = setup.rows(body)
     found = np.zeros((rows, grid.ny))
     if kept is None:
         return found
     place = slice(kept.first - first, kept.first - first + len(kept.equivalent))
-    found[place] = depth(kept.equivalent, grid.dz, scene.threshold)
-    side = scene.filter.sides[1] // 2
+    found[place] = depth(kept.equivalent, grid.dz, setup.threshold)
+    side = setup.filter.sides[1] // 2
     if side and (found[:, :side].any() or found[:, -side:].any()):
         raise ValueError(
             f"wear of body {body} must be more than {side} cells from the sides of the grid, y = "
@@ -247,12 +247,12 @@ def _worn_depth(scene: WearSetup, body: int, kept: BodyStrain | None) -> FloatAr
     return found
 
 
-def _moved_up(scene: WearSetup, body: int, kept: BodyStrain, worn: FloatArray) -> BodyStrain:
+def _moved_up(setup: WearSetup, body: int, kept: BodyStrain, worn: FloatArray) -> BodyStrain:
     """Return the remaining plastic strain at depths below the worn surface."""
-    assert scene.grid.dz is not None
-    first, _ = scene.rows(body)
+    assert setup.grid.dz is not None
+    first, _ = setup.rows(body)
     removed = worn[kept.first - first : kept.first - first + len(kept.equivalent)]
-    dz = scene.grid.dz
+    dz = setup.grid.dz
     back = (
         None
         if kept.backstress is None

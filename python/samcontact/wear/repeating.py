@@ -28,7 +28,7 @@ Advance = Callable[[S, WearProgress], tuple[Moments, WearProgress]]
 
 def repeat(
     kind: type[R],
-    scene: S,
+    problem: S,
     advance: Advance[S],
     count: int,
     checkpoint: str | os.PathLike[str] | None,
@@ -36,21 +36,21 @@ def repeat(
 ) -> R:
     """Repeat cycles until no material is removed, from the start or from a checkpoint."""
     with nullcontext() if checkpoint is None else alone(checkpoint):
-        standing = None if checkpoint is None else latest(checkpoint, scene)
+        standing = None if checkpoint is None else latest(checkpoint, problem)
         if standing is None:
-            standing = _start(scene)
+            standing = _start(problem)
         if len(standing.cycles) >= count:
             done = len(standing.cycles)
             raise ValueError(
                 "cycles must be greater than the number of cycles in the "
                 f"checkpoint ({done}), got {count}"
             )
-        return _repeat(kind, scene, advance, standing, count, checkpoint, progress)
+        return _repeat(kind, problem, advance, standing, count, checkpoint, progress)
 
 
 def _repeat(
     kind: type[R],
-    scene: S,
+    problem: S,
     advance: Advance[S],
     standing: WearProgress,
     count: int,
@@ -62,16 +62,16 @@ def _repeat(
     with progress_bar(count, "cycle", shown=progress, initial=len(standing.cycles)) as bar:
         while not stopped and len(standing.cycles) < count:
             try:
-                moments, after = advance(scene, standing)
+                moments, after = advance(problem, standing)
             except Exception as error:
                 if last is not None:
                     attach(
-                        error, result=_result(kind, scene, advance, standing, False, first, last)
+                        error, result=_result(kind, problem, advance, standing, False, first, last)
                     )
                 raise
             first = moments if not standing.cycles else first
             surface = hertz_estimate.ContactSetup(
-                scene.grid, scene.gap, scene.bodies, relieved=True
+                problem.grid, problem.gap, problem.bodies, relieved=True
             )
             coarse = coarse or resolution.warn_of_run(moments, surface, stacklevel=4)
             standing, last = after, moments
@@ -80,54 +80,54 @@ def _repeat(
             bar.set_postfix(volume=f"{sum(standing.cycles[-1].volume):.3g} m3")
             # A finished computation keeps the initial state of its last cycle, to restore `last`.
             if checkpoint is not None and not stopped and len(standing.cycles) < count:
-                write(checkpoint, scene, standing)
+                write(checkpoint, problem, standing)
     assert last is not None
-    return _result(kind, scene, advance, standing, stopped, first, last)
+    return _result(kind, problem, advance, standing, stopped, first, last)
 
 
-def _start(scene: WearProblem) -> WearProgress:
+def _start(problem: WearProblem) -> WearProgress:
     heights = {}
-    for body in scene.worn:
-        first, rows = scene.rows(body)
-        relief, blank = scene.reliefs[body - 1], np.zeros((rows, scene.grid.ny))
+    for body in problem.worn:
+        first, rows = problem.rows(body)
+        relief, blank = problem.reliefs[body - 1], np.zeros((rows, problem.grid.ny))
         heights[body] = [blank if relief is None else heights_over(relief, first, rows)]
     return WearProgress(heights)
 
 
-def reliefs_of(scene: WearProblem, standing: WearProgress) -> list[Relief | None]:
+def reliefs_of(problem: WearProblem, standing: WearProgress) -> list[Relief | None]:
     """Return the current surfaces of both bodies; None for a smooth surface without wear."""
-    reliefs = list(scene.reliefs)
-    for body in scene.worn:
-        first, _ = scene.rows(body)
+    reliefs = list(problem.reliefs)
+    for body in problem.worn:
+        first, _ = problem.rows(body)
         heights = standing.heights[body]
         worn = np.maximum(heights[0] - heights[-1], 0.0)
         reliefs[body - 1] = Relief(heights[-1], first, worn=worn)
     return reliefs
 
 
-def _solved_first(first: Moments | None, advance: Advance[S], scene: S) -> Moments:
-    return first if first is not None else advance(scene, _start(scene))[0]
+def _solved_first(first: Moments | None, advance: Advance[S], problem: S) -> Moments:
+    return first if first is not None else advance(problem, _start(problem))[0]
 
 
 def _result(
     kind: type[R],
-    scene: S,
+    problem: S,
     advance: Advance[S],
     standing: WearProgress,
     stopped: bool,
     first: Moments | None,
     last: Moments,
 ) -> R:
-    relief1, relief2 = reliefs_of(scene, standing)
+    relief1, relief2 = reliefs_of(problem, standing)
     return kind(
-        grid=scene.grid,
-        worn=scene.worn,
+        grid=problem.grid,
+        worn=problem.worn,
         cycles=standing.cycles,
         stopped=stopped,
         heights={body: np.stack(heights) for body, heights in standing.heights.items()},
-        first_row={body: scene.rows(body)[0] for body in scene.worn},
+        first_row={body: problem.rows(body)[0] for body in problem.worn},
         last=last,
-        _solve_first=partial(_solved_first, first, advance, scene),
+        _solve_first=partial(_solved_first, first, advance, problem),
         relief1=relief1,
         relief2=relief2,
     )

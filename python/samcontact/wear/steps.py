@@ -68,11 +68,11 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
     layer = np.argmax(columns <= limit, axis=1) - 1  # the last one above the threshold
     rows, slopes = np.arange(len(columns)), _slopes(columns)
     ends = (columns[rows, layer], columns[rows, layer + 1])
-    turned = (slopes[rows, layer], slopes[rows, layer + 1])
+    slopes_at_ends = (slopes[rows, layer], slopes[rows, layer + 1])
     low, high = np.zeros(len(columns)), np.ones(len(columns))
     for _ in range(_BISECTIONS):
         middle = 0.5 * (low + high)
-        above = _hermite(middle, ends, turned) > limit
+        above = _hermite(middle, ends, slopes_at_ends) > limit
         low, high = np.where(above, middle, low), np.where(above, high, middle)
     found[worn] = (layer + 0.5 + 0.5 * (low + high)) * step
     return found
@@ -158,10 +158,10 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
                 padded, cells, degree, axis=axis, mode="constant", cval=0.0
             )
             result = padded[cells:-cells] if axis == 0 else padded[:, cells:-cells]
-    return _with_volume_of(given, np.maximum(result, 0.0))  # the filter undershoots near a step
+    return _scaled_to_volume(given, np.maximum(result, 0.0))  # the filter undershoots near a step
 
 
-def _with_volume_of(given: FloatArray, result: FloatArray) -> FloatArray:
+def _scaled_to_volume(given: FloatArray, result: FloatArray) -> FloatArray:
     total = math.fsum(given.flat)
     scaled = np.asarray(result * (total / math.fsum(result.flat)), dtype=np.float64)
     # The rounding error of the scaling is added to the deepest cell, where it matters least.
@@ -199,7 +199,7 @@ class Gaussian:
         if not depth.any():
             return np.array(depth)
         options = {"mode": "constant", "truncate": _CUTOFF_DEVIATIONS}
-        return _with_volume_of(
+        return _scaled_to_volume(
             depth, scipy.ndimage.gaussian_filter(depth, self.deviation, **options)
         )
 

@@ -41,10 +41,10 @@ def solved(**environment):
 def test_invalid_openmp_settings_do_no_harm():
     digits, threads, stated = solved(OMP_NUM_THREADS="1")
     assert (threads, stated) == (1, "")
-    most = 8 * os.cpu_count()
+    maximum = 8 * os.cpu_count()
     for environment, expected in (
-        ({"OMP_NUM_THREADS": "2147483648"}, most),  # 2^31 and 2^32 + 1 do not fit an int
-        ({"OMP_NUM_THREADS": "4294967297"}, most),
+        ({"OMP_NUM_THREADS": "2147483648"}, maximum),  # 2^31 and 2^32 + 1 do not fit an int
+        ({"OMP_NUM_THREADS": "4294967297"}, maximum),
         ({"OMP_NUM_THREADS": "3", "OMP_STACKSIZE": "16k"}, 3),
         ({"OMP_NUM_THREADS": "3", "OMP_THREAD_LIMIT": "1"}, 1),
         ({"OMP_NUM_THREADS": "3", "OMP_THREAD_LIMIT": "2147483648"}, 3),

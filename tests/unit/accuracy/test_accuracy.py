@@ -116,8 +116,8 @@ def test_yield_below_a_coating_is_closer_than_the_stated_error():
 def test_elastic_plastic_layers_end_between_cells_on_all_grids():
     bodies = {"body1": layered(1e-4), "body2": layered(6e-5, 5e-5)}
     case = SectionsOfCase.model_validate({"title": "x", "accuracy": 0.1, **ELASTIC, **bodies})
-    scene = RefinableCase(case)
-    depths = [scene.on(level, 1).grid.dz for level in range(9)]
+    problem = RefinableCase(case)
+    depths = [problem.on(level, 1).grid.dz for level in range(9)]
     for dz in depths:
         cells = np.array([6e-5, 1e-4, 11e-5]) / dz
         assert cells == pytest.approx(np.round(cells), abs=1e-9)
@@ -181,21 +181,21 @@ def test_a_graded_body_agrees_with_finer_grids():
 def test_only_segments_with_plastic_flow_have_many_increments():
     path = [{"approach": 2.5e-5}, {"load": 900.0, "start": 1800.0}, {"load": 0.0}]
     case = SectionsOfCase.model_validate({"title": "x", "accuracy": 0.1, **YIELDING, "path": path})
-    scene = RefinableCase(case)
-    run = scene.run(0, 2)
-    scene.settle(run)
+    problem = RefinableCase(case)
+    run = problem.run(0, 2)
+    problem.settle(run)
     # from 1800 N, which the approach does not reach, it is loaded on
-    counts = [segment.increments for segment in scene.on(1, 4).path]
+    counts = [segment.increments for segment in problem.on(1, 4).path]
     assert counts == [4, 32, 1]
-    assert case.contact.tol == scene.on(1, 4).contact.tol == 1e-6
-    scene.accept(0.01)
-    assert scene.on(1, 4).contact.tol == 1e-4
+    assert case.contact.tol == problem.on(1, 4).contact.tol == 1e-6
+    problem.accept(0.01)
+    assert problem.on(1, 4).contact.tol == 1e-4
 
 
 def test_corrections_of_first_order_hold_on_other_grids():
-    twice = np.array([1.0, 1.0, 1.0, 0.0])
+    doubled = np.array([1.0, 1.0, 1.0, 0.0])
     more = np.array([2.0, 9.0, -2.0, 0.5])
-    assert np.array_equal(estimate.irregular(more, twice), [0.0, 7.0, 4.0, 0.5])
+    assert np.array_equal(estimate.irregular(more, doubled), [0.0, 7.0, 4.0, 0.5])
 
 
 def test_corrections_come_from_the_grid_that_resolves_the_value():
@@ -298,15 +298,15 @@ def test_a_case_needs_a_grid_or_an_accuracy():
 @pytest.mark.parametrize("order", [1.0, 1.5, 2.0])
 def test_orders_are_recognised_and_noise_is_not_extrapolated(order):
     cells = 2.0 ** (0.5 * np.arange(6))
-    clean = estimate.of_grids(3.0 + 0.7 * cells**-order)
+    clean = estimate.extrapolate_grids(3.0 + 0.7 * cells**-order)
     assert clean.extrapolated
     assert abs(clean.values - 3.0) < 1e-12
     assert clean.errors > 0
     noisy = 3.0 + 0.7 * cells**-order * np.array([1.0, -0.4, 1.2, 0.6, -0.8, 1.0])
-    found = estimate.of_grids(noisy)
+    found = estimate.extrapolate_grids(noisy)
     assert not found.extrapolated
     assert found.values == noisy[-1]
     assert abs(found.values - 3.0) < found.errors
     halves = 2.0 ** np.arange(4)
-    more = estimate.of_doublings(np.diff(5.0 + 2.0 / halves), used=1)
+    more = estimate.extrapolate_increments(np.diff(5.0 + 2.0 / halves), used=1)
     assert more.values == pytest.approx(-1.0, rel=1e-12)

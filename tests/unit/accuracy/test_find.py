@@ -60,14 +60,14 @@ def test_a_run_with_the_load_reaches_the_strain():
 def test_permanent_deformation_is_the_sum_for_both_bodies():
     """The sum of both imprint depths, as in ISO 76: twice one depth for identical materials."""
 
-    def alike(load):
+    def identical(load):
         size = 24e-6
         grid = sc.Grid(31, 31, size, size, dz=size)
         simulation = sc.Simulation(grid, SOFT, SOFT, sc.surfaces.paraboloid(grid, R))
         return simulation, sc.paths.load_unload(load=load, increments=4, unload_increments=1)
 
-    both = sc.find_load(alike, "permanent_deformation", 0.2e-6, largest_load=1000.0)
-    one = sc.find_load(alike, "imprint_depth_body1", 0.1e-6, largest_load=1000.0)
+    both = sc.find_load(identical, "permanent_deformation", 0.2e-6, largest_load=1000.0)
+    one = sc.find_load(identical, "imprint_depth_body1", 0.1e-6, largest_load=1000.0)
     assert both.load == pytest.approx(one.load, rel=1e-3)
     prints = [both.states[-1].residual_displacement(body).max() for body in (1, 2)]
     assert sum(prints) == pytest.approx(0.2e-6, rel=5e-3)

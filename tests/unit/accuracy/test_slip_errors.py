@@ -59,8 +59,8 @@ def test_fretting_against_mindlin_and_deresiewicz():
 
 def test_rolling_against_finer_cells():
     def rolls(grid):
-        ways = (-grid.dx * 0.999, -grid.dx * 1.001)
-        return [{"load": LOAD}] + [{"load": LOAD, "advance": ways}] * (5 * (grid.nx - 9) // 2)
+        travels = (-grid.dx * 0.999, -grid.dx * 1.001)
+        return [{"load": LOAD}] + [{"load": LOAD, "advance": travels}] * (5 * (grid.nx - 9) // 2)
 
     states, found, a = run(0.3, 12, rolls)
     body = sc.Material.elastic(E, 0.3)
@@ -112,11 +112,11 @@ def test_errors_of_oblique_loading_are_those_of_the_theory(number):
         path = [{"load": P, "tangential_load": (0.2 * P, 0.0)} for P in loads]
         state = simulation.run(path, progress=False)[-1]
         shears[increments] = state.shear[:, state.pressure > 0]
-    most = 0.3 * state.pressure.max()
+    maximum = 0.3 * state.pressure.max()
     for increments, text in zip((1, 8), STATED, strict=True):
         stated = re.findall(r"[\d.]+", text)[number]
         squares = np.sum((shears[increments] - shears[64]) ** 2, axis=0)
-        found = 100 * np.sqrt(squares.mean()) / most
+        found = 100 * np.sqrt(squares.mean()) / maximum
         assert f"{found:.1f}" == stated
 
 

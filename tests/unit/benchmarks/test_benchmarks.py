@@ -255,8 +255,8 @@ class TestSlip:
                 assert row["shear_work"] <= (25 if row["method"] == "tol 1e-4" else 50)
                 assert row["shear_applications"] <= 6
                 assert row["error: shift"] < 1e-3
-        (march,) = [row for row in rows if row["case"] == slip.ENTRY]
-        assert march["most_in_a_step"] <= 25
+        (entry,) = [row for row in rows if row["case"] == slip.ENTRY]
+        assert entry["most_in_a_step"] <= 25
         (shifted,) = [row for row in rows if row["case"].endswith("shifted")]
         assert shifted["error: force"] < 1e-3
 
@@ -265,10 +265,10 @@ class TestSlip:
 
     def test_notes_state_the_maximum(self, rows):
         (note,) = slip.notes(rows)
-        most = max(
+        maximum = max(
             r["shear_work"] for r in rows if r["case"][0] == "Q" and r["method"] == "tol 1e-8"
         )
-        assert f"{most:.0f} at 1e-8" in note
+        assert f"{maximum:.0f} at 1e-8" in note
         assert "CONTACT" not in note  # of its own grid only
 
 

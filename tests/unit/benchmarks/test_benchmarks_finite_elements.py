@@ -179,7 +179,7 @@ def test_errors_are_those_of_a_known_limit():
 def test_both_codes_agree():
     for name, worst in (("balls", 0.045), ("wave", 0.045)):
         theirs, ours = tables.both(finite_elements.runs_of(STORED_RECORDS, name)).values()
-        for quantity in finite_elements.SCENES[name].QUANTITIES:
+        for quantity in finite_elements.PROBLEMS[name].QUANTITIES:
             limit = tables.limit(theirs, quantity)
             assert tables.limit(ours, quantity) == pytest.approx(limit, rel=worst), quantity
 

@@ -54,7 +54,7 @@ AGAIN = [
     ("static_capacity", {"of": "steels", "name": "AISI 52100", "pressure": 4.2e9}, 1e-4),
     ("finite_elements", {"of": "balls", "by": "samcontact", "size": 8}, 1e-5),
     ("finite_elements", {"of": "wave", "by": "samcontact", "size": 16}, 1e-5),
-    ("accuracy", {"of": "semi-axes 1:4", "asked": 0.01}, 0.02),
+    ("accuracy", {"of": "semi-axes 1:4", "accuracy": 0.01}, 0.02),
     ("wear_convergence", {"of": "lens", "dx": 60 * 1e-6, "dz": 24 * 1e-6, "increments": 1}, 0.01),
 ]  # fmt: skip
 
@@ -247,7 +247,7 @@ SMALL_RUNS = {
     "increments": (lambda: theory.increments((1,), 16, 8), 0.4, 2.5, ["increments"]),
     "grid_errors": (lambda: theory.grid_errors((8, 9), (), ()), 1.0, math.inf, ["quantity"]),
     "increment_errors": (
-        lambda: increment_errors.stated_errors([*increment_errors.SCENES][:1], runs=1),
+        lambda: increment_errors.stated_errors([*increment_errors.SETUPS][:1], runs=1),
         0.95, 1.05, ["case", "field"],
     ),
     "rolling_reach": (lambda: theory.rolling_reach(20), 0.0, 2.0, ["length of the grid"]),

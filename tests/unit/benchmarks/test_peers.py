@@ -145,7 +145,7 @@ def test_ratios_use_minimum_times_and_faster_codes_are_listed():
     text = page.tables_of(data)
     assert "Minimum ratio" not in text  # nothing of 256 cells across
     large = {key.replace("64", "256"): rounds for key, rounds in rows.items() if "64" in key}
-    assert page.least_ratios(data | {"rows": large}) == (
+    assert page.smallest_ratios(data | {"rows": large}) == (
         "minimum ratio of elastic contact at an error of 1e-06, from 256² cells on: 0.25"
     )
     assert "Hertz contact, ASPHER, with set-up: 64² (0.25)" in text

@@ -135,10 +135,10 @@ def test_coefficients_rotate_with_the_axes():
     grid = sc.Grid(51, 51, 1.0, 1.0)
     found = coefficients(body, [ahead, aslant], grid)
     c, s = 0.6, 0.8
-    turn = np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+    rotation = np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
     tensor = found[[1, 2, 0], 0]  # of loads along x, y and z
-    turned, along = turn @ tensor @ turn.T, found[[1, 2, 0], 1]
-    assert turned == pytest.approx(along, abs=3e-4 * np.abs(along).max())
+    rotated, along = rotation @ tensor @ rotation.T, found[[1, 2, 0], 1]
+    assert rotated == pytest.approx(along, abs=3e-4 * np.abs(along).max())
 
 
 def test_the_operator_is_symmetric_and_positive():
@@ -177,9 +177,9 @@ def test_two_layered_bodies_with_coupled_friction():
     # Swapped bodies are the same problem in the mirrored frame: shear towards -x.
     assert swapped.pressure == pytest.approx(both.pressure[::-1], rel=1e-6, abs=1.0)
     stuck = sc.ContactSolver(grid, coated, coated, sc.Coulomb(0.3))
-    alike = stuck.solve(gap, load=0.05, tangential_load=(0.01, 0.0))
-    assert 0 < alike.sticking.sum() < np.count_nonzero(alike.pressure)
-    assert alike.tangential_load == pytest.approx((0.01, 0.0), abs=1e-8)
+    identical = stuck.solve(gap, load=0.05, tangential_load=(0.01, 0.0))
+    assert 0 < identical.sticking.sum() < np.count_nonzero(identical.pressure)
+    assert identical.tangential_load == pytest.approx((0.01, 0.0), abs=1e-8)
 
 
 def test_a_surface_and_its_repetitions_agree():

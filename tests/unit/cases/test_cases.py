@@ -22,7 +22,7 @@ CASES = Path(__file__).parents[3] / "cases"
 @pytest.fixture
 def write(tmp_path):
     def writer(text):
-        path = tmp_path / "scene.toml"
+        path = tmp_path / "case.toml"
         path.write_text(text, encoding="utf-8")
         return path
 
@@ -50,7 +50,7 @@ def test_defaults_and_steps(write):
         "reach": None,
     }
     assert (case.output.body, case.output.volume, case.output.figures) == (2, "peak_and_last", True)
-    assert case.output_directory == Path("results/scene")
+    assert case.output_directory == Path("results/case")
     assert case.text == MINIMAL
 
 
@@ -162,10 +162,10 @@ def test_rigid_bodies(write):
     assert case.build()[0].body2.law == "rigid"
     with pytest.raises(CaseError, match=r"output\.body: body 2 is rigid .* use output\.body = 1"):
         load_case(write(text + "[output]\nbody = 2\n"))
-    turned = replaced(elastic, 'law = "rigid"')
-    assert load_case(write(turned)).output.body == 2
+    with_rigid = replaced(elastic, 'law = "rigid"')
+    assert load_case(write(with_rigid)).output.body == 2
     with pytest.raises(CaseError, match=r"output\.body: body 1 is rigid .* use output\.body = 2"):
-        load_case(write(turned + "[output]\nbody = 1\n"))
+        load_case(write(with_rigid + "[output]\nbody = 1\n"))
     with pytest.raises(CaseError, match="both rigid"):
         load_case(write(text.replace(elastic, 'law = "rigid"')))
 
@@ -246,7 +246,7 @@ def test_build_makes_the_real_simulation(write):
 def test_build_errors_name_file_and_section(write, tmp_path):
     text = replaced('shape = "paraboloid"\nRx = 7.5e-3', 'shape = "file"\npath = "h.npy"')
     path = write(text)
-    with pytest.raises(CaseError, match=r"scene\.toml: \[surface\] path: cannot read heights"):
+    with pytest.raises(CaseError, match=r"case\.toml: \[surface\] path: cannot read heights"):
         load_case(path).build()
     np.save(tmp_path / "h.npy", np.zeros((3, 3)))
     with pytest.raises(CaseError, match=r"\[surface\] heights_lower must have shape \(15, 13\)"):

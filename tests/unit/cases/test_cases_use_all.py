@@ -170,10 +170,10 @@ def test_every_field_is_used_or_refused(computed, kind):
     before = computed(content)
     assert computed(copy.deepcopy(content)) == before
     model = (AsperityCase if "asperities" in content else Case).model_validate(content)
-    dropped, tried = [], 0
+    dropped, attempted = [], 0
     for place, field, value in leaves(model):
         for other in others(place[-1], field, value):
-            tried += 1
+            attempted += 1
             after = outcome(computed, changed(content, place, other))
             if isinstance(after, ValueError):
                 # by the name of the field, or of the incompatible field
@@ -182,7 +182,7 @@ def test_every_field_is_used_or_refused(computed, kind):
             if after == before:
                 dropped.append((".".join(map(str, place)), other))
             break
-    assert tried > 20
+    assert attempted > 20
     assert dropped == []
 
 
@@ -190,7 +190,7 @@ def test_every_field_of_every_section_is_tried():
     """Every section and field occurs in one of the cases above or in the lists."""
     from samcontact.cases.field_units import all_models
 
-    tried, sections = set(), set()
+    attempted, sections = set(), set()
     for content in KINDS.values():
         model = (AsperityCase if "asperities" in content else Case).model_validate(content)
         waiting = [model]
@@ -200,7 +200,7 @@ def test_every_field_of_every_section_is_tried():
             for value in part.__dict__.values():
                 parts = value if isinstance(value, list) else [value]
                 waiting += [item for item in parts if isinstance(item, BaseModel)]
-        tried |= {
+        attempted |= {
             place[-1] for place, field, value in leaves(model) if others(place[-1], field, value)
         }
     bodies = {"RigidBody", "ElasticBody", "PerfectPlasticBody", "LinearHardeningBody"}  # a law each
@@ -216,7 +216,7 @@ def test_every_field_of_every_section_is_tried():
         "law kind shape title description estimate_error directory column "
         "figures format body volume"
     )
-    assert fields - tried - set(f"{sections_in} {given}".split()) - OF_ACCURACY == set()
+    assert fields - attempted - set(f"{sections_in} {given}".split()) - OF_ACCURACY == set()
 
 
 @pytest.mark.parametrize(

@@ -24,7 +24,7 @@ def write(tmp_path):
         for old, new in replacements:
             assert old in text
             text = text.replace(old, new, 1)
-        path = tmp_path / "scene.toml"
+        path = tmp_path / "case.toml"
         path.write_text(text, encoding="utf-8")
         return path
 
@@ -241,8 +241,8 @@ def test_cases_that_come_with_the_package(name):
     simulation, path = case.build()
     assert simulation.body2.is_plastic
     # whole cells, so that the contact keeps its place in the grid
-    ways = np.array([step["advance"] for step in path if "advance" in step])
-    cells = ways / simulation.grid.dx
+    travels = np.array([step["advance"] for step in path if "advance" in step])
+    cells = travels / simulation.grid.dx
     np.testing.assert_allclose(cells, np.round(cells), atol=1e-6)
 
 

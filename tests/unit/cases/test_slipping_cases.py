@@ -260,8 +260,8 @@ def test_cases_that_come_with_the_package(name):
     simulation, path = load_case(CASES / name).build()
     assert 0 < simulation.friction.coefficient < math.inf
     assert any("tangential_load" in step or "advance" in step for step in path)
-    ways = [0.5 * sum(step["advance"]) for step in path if "advance" in step]
-    cells = np.array(ways) / simulation.grid.dx
+    travels = [0.5 * sum(step["advance"]) for step in path if "advance" in step]
+    cells = np.array(travels) / simulation.grid.dx
     np.testing.assert_allclose(cells, np.round(cells), atol=1e-6)
 
 

@@ -203,7 +203,7 @@ def test_names_of_files_with_null_characters(arguments):
 
 
 @pytest.mark.parametrize(
-    ("name", "fields", "meant"),
+    ("name", "fields", "intended"),
     [
         ("Radius", ["roughness", "shape", "Rx", "Ry"], "Rx"),
         ("radius", ["shape", "R", "axis"], "R"),
@@ -217,8 +217,8 @@ def test_names_of_files_with_null_characters(arguments):
         ("mu", ["load"], None),
     ],
 )
-def test_common_synonyms_of_fields_are_suggested(name, fields, meant):
-    assert nearest(name, fields) == meant
+def test_common_synonyms_of_fields_are_suggested(name, fields, intended):
+    assert nearest(name, fields) == intended
 
 
 def test_a_radius_is_known_by_its_name():
@@ -347,8 +347,8 @@ def test_case_files_without_an_end():
 def test_sweeps_are_counted_before_they_are_made(mode):
     loads = [float(i) for i in range(1, 200_001)]
     parameters = {name: loads for name in ("path[0].load", "body2.E", "grid.dx")}
-    wanted = len(loads) ** 3 if mode == "product" else len(loads)
-    with pytest.raises(ValueError, match=f"at most 100000 cases, got {wanted} .*body2.E 200000"):
+    expected = len(loads) ** 3 if mode == "product" else len(loads)
+    with pytest.raises(ValueError, match=f"at most 100000 cases, got {expected} .*body2.E 200000"):
         sc.sweep(parse_case(TEXT), parameters, mode=mode)
 
 

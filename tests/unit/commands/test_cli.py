@@ -22,7 +22,7 @@ SURFACES = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3').replac
 
 @pytest.fixture
 def case_file(tmp_path):
-    path = tmp_path / "scene.toml"
+    path = tmp_path / "case.toml"
     path.write_text(MINIMAL)
     return path
 
@@ -58,7 +58,7 @@ def test_run_writes_results_figures_and_tables(case_file, tmp_path, undrawn):
 @pytest.mark.parametrize("text", [SURFACES, ASPERITIES], ids=["contact", "asperities"])
 def test_figures_for_print(text, tmp_path):
     """Figures have the format and width of [output]; a later run without them removes them."""
-    file = tmp_path / "scene.toml"
+    file = tmp_path / "case.toml"
     file.write_text(text + '[output]\nformat = "svg"\ncolumn = "single"\n')
     assert invoke("run", file, "--output", tmp_path / "out", "--quiet").exit_code == 0
     drawn = list((tmp_path / "out").glob("*.svg"))
@@ -76,14 +76,14 @@ def test_run_quietly_without_figures_into_the_default_directory(case_file, monke
     monkeypatch.chdir(tmp_path)
     outcome = invoke("run", case_file, "--no-figures", "--quiet")
     assert outcome.exit_code == 0, outcome.output
-    assert outcome.stdout == "results/scene/results.nc\n"
+    assert outcome.stdout == "results/case/results.nc\n"
     assert outcome.stderr == ""
-    assert [p.name for p in (tmp_path / "results/scene").iterdir()] == ["results.nc"]
+    assert [p.name for p in (tmp_path / "results/case").iterdir()] == ["results.nc"]
 
 
 def test_bad_case_is_exit_code_2(case_file, tmp_path):
     case_file.write_text(MINIMAL.replace("nx = 15", "nx = -15"))
-    check_failure(invoke("run", case_file), 2, "scene.toml: grid.nx:", "got -15")
+    check_failure(invoke("run", case_file), 2, "case.toml: grid.nx:", "got -15")
     check_failure(invoke("run", tmp_path / "none.toml"), 2, "none.toml: cannot read", "No such")
 
 

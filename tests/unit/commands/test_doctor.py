@@ -23,7 +23,7 @@ def invoke():
     return CliRunner().invoke(main, ["doctor"])
 
 
-def verdict_lines(text):
+def check_lines(text):
     """Return result, name, number, sense and limit of each line of the self-test."""
     return [LINE.fullmatch(line).groups() for line in text.split("\n\n")[1].splitlines()]
 
@@ -31,7 +31,7 @@ def verdict_lines(text):
 def test_a_sound_installation():
     outcome = invoke()
     assert outcome.exit_code == 0, outcome.output
-    lines = verdict_lines(outcome.stdout)
+    lines = check_lines(outcome.stdout)
     assert len(lines) == 7
     for word, name, number, sense, limit in lines:
         assert word == "ok", name
@@ -81,7 +81,7 @@ sc.ContactSolver(grid, steel, steel).solve(sc.surfaces.paraboloid(grid, 7.5e-3),
 print(len(os.listdir("/proc/self/task")), "OMP_THREAD_LIMIT" in os.environ)
 print(dict(self_check.installation())["threads"])
 """
-    most = 8 * os.cpu_count()
+    maximum = 8 * os.cpu_count()
     environment = {k: v for k, v in os.environ.items() if not k.startswith("OMP_")}
     found = subprocess.run(
         [sys.executable, "-c", code],
@@ -92,8 +92,8 @@ print(dict(self_check.installation())["threads"])
         check=True,
     )
     threads, message = found.stdout.splitlines()
-    assert threads == f"{most} False"
-    assert message.startswith(f"{most} of {os.cpu_count()} processors (OMP_NUM_THREADS=3000")
+    assert threads == f"{maximum} False"
+    assert message.startswith(f"{maximum} of {os.cpu_count()} processors (OMP_NUM_THREADS=3000")
 
 
 @pytest.mark.parametrize(
@@ -134,7 +134,7 @@ def failing(monkeypatch, name, value):
     monkeypatch.setattr(sc.State, name, property(lambda self: value))
     outcome = invoke()
     assert outcome.exit_code == 1
-    return {name for word, name, *_ in verdict_lines(outcome.stdout) if word == "failed"}
+    return {name for word, name, *_ in check_lines(outcome.stdout) if word == "failed"}
 
 
 def test_wrong_numbers_fail(monkeypatch):

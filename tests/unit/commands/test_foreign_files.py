@@ -52,15 +52,15 @@ def state_file(folder):
 
 
 def dataset():
-    scene = simulation()
-    return results.to_dataset(scene, [scene.step(pressure=np.ones((8, 8)))])
+    problem = simulation()
+    return results.to_dataset(problem, [problem.step(pressure=np.ones((8, 8)))])
 
 
 def wear_of(checkpoint):
     grid, steel = sc.Grid(8, 8, 1e-5, 1e-5, 4, 1e-5), sc.Material.perfect_plastic(2e11, 0.3, 1e9)
     cycle = [{"load": 1.0}, {"load": 0.0}]  # too much for the grid
-    scene = (grid, ELASTIC, steel, np.ones((8, 8)))
-    wear.run(*scene, cycle=cycle, threshold=1e-3, cycles=1, window=3, checkpoint=checkpoint)
+    problem = (grid, ELASTIC, steel, np.ones((8, 8)))
+    wear.run(*problem, cycle=cycle, threshold=1e-3, cycles=1, window=3, checkpoint=checkpoint)
 
 
 def text(path):
@@ -246,9 +246,9 @@ def test_behind_a_link(tmp_path):
     file = state_file(tmp_path)
     before = file.read_bytes()
     (tmp_path / "link.h5").symlink_to(file)
-    scene = simulation()
-    scene.step(pressure=np.ones((8, 8)))
-    scene.save(tmp_path / "link.h5")
+    problem = simulation()
+    problem.step(pressure=np.ones((8, 8)))
+    problem.save(tmp_path / "link.h5")
     assert (tmp_path / "link.h5").is_symlink()
     assert file.read_bytes() != before
 

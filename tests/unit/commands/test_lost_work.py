@@ -22,7 +22,7 @@ OPTIONS = ("--no-figures", "--quiet")
 
 @pytest.fixture(scope="module")
 def case_file(tmp_path_factory):
-    path = tmp_path_factory.mktemp("case") / "scene.toml"
+    path = tmp_path_factory.mktemp("case") / "case.toml"
     path.write_text(MINIMAL)
     return path
 
@@ -120,10 +120,10 @@ def test_an_error_keeps_the_computed_results(
         patch.setattr(sc.Simulation, "step", stop_at(3, error))
         outcome = invoke("run", case_file, "--output", tmp_path, "--quiet")
     message = (f"2 of 3 increments are in {tmp_path}, marked as incomplete",)
-    said = str(error) or "not enough memory"
+    reason = str(error) or "not enough memory"
     if isinstance(error, OSError):
-        said = f"{error.filename}: {error.strerror}: free some space"
-    check_failure(outcome, 1, said, *message, f"resume {tmp_path}")
+        reason = f"{error.filename}: {error.strerror}: free some space"
+    check_failure(outcome, 1, reason, *message, f"resume {tmp_path}")
     found = fields(tmp_path)
     assert found.attrs["complete"] == 0
     assert found.attrs["stopped_by"] == f"{type(error).__name__}: {error}"

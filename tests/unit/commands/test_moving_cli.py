@@ -22,7 +22,7 @@ from samcontact.commands import solve_contact
 
 @pytest.fixture
 def case_file(tmp_path):
-    path = tmp_path / "scene.toml"
+    path = tmp_path / "case.toml"
     path.write_text(MOVING)
     return path
 

@@ -19,7 +19,7 @@ COMMAND = [sys.executable, "-m", "samcontact"]
 
 @pytest.fixture
 def case(tmp_path):
-    path = tmp_path / "scene.toml"
+    path = tmp_path / "case.toml"
     path.write_text(MINIMAL.replace("two balls", "zwei Köpfe ≤ 3 µm"), encoding="utf-8")
     return path
 

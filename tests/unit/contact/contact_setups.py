@@ -13,7 +13,7 @@ RADIUS, CELLS = 10e-3, 12
 TOL = 1e-8
 
 
-def scene(body1, body2, p0_over_E=0.02, n=31):
+def problem(body1, body2, p0_over_E=0.02, n=31):
     """Return a grid of n x n cells (CELLS per contact radius), a ball gap, and the Hertz contact.
 
     The cells are longer along y by a tenth, so that no error is hidden by symmetry.

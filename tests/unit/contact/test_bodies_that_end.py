@@ -90,9 +90,9 @@ class TestSimulation:
         simulation = self.simulation(end)
         states = simulation.run(PATH[:3], progress=False)
         simulation.save(tmp_path / "c.h5")
-        goes_on = sc.Simulation.load(tmp_path / "c.h5")
-        assert np.array_equal(goes_on.initial_gap, end)
-        states += goes_on.run(PATH[3:], progress=False)
+        resumed = sc.Simulation.load(tmp_path / "c.h5")
+        assert np.array_equal(resumed.initial_gap, end)
+        states += resumed.run(PATH[3:], progress=False)
         for state, whole in zip(states, expected, strict=True):
             top = max(1.0, whole.pressure.max())
             np.testing.assert_allclose(state.pressure, whole.pressure, rtol=0, atol=1e-6 * top)

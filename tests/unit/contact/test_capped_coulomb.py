@@ -21,7 +21,7 @@ PATH = [
     {"load": 0.8 * LOAD, "shift": (1e-3, 0.0)},
 ]
 FIELDS = ("pressure", "shear", "slip", "sticking")
-dissimilar = pytest.mark.parametrize("body1", [STEEL, BRASS], ids=["alike", "dissimilar"])
+dissimilar = pytest.mark.parametrize("body1", [STEEL, BRASS], ids=["identical", "dissimilar"])
 
 
 def walk(law, body1, body2=STEEL):
@@ -38,12 +38,12 @@ def same(one, other):
 @dissimilar
 def test_an_unreached_shear_limit_changes_no_digit(body1):
     coulomb = walk(sc.Coulomb(MU), body1)
-    most = max(found.pressure.max() for found in coulomb)
-    for limit in (1.01 * MU * most, math.inf):
+    maximum = max(found.pressure.max() for found in coulomb)
+    for limit in (1.01 * MU * maximum, math.inf):
         capped = walk(sc.CappedCoulomb(MU, limit), body1)
         assert all(map(same, coulomb, capped))
         assert [c.shift.tolist() for c in coulomb] == [c.shift.tolist() for c in capped]
-    capped = walk(sc.CappedCoulomb(MU, 0.9 * MU * most), body1)
+    capped = walk(sc.CappedCoulomb(MU, 0.9 * MU * maximum), body1)
     assert not same(coulomb[-1], capped[-1])
 
 

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from contact_setups import RADIUS, RIGID, STEEL, TOL, assert_complementary, penetration, scene
+from contact_setups import RADIUS, RIGID, STEEL, TOL, assert_complementary, penetration, problem
 
 import samcontact as sc
 from samcontact import hertz, operators, surfaces
@@ -26,7 +26,7 @@ PAIRS = {
 @pytest.mark.parametrize("pair", PAIRS)
 def test_complementarity_and_load(pair, friction):
     body1, body2 = PAIRS[pair]
-    grid, gap, exact = scene(body1, body2)
+    grid, gap, exact = problem(body1, body2)
     solution = sc.ContactSolver(grid, body1, body2, friction, tol=TOL).solve(gap, load=exact.load)
     displacement = penetration(grid, solution.pressure, body1, body2, friction)
     assert_complementary(grid, solution, gap, displacement, TOL)
@@ -41,7 +41,7 @@ def test_complementarity_and_load(pair, friction):
 def test_strongly_coupled_friction_is_solved(friction, drive):
     """Above mu beta = 1 (beta = 1/2 here) alternating solutions for pressure and shear diverge."""
     soft = sc.Material.elastic(210e9, 0.0)
-    grid, gap, exact = scene(RIGID, soft)
+    grid, gap, exact = problem(RIGID, soft)
     solver = sc.ContactSolver(grid, RIGID, soft, friction, tol=1e-10)
     solution = solver.solve(gap, **{drive: 0.05 * getattr(exact, drive)})
     displacement = penetration(grid, solution.pressure, RIGID, soft, friction)
@@ -52,7 +52,7 @@ def test_strongly_coupled_friction_is_solved(friction, drive):
 @pytest.mark.parametrize("pair", PAIRS)
 def test_load_and_approach_give_the_same_pressure(pair, friction):
     body1, body2 = PAIRS[pair]
-    grid, gap, exact = scene(body1, body2)
+    grid, gap, exact = problem(body1, body2)
     solver = sc.ContactSolver(grid, body1, body2, friction, tol=1e-10)
     by_load = solver.solve(gap, load=exact.load)
     by_approach = solver.solve(gap, approach=by_load.approach)
@@ -64,7 +64,7 @@ def test_load_and_approach_give_the_same_pressure(pair, friction):
 
 def test_only_the_contact_modulus_matters_without_friction():
     E_star = hertz.effective_modulus(CERAMIC, STEEL)
-    grid, gap, exact = scene(CERAMIC, STEEL)
+    grid, gap, exact = problem(CERAMIC, STEEL)
     one_body = sc.Material.elastic(E_star, 0.0)
     pairs = [(CERAMIC, STEEL), (STEEL, CERAMIC), (one_body, RIGID), (RIGID, one_body)]
     solutions = [sc.ContactSolver(grid, *pair).solve(gap, load=exact.load) for pair in pairs]
@@ -75,7 +75,7 @@ def test_only_the_contact_modulus_matters_without_friction():
 
 class TestFriction:
     def test_identical_bodies_are_not_coupled(self):
-        grid, gap, exact = scene(STEEL, STEEL)
+        grid, gap, exact = problem(STEEL, STEEL)
         free = sc.ContactSolver(grid, STEEL, STEEL).solve(gap, load=exact.load)
         rubbed = sc.ContactSolver(grid, STEEL, STEEL, 0.5).solve(gap, load=exact.load)
         np.testing.assert_array_equal(rubbed.pressure, free.pressure)
@@ -94,7 +94,7 @@ class TestFriction:
     @pytest.mark.parametrize("part", [None, 1e-4, 0.01])
     def test_displacement_due_to_shear_vanishes_with_the_shear(self, part):
         """Unloading, or a small approach, from a pressure whose shear separated the surfaces."""
-        grid, gap, exact = scene(RIGID, CERAMIC)
+        grid, gap, exact = problem(RIGID, CERAMIC)
         gap = gap + 1e-9 * np.cos(1e6 * grid.x[:, None])
         solver = sc.ContactSolver(grid, RIGID, CERAMIC, 1.0)
         loaded = solver.solve(gap, load=exact.load)
@@ -116,7 +116,7 @@ class TestFriction:
         shifts = []
         for nu in (0.3, 0.4, 0.4999):
             body = sc.Material.elastic(210e9, nu)
-            grid, gap, exact = scene(RIGID, body)
+            grid, gap, exact = problem(RIGID, body)
             p = sc.ContactSolver(grid, RIGID, body, 0.4).solve(gap, load=exact.load).pressure
             shifts.append(abs((p * grid.x[:, None]).sum() / p.sum()) / exact.a)
         assert shifts[0] > shifts[1] > 100 * shifts[2]
@@ -125,7 +125,7 @@ class TestFriction:
 
     def test_exchange_of_the_bodies_mirrors_in_x(self):
         """Body 1 drags body 2 in +x; in the swapped problem the drag is in -x."""
-        grid, gap, exact = scene(RIGID, STEEL)
+        grid, gap, exact = problem(RIGID, STEEL)
         below = sc.ContactSolver(grid, RIGID, STEEL, 0.4).solve(gap, load=exact.load).pressure
         above = sc.ContactSolver(grid, STEEL, RIGID, 0.4).solve(gap, load=exact.load).pressure
         np.testing.assert_allclose(above, below[::-1], rtol=0, atol=1e-6 * below.max())
@@ -133,7 +133,7 @@ class TestFriction:
 
     def test_pressure_shifts_in_the_direction_of_the_coupling(self):
         """The pressure increases where the shear raises the surface (u_z < 0)."""
-        grid, gap, exact = scene(RIGID, STEEL)
+        grid, gap, exact = problem(RIGID, STEEL)
         free = sc.ContactSolver(grid, RIGID, STEEL).solve(gap, load=exact.load).pressure
         rubbed = sc.ContactSolver(grid, RIGID, STEEL, 0.4).solve(gap, load=exact.load).pressure
         shear = 0.4 * free
@@ -144,7 +144,7 @@ class TestFriction:
 
 class TestWarmStart:
     def test_same_solution_in_fewer_iterations(self):
-        grid, gap, exact = scene(RIGID, STEEL)
+        grid, gap, exact = problem(RIGID, STEEL)
         solver = sc.ContactSolver(grid, RIGID, STEEL, tol=1e-10)
         before = solver.solve(gap, load=0.9 * exact.load)
         cold = solver.solve(gap, load=exact.load)
@@ -156,7 +156,7 @@ class TestWarmStart:
         assert difference < 1e-8 * exact.p0
 
     def test_any_initial_pressure_is_accepted(self):
-        grid, gap, exact = scene(RIGID, STEEL)
+        grid, gap, exact = problem(RIGID, STEEL)
         solver = sc.ContactSolver(grid, RIGID, STEEL, tol=1e-10)
         cold = solver.solve(gap, load=exact.load)
         start = np.random.default_rng(1).standard_normal(grid.surface_shape) * exact.p0
@@ -166,7 +166,7 @@ class TestWarmStart:
             assert difference < 1e-8 * exact.p0
 
     def test_does_not_touch_its_arguments(self):
-        grid, gap, exact = scene(RIGID, STEEL)
+        grid, gap, exact = problem(RIGID, STEEL)
         start = np.full(grid.surface_shape, -1e9)
         gap_before, start_before = gap.copy(), start.copy()
         sc.ContactSolver(grid, RIGID, STEEL).solve(gap, load=exact.load, initial_pressure=start)
@@ -178,7 +178,7 @@ class TestStress:
     depths = (0.0, 2e-5, 1e-3)
 
     def test_stress_is_that_of_the_tractions_on_each_body(self):
-        grid, gap, exact = scene(CERAMIC, STEEL)
+        grid, gap, exact = problem(CERAMIC, STEEL)
         solver = sc.ContactSolver(grid, CERAMIC, STEEL, 0.3)
         p = solver.solve(gap, load=exact.load).pressure
         for body, material, sign in ((1, CERAMIC, -0.3), (2, STEEL, 0.3)):
@@ -193,7 +193,7 @@ class TestStress:
             np.testing.assert_allclose(xz[inside], sign * p[inside], rtol=0, atol=1e-9 * p.max())
 
     def test_prescribed_shear_replaces_friction(self):
-        grid, gap, exact = scene(CERAMIC, STEEL)
+        grid, gap, exact = problem(CERAMIC, STEEL)
         solver = sc.ContactSolver(grid, CERAMIC, STEEL, 0.3)
         p = solver.solve(gap, load=exact.load).pressure
         shear = np.stack([0.1 * p, -0.2 * p])
@@ -203,7 +203,7 @@ class TestStress:
             np.testing.assert_allclose(surface[3], -sign * shear[1], rtol=0, atol=1e-9 * p.max())
 
     def test_refuses(self):
-        grid, gap, _ = scene(RIGID, STEEL)
+        grid, gap, _ = problem(RIGID, STEEL)
         solver = sc.ContactSolver(grid, RIGID, STEEL)
         for call, text in (
             (lambda: solver.stress(gap, [0.0], 1), "body 1 is rigid and has no stress"),

@@ -7,7 +7,7 @@ import warnings
 
 import numpy as np
 import pytest
-from contact_setups import RADIUS, RIGID, STEEL, TOL, assert_complementary, penetration, scene
+from contact_setups import RADIUS, RIGID, STEEL, TOL, assert_complementary, penetration, problem
 
 import samcontact as sc
 from samcontact import hertz, operators, surfaces
@@ -15,7 +15,7 @@ from samcontact import hertz, operators, surfaces
 
 class TestLimits:
     def test_zero_load_just_touches(self):
-        grid, gap, _ = scene(RIGID, STEEL)
+        grid, gap, _ = problem(RIGID, STEEL)
         solution = sc.ContactSolver(grid, RIGID, STEEL).solve(gap + 1e-6, load=0.0)
         assert solution.approach == (gap + 1e-6).min()
         assert not solution.pressure.any()
@@ -24,7 +24,7 @@ class TestLimits:
 
     @pytest.mark.parametrize("approach", [-3e-6, 0.0, 1e-6])
     def test_approach_without_contact(self, approach):
-        grid, gap, _ = scene(RIGID, STEEL)
+        grid, gap, _ = problem(RIGID, STEEL)
         solution = sc.ContactSolver(grid, RIGID, STEEL).solve(gap + 1e-6, approach=approach)
         assert not solution.pressure.any()
         assert (solution.load, solution.approach, solution.converged) == (0.0, approach, True)
@@ -45,7 +45,7 @@ class TestLimits:
     @pytest.mark.parametrize("load_factor", [1e-6, 1e-3, 1e3])
     def test_hertz_scaling_over_decades(self, load_factor):
         """Lengths of a ball scale with W^(1/3), so solutions on scaled cells agree."""
-        grid, gap, exact = scene(RIGID, STEEL)
+        grid, gap, exact = problem(RIGID, STEEL)
         reference = sc.ContactSolver(grid, RIGID, STEEL).solve(gap, load=exact.load)
         k = load_factor ** (1 / 3)
         other = sc.Grid(grid.nx, grid.ny, k * grid.dx, k * grid.dy)
@@ -105,7 +105,7 @@ class TestBorder:
     text = "the contact reaches the edge of the grid"
 
     def test_error_by_default(self):
-        grid, gap, exact = scene(RIGID, STEEL)
+        grid, gap, exact = problem(RIGID, STEEL)
         solver = sc.ContactSolver(grid, RIGID, STEEL)
         with pytest.raises(sc.GridTooSmallError, match=self.text) as caught:
             solver.solve(gap, load=8 * exact.load)
@@ -116,7 +116,7 @@ class TestBorder:
         assert solver.solve(gap, load=exact.load).converged
 
     def test_warning_on_request(self):
-        grid, gap, exact = scene(RIGID, STEEL)
+        grid, gap, exact = problem(RIGID, STEEL)
         solver = sc.ContactSolver(grid, RIGID, STEEL, on_border="warn")
         with pytest.warns(sc.GridTooSmallWarning, match="^at load .*" + self.text):
             solution = solver.solve(gap, load=8 * exact.load)
@@ -227,7 +227,7 @@ class TestBadInput:
 
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 def test_no_convergence(friction):
-    grid, gap, exact = scene(RIGID, STEEL)
+    grid, gap, exact = problem(RIGID, STEEL)
     solver = sc.ContactSolver(grid, RIGID, STEEL, friction, max_iterations=2)
     text = r"contact did not converge at load .* N: error .* after 2 iterations, tol 1e-08"
     with pytest.raises(sc.ConvergenceError, match=text) as caught:
@@ -238,7 +238,7 @@ def test_no_convergence(friction):
 
 
 def test_arrays_of_any_kind_and_layout():
-    grid, gap, exact = scene(RIGID, STEEL)
+    grid, gap, exact = problem(RIGID, STEEL)
     solver = sc.ContactSolver(grid, RIGID, STEEL)
     expected = solver.solve(gap, load=exact.load).pressure
     for same in (np.asfortranarray(gap), gap.tolist(), np.repeat(gap, 2, axis=0)[::2]):

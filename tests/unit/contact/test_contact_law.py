@@ -110,11 +110,11 @@ def test_no_limit_is_hard_contact_to_every_digit(friction):
 def test_a_load_below_the_pull_off_force_is_refused():
     gap, pull = rough(PERIODIC), LIMIT * area(PERIODIC)
     of = solver(PERIODIC, sc.TensileLimit(LIMIT))
-    apart = of.solve(gap, load=-pull)
-    np.testing.assert_array_equal(apart.pressure, -LIMIT)
-    assert not apart.in_contact.any()
-    assert apart.contact_area == 0
-    assert apart.gap.min() == pytest.approx(0, abs=1e-15)
+    separated = of.solve(gap, load=-pull)
+    np.testing.assert_array_equal(separated.pressure, -LIMIT)
+    assert not separated.in_contact.any()
+    assert separated.contact_area == 0
+    assert separated.gap.min() == pytest.approx(0, abs=1e-15)
     with pytest.raises(ValueError, match=r"load must be at least -.* N, the maximum tensile force"):
         of.solve(gap, load=-pull * (1 + 1e-9))
     with pytest.raises(ValueError, match="load must be a finite number >= 0"):
@@ -134,10 +134,10 @@ def test_cells_without_a_body_have_no_tension():
 def test_friction_acts_on_the_repulsion():
     """A tangential force without a load is possible; the shear is that of hard contact."""
     gap, pull, mu = rough(PERIODIC), LIMIT * area(PERIODIC), 0.3
-    alike = (STEEL, STEEL)
+    identical = (STEEL, STEEL)
     law = sc.TensileLimit(LIMIT)
-    of = solver(PERIODIC, law, sc.Coulomb(mu), alike)
-    held = solver(PERIODIC, sc.HardContact(), sc.Coulomb(mu), alike)
+    of = solver(PERIODIC, law, sc.Coulomb(mu), identical)
+    held = solver(PERIODIC, sc.HardContact(), sc.Coulomb(mu), identical)
     force = (0.6 * mu * pull, 0.0)
     found = of.solve(gap, load=0.0, tangential_load=force)
     hard = held.solve(gap, load=pull, tangential_load=force)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import scipy.optimize
 import scipy.signal
-from contact_setups import RADIUS, RIGID, STEEL, TOL, assert_complementary, scene
+from contact_setups import RADIUS, RIGID, STEEL, TOL, assert_complementary, problem
 
 import samcontact as sc
 from samcontact import hertz, surfaces
@@ -22,7 +22,7 @@ def convolved(grid, pressure, body):
     return scipy.signal.fftconvolve(K, pressure, mode="valid")
 
 
-def rough_scene(n, hurst=0.8, cutoff=4, fraction=0.1, seed=1):
+def rough_problem(n, hurst=0.8, cutoff=4, fraction=0.1, seed=1):
     """Return a rough flat of n x n cells, roll-off at n/8 cells, and the load for this fraction.
 
     The real contact is 2 W/(E* rms slope) of the area (Persson 2001: 1.6 to 2, low loads).
@@ -60,7 +60,7 @@ class TestWork:
 
     @pytest.mark.parametrize("hurst", [0.3, 0.8])
     def test_rough(self, hurst):
-        grid, gap, load = rough_scene(256, hurst)
+        grid, gap, load = rough_problem(256, hurst)
         solver = sc.ContactSolver(grid, RIGID, STEEL, on_border="warn")
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", sc.GridTooSmallWarning)
@@ -78,7 +78,7 @@ class TestWork:
     @pytest.mark.slow
     @pytest.mark.parametrize("hurst", [0.3, 0.8])
     def test_rough_at_1024(self, hurst):
-        grid, gap, load = rough_scene(1024, hurst)
+        grid, gap, load = rough_problem(1024, hurst)
         solver = sc.ContactSolver(grid, RIGID, STEEL, on_border="warn")
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", sc.GridTooSmallWarning)
@@ -93,7 +93,7 @@ class TestWork:
 
     @pytest.mark.parametrize("n", [31, 128])
     def test_warm_start(self, n):
-        grid, gap, exact = scene(RIGID, STEEL, n=n)
+        grid, gap, exact = problem(RIGID, STEEL, n=n)
         solver = sc.ContactSolver(grid, RIGID, STEEL)
         cold = solver.solve(gap, load=exact.load)
         again = solver.solve(gap, load=exact.load, initial_pressure=cold.pressure)
@@ -111,7 +111,7 @@ class TestWork:
         assert np.mean(steps) <= 5
 
     def test_friction_starts_from_the_last_pressure(self):
-        grid, gap, exact = scene(RIGID, STEEL)
+        grid, gap, exact = problem(RIGID, STEEL)
         free = sc.ContactSolver(grid, RIGID, STEEL).solve(gap, load=exact.load)
         rubbed = sc.ContactSolver(grid, RIGID, STEEL, 0.3).solve(gap, load=exact.load)
         assert rubbed.operator_applications > free.operator_applications
@@ -119,7 +119,7 @@ class TestWork:
         assert rubbed.iterations <= 2.5 * free.iterations
 
     def test_separated_bodies_cost_nothing(self):
-        grid, gap, _ = scene(RIGID, STEEL)
+        grid, gap, _ = problem(RIGID, STEEL)
         solution = sc.ContactSolver(grid, RIGID, STEEL).solve(gap, load=0.0)
         assert (solution.iterations, solution.operator_applications, solution.work) == (0, 0, 0.0)
 

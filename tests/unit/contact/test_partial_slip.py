@@ -111,9 +111,9 @@ def test_torsion_of_a_ball():
         moved = solver.solve(gap, load=load, tangential_load=(0.0, 0.0), torque=moment)
         assert moved.twist == pytest.approx(twist, rel=1.5e-3)
     assert moved.torque == pytest.approx(moment, rel=1e-8)
-    turned = solver.solve(gap, load=load, twist=moved.twist)
-    assert turned.torque == pytest.approx(moment, rel=1e-6)
-    assert np.abs(turned.shear - moved.shear).max() < 1e-6 * MU * peak
+    rotated = solver.solve(gap, load=load, twist=moved.twist)
+    assert rotated.torque == pytest.approx(moment, rel=1e-6)
+    assert np.abs(rotated.shear - moved.shear).max() < 1e-6 * MU * peak
 
 
 def test_full_sliding_is_the_limit_of_a_large_shift():
@@ -356,9 +356,11 @@ def test_a_periodic_surface_in_full_contact_slips_by_its_shift(shift, roughness)
     solver = sc.ContactSolver(grid, SOFT, SOFT, sc.Coulomb(MU), tol=1e-9)
     pressed = solver.solve(gap, load=0.5)
     assert pressed.pressure.min() > 0
-    way = np.array([0.6, -0.8])
-    found = solver.solve(gap, load=0.5, shift=tuple(shift * way), previous=pressed)
-    np.testing.assert_allclose(found.slip.mean(axis=(1, 2)), shift * way, rtol=0, atol=1e-6 * shift)
+    direction = np.array([0.6, -0.8])
+    found = solver.solve(gap, load=0.5, shift=tuple(shift * direction), previous=pressed)
+    np.testing.assert_allclose(
+        found.slip.mean(axis=(1, 2)), shift * direction, rtol=0, atol=1e-6 * shift
+    )
     bound = MU * found.pressure
     length = np.hypot(*found.shear)
     assert (length <= bound * (1 + 1e-9)).all()

@@ -126,7 +126,7 @@ def test_normal_loading_of_dissimilar_bodies():
     assert again.friction_work >= found.friction_work
 
 
-def history(solver, gap, turn=lambda x, y: (x, y), sign=1.0, unit=1.0, stress=1.0):
+def history(solver, gap, rotation=lambda x, y: (x, y), sign=1.0, unit=1.0, stress=1.0):
     """Follow an oblique path with unloading and all kinds of drives; return the last increment."""
     found = None
     scale = stress * unit**2
@@ -135,7 +135,7 @@ def history(solver, gap, turn=lambda x, y: (x, y), sign=1.0, unit=1.0, stress=1.
         (0.03, 0.003, -0.004, 0.0),
         (0.02, 0.001, 0.002, 0.004),
     ):
-        q = [sign * scale * part for part in turn(along, across)]
+        q = [sign * scale * part for part in rotation(along, across)]
         drive = {"load": scale * load, "tangential_load": q, "twist": sign * twist}
         before = 0.0 if found is None else found.friction_work
         found = solver.solve(gap, **drive, previous=found)
@@ -143,9 +143,9 @@ def history(solver, gap, turn=lambda x, y: (x, y), sign=1.0, unit=1.0, stress=1.
     return found
 
 
-SCENE = sc.Grid(24, 24, 0.05, 0.05)
-BUMPS = sc.surfaces.paraboloid(SCENE, 1.0, 2.0) + 2e-3 * np.outer(
-    np.sin(7 * np.asarray(SCENE.x)), np.cos(5 * np.asarray(SCENE.y) + 1)
+BUMPY_GRID = sc.Grid(24, 24, 0.05, 0.05)
+BUMPS = sc.surfaces.paraboloid(BUMPY_GRID, 1.0, 2.0) + 2e-3 * np.outer(
+    np.sin(7 * np.asarray(BUMPY_GRID.x)), np.cos(5 * np.asarray(BUMPY_GRID.y) + 1)
 )
 
 
@@ -157,7 +157,7 @@ def close(a, b, found):
 def test_symmetries():
     """Swapped, mirrored, rotated and scaled problems have correspondingly transformed solutions."""
 
-    def solver(first, second, grid=SCENE):
+    def solver(first, second, grid=BUMPY_GRID):
         return sc.ContactSolver(grid, first, second, sc.Coulomb(0.3), tol=1e-10, on_border="warn")
 
     stiff, soft = sc.Material.elastic(4.0, 0.4), sc.Material.elastic(2.0, 0.1)
@@ -169,13 +169,13 @@ def test_symmetries():
     assert close(swapped.shear, -found.shear, found)
     assert swapped.shift == pytest.approx(-found.shift, rel=1e-7)
     # mirrored in y: forces along y and the rotation change sign
-    mirrored = history(solver(stiff, soft), gap[:, ::-1], turn=lambda x, y: (-x, y), sign=-1.0)
+    mirrored = history(solver(stiff, soft), gap[:, ::-1], rotation=lambda x, y: (-x, y), sign=-1.0)
     assert close(mirrored.shear[0], found.shear[0][:, ::-1], found)
     assert close(mirrored.shear[1], -found.shear[1][:, ::-1], found)
     # a quarter turn from x to y
-    turned = history(solver(stiff, soft), np.rot90(gap), turn=lambda x, y: (-y, x))
-    assert close(turned.shear[0], -np.rot90(found.shear[1]), found)
-    assert close(turned.shear[1], np.rot90(found.shear[0]), found)
+    rotated = history(solver(stiff, soft), np.rot90(gap), rotation=lambda x, y: (-y, x))
+    assert close(rotated.shear[0], -np.rot90(found.shear[1]), found)
+    assert close(rotated.shear[1], np.rot90(found.shear[0]), found)
     # other units
     grid = sc.Grid(24, 24, 0.05e-3, 0.05e-3)
     small = [sc.Material.elastic(1e9 * m.E, m.nu) for m in (stiff, soft)]

@@ -11,7 +11,7 @@ from samcontact import operators, surfaces
 
 STEEL, RIGID = sc.Material.elastic(210e9, 0.3), sc.Material.rigid()
 HARD = sc.Material.linear_hardening(210e9, 0.3, 1e9, 10e9)
-# cells, sides, directions, and how often the same surface is laid beside itself
+# cells, sides, periodic directions, and repetitions of the surface along x and y
 TILINGS = [
     ((16, 16), (1.0, 1.0), "xy", (2, 3)),
     ((64, 2), (1.0, 1.0), "xy", (1, 32)),  # rows whose ends are far apart
@@ -156,7 +156,7 @@ def bumps(periodic, tiles, cells=(32, 32)):
         yield grid, np.tile(gap, times)
 
 
-SCENES = {
+SETUPS = {
     "both directions": ("xy", (2, 1), HARD, 0.0, 1e-9),
     "kinematic, sliding": ("xy", (1, 2), HARD.with_kinematic_hardening(20e9), 0.3, 1e-9),
     "two bodies, along y": ("y", (1, 2), HARD, 0.0, 1e-3),
@@ -164,10 +164,10 @@ SCENES = {
 }
 
 
-@pytest.mark.parametrize("scene", SCENES)
-def test_plastic_contact_and_its_repetitions_agree(scene):
-    periodic, tiles, material, friction, rel = SCENES[scene]
-    upper = material if "two" in scene else RIGID
+@pytest.mark.parametrize("problem", SETUPS)
+def test_plastic_contact_and_its_repetitions_agree(problem):
+    periodic, tiles, material, friction, rel = SETUPS[problem]
+    upper = material if "two" in problem else RIGID
     results = []
     for grid, gap in bumps(periodic, tiles):
         simulation = sc.Simulation(grid, upper, material, gap, friction)
@@ -205,8 +205,8 @@ def test_near_full_contact_costs_no_more_than_half_of_it(hurst):
     gap = heights.max() - heights
     # in full contact the pressure variation is independent of the mean
     full = solver.solve(gap, load=1e3)
-    least = full.load - full.pressure.min() * grid.cell_area * grid.nx * grid.ny
-    found = [solver.solve(gap, load=share * least) for share in (0.15, 0.9, 1.001)]
+    minimum = full.load - full.pressure.min() * grid.cell_area * grid.nx * grid.ny
+    found = [solver.solve(gap, load=share * minimum) for share in (0.15, 0.9, 1.001)]
     half, nearly, all_ = (np.mean(solution.pressure > 0) for solution in found)
     assert 0.3 < half < 0.6
     assert 0.98 < nearly < 1

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from openmp import told_with
+from openmp import outputs_with
 
 CONTACT = """
 import hashlib, samcontact as sc
@@ -84,7 +84,7 @@ def test_two_simulations_at_once_give_the_digits_of_each_alone():
     ids=["contact", "rough", "simulation", "mirrored", "whole"],
 )
 def test_same_digits_for_any_number_of_openmp_threads(script):
-    answers = told_with(script, 1, 2)
+    answers = outputs_with(script, 1, 2)
     assert answers[0] == answers[1]
     iterations, digest = answers[0].split()
     assert int(iterations) > 0

@@ -32,7 +32,9 @@ def require_law(law, found):
     np.testing.assert_allclose(power, bound * slip, atol=1e-4 * K * max(slip.max(), 1e-300))
 
 
-@pytest.mark.parametrize("bodies", [(STEEL, STEEL), (BRASS, STEEL)], ids=["alike", "dissimilar"])
+@pytest.mark.parametrize(
+    "bodies", [(STEEL, STEEL), (BRASS, STEEL)], ids=["identical", "dissimilar"]
+)
 def test_full_sliding_has_uniform_shear(bodies):
     found = slide((1e-3, 0.0), sc.Tresca(K), bodies)
     touching = found.pressure > 0

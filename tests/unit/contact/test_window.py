@@ -130,9 +130,9 @@ def test_copies_and_files_keep_the_enlarged_grid(grown, tmp_path):
     for other in others:
         assert_same(other.state, grown[1][1])
         assert_same(other.step(**PATH[2]), grown[1][2])
-    stays = sc.Simulation.load(tmp_path / "state.h5")
+    unchanged = sc.Simulation.load(tmp_path / "state.h5")
     with pytest.raises(sc.GridTooSmallError, match=r"to enlarge the grid automatically$"):
-        stays.step(load=20 * LOAD)
+        unchanged.step(load=20 * LOAD)
     with pytest.raises(sc.CheckpointError, match="gap must give the same result on every grid"):
         sc.Simulation.load(tmp_path / "state.h5", gap=lambda grid: punch(grid) * 1.01)
 

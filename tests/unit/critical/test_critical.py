@@ -153,7 +153,7 @@ def test_first_yield_agrees_with_the_stress_along_fine_lines(z, factor, stress, 
 def test_residual_shear_stress_helps_in_one_direction():
     """Initial pure shear, along a line without symmetry."""
     size = 3e8
-    ways = [
+    results = [
         critical.onset_over_depth(
             **FLAT,
             body=PLAIN.with_residual_stress(
@@ -162,10 +162,10 @@ def test_residual_shear_stress_helps_in_one_direction():
         )
         for t in (0.0, 0.3, np.pi / 4)
     ]
-    assert [way.load for way in ways] == pytest.approx([ways[0].load] * 3, rel=1e-6)
+    assert [result.load for result in results] == pytest.approx([results[0].load] * 3, rel=1e-6)
     # On the axis s_rr, twice, and s_zz: 1/2 ((s_xx - s_yy)^2 + ...) = (s_zz - s_rr)^2 + 3 s^2.
     alone = critical.onset(**FLAT, nu=NU, yield_stress=np.sqrt(1e18 - 3 * size**2))
-    assert ways[0].load == pytest.approx(alone.load, rel=1e-6)
+    assert results[0].load == pytest.approx(alone.load, rel=1e-6)
 
 
 @pytest.mark.parametrize("nu", [0.1, 0.3, 0.45])

@@ -25,8 +25,8 @@ def roller(cells, end=1e-3):
 
     def gap(grid):
         profile = grid.x[:, None] ** 2 / (2 * RADIUS)
-        beside = np.abs(grid.y) > LENGTH / 2
-        return profile + np.where(beside, end, 0.0)
+        outside = np.abs(grid.y) > LENGTH / 2
+        return profile + np.where(outside, end, 0.0)
 
     return sc.Grid(25, cells, HERTZ.b / 8, 1.04 * LENGTH / cells), gap
 
@@ -82,7 +82,7 @@ def test_punches_and_steps_cause_a_warning():
     assert len(kinds(lambda: sc.ContactSolver(fine, RIGID, STEEL).solve(gap, load=50.0))) == 1
 
 
-def smooth_scenes():
+def smooth_problems():
     grid = sc.Grid(64, 64, 2e-5, 2e-5)
     x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
     r = np.hypot(x, y)
@@ -107,7 +107,7 @@ def smooth_scenes():
 
 
 def test_smooth_and_rough_contacts_cause_no_edge_warning():
-    for name, grid, gap, load in smooth_scenes():
+    for name, grid, gap, load in smooth_problems():
         solver = sc.ContactSolver(grid, RIGID, STEEL)
         assert not kinds(lambda s=solver, g=gap, n=load: s.solve(g - g.min(), load=n)), name
 
@@ -146,16 +146,16 @@ def test_errors_state_that_the_largest_pressure_does_not_converge():
 
 
 def test_a_run_to_an_accuracy_ends_if_nothing_converges():
-    class Told:
+    class WithWarning:
         solved = type(
             "Solved", (), {"issued": [type("W", (), {"category": sc.SingularPressureWarning})]}
         )
 
     search = object.__new__(accuracy_run.AccuracySearch)
-    search.asked, search.needs = {"max_pressure": 0.01, "approach": 0.01}, ""
-    search.wanted = np.array([0.01, 0.01])
-    search._leave_out_singular(Told)
-    assert search.wanted.tolist() == [math.inf, 0.01]
+    search.targets, search.needs = {"max_pressure": 0.01, "approach": 0.01}, ""
+    search.target_values = np.array([0.01, 0.01])
+    search._leave_out_singular(WithWarning)
+    assert search.target_values.tolist() == [math.inf, 0.01]
     assert "do not converge" in search.needs
 
 
@@ -168,10 +168,10 @@ def test_the_quick_check_misses_no_edge(periodic):
         shape = tuple(rng.integers(1, 9, 2))
         pressure = np.where(rng.random(shape) < 0.6, rng.random(shape), 0.0)
         inside = pressure > 0
-        looked_at = [*sides_of(inside, periodic), *sides_between(inside, inside, periodic)]
+        groups = [*sides_of(inside, periodic), *sides_between(inside, inside, periodic)]
         rising = any(
             (outline._rising(away_from_border(sides, shape, periodic), pressure)).any()
-            for sides in looked_at
+            for sides in groups
         )
         found += rising
         assert has_ridge(pressure, periodic) or not rising

@@ -21,7 +21,7 @@ R, LOAD = 7.5e-3, 1500.0
 HERTZ = sc.hertz.point(R, sc.hertz.effective_modulus(STEEL, STEEL), load=LOAD)
 
 
-def scene(cells, layers=12.0, depth=1.6, body2=YIELDING, **settings):
+def problem(cells, layers=12.0, depth=1.6, body2=YIELDING, **settings):
     """Return a simulation with these numbers of cells and layers per contact radius."""
     dx, dz = HERTZ.a / cells, HERTZ.a / layers
     n = 2 * math.ceil(1.4 * cells) + 1
@@ -77,7 +77,7 @@ def test_the_limits_of_a_run_are_eight_cells_and_eight_layers():
     path = [{"load": load} for load in (0.02 * LOAD, LOAD, 0.0)]
 
     def texts(**grid):
-        return stated(lambda: scene(**grid).run(path, progress=False))
+        return stated(lambda: problem(**grid).run(path, progress=False))
 
     # the first increment has three cells across: only the largest load counts
     assert texts(cells=8) == []
@@ -86,25 +86,25 @@ def test_the_limits_of_a_run_are_eight_cells_and_eight_layers():
 
 
 def test_a_single_increment_warns_once_of_severe_under_resolution():
-    simulation = scene(cells=1.4)
+    simulation = problem(cells=1.4)
     (text,) = stated(lambda: [simulation.step(load=load) for load in (0.5 * LOAD, LOAD)])
     assert "is only 3 cells across" in text
-    assert stated(lambda: scene(cells=5).step(load=LOAD)) == []
+    assert stated(lambda: problem(cells=5).step(load=LOAD)) == []
 
 
 def test_layers_too_coarse_to_show_yield_cause_a_warning():
     soft = sc.Material.perfect_plastic(210e9, 0.3, 2.2e9)  # yields just below 0.4 radii
-    run = scene(8, 0.5, 2, body2=soft)
+    run = problem(8, 0.5, 2, body2=soft)
     (text,) = stated(lambda: run.run([{"load": LOAD}], progress=False))
     assert "appears elastic" in text
     assert "too coarse" in text
     hard = sc.Material.perfect_plastic(210e9, 0.3, 9e9)
-    assert stated(lambda: scene(8, 0.5, 2, body2=hard).step(load=LOAD)) == []
+    assert stated(lambda: problem(8, 0.5, 2, body2=hard).step(load=LOAD)) == []
 
 
 def test_datasets_contain_cell_counts_and_reports_fail_below_a_limit():
     for cells, passes in ((8, True), (1.4, False)):
-        run = scene(cells, layers=1.5 * cells)
+        run = problem(cells, layers=1.5 * cells)
         dataset = results.to_dataset(run, run.run([{"load": LOAD}, {"load": 0.0}], progress=False))
         across, after = dataset["cells_across_contact"].values
         assert abs(across - 2 * cells) <= 1.5
@@ -195,15 +195,15 @@ def test_a_modulus_in_gigapascals_is_named_with_hertz_and_before_the_solve():
 def test_hertz_estimates_are_used_for_smooth_convex_gaps_only():
     grid = sc.Grid(40, 50, 1e-5, 2e-5)
     x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
-    turned = 0.5 * ((x + y) ** 2 / 2 / 4e-3 + (x - y) ** 2 / 2 / 9e-3) + 3e-6 + 1e-3 * x
+    rotated = 0.5 * ((x + y) ** 2 / 2 / 4e-3 + (x - y) ** 2 / 2 / 9e-3) + 3e-6 + 1e-3 * x
 
-    def scene_of(gap):
+    def setup_of(gap):
         return hertz_estimate.ContactSetup(grid, gap, (STEEL, STEEL))
 
-    assert scene_of(turned).radii == pytest.approx((9e-3, 4e-3), rel=1e-9)
-    rough = turned + 2e-5 * np.random.default_rng(1).standard_normal(grid.surface_shape)
-    for gap in (rough, x**2, x**2 - y**2, -turned, 0 * x, np.abs(x)):
-        assert scene_of(gap).hertz(load=1.0) is None
+    assert setup_of(rotated).radii == pytest.approx((9e-3, 4e-3), rel=1e-9)
+    rough = rotated + 2e-5 * np.random.default_rng(1).standard_normal(grid.surface_shape)
+    for gap in (rough, x**2, x**2 - y**2, -rotated, 0 * x, np.abs(x)):
+        assert setup_of(gap).hertz(load=1.0) is None
 
 
 def test_pressures_beyond_linear_elasticity_cause_a_warning():
@@ -221,5 +221,5 @@ def test_pressures_beyond_linear_elasticity_cause_a_warning():
 
 
 def test_a_resolved_smooth_contact_causes_no_warning():
-    run = scene(8)
+    run = problem(8)
     assert stated(lambda: run.run([{"load": LOAD}, {"load": 0.0}], progress=False), Warning) == []

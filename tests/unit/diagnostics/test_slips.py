@@ -106,15 +106,15 @@ def test_a_unit_error_causes_a_warning_before_the_solve_and_fails_a_check(slip, 
     solver = sc.ContactSolver(
         simulation.grid, simulation.body1, simulation.body2, heat=simulation.heat
     )
-    ways = [lambda: simulation.step(**path[-1]), lambda: simulation.run(path, progress=False)]
+    solves = [lambda: simulation.step(**path[-1]), lambda: simulation.run(path, progress=False)]
     if slip != "layers":  # which a contact of surfaces has not
-        ways.append(lambda: solver.solve(simulation.initial_gap, **path[-1]))
-    for way in ways:
+        solves.append(lambda: solver.solve(simulation.initial_gap, **path[-1]))
+    for solve in solves:
         with warnings.catch_warnings():
             warnings.simplefilter("error", sc.UnitWarning)  # so that nothing is solved
             far_below_a_cell = slip == "cells in µm"
             with pytest.raises(ValueError if far_below_a_cell else sc.UnitWarning) as caught:
-                way()
+                solve()
         assert name in str(caught.value)
         assert message in str(caught.value)
     loads = "increment", [step["load"] for step in path]

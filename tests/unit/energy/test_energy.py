@@ -32,7 +32,7 @@ def test_nothing_is_dissipated_without_yielding():
         SWIFT.plastic_work([-1.0])
 
 
-def scene(material, increments, **settings):
+def problem(material, increments, **settings):
     grid = sc.Grid(21, 21, 60e-6, 60e-6, 18, 60e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
     simulation = sc.Simulation(grid, ELASTIC, material, gap, **settings)
@@ -55,7 +55,7 @@ def work_of_the_stress(states):
 def test_plastic_work_of_a_body_is_that_of_its_stress(material):
     errors = []
     for increments in (10, 20, 40):
-        _, states = scene(material, increments)
+        _, states = problem(material, increments)
         tracks = [state.track(margin=0) for state in states]
         work = sum(
             energy.plastic_work(material, after, before)
@@ -69,7 +69,7 @@ def test_plastic_work_of_a_body_is_that_of_its_stress(material):
 
 
 def test_plastic_work_depends_on_the_state_alone_without_kinematic_hardening():
-    _, states = scene(SWIFT, 5)
+    _, states = problem(SWIFT, 5)
     tracks = [state.track(margin=0) for state in states]
     steps = [
         energy.plastic_work(SWIFT, after, before) for before, after in itertools.pairwise(tracks)
@@ -104,6 +104,6 @@ def test_residual_energy_is_that_of_the_stress_around():
 
 def test_thermal_softening_is_refused():
     soft = SWIFT.with_softening(sc.softening.JohnsonCook(melting=1800.0, m=1.0))
-    simulation, _ = scene(SWIFT, 1)
+    simulation, _ = problem(SWIFT, 1)
     with pytest.raises(ValueError, match="material must have no thermal softening"):
         energy.plastic_work(soft, simulation.state.track())

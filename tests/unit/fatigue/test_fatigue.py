@@ -131,15 +131,15 @@ def brute_force(shear, stress, combine, planes):
     third = np.cross(normal.T, across.T).T
     traction = np.einsum("tij,jp->tip", shear, normal)
     x, y = ((traction * axis).sum(axis=1) for axis in (across, third))
-    most = np.einsum("tij,ip,jp->tp", stress, normal, normal).max(axis=0)
+    maximum = np.einsum("tij,ip,jp->tp", stress, normal, normal).max(axis=0)
     # below the radius: half the width, above it: half the diagonal
     turns = np.linspace(0, np.pi, 24, endpoint=False)
     widths = [np.ptp(x * np.cos(a) + y * np.sin(a), axis=0) for a in turns]
-    likely = combine(np.hypot(np.ptp(x, axis=0), np.ptp(y, axis=0)) / 2, most)
-    floor = combine(np.max(widths, axis=0) / 2, most).max()
+    likely = combine(np.hypot(np.ptp(x, axis=0), np.ptp(y, axis=0)) / 2, maximum)
+    floor = combine(np.max(widths, axis=0) / 2, maximum).max()
     best = -np.inf
     for p in np.flatnonzero(likely > floor):
-        best = max(best, combine(_circle(np.stack([x[:, p], y[:, p]], axis=1)), most[p]))
+        best = max(best, combine(_circle(np.stack([x[:, p], y[:, p]], axis=1)), maximum[p]))
     return best
 
 
@@ -147,9 +147,9 @@ def _circle(points):
     """Radius of the smallest circle, the largest of those that two or three points force."""
     centre = points.mean(axis=0)
     for step in 0.5 ** np.arange(1, 24, 0.25):
-        apart = points - centre
-        far = np.hypot(*apart.T).argmax()
-        centre = centre + step * apart[far]
+        offsets = points - centre
+        far = np.hypot(*offsets.T).argmax()
+        centre = centre + step * offsets[far]
     return np.hypot(*(points - centre).T).max()
 
 
@@ -174,16 +174,16 @@ def test_critical_planes_are_those_of_a_brute_search():
 def test_criteria_are_independent_of_the_axes():
     """A rotated body has equal values; critical planes agree within the stated error."""
     stress = random_paths(200, seed=5)
-    turn = Rotation.from_rotvec([0.4, -1.1, 0.7]).as_matrix()
-    turned = components(turn @ tensors(stress) @ turn.T)
+    rotation = Rotation.from_rotvec([0.4, -1.1, 0.7]).as_matrix()
+    rotated = components(rotation @ tensors(stress) @ rotation.T)
     for criterion, digits in ((dang_van, 1e-9), (crossland, 1e-12)):
-        one, other = (criterion(s, slope=0.3).values for s in (stress, turned))
+        one, other = (criterion(s, slope=0.3).values for s in (stress, rotated))
         np.testing.assert_allclose(one, other, rtol=digits)
-    one, other = findley(stress, k=0.3), findley(turned, k=0.3)
+    one, other = findley(stress, k=0.3), findley(rotated, k=0.3)
     np.testing.assert_allclose(one.values, other.values, rtol=0.01)
     assert np.quantile(np.abs(one.values / other.values - 1), 0.98) < 1e-4
     assert np.median(np.abs(one.values / other.values - 1)) < 1e-6
-    same = np.abs(np.einsum("in,ij,jn->n", other.normals, turn, one.normals))
+    same = np.abs(np.einsum("in,ij,jn->n", other.normals, rotation, one.normals))
     assert np.median(same) > 1 - 1e-5
 
 

@@ -26,7 +26,7 @@ PASSING = '[fatigue]\nsteady_axis = "x"\nfatemi_socie = 0.5\n'
 @pytest.fixture
 def run(tmp_path):
     def run(more):
-        path = tmp_path / "scene.toml"
+        path = tmp_path / "case.toml"
         path.write_text(f"{MINIMAL}\n{more}")
         return invoke("run", path, "--output", tmp_path / "out"), tmp_path / "out"
 

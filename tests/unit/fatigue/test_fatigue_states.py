@@ -118,8 +118,8 @@ def test_digits_depend_neither_on_blocks_nor_on_the_memory(monkeypatch):
     criteria += (partial(fatemi_socie, k=0.5, yield_stress=1e9),)
     seen = cycle(states)
     whole = [criterion(seen) for criterion in criteria]
-    least = 2.5 * 48 * 3 * 48 * 16
-    monkeypatch.setattr(memory, "available", lambda: 2.2 * least / 0.4)  # two layers at once
+    minimum = 2.5 * 48 * 3 * 48 * 16
+    monkeypatch.setattr(memory, "available", lambda: 2.2 * minimum / 0.4)  # two layers at once
     for given in (states, seen):  # the second has its stress already
         parts = [criterion(given) for criterion in criteria]
         for one, other in zip(whole, parts, strict=True):
@@ -149,8 +149,8 @@ def test_the_dataset_is_labelled():
     assert dataset["findley"].attrs["units"] == "Pa"
     assert dataset["findley"].attrs["k"] == 0.3
     np.testing.assert_array_equal(dataset["findley_normal"].sel(found.position), found.normal)
-    most = dataset["findley"].sel(found.position)
-    assert float(most) == found.max_value
+    maximum = dataset["findley"].sel(found.position)
+    assert float(maximum) == found.max_value
 
 
 @pytest.mark.parametrize(

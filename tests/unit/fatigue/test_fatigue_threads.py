@@ -4,7 +4,7 @@
 import subprocess
 import sys
 
-from openmp import told_with
+from openmp import outputs_with
 
 DIGITS = """
 import hashlib
@@ -45,7 +45,7 @@ except KeyboardInterrupt:
 
 
 def test_threads_change_no_digit():
-    one, *others = told_with(DIGITS, 1, 2, 5)
+    one, *others = outputs_with(DIGITS, 1, 2, 5)
     assert one.strip()
     assert set(others) == {one}
 

@@ -98,12 +98,12 @@ def test_a_row_is_filled(monkeypatch):
             "c": {"quantity": "{at:g} N", "thesis": {"8": 1.0, "9.5": 2.0},
                   "remark": {"8": "c"}}}  # fmt: skip
     monkeypatch.setattr(stated, "table", lambda: {"part": rows})
-    said = stated.Stated("part").on("coarse", which="k = 1")
-    assert said.number("a", 2.1) == stated.Number("a, k = 1", 2.0, 2.1, "m", "closed form")
-    assert said.number("a", 2.1, mesh="fine", thesis=3.0).difference == pytest.approx(-0.3)
-    assert said.number("c", 1.1, at=8.0) == stated.Number("8 N", 1.0, 1.1, "", "coarse", remark="c")
-    assert said.number("c", 1.1, at=9.5).thesis == said.values("c")[9.5] == 2.0
-    found = said.trend("b", True, [1.0, 0.12345], 7.0, remark="why")
+    part = stated.Stated("part").on("coarse", which="k = 1")
+    assert part.number("a", 2.1) == stated.Number("a, k = 1", 2.0, 2.1, "m", "closed form")
+    assert part.number("a", 2.1, mesh="fine", thesis=3.0).difference == pytest.approx(-0.3)
+    assert part.number("c", 1.1, at=8.0) == stated.Number("8 N", 1.0, 1.1, "", "coarse", remark="c")
+    assert part.number("c", 1.1, at=9.5).thesis == part.values("c")[9.5] == 2.0
+    found = part.trend("b", True, [1.0, 0.12345], 7.0, remark="why")
     assert found == stated.Statement("b", "more", "1, 0.123 to 7.0 %", True, "coarse", "why")
 
 

@@ -24,7 +24,7 @@ FIELDS = ("temperature", "surface_temperature", "stress", "surface_displacement"
 STEP = 1e-3  # sqrt(kappa t) = 0.28 contact radii
 
 
-def march(body2=WARM, body1=COLD, factor=0.05, longest=100.0, velocity=None, **settings):
+def heated(body2=WARM, body1=COLD, factor=0.05, longest=100.0, velocity=None, **settings):
     heat = sc.Heat(factor, velocity, history=(STEP, longest))
     return sc.Simulation(GRID, body1, body2, BALL, heat=heat, **settings)
 
@@ -42,7 +42,7 @@ def assert_fields(a, b, tolerance, body=2):
 class TestGivenFlux:
     @pytest.mark.parametrize("velocity", [(0.0, 0.0), (0.05, 0.0), (-0.5, 0.3)])
     def test_constant_flux_in_many_steps_or_one(self, velocity):
-        simulation = march(velocity=velocity)
+        simulation = heated(velocity=velocity)
         for _ in range(8):
             state = simulation.step(pressure=PRESSURE, duration=STEP)
         assert state.time == pytest.approx(8 * STEP)
@@ -50,12 +50,12 @@ class TestGivenFlux:
         assert_fields(state, once, 1e-5)
 
     def test_shortest_and_longest_may_be_equal(self):
-        state = march(longest=STEP).step(pressure=PRESSURE, duration=STEP)
+        state = heated(longest=STEP).step(pressure=PRESSURE, duration=STEP)
         assert_fields(state, at_once(STEP).step(pressure=PRESSURE), 1e-5)
 
     @pytest.mark.parametrize("velocity", [(0.0, 0.0), (0.2, 0.0)])
     def test_any_flux_is_a_sum_of_constant_ones(self, velocity):
-        simulation = march(velocity=velocity)
+        simulation = heated(velocity=velocity)
         rng = np.random.default_rng(3)
         steps = [(PRESSURE * rng.uniform(0, 1), STEP * rng.uniform(1, 4)) for _ in range(6)]
         for pressure, duration in steps:
@@ -75,7 +75,7 @@ class TestGivenFlux:
         np.testing.assert_allclose(state.temperature(), rise, atol=1e-5 * rise.max())
 
     def test_zero_flux_changes_nothing(self):
-        cold = march(factor=0.0)
+        cold = heated(factor=0.0)
         for duration in (STEP, 5 * STEP):
             state = cold.step(load=LOAD, duration=duration)
         plain = sc.Simulation(GRID, COLD, WARM, BALL).step(load=LOAD)
@@ -83,7 +83,7 @@ class TestGivenFlux:
         np.testing.assert_allclose(state.pressure, plain.pressure, atol=1e-6 * 4e9)
 
     def test_cools_down_to_nothing(self):
-        simulation = march(longest=1e4)
+        simulation = heated(longest=1e4)
         state = simulation.step(pressure=PRESSURE, duration=20 * STEP)
         hot = state.surface_temperature().max()
         last = hot
@@ -100,7 +100,7 @@ class TestGivenFlux:
 
 class TestContact:
     def test_the_march_tends_to_the_steady_state(self):
-        simulation = march(longest=1e6)
+        simulation = heated(longest=1e6)
         for n in range(32):
             state = simulation.step(load=LOAD, duration=STEP * 2**n)
         steady = sc.Simulation(GRID, COLD, WARM, BALL, heat=sc.Heat(0.05)).step(load=LOAD)
@@ -115,7 +115,7 @@ class TestContact:
         """The flux of a step is that at its end; the error due to its change is small."""
         found = []
         for parts in (2, 16):
-            simulation = march(factor=0.1)
+            simulation = heated(factor=0.1)
             for _ in range(parts):
                 state = simulation.step(load=LOAD, duration=16 * STEP / parts)
             found.append([state.pressure.max(), state.surface_temperature().max()])
@@ -125,7 +125,7 @@ class TestContact:
         assert once.pressure.max() == pytest.approx(many[0], rel=2e-3)
 
     def test_cost_and_memory_do_not_grow(self):
-        simulation = march()
+        simulation = heated()
         sizes = []
         for _ in range(30):
             state = simulation.step(load=LOAD, duration=STEP)
@@ -135,7 +135,7 @@ class TestContact:
         assert state._core.past1 is None
 
     def test_heat_into_both_bodies_with_speeds_of_their_own(self):
-        simulation = march(
+        simulation = heated(
             WARM, WARM, (0.04, 0.02), velocity=[[0.0, 0.0], [0.3, 0.0]], on_border="warn"
         )
         for _ in range(4):
@@ -147,7 +147,7 @@ class TestContact:
 
 class TestPlasticity:
     def test_load_hold_and_cool(self):
-        simulation = march(STEEL, factor=0.08)
+        simulation = heated(STEEL, factor=0.08)
         cold = sc.Simulation(GRID, COLD, STEEL, BALL).step(load=LOAD)
         for n in range(8):
             held = simulation.step(load=LOAD, duration=STEP * 2**n)
@@ -167,7 +167,7 @@ class TestPlasticity:
     def test_fast_and_exact_and_mirrors(self):
         states = []
         for method in ("exact", "fast"):
-            simulation = march(STEEL, residual_stress=method)
+            simulation = heated(STEEL, residual_stress=method)
             for _ in range(3):
                 state = simulation.step(load=LOAD, duration=3 * STEP)
             states.append(state)
@@ -176,7 +176,7 @@ class TestPlasticity:
         assert states[1]._core.history2["mirrored"] == 2
 
     def test_yield_condition(self):
-        simulation = march(STEEL, factor=0.06, velocity=(0.1, 0.0))
+        simulation = heated(STEEL, factor=0.06, velocity=(0.1, 0.0))
         for _ in range(3):
             state = simulation.step(load=LOAD, duration=3 * STEP)
         limit = STEEL.yield_stress(state.equivalent_plastic_strain())
@@ -184,10 +184,10 @@ class TestPlasticity:
         assert state.max_equivalent_plastic_strain() > 1e-3
 
     def test_automatic_increments(self):
-        plain = march(STEEL)
+        plain = heated(STEEL)
         for _ in range(12):
             expected = plain.step(load=LOAD * (plain.state.time / STEP + 1) / 12, duration=STEP)
-        simulation = march(STEEL, increment_tol=2e-3)
+        simulation = heated(STEEL, increment_tol=2e-3)
         state = simulation.step(load=LOAD, duration=12 * STEP)
         assert state.substeps > 1
         assert state.time == pytest.approx(12 * STEP)
@@ -198,7 +198,7 @@ class TestPlasticity:
         )
 
     def test_identical_bodies(self):
-        simulation = march(STEEL, STEEL, (0.03, 0.03))
+        simulation = heated(STEEL, STEEL, (0.03, 0.03))
         for _ in range(3):
             state = simulation.step(load=LOAD, duration=STEP)
         for name in ("stress", "plastic_strain", "temperature"):
@@ -207,7 +207,7 @@ class TestPlasticity:
 
     def test_softening_includes_past_heat(self):
         law = sc.softening.JohnsonCook(1800.0, 1.0)
-        simulation = march(STEEL.with_softening(law))
+        simulation = heated(STEEL.with_softening(law))
         for _ in range(4):
             state = simulation.step(load=LOAD, duration=5 * STEP)
         np.testing.assert_allclose(state.softening(), law(state.temperature()), atol=5e-3)
@@ -218,7 +218,7 @@ class TestPlasticity:
 class TestCheckpoint:
     @pytest.mark.parametrize("velocity", [(0.0, 0.0), (0.2, 0.1)])
     def test_continuation_is_bit_identical(self, velocity, tmp_path):
-        simulation = march(STEEL, velocity=velocity)
+        simulation = heated(STEEL, velocity=velocity)
         for _ in range(3):
             simulation.step(load=LOAD, duration=2 * STEP)
         simulation.save(tmp_path / "saved.h5")
@@ -254,10 +254,10 @@ class TestBadInput:
             sc.ContactSolver(GRID, COLD, WARM, heat=sc.Heat(0.1, history=(1e-3, 1.0)))
 
     def test_steps_too_short_for_the_cells_are_refused_before_any_work(self):
-        least = (0.02 * SIZE) ** 2 / KAPPA
-        heat = sc.Heat(0.05, history=(1.001 * least, 1.0))
+        minimum = (0.02 * SIZE) ** 2 / KAPPA
+        heat = sc.Heat(0.05, history=(1.001 * minimum, 1.0))
         sc.Simulation(GRID, COLD, WARM, BALL, heat=heat)
-        heat = sc.Heat(0.05, history=(0.999 * least, 1.0))
+        heat = sc.Heat(0.05, history=(0.999 * minimum, 1.0))
         with pytest.raises(ValueError, match=r"heat\.history must have a shortest step"):
             sc.Simulation(GRID, COLD, WARM, BALL, heat=heat)
         with pytest.raises(ValueError, match=r"for body 1, .* of the cell length"):
@@ -280,7 +280,7 @@ class TestBadInput:
         ],
     )
     def test_of_a_step(self, duration, text):
-        simulation = march()
+        simulation = heated()
         simulation.step(load=LOAD, duration=STEP)
         with pytest.raises(ValueError, match=re.escape(text)):
             simulation.step(load=LOAD, duration=duration)
@@ -291,12 +291,12 @@ class TestBadInput:
             at_once(None).step(load=LOAD, duration=1.0)
 
     def test_a_failed_step_changes_nothing(self):
-        simulation = march()
+        simulation = heated()
         simulation.step(load=LOAD, duration=STEP)
         with pytest.raises(sc.GridTooSmallError):
             simulation.step(load=10 * LOAD, duration=STEP)
         assert simulation.state.time == STEP
-        again = march()
+        again = heated()
         for s in (simulation, again):
             state = s.step(load=LOAD, duration=STEP)
             if s is again:

@@ -250,11 +250,11 @@ def test_elliptic_displacement_closes_the_gap(Rx, Ry):
         u = _surface_displacement(contact.pressure, contact.a_x, contact.a_y, x, 3.0)
         assert u + x * x / (2 * Rx) == pytest.approx(contact.approach, rel=1e-7)
 
-        def turned(y, x, contact=contact):
+        def rotated(y, x, contact=contact):
             return contact.pressure(x, y)
 
         y = s * contact.a_y
-        u = _surface_displacement(turned, contact.a_y, contact.a_x, y, 3.0)
+        u = _surface_displacement(rotated, contact.a_y, contact.a_x, y, 3.0)
         assert u + y * y / (2 * Ry) == pytest.approx(contact.approach, rel=1e-7)
 
 

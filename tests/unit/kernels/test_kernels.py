@@ -86,7 +86,7 @@ class TestRectangleAgainstQuadrature:
             ):
                 found = [actual(*place, axis=axis) * E / LENGTH for axis in "xyz"]
                 assert_close(np.array(found), expected(X, Y, rect, nu, 1.0))
-            # What most loads and axes are asked for.
+            # By default the displacement along z.
             assert kernels.pressure_displacement(*place) == kernels.pressure_displacement(
                 *place, axis="z"
             )

@@ -145,7 +145,7 @@ def test_reasons_are_sentences(tmp_path):
     with pytest.raises(
         instruments._ReaderError, match=r"IndexError: list.*damaged, or is a variant"
     ):
-        instruments._tried(instruments.library("SurfaceTopography.IO"), fails)
+        instruments._call_reader(instruments.library("SurfaceTopography.IO"), fails)
 
 
 @pytest.mark.parametrize(
@@ -178,10 +178,10 @@ class TestColumns:
     z = 1e-6 * np.cos(2e4 * x)
 
     @pytest.mark.parametrize("suffix", ["txt", "csv", "npy", "xyz"])
-    @pytest.mark.parametrize("turned", [False, True])
-    def test_a_two_column_profile_is_not_read_as_a_map(self, tmp_path, suffix, turned):
+    @pytest.mark.parametrize("descending", [False, True])
+    def test_a_two_column_profile_is_not_read_as_a_map(self, tmp_path, suffix, descending):
         path = tmp_path / f"p.{suffix}"
-        table = np.column_stack([self.x, self.z])[:: -1 if turned else 1]
+        table = np.column_stack([self.x, self.z])[:: -1 if descending else 1]
         if suffix == "npy":
             np.save(path, table)
         else:

@@ -148,8 +148,8 @@ class TestRolling:
         path = paths.rolling(
             approach=1e-6, distance=1.0, step=1.0, increments=1, passes=3, back_and_forth=True
         )
-        ways = [step["advance"][0] for step in path if "advance" in step]
-        assert ways == [-1.0, 1.0, -1.0]
+        travels = [step["advance"][0] for step in path if "advance" in step]
+        assert travels == [-1.0, 1.0, -1.0]
         assert [step.get("approach") for step in path] == [1e-6] * 4 + [None]
         assert path[-1] == {"load": 0.0}
 
@@ -169,9 +169,9 @@ class TestRolling:
             passes=passes,
         )
         # the ways back undo all passes but the last
-        ways = [moved(path, body) for body in (1, 2)]
+        travels = [moved(path, body) for body in (1, 2)]
         expected = [-sign * distance * (1 + s * ratio / 2) for s in (1, -1)]
-        np.testing.assert_allclose(ways, expected, rtol=1e-12, atol=1e-12 * distance)
+        np.testing.assert_allclose(travels, expected, rtol=1e-12, atol=1e-12 * distance)
         loaded = [step for step in path if step["load"] > 0 and "advance" in step]
         assert len(loaded) in (passes * math.ceil(parts), passes * math.floor(parts + 1e-6))
         np.testing.assert_allclose(moved(loaded, 1), passes * expected[0], atol=1e-11 * distance)
@@ -290,9 +290,9 @@ def test_a_fretting_loop_closes():
     np.testing.assert_allclose(states[8].shear, -states[2].shear, atol=1e-6 * bound)
     first, second = (states[n + 12].friction_work - states[n].friction_work for n in (2, 14))
     assert second == pytest.approx(first, rel=1e-6)
-    way = states[2].shift
-    by_motion = paths.fretting_loop(load=300.0, shift=tuple(way), increments=1)
-    assert [step["shift"][0] / way[0] for step in by_motion] == pytest.approx([1, -1, -1, 1, 1])
+    travel = states[2].shift
+    by_motion = paths.fretting_loop(load=300.0, shift=tuple(travel), increments=1)
+    assert [step["shift"][0] / travel[0] for step in by_motion] == pytest.approx([1, -1, -1, 1, 1])
 
 
 def test_a_tangential_path_comes_to_its_force():

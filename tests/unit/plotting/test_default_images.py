@@ -178,8 +178,8 @@ def difference(image, other):
     """
     assert abs(image.height - other.height) <= 0.04 * other.height
     image = image.resize(other.size)
-    beside = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
-    moved = [np.abs(squares(image, *by) - squares(other)).max(axis=2) for by in beside]
+    offsets = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)]
+    moved = [np.abs(squares(image, *by) - squares(other)).max(axis=2) for by in offsets]
     return float(np.min(moved, axis=0).max()) / 255
 
 

@@ -39,9 +39,9 @@ def test_lines_are_those_of_the_interface(axis, along, shear):
     (mark,) = set(drawn) - set(expected)
     for name, values in expected.items():
         np.testing.assert_allclose(drawn[name], [x * 1e6, values])
-    most = max(values.max() for name, values in expected.items() if f"{axis}z" not in name)
-    assert mark == f"maximum tension {most:.4g} MPa"
-    assert drawn[mark][1] == pytest.approx([most])
+    maximum = max(values.max() for name, values in expected.items() if f"{axis}z" not in name)
+    assert mark == f"maximum tension {maximum:.4g} MPa"
+    assert drawn[mark][1] == pytest.approx([maximum])
     assert ax.get_ylabel() == "stress at 5 µm depth [MPa]"
 
 
@@ -91,15 +91,15 @@ def test_the_interfaces_with_the_largest_tension_are_shown():
     layers = [(NITRIDE, 4e-6), (STEEL, 2e-6), (NITRIDE, 4e-6), (STEEL, 2e-6)]
     body = sc.Layered(layers, STEEL)
     _, dataset = pressed(body)
-    scene = ContactResults(dataset, 2, None)
+    problem = ContactResults(dataset, 2, None)
     stored = dataset.interface_stress_body2[0]
     pulled = stored.sel(component=["xx", "zz"]).max(("side", "component", "x", "y"))
     three = np.sort(body.interfaces[np.argsort(-pulled.values)[:3]])
-    panels = interface.interface_figure(scene, 1).axes
+    panels = interface.interface_figure(problem, 1).axes
     assert [ax.get_ylabel() for ax in panels] == [
         f"stress at {depth * 1e6:.4g} µm depth [MPa]" for depth in three
     ]
     # the table of a report has them all
-    ((_, text, _),) = [made for made in figures._volume(scene) if "interfaces" in made[0]]
+    ((_, text, _),) = [made for made in figures._volume(problem) if "interfaces" in made[0]]
     tension = 1e-6 * float(stored.sel(component=["xx", "yy"]).max())
     assert f"in-plane tension {tension:.4g} MPa" in text

@@ -124,9 +124,9 @@ def test_a_zero_field_is_labelled(simulation, ax):
 def test_the_label_of_a_section_fits(layers, ax):
     grid = make_grid(nz=layers, dz=1e-4)
     plotting.section(np.ones((grid.nx, grid.ny, grid.nz)), grid, ax, quantity="von_mises")
-    beside = ax.figure.axes[1].get_ylabel()
-    assert (ax.get_title(), beside)[layers > 5] == "von Mises stress [MPa]"
-    assert (ax.get_title(), beside)[layers < 5] == ""
+    bar_label = ax.figure.axes[1].get_ylabel()
+    assert (ax.get_title(), bar_label)[layers > 5] == "von Mises stress [MPa]"
+    assert (ax.get_title(), bar_label)[layers < 5] == ""
 
 
 @pytest.mark.parametrize("known", [True, False])

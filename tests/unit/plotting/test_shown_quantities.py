@@ -113,13 +113,13 @@ def test_prescribed_tension_is_shown(tmp_path):
     simulation = Simulation(grid, ELASTIC, ELASTIC, gap)
     pressure = 1e8 * np.cos(0.3e6 * grid.x[:, None]) * np.ones(grid.ny)
     dataset = to_dataset(simulation, simulation.run([{"pressure": pressure}], progress=False))
-    scene = ContactResults(dataset, 2, None)
-    ax = peak_map(scene, "pressure", new_figure().subplots())
+    problem = ContactResults(dataset, 2, None)
+    ax = peak_map(problem, "pressure", new_figure().subplots())
     assert ax.get_title() == "pressure [GPa]"
     assert shows(ax, grid.x, grid.y, pressure * 1e-9)
-    ax = peak_map(scene, "gap", new_figure().subplots())
+    ax = peak_map(problem, "gap", new_figure().subplots())
     assert ax.get_title() == "gap [µm]"
     dataset["gap"][:] -= 2e-8
-    ax = peak_map(scene, "gap", new_figure().subplots())
+    ax = peak_map(problem, "gap", new_figure().subplots())
     assert shows(ax, grid.x, grid.y, dataset["gap"].values[0] * 1e6)
     assert len(plotting.summary_figures(dataset, tmp_path)) == 4

@@ -36,11 +36,11 @@ def fretting():
 
 @pytest.fixture(scope="module")
 def rolling():
-    way = -GRID.dx
+    distance = -GRID.dx
     path = []
     for xi in (1e-3, 4e-3):
-        ways = {"advance": (way * (1 - xi / 2), way * (1 + xi / 2))}
-        path += [{"load": LOAD, "shift": (0.0, 1e-4 * way)} | ways] * 4
+        travels = {"advance": (distance * (1 - xi / 2), distance * (1 + xi / 2))}
+        path += [{"load": LOAD, "shift": (0.0, 1e-4 * distance)} | travels] * 4
     return run(path)
 
 

@@ -17,7 +17,7 @@ from samcontact.results.motion import track_of
 SOFT = sc.Material.swift(210e9, 0.3, 945e6, 20, 0.121)
 STEP = 60e-6
 GRID = sc.Grid(15, 13, STEP, STEP, 12, STEP)
-WAY = 10  # cells in a pass
+DISTANCE = 10  # cells in a pass
 
 
 def make_simulation(body1=None):
@@ -31,7 +31,9 @@ def run(steps, body1=None):
 
 @pytest.fixture(scope="module")
 def states():
-    return run(sc.paths.rolling(load=700.0, distance=WAY * STEP, step=2.5 * STEP, increments=1))
+    return run(
+        sc.paths.rolling(load=700.0, distance=DISTANCE * STEP, step=2.5 * STEP, increments=1)
+    )
 
 
 @pytest.fixture(scope="module")
@@ -85,10 +87,10 @@ def test_imprint_along_the_track(track, shown, ax):
 
 
 def test_imprint_across_the_track(track, shown, ax):
-    plotting.track_imprint(shown, ax, axis="y", positions=(0.0, WAY * STEP))
+    plotting.track_imprint(shown, ax, axis="y", positions=(0.0, DISTANCE * STEP))
     u = track.residual_displacement() * 1e6
-    rows = [int(np.argmin(np.abs(track.x - x))) for x in (0.0, WAY * STEP)]
-    assert rows[1] - rows[0] == WAY
+    rows = [int(np.argmin(np.abs(track.x - x))) for x in (0.0, DISTANCE * STEP)]
+    assert rows[1] - rows[0] == DISTANCE
     for line, row in zip(ax.get_lines(), rows, strict=True):
         np.testing.assert_allclose(line.get_xdata(), GRID.y * 1e6)
         np.testing.assert_allclose(line.get_ydata(), u[row])

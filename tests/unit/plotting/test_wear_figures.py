@@ -46,9 +46,9 @@ def test_tresca_is_independent_of_the_axes():
     rng = np.random.default_rng(3)
     full = rng.normal(size=(3, 3))
     full += full.T
-    turn, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+    rotation, _ = np.linalg.qr(rng.normal(size=(3, 3)))
     pairs = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
-    both = [np.array([m[p] for p in pairs]) for m in (full, turn @ full @ turn.T)]
+    both = [np.array([m[p] for p in pairs]) for m in (full, rotation @ full @ rotation.T)]
     first, second = (wear_figures.tresca(s) for s in both)
     assert first == pytest.approx(second, rel=1e-12)
 
@@ -60,7 +60,7 @@ def test_worn_profile(result, ax):
     np.testing.assert_allclose(last.get_ydata(), result.profile(2)[:, 13] * 1e6)
     assert last.get_xdata()[np.argmin(np.abs(result.x()))] == pytest.approx(0.0, abs=1e-9)
     ax.figure.draw_without_rendering()
-    assert ax.get_legend().get_window_extent().x0 >= ax.get_window_extent().x1  # beside the lines
+    assert ax.get_legend().get_window_extent().x0 >= ax.get_window_extent().x1  # next to the axes
     alone = wear_figures.worn_profile(result.to_dataset(), cycles=(0,))
     assert alone.get_legend() is None
 
@@ -118,6 +118,6 @@ def test_fretting_panels_show_pressure_and_slip():
     above, below = wear_figures.fretting_panels(scar.first, scar.last, position=0.0).axes
     for line, states in zip(above.get_lines(), (scar.first, scar.last), strict=True):
         np.testing.assert_allclose(line.get_ydata(), states[-1].pressure[:, 7] * 1e-9)
-    way = sum(np.hypot(*state.slip) for state in scar.last)[:, 7]
-    np.testing.assert_allclose(below.get_lines()[1].get_ydata(), way * 1e6)
-    assert way[7] == 0.0 < way.max()
+    slip_distance = sum(np.hypot(*state.slip) for state in scar.last)[:, 7]
+    np.testing.assert_allclose(below.get_lines()[1].get_ydata(), slip_distance * 1e6)
+    assert slip_distance[7] == 0.0 < slip_distance.max()

@@ -47,9 +47,9 @@ def folder(data, tmp_path_factory):
 @pytest.fixture(scope="module")
 def page(folder):
     """Open the report in a browser; return its page and the requested paths."""
-    with served(folder) as (address, asked), chromium() as driver:
+    with served(folder) as (address, requested), chromium() as driver:
         driver.get(f"{address}/report.html")
-        yield SimpleNamespace(driver=driver, asked=asked)
+        yield SimpleNamespace(driver=driver, requested=requested)
 
 
 def cells(page, table):
@@ -81,7 +81,7 @@ def test_the_browser_shows_every_figure(page):
 
 
 def test_the_page_is_self_contained(page):
-    assert set(page.asked) <= {"/report.html", "/favicon.ico"}
+    assert set(page.requested) <= {"/report.html", "/favicon.ico"}
     assert [e for e in page.driver.get_log("browser") if "favicon" not in e["message"]] == []
 
 
@@ -156,12 +156,12 @@ def test_hertz_table(page, data):
 
 
 def test_checks_in_the_browser(page, data):
-    verdicts = report.checks(data)
-    assert all(verdict.passed for verdict in verdicts)
-    assert page.driver.find_element(By.ID, "verdict").text == "16 of 16 checks passed"
-    assert 0 < sum(verdict.of_input for verdict in verdicts) < len(verdicts)
+    checks_found = report.checks(data)
+    assert all(check.passed for check in checks_found)
+    assert page.driver.find_element(By.ID, "outcome").text == "16 of 16 checks passed"
+    assert 0 < sum(check.of_input for check in checks_found) < len(checks_found)
     for name, of_input in (("checks-table", False), ("input-table", True)):
-        shown = [verdict for verdict in verdicts if verdict.of_input is of_input]
+        shown = [check for check in checks_found if check.of_input is of_input]
         expected = [[v.name, v.shown, v.condition, "✓ passed"] for v in shown]
         assert cells(page, name)[1:] == expected
         behind = np.array([row[0] for row in exact(page, name)], dtype=float)
@@ -222,8 +222,8 @@ def test_numbers_are_not_wrapped(page, width):
         page.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
 
-def named(verdicts, start):
-    (found,) = [v for v in verdicts if v.name.startswith(start)]
+def named(checks_found, start):
+    (found,) = [v for v in checks_found if v.name.startswith(start)]
     return found
 
 
@@ -273,10 +273,10 @@ SPOILERS = [
 @pytest.mark.parametrize(("start", "name", "change", "value"), SPOILERS)
 def test_every_check_can_fail(data, sound, start, name, change, value):
     bad = spoilt(data, name, change)
-    verdict = find(bad, start)
-    assert not verdict.passed
+    check = find(bad, start)
+    assert not check.passed
     if value is not None:
-        assert verdict.value == pytest.approx(value, rel=1e-6)
+        assert check.value == pytest.approx(value, rel=1e-6)
     assert named(sound, start).passed
 
 
@@ -348,7 +348,7 @@ def test_moving_contact_has_a_track(tmp_path, undrawn):
     assert "Residual imprint, increment" not in text  # a corner of it
     assert "travel, body 2 [µm]" in text
     # what the contact leaves behind may leave the grid, too
-    assert all(verdict.passed for verdict in report.checks(dataset))
+    assert all(check.passed for check in report.checks(dataset))
 
 
 def test_prescribed_tractions_have_no_complementarity(tmp_path, undrawn):
@@ -357,7 +357,7 @@ def test_prescribed_tractions_have_no_complementarity(tmp_path, undrawn):
     pressure = np.zeros((8, 8))
     pressure[3:5, 3:5] = 1e9
     dataset = results.to_dataset(simulation, [simulation.step(pressure=pressure)])
-    names = [verdict.name for verdict in report.checks(dataset)]
+    names = [check.name for check in report.checks(dataset)]
     solved = ("minimum gap", "minimum contact pressure", "complementarity")
     assert not any(name.startswith(solved) for name in names)
     assert "Load–approach curve" not in written(dataset, tmp_path)

@@ -60,7 +60,7 @@ KINEMATIC = sc.Material.perfect_plastic(210e9, 0.3, 1.2e9).with_kinematic_harden
 @pytest.mark.parametrize(
     ("body2", "friction"),
     [(sc.Material.elastic(100e9, 0.2), 0.3), (HARDENING, 0.3), (KINEMATIC, 0.3)],
-    ids=["unlike", "yields", "kinematic"],
+    ids=["dissimilar", "yields", "kinematic"],
 )
 def test_the_energy_imbalance_decreases_with_the_increments(body2, friction):
     few, many = balances(body2, friction, (2, 6), 60.0)
@@ -137,8 +137,8 @@ def test_unknown_balances_are_refused():
         energy.balance(heated, [warm])
 
 
-def named(verdicts, start):
-    (found,) = [verdict for verdict in verdicts if verdict.name.startswith(start)]
+def named(checks_found, start):
+    (found,) = [check for check in checks_found if check.name.startswith(start)]
     return found
 
 

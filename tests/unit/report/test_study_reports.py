@@ -143,10 +143,10 @@ def test_energy_imbalance_of_nearly_elastic_passes():
     elastic = series.assign(
         {name: ("pass", np.zeros(3)) for name in ("dissipation", "residual_energy")}
     )
-    verdicts = checks(elastic.assign(net_energy=("pass", [1.0, 2.0, 3.0])))
-    assert [v.passed for v in verdicts][:2] == [True, True]
-    verdicts = checks(elastic.assign(energy_imbalance=("pass", [1.0, 2.0, 300.0])))
-    assert [v.passed for v in verdicts][:2] == [False, True]
+    checks_found = checks(elastic.assign(net_energy=("pass", [1.0, 2.0, 3.0])))
+    assert [v.passed for v in checks_found][:2] == [True, True]
+    checks_found = checks(elastic.assign(energy_imbalance=("pass", [1.0, 2.0, 300.0])))
+    assert [v.passed for v in checks_found][:2] == [False, True]
 
 
 def test_cycles(wear):

@@ -194,10 +194,10 @@ class TestDamage:
     @pytest.mark.parametrize(
         "name",
         [
-            "scene/grid",
-            "scene/body1",
-            "scene/settings",
-            "scene/gap",
+            "setup/grid",
+            "setup/body1",
+            "setup/settings",
+            "setup/gap",
             "state",
             "counters",
             "state/pressure",
@@ -231,7 +231,7 @@ class TestDamage:
         """A part unknown to this version may be essential to the version that wrote it."""
         with edited(saved) as file:
             file[group].attrs["later"] = 1.0
-        with pytest.raises(sc.CheckpointError, match="is damaged: unknown part: later"):
+        with pytest.raises(sc.CheckpointError, match="is damaged: unknown part 'later'"):
             sc.Simulation.load(saved)
 
     def test_changed_by_another_program(self, saved):
@@ -259,8 +259,8 @@ class TestDamage:
 
     def test_a_group_where_an_array_belongs(self, saved):
         with edited(saved) as file:
-            del file["scene/settings"]
-            file["scene/settings"] = 1.0
+            del file["setup/settings"]
+            file["setup/settings"] = 1.0
         with pytest.raises(sc.CheckpointError, match="is damaged"):
             sc.Simulation.load(saved)
 
@@ -274,12 +274,12 @@ class TestDamage:
             ("state", "residual_method", 2),
             ("state", "heat_factor1", -1.0),
             ("state", "load", [1.0, 2.0]),
-            ("scene/grid", "dx", -1.0),
-            ("scene/body2/parameters", "nu", 0.7),
-            ("scene/body2", "law", "viscous"),
-            ("scene/settings", "tol", "tight"),
-            ("scene/settings/friction", "coefficient", -1.0),
-            ("scene/settings/friction", "law", "unheard of"),
+            ("setup/grid", "dx", -1.0),
+            ("setup/body2/parameters", "nu", 0.7),
+            ("setup/body2", "law", "viscous"),
+            ("setup/settings", "tol", "tight"),
+            ("setup/settings/friction", "coefficient", -1.0),
+            ("setup/settings/friction", "law", "unheard of"),
             ("state/history2", "box", [-1, 0, 3, 3, 3]),
             ("state/history2", "mirrored", 3),
             ("state/history2", "origin", [0, 2**31 - 1]),

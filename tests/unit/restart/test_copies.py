@@ -12,7 +12,7 @@ import samcontact as sc
 from checkpoint_setups import GAP, GRID, LOAD, MATERIALS, assert_same, halved, simulation
 
 CASES = Path(__file__).parents[3] / "cases"
-WAYS = {
+COPIES = {
     "pickle": lambda thing: pickle.loads(pickle.dumps(thing)),
     "deepcopy": copy.deepcopy,
     "copy": copy.copy,
@@ -34,18 +34,18 @@ def moving():
 STEP = {"load": 0.5 * LOAD, "advance": (0.0, GRID.dx), "duration": 1e-3}
 
 
-@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
+@pytest.mark.parametrize("copied", COPIES.values(), ids=COPIES)
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-def test_copies_of_a_simulation_with_all_features(way):
+def test_copies_of_a_simulation_with_all_features(copied):
     sim = moving()
     first = sim.step(**STEP)
     second = sim.step(**STEP | {"heat_factor": 0.0})
     assert second.plastic_cells() > 0
-    other = way(sim)
+    other = copied(sim)
     assert repr(other) == repr(sim)
     assert_same(other.state, second)
     for state in (first, second):  # the first, although the simulation has gone on
-        again = way(state)
+        again = copied(state)
         assert_same(again, state)
         assert again.heat_factor == state.heat_factor
         np.testing.assert_array_equal(again.temperature(2), state.temperature(2))
@@ -74,31 +74,31 @@ def test_a_law_that_cannot_be_pickled_is_reported():
         pickle.dumps(sim)
 
 
-@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
+@pytest.mark.parametrize("copied", COPIES.values(), ids=COPIES)
 @pytest.mark.parametrize("friction", [0.2, sc.Coulomb(0.3)])
-def test_copies_of_solvers_are_independent(way, friction):
+def test_copies_of_solvers_are_independent(copied, friction):
     coated = sc.Layered([(MATERIALS["elastic"], 2 * GRID.dx)], sc.Material.elastic(70e9, 0.2))
     solver = sc.ContactSolver(GRID, MATERIALS["elastic"], coated, friction, tol=1e-6)
-    other = way(solver)
+    other = copied(solver)
     assert repr(other) == repr(solver)
     solved = [one.solve(GAP, load=0.5 * LOAD).pressure for one in (solver, other)]
     np.testing.assert_array_equal(*solved)
 
 
-@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
-def test_copies_of_cases_are_independent(way):
+@pytest.mark.parametrize("copied", COPIES.values(), ids=COPIES)
+def test_copies_of_cases_are_independent(copied):
     for file in sorted(CASES.glob("*.toml")):
         case = sc.cases.load_case(file)
-        assert way(case) == case
+        assert copied(case) == case
 
 
-@pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
-def test_copies_of_wear_results_are_independent(way):
+@pytest.mark.parametrize("copied", COPIES.values(), ids=COPIES)
+def test_copies_of_wear_results_are_independent(copied):
     path = [{"load": LOAD}, {"load": 0.0}]
     bodies = MATERIALS["elastic"], MATERIALS["linear"]
     found = sc.wear.run(
         GRID, *bodies, GAP, cycle=path, threshold=1e-4, window=3, cycles=1, progress=False
     )
-    other = way(found)
+    other = copied(found)
     np.testing.assert_array_equal(other.heights[2], found.heights[2])
     assert_same(other.first[-1], found.first[-1])

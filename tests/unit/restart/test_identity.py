@@ -232,9 +232,9 @@ def test_small_differences(one, other):
 def test_unreadable_state_is_not_guessed(hidden):
     with pytest.raises(UnidentifiedError):
         canonical(by_closure(hidden))
-    who = identity(law=by_closure(hidden), load=1.0)
+    run_identity = identity(law=by_closure(hidden), load=1.0)
     with pytest.raises(UnidentifiedError, match=r"law cannot be identified.* law\.identity = "):
-        require_identified(who)
+        require_identified(run_identity)
 
 
 def test_a_run_is_not_continued_with_another_law(tmp_path):
@@ -243,8 +243,8 @@ def test_a_run_is_not_continued_with_another_law(tmp_path):
     grid, elastic = sc.Grid(4, 4, 1e-4, 1e-4, 2, 1e-4), sc.Material.elastic(210e9, 0.3)
 
     def run(law, checkpoint):
-        scene = sc.Simulation(grid, elastic, steel.with_softening(law), np.ones((4, 4)))
-        return scene.run([{"approach": -1.0}], progress=False, checkpoint=checkpoint)
+        problem = sc.Simulation(grid, elastic, steel.with_softening(law), np.ones((4, 4)))
+        return problem.run([{"approach": -1.0}], progress=False, checkpoint=checkpoint)
 
     for _ in range(2):
         run(by_closure(1e-4), tmp_path / "known")
@@ -262,10 +262,10 @@ def test_a_run_is_not_continued_with_another_law(tmp_path):
 
 def test_checkpoints_of_another_version_are_refused(tmp_path, monkeypatch):
     elastic = sc.Material.elastic(210e9, 0.3)
-    scene = sc.Simulation(sc.Grid(4, 4, 1e-4, 1e-4), elastic, elastic, np.ones((4, 4)))
+    problem = sc.Simulation(sc.Grid(4, 4, 1e-4, 1e-4), elastic, elastic, np.ones((4, 4)))
 
     def run():
-        return scene.run([{"approach": -1.0}], progress=False, checkpoint=tmp_path)
+        return problem.run([{"approach": -1.0}], progress=False, checkpoint=tmp_path)
 
     from samcontact.restart import file
 

@@ -56,16 +56,16 @@ def test_states_stored_later_keep_their_own_heat(tmp_path):
     steel = sc.Material.elastic(210e9, 0.3).with_thermal(50.0, 1e-5, 1.4e-5)
     heat = {"heat": sc.Heat(1e-3, time=1e-3)}
 
-    def scene():
+    def problem():
         return sc.Simulation(GRID, MATERIALS["elastic"], steel, GAP, **heat)
 
     path = [{"load": LOAD}, {"load": 0.5 * LOAD}, {"load": LOAD, "heat_factor": 0.0}]
-    sim = scene()
-    who = describe(sim.engine, path=path)
+    sim = problem()
+    run_identity = describe(sim.engine, path=path)
     expected = sim.run(path, progress=False)
-    journal = Journal(tmp_path, sim.engine, who)
+    journal = Journal(tmp_path, sim.engine, run_identity)
     journal.add(expected[0])  # the run was interrupted here
-    again = scene().run(path, progress=False, checkpoint=tmp_path)
+    again = problem().run(path, progress=False, checkpoint=tmp_path)
     for one, other in zip(again, expected, strict=True):
         assert one.heat_factor == other.heat_factor
         assert_same(one, other)

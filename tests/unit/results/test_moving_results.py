@@ -30,9 +30,9 @@ def test_travel_and_tracks(run, tmp_path):
     data = results.to_dataset(simulation, states)
     with results.open_results(results.save(data, tmp_path / "out.nc")) as again:
         assert_stored(again, data)
-    way = -np.concatenate([[0, 0], np.arange(2, 22, 2), [20, 20]]) * STEP
+    travel = -np.concatenate([[0, 0], np.arange(2, 22, 2), [20, 20]]) * STEP
     for body in (1, 2):
-        np.testing.assert_allclose(data[f"travel_body{body}"], way, atol=1e-17)
+        np.testing.assert_allclose(data[f"travel_body{body}"], travel, atol=1e-17)
     np.testing.assert_array_equal(data["contact_origin"], 0.0)
     assert "offset_body2" not in data
     assert "track_position_body1" not in data.coords  # elastic

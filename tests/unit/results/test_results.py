@@ -84,37 +84,37 @@ def test_every_variable_has_units_and_a_name(simulation, states):
 
 def test_bodies_and_volumes_stored(states):
     def names(**options):
-        simulation = make_simulation(**options.pop("scene", {}))
+        simulation = make_simulation(**options.pop("problem", {}))
         made = [FakeState(simulation.grid, load) for load in LOADS]
         return set(results.to_dataset(simulation, made, **options).data_vars)
 
-    both = names(scene={"body1": SWIFT, "body2": SWIFT})
+    both = names(problem={"body1": SWIFT, "body2": SWIFT})
     assert {"plastic_strain_body1", "plastic_strain_body2", "max_von_mises_body1"} <= both
-    elastic = names(scene={"body2": ELASTIC})
+    elastic = names(problem={"body2": ELASTIC})
     assert "stress_body2" in elastic
     assert not any("plastic" in name or "residual" in name for name in elastic)
-    chosen = names(scene={"body2": ELASTIC}, body=1)
+    chosen = names(problem={"body2": ELASTIC}, body=1)
     assert "stress_body1" in chosen
     assert "stress_body2" not in chosen
-    rigid = names(scene={"body1": RIGID}, body=1)
+    rigid = names(problem={"body1": RIGID}, body=1)
     assert "stress_body1" not in rigid
     assert "stress_body2" in rigid
     assert "stress_body2" not in names(volume="none")
     assert "max_von_mises_body2" in names(volume="none")
-    surface_only = names(scene={"nz": 0, "body2": ELASTIC})
+    surface_only = names(problem={"nz": 0, "body2": ELASTIC})
     assert not any("von_mises" in name for name in surface_only)
 
 
 def test_attributes(simulation, states):
     case = SimpleNamespace(
-        title="scene",
+        title="case",
         description="of two",
         text="[grid]\nnx = 3\n",
         output=SimpleNamespace(body=2, volume="last"),
     )
     data = results.to_dataset(simulation, states, case)
     assert data.sizes["output_increment"] == 1
-    assert data.attrs["title"] == "scene"
+    assert data.attrs["title"] == "case"
     assert data.attrs["case"] == "[grid]\nnx = 3\n"
     assert data.attrs["body2_law"] == "swift"
     assert data.attrs["body2_B"] == 945e6

@@ -102,7 +102,7 @@ def test_from_cattaneo_to_carter():
 STEEL_ON_SOFT = (sc.Material.elastic(20.0, 0.3), sc.Material.elastic(2.0, 0.1))
 
 
-@pytest.mark.parametrize("bodies", [(BODY, BODY), STEEL_ON_SOFT], ids=["alike", "dissimilar"])
+@pytest.mark.parametrize("bodies", [(BODY, BODY), STEEL_ON_SOFT], ids=["identical", "dissimilar"])
 def test_steps_tend_to_steady_rolling(bodies):
     grid, gap = wheel(24)
     d, (xi, eta), spin = grid.dx, (2e-3, -1e-3), 3e-4
@@ -142,8 +142,8 @@ def test_steps_tend_to_steady_rolling(bodies):
 def test_creepages_follow_from_forces(forces):
     grid, gap = wheel()
     found = roll(grid, gap, **forces)
-    wanted = forces["tangential_load"]
-    for force, value in zip(found.tangential_load, wanted, strict=True):
+    expected = forces["tangential_load"]
+    for force, value in zip(found.tangential_load, expected, strict=True):
         assert value is None or force == pytest.approx(value, abs=1e-7 * MU * LOAD)
     assert found.torque == pytest.approx(forces.get("torque", found.torque), abs=1e-7)
     again = roll(grid, gap, creepage=found.creepage, spin=found.spin)
@@ -166,7 +166,7 @@ def of_shear_modulus(G, nu):
 
 
 STEEL = of_shear_modulus(82e9, 0.28)
-UNLIKE = (of_shear_modulus(23e9, 0.31), STEEL)
+DISSIMILAR = (of_shear_modulus(23e9, 0.31), STEEL)
 RIGID = (sc.Material.rigid(), of_shear_modulus(23e9, 0.31))
 
 
@@ -183,11 +183,11 @@ def test_rollers_in_plane_strain_agree_with_carter(part):
 
 
 def test_plane_strain_is_the_same_for_any_number_of_rows():
-    one = rollers(0.3, UNLIKE)
+    one = rollers(0.3, DISSIMILAR)
     grid = sc.Grid(64, 4, one["grid"].dx, 0.25, periodic="y")
     four = one | {"grid": grid, "gap": sc.surfaces.paraboloid(grid, 25e-3, math.inf)}
     drive = {"tangential_load": (1e3, 2e3), "tol": 1e-10}
-    single, several = (sc.rolling.steady(**scene, **drive) for scene in (one, four))
+    single, several = (sc.rolling.steady(**problem, **drive) for problem in (one, four))
     assert several.creepage == pytest.approx(single.creepage, rel=1e-7)
     assert np.abs(several.shear - single.shear).max() < 1e-7 * np.abs(single.shear).max()
 
@@ -203,7 +203,7 @@ def test_dissimilar_rollers_agree_with_contact(across):
     ):  # fmt: skip
         with pytest.warns(sc.GridTooSmallWarning):
             found = sc.rolling.steady(
-                grid, *UNLIKE, gap, load=load, friction=sc.Coulomb(mu),
+                grid, *DISSIMILAR, gap, load=load, friction=sc.Coulomb(mu),
                 tangential_load=(part * mu * load, across), on_border="warn",
             )  # fmt: skip
         assert -found.creepage[0] == pytest.approx(printed, abs=1.5e-7)
@@ -211,43 +211,43 @@ def test_dissimilar_rollers_agree_with_contact(across):
 
 
 @pytest.mark.parametrize(
-    "pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "dissimilar", "rigid"]
+    "pair", [(STEEL, STEEL), DISSIMILAR, RIGID], ids=["identical", "dissimilar", "rigid"]
 )
 @pytest.mark.parametrize("mu", [1e-4, 0.05, 0.6])
 def test_forces_are_found_from_any_start(pair, mu):
     """Starts from zero and from full sliding, for forces from the maximum to zero."""
-    scene, most = rollers(mu, pair), mu * 16e3
-    sliding = sc.rolling.steady(**scene, creepage=(0.01, 0.0))
+    problem, maximum = rollers(mu, pair), mu * 16e3
+    sliding = sc.rolling.steady(**problem, creepage=(0.01, 0.0))
     assert not sliding.sticking.any()
     for part in (0.0, 1e-6, -0.5, 0.9999):
-        drive = {"tangential_load": (part * most, None)}
-        found = sc.rolling.steady(**scene, **drive)
-        assert found.tangential_load[0] == pytest.approx(part * most, abs=1e-7 * most)
+        drive = {"tangential_load": (part * maximum, None)}
+        found = sc.rolling.steady(**problem, **drive)
+        assert found.tangential_load[0] == pytest.approx(part * maximum, abs=1e-7 * maximum)
         require_law(found, mu)
-        again = sc.rolling.steady(**scene, creepage=found.creepage)
-        assert again.tangential_load[0] == pytest.approx(part * most, abs=1e-5 * most)
-        warm = sc.rolling.steady(**scene, **drive, start=sliding)
+        again = sc.rolling.steady(**problem, creepage=found.creepage)
+        assert again.tangential_load[0] == pytest.approx(part * maximum, abs=1e-5 * maximum)
+        warm = sc.rolling.steady(**problem, **drive, start=sliding)
         assert warm.creepage[0] == pytest.approx(found.creepage[0], rel=1e-5, abs=1e-9)
 
 
 @pytest.mark.parametrize(
-    "pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "dissimilar", "rigid"]
+    "pair", [(STEEL, STEEL), DISSIMILAR, RIGID], ids=["identical", "dissimilar", "rigid"]
 )
 @pytest.mark.parametrize("mu", [1e-4, 0.05])
 def test_increments_find_forces_from_full_sliding(pair, mu):
-    scene, most = rollers(mu, pair), mu * 16e3
-    grid = scene.pop("grid")
-    solver = sc.ContactSolver(grid, scene["body1"], scene["body2"], scene["friction"])
-    sliding = solver.solve(scene["gap"], load=16e3, shift=(1e-4, 0.0))
+    problem, maximum = rollers(mu, pair), mu * 16e3
+    grid = problem.pop("grid")
+    solver = sc.ContactSolver(grid, problem["body1"], problem["body2"], problem["friction"])
+    sliding = solver.solve(problem["gap"], load=16e3, shift=(1e-4, 0.0))
     assert not sliding.sticking.any()
     for part in (0.0, 0.5, 0.99, -0.9):
         found = sliding
         for _ in range(2):
             found = solver.solve(
-                scene["gap"], load=16e3, tangential_load=(part * most, None), previous=found,
+                problem["gap"], load=16e3, tangential_load=(part * maximum, None), previous=found,
                 advance=(-grid.dx, -grid.dx),
             )  # fmt: skip
-            assert found.tangential_load[0] == pytest.approx(part * most, abs=1e-6 * most)
+            assert found.tangential_load[0] == pytest.approx(part * maximum, abs=1e-6 * maximum)
             assert (np.hypot(*found.shear) <= mu * found.pressure * (1 + 1e-9)).all()
 
 

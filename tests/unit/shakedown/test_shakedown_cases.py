@@ -19,7 +19,7 @@ SHAKEDOWN = "[shakedown]\ncycles = 4\ntol = 0.002\n"
 @pytest.fixture
 def run(tmp_path):
     def run(text, *options):
-        path = tmp_path / "scene.toml"
+        path = tmp_path / "case.toml"
         path.write_text(text)
         return invoke("run", path, "--output", tmp_path / "out", *options), tmp_path / "out"
 

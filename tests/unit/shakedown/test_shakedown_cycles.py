@@ -171,11 +171,11 @@ def test_cycles_of_a_rolling_ball():
     """The track moves through the grid; a cycle ends where it began."""
     body = sc.Material.linear_hardening(E, NU, np.sqrt(3.0) * K, 0.1 * E)
     simulation, _ = ball(body)
-    way = 80e-6
-    steps = sc.paths.rolling(load=8.0, distance=way, step=20e-6, increments=1)
+    travel = 80e-6
+    steps = sc.paths.rolling(load=8.0, distance=travel, step=20e-6, increments=1)
     with pytest.raises(ValueError, match=r"append \{'load': 0.0, 'advance': \(8"):
         shakedown.run(simulation, steps, progress=False)
-    back = {"load": 0.0, "advance": (way, way)}
+    back = {"load": 0.0, "advance": (travel, travel)}
     result = shakedown.run(simulation, [*steps, back], progress=False, cycles=20)
     assert result.response == "elastic shakedown"
     assert result.strain_per_cycle().shape == result.state.track(2, margin=0).plastic_strain().shape

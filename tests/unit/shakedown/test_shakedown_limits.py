@@ -30,7 +30,7 @@ def as_tensors(stress):
     return np.moveaxis(np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]), -1, 0)
 
 
-def asked(stress, criterion):
+def required(stress, criterion):
     """Return the required k for each stress, from its principal values."""
     principal = np.linalg.eigvalsh(as_tensors(stress))
     if criterion == "tresca":
@@ -49,7 +49,7 @@ def test_the_limit_is_optimal_over_residual_stresses(friction, nu, criterion):
         def largest(residual, stress=stress):
             moved = stress.copy()
             moved[:2] += residual[:, None]
-            return asked(moved, criterion).max()
+            return required(moved, criterion).max()
 
         found = minimize(
             largest, (0.1, 0.1), method="Nelder-Mead",
@@ -77,7 +77,9 @@ def test_the_limit_of_a_circle_is_determined_at_its_middle(friction):
         stress = POINT.stress(PASSING[::4], y, z, 0.3, friction)
 
         def largest(centre, stress=stress):
-            return asked(stress - np.array([*centre[:2], 0.0, *centre[2:]])[:, None], "von_mises")
+            return required(
+                stress - np.array([*centre[:2], 0.0, *centre[2:]])[:, None], "von_mises"
+            )
 
         found = minimize(
             lambda centre: np.sum(largest(centre) ** 60) ** (1 / 60), np.zeros(5), method="BFGS"
@@ -100,7 +102,7 @@ def test_the_lower_bound_of_a_circle_is_safe(friction):
             def largest(residual, stress=stress):
                 moved = stress.copy()
                 moved[0] += residual
-                return asked(moved, "von_mises").max()
+                return required(moved, "von_mises").max()
 
             needed = minimize_scalar(largest, bounds=(-2.0, 2.0), method="bounded").fun
             assert needed * safe.ratio < 1.0 + 1e-6

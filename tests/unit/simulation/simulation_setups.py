@@ -17,7 +17,7 @@ LOAD = EXACT.load
 SIZE = EXACT.a / 6
 GRID = sc.Grid(19, 21, SIZE, 0.9 * SIZE, 10, SIZE)
 BALL = surfaces.paraboloid(GRID, RADIUS)
-# Beside the middle, so that nothing hides behind the symmetry of the grid.
+# Off the centre, so that symmetry of the grid cannot hide errors.
 PRESSURE = EXACT.pressure(GRID.x[:, None] - SIZE, GRID.y[None, :])
 SURFACE = ("pressure", "shear", "gap")
 SCALARS = ("load", "approach", "iterations", "contact_iterations", "substeps", "converged")

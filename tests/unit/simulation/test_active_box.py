@@ -166,8 +166,8 @@ class TestMirrors:
         state = sim.step(pressure=pressure, shear=0.3 * pressure)
         assert mirrors(state) == 1
         assert (state.equivalent_plastic_strain() >= before).all()
-        turned = np.stack([0.2 * pressure, 0.3 * pressure])
-        state = sim.step(pressure=pressure, shear=turned)
+        shear_field = np.stack([0.2 * pressure, 0.3 * pressure])
+        state = sim.step(pressure=pressure, shear=shear_field)
         assert mirrors(state) == 0
         assert (state.equivalent_plastic_strain() >= before).all()
         assert state.grid == grid

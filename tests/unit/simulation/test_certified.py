@@ -68,16 +68,16 @@ def test_fields_of_the_plastic_zone_contain_the_maximum_of_the_grid(shift):
     run = sc.Simulation(grid, STEEL, steel, gap)
     for state in run.run([{"load": 1000.0}, {"load": 0.0}], progress=False):
         i, j, nx, ny, _ = state._core.own_box(1)
-        beside = np.s_[max(i, 0) : i + nx, max(j, 0) : j + ny]
+        window = np.s_[max(i, 0) : i + nx, max(j, 0) : j + ny]
         inside = np.s_[max(-i, 0) : grid.nx - i, max(-j, 0) : grid.ny - j]
         for name in ("stress", "residual_stress", "residual_displacement"):
             whole, own = getattr(state, name)(2), in_own_box(state, name, 2)
             if whole.ndim == 2:
-                assert own[inside] == pytest.approx(whole[beside], rel=1e-9)
+                assert own[inside] == pytest.approx(whole[window], rel=1e-9)
             else:
                 deep = min(whole.shape[3], own.shape[3])
                 mine, other = (von_mises(f[..., :deep]) for f in (own, whole))
-                assert mine[inside] == pytest.approx(other[beside], rel=1e-8, abs=1.0)
+                assert mine[inside] == pytest.approx(other[window], rel=1e-8, abs=1.0)
             kind = {"stress": "max_von_mises", "residual_stress": "max_residual_von_mises"}
             value = error_controlled_quantities.value(
                 state, f"{kind.get(name, 'imprint_depth')}_body2"

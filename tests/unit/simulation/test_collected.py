@@ -51,8 +51,8 @@ def halved(rise):
 @pytest.mark.parametrize("another", [copy.deepcopy, lambda s: pickle.loads(pickle.dumps(s))])
 def test_a_copy_keeps_its_law_after_deletion_of_the_original(another):
     gap = sc.surfaces.paraboloid(GRID, 7.5e-3)
-    scene = dict(friction=0.1, heat=sc.Heat(0.01), on_border="warn")
-    simulation = sc.Simulation(GRID, ELASTIC, STEEL.with_softening(halved), gap, **scene)
+    problem = dict(friction=0.1, heat=sc.Heat(0.01), on_border="warn")
+    simulation = sc.Simulation(GRID, ELASTIC, STEEL.with_softening(halved), gap, **problem)
     copied = another(simulation)
     expected = simulation.step(load=30.0).pressure.copy()
     del simulation

@@ -25,7 +25,7 @@ def flat(grid=GRID):
     return np.zeros(grid.surface_shape)
 
 
-def scene(body=STEEL, grid=GRID, gap=None, **settings):
+def problem(body=STEEL, grid=GRID, gap=None, **settings):
     gap = sc.surfaces.paraboloid(grid, R) if gap is None else gap
     return sc.Simulation(grid, STEEL, body, gap, **settings)
 
@@ -44,26 +44,26 @@ def cuboid(function, *points, component=None, **more):
 
 
 def test_stress_is_that_of_a_cuboid():
-    state = given(scene(residual_stress="exact")).state
+    state = given(problem(residual_stress="exact")).state
     X, Y, Z = np.meshgrid(GRID.x, GRID.y, GRID.z, indexing="ij")
-    wanted = cuboid(sc.kernels.eigenstrain_stress, X, Y, Z, E=E, nu=NU)
-    largest = np.abs(wanted).max()
-    np.testing.assert_allclose(state.eigenstress(), wanted, atol=1e-9 * largest)
+    expected = cuboid(sc.kernels.eigenstrain_stress, X, Y, Z, E=E, nu=NU)
+    largest = np.abs(expected).max()
+    np.testing.assert_allclose(state.eigenstress(), expected, atol=1e-9 * largest)
     for of in (state.stress, state.residual_stress):
         np.testing.assert_array_equal(of(), state.eigenstress())
     assert not state.eigenstress(1).any()
-    off = given(scene()).state.eigenstress() - wanted  # fast, as for plastic strain
+    off = given(problem()).state.eigenstress() - expected  # fast, as for plastic strain
     assert np.abs(off).max() < 0.05 * largest
     assert np.sqrt(np.mean(off**2)) < 0.005 * largest
 
 
 def test_displacement_is_that_of_a_cuboid():
-    state = given(scene()).state
+    state = given(problem()).state
     X, Y = np.meshgrid(GRID.x, GRID.y, indexing="ij")
-    wanted = cuboid(sc.kernels.eigenstrain_displacement, X, Y, nu=NU)
+    expected = cuboid(sc.kernels.eigenstrain_displacement, X, Y, nu=NU)
     found = state.surface_displacement()
-    np.testing.assert_allclose(found, wanted, atol=1e-9 * np.abs(wanted).max())
-    np.testing.assert_allclose(state.gap, wanted + scene().state.gap, rtol=1e-9)
+    np.testing.assert_allclose(found, expected, atol=1e-9 * np.abs(expected).max())
+    np.testing.assert_allclose(state.gap, expected + problem().state.gap, rtol=1e-9)
     assert not state.residual_displacement().any()  # that of plastic strain
 
 
@@ -81,14 +81,14 @@ def test_stress_in_a_deep_sphere_is_that_of_eshelby(strain, share):
     at = np.arange(n) - n // 2
     inside = sum(np.square(axis) for axis in np.meshgrid(at, at, at, indexing="ij")) <= radius**2
     field = 1e-3 * np.array(strain)[:, None, None, None] * inside
-    simulation = scene(grid=grid, gap=flat(grid))
+    simulation = problem(grid=grid, gap=flat(grid))
     simulation.add_eigenstrain(2, field, (0, 0, depth - n // 2))
     state = simulation.state
     middle = slice(n // 2 - 1, n // 2 + 2)
     found = state.eigenstress()[:, middle, middle, depth - 1 : depth + 2]
-    wanted = 1e-3 * E * share * np.array(strain)
-    largest = np.abs(wanted).max()
-    off = found - wanted[:, None, None, None]
+    expected = 1e-3 * E * share * np.array(strain)
+    largest = np.abs(expected).max()
+    off = found - expected[:, None, None, None]
     assert np.abs(off).max() < 0.03 * largest
     assert np.abs(off.mean(axis=(1, 2, 3))).max() < 0.02 * largest
     if strain[0]:
@@ -100,7 +100,7 @@ def test_stress_in_a_deep_sphere_is_that_of_eshelby(strain, share):
 
 def test_planes_bear_no_net_force():
     grid = sc.Grid(16, 16, D, D, 10, D, periodic="xy")
-    state = given(scene(grid=grid, gap=flat(grid)), first=(3, 5, 2)).state
+    state = given(problem(grid=grid, gap=flat(grid)), first=(3, 5, 2)).state
     stress = state.eigenstress()
     largest = np.abs(stress).max()
     for component in (2, 3, 4):  # zz, yz, xz on planes of equal depth
@@ -110,16 +110,16 @@ def test_planes_bear_no_net_force():
 
 
 def test_contact_includes_the_displacement_of_eigenstrain():
-    simulation = given(scene())
+    simulation = given(problem())
     unloaded = simulation.state
     state = simulation.step(load=3.0)
     gap = sc.surfaces.paraboloid(GRID, R) + unloaded.surface_displacement()
     alone = sc.ContactSolver(GRID, STEEL, STEEL).solve(gap, load=3.0)
     largest = alone.pressure.max()
     np.testing.assert_allclose(state.pressure, alone.pressure, atol=1e-6 * largest)
-    without = scene().step(load=3.0)
+    without = problem().step(load=3.0)
     assert np.abs(without.pressure - state.pressure).max() > 0.01 * largest
-    plain = scene()
+    plain = problem()
     same = plain.step(pressure=state.pressure, shear=np.zeros(GRID.surface_shape))
     np.testing.assert_allclose(
         state.stress(), same.stress() + unloaded.eigenstress(), atol=1e-9 * largest
@@ -127,7 +127,7 @@ def test_contact_includes_the_displacement_of_eigenstrain():
 
 
 def test_elastic_unloading_keeps_eigenstrain():
-    simulation = given(scene(SOFT), strain=MISFIT / 20)
+    simulation = given(problem(SOFT), strain=MISFIT / 20)
     simulation.step(load=0.05)
     state = simulation.step(load=0.0)
     assert state.iterations == 0
@@ -138,7 +138,7 @@ def test_elastic_unloading_keeps_eigenstrain():
 
 
 def test_eigenstrain_can_cause_yield():
-    simulation = given(scene(SOFT), 2 * MISFIT)
+    simulation = given(problem(SOFT), 2 * MISFIT)
     assert simulation.state.plastic_cells() == 0
     state = simulation.step(load=0.0)
     assert state.plastic_cells() > 0
@@ -147,16 +147,16 @@ def test_eigenstrain_can_cause_yield():
     assert (state.von_mises() < 1.003 * bears).all()
     assert (state.von_mises()[yielded] > 0.99 * bears[yielded]).mean() > 0.9
     # one eigenstrain or two that add to it
-    halves = given(given(scene(SOFT))).step(load=0.0)
+    halves = given(given(problem(SOFT))).step(load=0.0)
     np.testing.assert_allclose(halves.plastic_strain(), state.plastic_strain(), atol=1e-9)
 
 
 def test_flow_equals_that_with_an_equal_plastic_strain():
     field = np.zeros((6, *GRID.volume_shape))
     field[:, 8:14, 6:13, 3:7] = 2 * MISFIT[:, None, None, None]
-    other = scene(SOFT)
+    other = problem(SOFT)
     other.set_plastic_strain(2, field)
-    own = given(scene(SOFT), 2 * MISFIT)
+    own = given(problem(SOFT), 2 * MISFIT)
     for load in (0.0, 4.0):
         a, b = own.step(load=load), other.step(load=load)
         flow = b.plastic_strain() - field
@@ -178,7 +178,7 @@ def same_next_step(one, other):
 
 
 def test_copies_and_checkpoints_keep_eigenstrain(tmp_path):
-    simulation = given(scene(SOFT))
+    simulation = given(problem(SOFT))
     simulation.step(load=1.0)
     simulation.save(tmp_path / "kept.h5")
     others = [
@@ -196,11 +196,11 @@ def test_copies_and_checkpoints_keep_eigenstrain(tmp_path):
 
 def test_runs_continue_only_with_equal_eigenstrain(tmp_path):
     path = [{"load": 1.0}, {"load": 2.0}]
-    states = given(scene(SOFT)).run(path, progress=False, checkpoint=tmp_path / "run")
-    again = given(scene(SOFT)).run(path, progress=False, checkpoint=tmp_path / "run")
+    states = given(problem(SOFT)).run(path, progress=False, checkpoint=tmp_path / "run")
+    again = given(problem(SOFT)).run(path, progress=False, checkpoint=tmp_path / "run")
     np.testing.assert_array_equal(again[-1].pressure, states[-1].pressure)
     with pytest.raises(ValueError, match="eigenstrain2"):
-        given(scene(SOFT), 2 * MISFIT).run(path, progress=False, checkpoint=tmp_path / "run")
+        given(problem(SOFT), 2 * MISFIT).run(path, progress=False, checkpoint=tmp_path / "run")
 
 
 def test_eigenstrain_keeps_its_position_if_the_grid_is_enlarged():
@@ -218,7 +218,7 @@ def test_eigenstrain_keeps_its_position_if_the_grid_is_enlarged():
 
 def test_eigenstrain_moves_with_its_body():
     for body in (SOFT, STEEL):
-        simulation = given(scene(body))
+        simulation = given(problem(body))
         before = simulation.state
         simulation.step(load=1.0)
         state = simulation.step(load=1.0, advance=(3 * D, 3 * D))
@@ -233,7 +233,7 @@ def test_the_energy_balance_separates_eigenstrain():
     settings = {"friction": sc.Coulomb(0.3), "tol": 1e-8}
     path = [{"load": load} for load in np.linspace(0.3, 3.0, 8)]
     path += [{"load": 3.0, "shift": (s, 0.0)} for s in (1e-8, 2e-8)]
-    simulation, plain = given(scene(**settings), MISFIT / 10), scene(**settings)
+    simulation, plain = given(problem(**settings), MISFIT / 10), problem(**settings)
     states = simulation.run(path, progress=False)
     found = sc.energy.balance(simulation, states)
     other = sc.energy.balance(plain, plain.run(path, progress=False))
@@ -249,10 +249,10 @@ def test_the_energy_balance_separates_eigenstrain():
 
 
 def test_repeated_cycles_keep_eigenstrain():
-    simulation = given(scene(SOFT))
+    simulation = given(problem(SOFT))
     simulation.step(load=1.0, advance=(2 * D, 2 * D))
     again = rebuilt(simulation).state
-    np.testing.assert_array_equal(again.eigenstrain(), given(scene()).state.eigenstrain())
+    np.testing.assert_array_equal(again.eigenstrain(), given(problem()).state.eigenstrain())
     coarse = coarsened(simulation, simulation.heat)
     found, grid = coarse.state.eigenstrain(), coarse.grid
     assert (grid.dx, grid.dz) == (2 * D, 2 * D)
@@ -263,9 +263,9 @@ def test_repeated_cycles_keep_eigenstrain():
 
 
 def test_an_opposite_eigenstrain_cancels():
-    simulation = given(given(scene()), -MISFIT)
+    simulation = given(given(problem()), -MISFIT)
     assert not simulation.state.has_eigenstrain()
-    pressure = scene().step(load=2.0).pressure
+    pressure = problem().step(load=2.0).pressure
     np.testing.assert_array_equal(simulation.step(load=2.0).pressure, pressure)
 
 
@@ -287,7 +287,7 @@ REFUSED = {
 @pytest.mark.parametrize("words", REFUSED)
 def test_unsupported_arguments_are_refused(words):
     arguments, changes = REFUSED[words]
-    simulation = scene(**changes)
+    simulation = problem(**changes)
     with pytest.raises(ValueError, match=words):
         simulation.add_eigenstrain(2, *arguments)
     assert not simulation.state.has_eigenstrain()
@@ -295,7 +295,7 @@ def test_unsupported_arguments_are_refused(words):
 
 def test_automatic_layers_show_eigenstrain():
     grid = sc.Grid(16, 16, D, D, dz=D)
-    simulation = given(scene(grid=grid), first=(2, 3, 15))
+    simulation = given(problem(grid=grid), first=(2, 3, 15))
     state = simulation.state
     assert state.layers == 19
     assert state.eigenstrain()[..., 15:].any()
@@ -308,7 +308,7 @@ def test_stress_depends_on_the_coating_layers_with_eigenstrain():
     layers = sc.Layered([(sc.Material.elastic(400e9, 0.2), 4 * D)], STEEL)
     swollen = np.array([1e-3, 1e-3, 0.0, 0.0, 0.0, 0.0])
     found = [
-        given(scene(layers), swollen, (6, 6, first), (8, 8, 4)).state.eigenstress()
+        given(problem(layers), swollen, (6, 6, first), (8, 8, 4)).state.eigenstress()
         for first in (0, 4)
     ]
     for stress, part in zip(found, (slice(0, 4), slice(4, 8)), strict=True):
@@ -320,7 +320,7 @@ def test_stress_depends_on_the_coating_layers_with_eigenstrain():
 def test_values_of_all_cells_are_used():
     """A field with different values in all cells keeps positions and order."""
     field = np.arange(6 * 2 * 3 * 2, dtype=float).reshape(6, 2, 3, 2) * 1e-6
-    simulation = scene()
+    simulation = problem()
     simulation.add_eigenstrain(2, field, (4, 5, 6))
     found = simulation.state.eigenstrain()
     np.testing.assert_array_equal(found[:, 4:6, 5:8, 6:8], field)

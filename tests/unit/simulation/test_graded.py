@@ -157,7 +157,7 @@ def test_a_hardened_case_with_residual_stress_agrees_with_finite_elements():
         found = state.equivalent_plastic_strain()[middle]
         assert rms(found - reference) < 4e-3 * reference.max()
         assert found.max() == pytest.approx(reference.max(), rel=0.01)
-        # Deeper than in a body alike all over.
+        # Deeper than in a homogeneous body.
         assert depth[found.argmax()] == pytest.approx(0.64 * a, abs=0.04 * a)
     centre = loaded.surface_displacement()[middle], unloaded.residual_displacement()[middle]
     assert centre[0] == pytest.approx(case.summary["uz_center_loaded_m"], rel=2e-3)

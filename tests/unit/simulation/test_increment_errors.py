@@ -11,7 +11,7 @@ from benchmarks.increment_errors import (
     ALUMINIUM,
     PERFECT,
     RIGID,
-    SCENES,
+    SETUPS,
     STEEL,
     SWIFT,
     ball,
@@ -31,11 +31,11 @@ def silent(sim):
     return sim
 
 
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", SETUPS)
 def test_stated_errors_are_the_true_ones(name):
     """Estimated errors agree within a factor of two, rather too large, or both are small."""
-    scene = SCENES[name]
-    for field, pairs in errors(scene, scene.counts[1:2], scene.many // 2).items():
+    problem = SETUPS[name]
+    for field, pairs in errors(problem, problem.counts[1:2], problem.many // 2).items():
         ((true, stated),) = pairs
         assert 0.3 < true / stated < 1.5 or max(true, stated) < 0.01, (field, true, stated)
 
@@ -107,15 +107,15 @@ def test_path_independent_increments_are_not_repeated(sim, path, monkeypatch):
 
 
 def test_nothing_is_estimated_if_the_warning_is_ignored(monkeypatch):
-    asked = []
-    monkeypatch.setattr(increment_errors, "_compared", lambda *given: asked.append(given))
+    calls = []
+    monkeypatch.setattr(increment_errors, "_compared", lambda *given: calls.append(given))
     for action in ("ignore", "always"):
         with warnings.catch_warnings():
             warnings.simplefilter("always")
             warnings.filterwarnings("ignore", "a text", sc.IncrementWarning)  # not all of them
             warnings.filterwarnings(action, category=sc.IncrementWarning)
             ball(RIGID, PERFECT, 2000.0).run(pressed(2000.0, 1), progress=False)
-        assert len(asked) == (action == "always")
+        assert len(calls) == (action == "always")
 
 
 def test_errors_of_an_unknown_history_are_not_estimated():
@@ -175,7 +175,7 @@ class TestPaths:
 
 
 CASE = """
-title = "unlike bodies"
+title = "dissimilar bodies"
 grid = {nx = 25, ny = 25, dx = 15e-6, dy = 15e-6}
 body1 = {law = "elastic", E = 210e9, nu = 0.3}
 body2 = {law = "elastic", E = 70e9, nu = 0.2}

@@ -16,14 +16,14 @@ soft = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)
 grid = sc.Grid(121, 121, 5e-6, 5e-6, 92, 5e-6)
 gap = sc.surfaces.paraboloid(grid, 7.5e-3)
 
-def scene():
+def problem():
     return sc.Simulation(grid, sc.Material.rigid(), soft, gap, residual_stress="exact")
 
 def digest(state):
     fields = (state.pressure, state.gap, state.plastic_strain())
     return hashlib.sha256(b"".join(np.ascontiguousarray(f).tobytes() for f in fields)).hexdigest()
 
-sim = scene()
+sim = problem()
 before = digest(sim.step(load=1.0))
 main, pressed = threading.get_ident(), []
 
@@ -46,7 +46,7 @@ except KeyboardInterrupt:
     thread.join()
 assert pressed
 assert digest(sim.state) == before
-expected = scene()
+expected = problem()
 expected.step(load=1.0)
 assert digest(sim.step(load=2.0)) == digest(expected.step(load=2.0))
 print("usable")

@@ -84,11 +84,11 @@ def homogeneous():
     return indented(flowing_steel(210e9), loads=(6.0, 0.0), image_tol=1e-6)
 
 
-@pytest.mark.parametrize(("apart", "tol"), [(0.0, 1e-9), (1e-12, 2e-5)])
+@pytest.mark.parametrize(("difference", "tol"), [(0.0, 1e-9), (1e-12, 2e-5)])
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_nearly_equal_layers_agree_with_the_homogeneous_body(apart, tol, homogeneous):
+def test_nearly_equal_layers_agree_with_the_homogeneous_body(difference, tol, homogeneous):
     """Images of layered bodies are found by another method, both to image_tol."""
-    usual, other = flowing_steel(210e9), flowing_steel(210e9 * (1 + apart))
+    usual, other = flowing_steel(210e9), flowing_steel(210e9 * (1 + difference))
     layered = sc.Layered([(other, 6e-6), (usual, 9e-6), (other, 3e-6)], usual)
     _, expected = homogeneous
     _, found = indented(layered, loads=(6.0, 0.0), image_tol=1e-6)
@@ -111,7 +111,7 @@ def forces_on_blocks(grid, stress):
     ends = [np.moveaxis(s, axis, 0) for s, axis in ((stress[4], 0), (stress[3], 1))]
     sides = np.zeros(stress.shape[-1])
     for s, width in zip(ends, (grid.dy, grid.dx), strict=True):
-        edges = [1.5 * s[n] - 0.5 * s[beside] for n, beside in ((-1, -2), (0, 1))]
+        edges = [1.5 * s[n] - 0.5 * s[inner] for n, inner in ((-1, -2), (0, 1))]
         sides += (edges[0] - edges[1]).sum(axis=0) * width * grid.dz
     return bottom[0] + np.cumsum(sides) - 0.5 * sides, bottom[1:]
 
@@ -147,10 +147,10 @@ def test_two_equal_layered_bodies_are_solved_as_one():
         for E in (210e9, 210e9 * (1 + 1e-12))
     ]
     _, (twins,) = indented(bodies[0], bodies[0], loads=(0.5,))
-    _, (apart,) = indented(bodies[0], bodies[1], loads=(0.5,))
+    _, (layered,) = indented(bodies[0], bodies[1], loads=(0.5,))
     assert twins.max_equivalent_plastic_strain() > 1e-3
     for body in (1, 2):
-        assert apart.equivalent_plastic_strain(body) == pytest.approx(
+        assert layered.equivalent_plastic_strain(body) == pytest.approx(
             twins.equivalent_plastic_strain(2), abs=1e-8
         )
     assert np.array_equal(twins.stress(1), twins.stress(2))

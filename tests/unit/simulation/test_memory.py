@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-SCENE = """
+SETUP = """
 import numpy as np
 import samcontact as sc
 
@@ -32,6 +32,6 @@ print((peak() - before) / (n * n * nz))
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 @pytest.mark.parametrize("cells", [72, pytest.param(118, marks=pytest.mark.slow)])
 def test_below_750_bytes_a_cell(cells):
-    command = [sys.executable, "-c", SCENE.format(cells=cells)]
+    command = [sys.executable, "-c", SETUP.format(cells=cells)]
     done = subprocess.run(command, check=True, capture_output=True, text=True)
     assert float(done.stdout) < 750

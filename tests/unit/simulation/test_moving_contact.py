@@ -57,7 +57,7 @@ def test_moving_the_frame_equals_moving_the_contact(body1, body2, shape, setting
             s.run(p, progress=False)[-1] for s, p in ((moving, path), (fixed, moved))
         )
         assert_same_track(here, over_there)
-        # The frame that stays sees the same pressure elsewhere.
+        # In the fixed frame the same pressure is at another position.
         cells_moved = round(over_there.travel[0] / CELL)
         np.testing.assert_allclose(
             np.roll(here.pressure, cells_moved, axis=0), over_there.pressure, rtol=0, atol=1.0

@@ -4,7 +4,7 @@
 import pytest
 
 import samcontact as sc
-from openmp import told_with
+from openmp import outputs_with
 from rough_setups import (
     KINEMATIC,
     RIGID,
@@ -93,6 +93,6 @@ for cells in (0, 16):
 
 
 def test_the_number_of_threads_changes_no_digit():
-    message = told_with(THREADS, 1, 3)
+    message = outputs_with(THREADS, 1, 3)
     assert message[0] == message[1]
     assert len(message[0].splitlines()) == 2

@@ -32,7 +32,7 @@ def by_parts(path, parts):
 
 
 def test_without_yielding_it_is_the_elastic_solution():
-    hard = sc.Material.linear_hardening(100e9, 0.2, 1e12, 5e9)  # unlike the ball
+    hard = sc.Material.linear_hardening(100e9, 0.2, 1e12, 5e9)  # other than the ball
     path = [
         {"load": 100.0, "tangential_load": (10.0, 0.0)},
         {"load": 150.0, "tangential_load": (10.0, 20.0)},
@@ -92,9 +92,9 @@ def test_swapped_bodies_mirror_the_solution():
     np.testing.assert_allclose(second.shift, first.shift, rtol=1e-9, atol=1e-16)
     for body in (1, 2):
         strain = first.plastic_strain(body)
-        turned = second.plastic_strain(3 - body)[:, ::-1, ::-1].copy()
-        turned[3:5] *= -1
-        np.testing.assert_allclose(turned, strain, atol=1e-10 * abs(strain).max())
+        rotated = second.plastic_strain(3 - body)[:, ::-1, ::-1].copy()
+        rotated[3:5] *= -1
+        np.testing.assert_allclose(rotated, strain, atol=1e-10 * abs(strain).max())
 
 
 def test_full_slip_equals_full_sliding():
@@ -198,10 +198,10 @@ def test_stick_zones_move_rigidly_in_sub_increments():
 def test_rolling_over_an_elastic_plastic_rail_reaches_a_steady_force():
     forces, creepage = [], 5e-4
     for cells in (1, 2):
-        run, way = simulation(), -cells * GRID.dx
+        run, distance = simulation(), -cells * GRID.dx
         run.step(load=400.0)
         for _ in range(24 // cells):
-            advance = (way * (1 + creepage / 2), way * (1 - creepage / 2))
+            advance = (distance * (1 + creepage / 2), distance * (1 - creepage / 2))
             before, state = run.state, run.step(load=400.0, advance=advance)
         force = state.tangential_load
         forces.append(force[0])
@@ -245,9 +245,9 @@ def test_full_sliding_has_no_slip_field():
 def test_elastic_rolling_agrees_with_the_contact_solver():
     path, dx = [{"load": 100.0}], GRID.dx
     for cells in (1, 1, 2):
-        ways = (-cells * dx * 1.0005, -cells * dx * 0.9995)
+        travels = (-cells * dx * 1.0005, -cells * dx * 0.9995)
         moved = {"shift": (0.0, 2e-4 * cells * dx), "twist": 0.2 * cells * dx}
-        path.append({"load": 100.0, "advance": ways} | moved)
+        path.append({"load": 100.0, "advance": travels} | moved)
     run = simulation(body2=BALL, tol=1e-9)
     solver = sc.ContactSolver(GRID, BALL, BALL, LAW, tol=1e-10)
     solution = solver.solve(GAP, load=0.0)
@@ -275,19 +275,21 @@ def moved(field, cells):
      (sc.Material.linear_hardening(210e9, 0.3, 1e12, 5e9), SOFT)],
     ids=["elastic", "follows 2", "follows 1"],
 )  # fmt: skip
-@pytest.mark.parametrize("ways", [(3, -1), (-3, 5), (14, 14)])
-def test_plastic_displacement_moves_with_its_body(bodies, ways):
+@pytest.mark.parametrize("travels", [(3, -1), (-3, 5), (14, 14)])
+def test_plastic_displacement_moves_with_its_body(bodies, travels):
     run = simulation(*bodies, tol=1e-9)
     before = run.step(load=100.0, tangential_load=(12.0, 9.0))
     shift = (0.0, 3e-7)
-    state = run.step(load=100.0, advance=tuple(n * GRID.dx for n in ways), shift=shift)
+    state = run.step(load=100.0, advance=tuple(n * GRID.dx for n in travels), shift=shift)
     wide = sc.Grid(84, 28, 36e-6, 36e-6)  # for what leaves the grid
     solver = sc.ContactSolver(wide, *bodies, LAW)
-    slip = np.array([(ways[0] - ways[1]) * GRID.dx, shift[1]])[:, None, None] * np.ones((84, 28))
+    slip = np.array([(travels[0] - travels[1]) * GRID.dx, shift[1]])[:, None, None] * np.ones(
+        (84, 28)
+    )
     rim = ((0, 0), (28, 28), (0, 0))
     loads = {s: (np.pad(s.pressure, rim[1:]), np.pad(s.shear, rim)) for s in (before, state)}
-    for body, way, sign in ((1, ways[0], 1), (2, ways[1], -1)):
-        then = solver.displacement(*(moved(t, way) for t in loads[before]), body=body)
+    for body, distance, sign in ((1, travels[0], 1), (2, travels[1], -1)):
+        then = solver.displacement(*(moved(t, distance) for t in loads[before]), body=body)
         slip += sign * (solver.displacement(*loads[state], body=body) - then)[:2]
     slips = (state.pressure > 0) & ~state.sticking
     scale = max(abs(slip[:, 28:56][:, slips]).max(initial=0), 1e-7)
@@ -299,10 +301,10 @@ def test_swapped_bodies_mirror_large_motions():
     one, two = simulation(SOFT, STEEL, tol=1e-10), simulation(STEEL, SOFT, tol=1e-10)
     for run in (one, two):
         run.step(load=300.0, tangential_load=(40.0, 30.0))
-    for ways in ((2.0, -1.0), (-1.0, 1.0), (0.5, -0.5)):
+    for travels in ((2.0, -1.0), (-1.0, 1.0), (0.5, -0.5)):
         first, second = (
-            run.step(load=300.0, advance=np.multiply(turned, GRID.dx), shift=(0.0, 1e-6))
-            for run, turned in ((one, ways), (two, (-ways[1], -ways[0])))
+            run.step(load=300.0, advance=np.multiply(rotated, GRID.dx), shift=(0.0, 1e-6))
+            for run, rotated in ((one, travels), (two, (-travels[1], -travels[0])))
         )
     scale = first.pressure.max()
     np.testing.assert_allclose(second.pressure[::-1, ::-1], first.pressure, atol=1e-10 * scale)
@@ -310,9 +312,9 @@ def test_swapped_bodies_mirror_large_motions():
     slip = abs(first.slip).max()
     np.testing.assert_allclose(second.slip[:, ::-1, ::-1], first.slip, atol=1e-9 * slip)
     strain = first.plastic_strain(2)
-    turned = second.plastic_strain(1)[:, ::-1, ::-1].copy()
-    turned[3:5] *= -1
-    np.testing.assert_allclose(turned, strain, atol=1e-10 * abs(strain).max())
+    rotated = second.plastic_strain(1)[:, ::-1, ::-1].copy()
+    rotated[3:5] *= -1
+    np.testing.assert_allclose(rotated, strain, atol=1e-10 * abs(strain).max())
 
 
 def per_cycle(cells, share, cycles=4):
@@ -336,11 +338,11 @@ def test_fretting_shakes_down_or_ratchets_by_its_force():
     work = []
     for cells in (20, 28):
         small, _ = per_cycle(cells, 0.5)
-        large, turned = per_cycle(cells, 0.85)
+        large, rotated = per_cycle(cells, 0.85)
         assert small[-1] < 0.01 * small[0]
         assert large[-1] > 0.2 * large[0]
         assert large[-1] > 1000 * small[-1]
-        work.append(turned[-1])
+        work.append(rotated[-1])
     assert work[0] == pytest.approx(work[1], rel=0.08)
 
 

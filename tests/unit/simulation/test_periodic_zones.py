@@ -39,7 +39,7 @@ def pressed(*bodies, loads=(0.5, 1.0, 0.2), grid=GRID, gap=GAP, **options):
 @pytest.mark.parametrize(
     ("bodies", "options"),
     [((ELASTIC, KINEMATIC), {"friction": 0.3}), ((SOFT, STEEL), {})],
-    ids=["sliding", "unlike"],
+    ids=["sliding", "dissimilar"],
 )
 def test_subdomains_give_the_fields_of_one_box(bodies, options):
     split, zones = pressed(*bodies, **options)

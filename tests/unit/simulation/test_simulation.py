@@ -46,10 +46,10 @@ class TestWorkDone:
 
     def test_the_smallest_tol(self):
         """The inner contact solve uses a tighter tolerance, but not below its minimum."""
-        by_default, least = (
+        by_default, smallest = (
             simulation(STEEL, STEEL, tol=tol).step(load=LOAD) for tol in (1e-6, 1e-11)
         )
-        assert_close(least.pressure, by_default.pressure, 1e-6)
+        assert_close(smallest.pressure, by_default.pressure, 1e-6)
 
     def test_no_plastic_solve_below_yield(self):
         """Operators for plastic strain are built only at first yield."""

@@ -59,11 +59,11 @@ def test_work_is_stored_as_energy():
         return elastic + state.attraction_energy, elastic
 
     lowest, mean = gap.min(), gap.mean()
-    ways = lowest + np.linspace(0.3, 0.6, 81) * (mean - lowest)
-    states = [simulation.step(approach=way) for way in ways]
+    approaches = lowest + np.linspace(0.3, 0.6, 81) * (mean - lowest)
+    states = [simulation.step(approach=approach) for approach in approaches]
     loads = np.array([state.load for state in states])
     assert loads.min() < 0
-    work = np.sum(0.5 * (loads[1:] + loads[:-1]) * np.diff(ways))
+    work = np.sum(0.5 * (loads[1:] + loads[:-1]) * np.diff(approaches))
     (first, elastic), (last, more) = stored(states[0]), stored(states[-1])
     assert last - first == pytest.approx(work, rel=1e-3)
     assert abs(more - elastic - work) > 0.1 * abs(work)  # attraction has a part in it

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from openmp import told_with
+from openmp import outputs_with
 from rough_setups import (
     CELLS,
     ELASTIC,
@@ -76,7 +76,7 @@ def assert_close(state, expected, bodies, tol=1e-3):
         (RIGID, HOT, {"friction": 0.2, "heat": OBLIQUE}),
     ],
     ids=[
-        *("hardening", "kinematic", "perfect", "unlike", "equal"),
+        *("hardening", "kinematic", "perfect", "dissimilar", "equal"),
         *("softening", "heat along x", "heat along y", "heat across"),
     ],
 )
@@ -139,20 +139,20 @@ def test_iterations_are_counted_where_zones_grow():
 
 def test_a_spot_at_the_grid_edge_agrees_with_a_wider_grid():
     """A contact whose subdomain extends beyond the grid."""
-    beside, inside = 12, slice(12, -12)
+    margin, inside = 12, slice(12, -12)
     gap = rough_gap(bowl=0.0)  # periodic
     i, _ = np.unravel_index(np.argmin(gap), gap.shape)
     gap = np.roll(gap, 1 - i, axis=0)
-    wide = sc.Grid(CELLS + 2 * beside, CELLS + 2 * beside, SIZE, SIZE, LAYERS, SIZE)
+    wide = sc.Grid(CELLS + 2 * margin, CELLS + 2 * margin, SIZE, SIZE, LAYERS, SIZE)
     sims = [
         simulation(gap=gap, friction=0.3),
-        simulation(grid=wide, gap=np.pad(gap, beside, constant_values=1e-3), friction=0.3),
+        simulation(grid=wide, gap=np.pad(gap, margin, constant_values=1e-3), friction=0.3),
     ]
     for percent in PATH:
         state, wider = (sim.step(load=percent * PERCENT) for sim in sims)
         assert state.pressure[0].any()
         strain = wider.equivalent_plastic_strain()
-        assert strain[:beside].any()
+        assert strain[:margin].any()
         assert rms(state.pressure, wider.pressure[inside, inside]) < 3e-4
         assert rms(state.equivalent_plastic_strain(), strain[inside, inside]) < 3e-4
         print_ = wider.residual_displacement()[..., inside, inside]
@@ -216,7 +216,7 @@ for percent in (1, 1.5, 0.2):
 
 
 def test_the_number_of_threads_changes_no_digit():
-    message = told_with(THREADS, 1, 3)
+    message = outputs_with(THREADS, 1, 3)
     assert message[0] == message[1]
     assert len(message[0].splitlines()) == 3
 
@@ -341,7 +341,7 @@ class TestOperators:
         stress, expected, displacements = self.compared(solved, strain=1.0)
         assert rms(stress, expected) < 1.5e-3
         assert abs(stress - expected).max() < 3e-3 * abs(expected).max()
-        strain = solved[0].plastic_strain()  # without what lies beside the grid
+        strain = solved[0].plastic_strain()  # without the strain outside the grid
         for axis, found in zip("xyz", displacements, strict=True):
             expected = operators.residual_displacement(solved[0].grid, strain, NU, axis=axis)
             assert rms(found, expected) < (3e-4 if axis == "z" else 1e-3), axis

@@ -362,7 +362,7 @@ def test_asperity_cases_in_a_sweep():
 
 
 def test_the_command_on_a_cluster(tmp_path, client):
-    case_file = tmp_path / "scene.toml"
+    case_file = tmp_path / "case.toml"
     case_file.write_text(MINIMAL)
     outcome = invoke(
         "sweep", case_file, "--set", "path[0].load=300,600", "--set", "path[1].increments=1,2",

@@ -31,7 +31,7 @@ def test_settings_of_the_command():
 
 @pytest.fixture
 def case_file(tmp_path):
-    path = tmp_path / "scene.toml"
+    path = tmp_path / "case.toml"
     path.write_text(MINIMAL)
     return path
 
@@ -63,9 +63,9 @@ def test_the_command_reports_failed_cases(case_file, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     outcome = invoke("sweep", case_file, "--set", "path[0].load=300,9e13", "--quiet")
     assert outcome.exit_code == 1
-    assert outcome.stdout == "results/scene/sweep/sweep.nc\n"
+    assert outcome.stdout == "results/case/sweep/sweep.nc\n"
     assert outcome.stderr.startswith("1 of 2 cases failed\n  GridTooSmallError: at load ")
-    with results.open_results("results/scene/sweep/sweep.nc") as found:
+    with results.open_results("results/case/sweep/sweep.nc") as found:
         assert found["status"].values.tolist() == ["done", "failed"]
 
 

@@ -146,8 +146,8 @@ def test_dataset_and_report(worn, tmp_path):
     results.save(data, tmp_path / "wear.nc")
     with results.open_results(tmp_path / "wear.nc") as kept:
         np.testing.assert_array_equal(kept["friction_work"], data["friction_work"])
-        verdicts = report.checks(kept)
-        assert all(verdict.passed for verdict in verdicts)
+        checks_found = report.checks(kept)
+        assert all(check.passed for check in checks_found)
         report.write(kept, tmp_path / "report.html")
     assert "stick area" in (tmp_path / "report.html").read_text(encoding="utf-8")
 

@@ -252,10 +252,10 @@ def test_errors_keep_the_previous_cycles(worn, monkeypatch):
 
 
 def fails_in_cycle_3(solve):
-    def solve_or_fail(scene, standing):
+    def solve_or_fail(problem, standing):
         if len(standing.cycles) == 2:
             raise RuntimeError("as a cycle might")
-        return solve(scene, standing)
+        return solve(problem, standing)
 
     return solve_or_fail
 

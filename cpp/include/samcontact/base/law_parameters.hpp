@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -37,12 +39,25 @@ void require_allowed(const std::string& name, const std::vector<double>& values,
 /// "name[n]".
 std::string entry(const std::string& name, std::size_t n);
 
+/// Error for a name that no law has: "WHAT must be one of NAMES, got 'NAME'".
+std::invalid_argument unknown_law(const std::string& what, const std::vector<std::string>& names,
+                                  const std::string& name);
+
 /// Calls `function` with each alternative of a variant, without values.
 template <class Laws, class Function>
 void for_each_law(const Function& function) {
   [&]<std::size_t... n>(std::index_sequence<n...>) {
     (function(std::variant_alternative_t<n, Laws>{}), ...);
   }(std::make_index_sequence<std::variant_size_v<Laws>>{});
+}
+
+/// Names of the alternatives of a variant.
+template <class Laws>
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for_each_law<Laws>(
+      [&](const auto& law) { names.emplace_back(std::decay_t<decltype(law)>::name); });
+  return names;
 }
 
 }  // namespace samcontact

@@ -33,19 +33,19 @@ class TeamSize {
   using Time = std::chrono::steady_clock::time_point;
   using Span = std::chrono::nanoseconds;
 
-  explicit TeamSize(int most = 1) : most_(most), size_(most) {}
-  int most() const { return most_; }
+  explicit TeamSize(int max_size = 1) : max_size_(max_size), size_(max_size) {}
+  int max_size() const { return max_size_; }
   int size() const { return size_; }
 
   /// waited: waiting time of each thread in an interval of the given length that ends now. Threads
   /// that waited for a large part of it are too many. A larger number is tried after a pause that
   /// is long enough for such trials to take little time.
-  void judge(Time now, Span length, std::span<const Span> waited);
+  void update(Time now, Span length, std::span<const Span> waited);
   /// Counterpart for a single thread, for which no interval is measured.
   void try_more(Time now);
 
  private:
-  int most_, size_;
+  int max_size_, size_;
   Time next_try_;
 };
 

@@ -35,7 +35,7 @@ struct Plane {
   explicit Plane(const Vector& normal);
 
   /// Normal of the plane at the given distances along u and v.
-  Vector beside(double x, double y) const {
+  Vector normal_at(double x, double y) const {
     Vector out;
     for (int d = 0; d < 3; ++d) out[d] = n[d] + x * u[d] + y * v[d];
     return unit(out);
@@ -98,7 +98,7 @@ Top top_of(const Piece& piece, const Law& law, const Vector& n, double reach) {
     for (int p = 0; p < Piece::planes; ++p) {
       const double far = p < 6 ? distance : 0.0;
       const auto [x, y] = hexagon[p % 6];
-      const Vector one = plane.beside(far * x, far * y);
+      const Vector one = plane.normal_at(far * x, far * y);
       for (int d = 0; d < 3; ++d) normals[d][p] = one[d];
     }
     piece.evaluate(normals, amplitude, normal);
@@ -113,7 +113,7 @@ Top top_of(const Piece& piece, const Law& law, const Vector& n, double reach) {
     at = next;
     const auto [x, y] = step_to_top(values, distance, reach);
     if (std::hypot(x, y) < settled) break;
-    next = plane.beside(x, y);
+    next = plane.normal_at(x, y);
   }
   return {best, at};
 }

@@ -33,9 +33,9 @@ void unlock_plans();
 /// and even so that a symmetric sequence has a self-mirrored middle.
 int good_even_size(int n);
 
-/// Length, at least `least`, for a convolution on n cells without wrap-around; or the period of the
-/// surface in cells (even), if the period is not longer (period 0: not periodic).
-int convolution_size(int n, int period, int least = 0);
+/// Length, at least `min_size`, for a convolution on n cells without wrap-around; or the period of
+/// the surface in cells (even), if the period is not longer (period 0: not periodic).
+int convolution_size(int n, int period, int min_size = 0);
 
 /// Length >= n for complex lines, at most a fifth longer, for which estimated plans are fast: plans
 /// take twice the time per point if 9 divides the length.

@@ -46,7 +46,7 @@ class Rows {
   int n_, m_;
   bool side_by_side_;
   Plan forward_, inverse_;
-  ComplexField turn_;  // exp(-2 pi i k / m), k <= m/4
+  ComplexField twiddle_;  // exp(-2 pi i k / m), k <= m/4
 };
 
 }  // namespace samcontact::fft

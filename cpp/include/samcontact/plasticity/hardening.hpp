@@ -128,7 +128,7 @@ struct Tabulated {
   static constexpr auto
       name = "tabulated",
       says = "Points of a measured curve: piecewise linear, constant beyond the last.";
-  static constexpr std::size_t most = 4096;  // points; limit of attributes in HDF5 files
+  static constexpr std::size_t max_points = 4096;  // points; limit of attributes in HDF5 files
   std::vector<double> plastic_strain, stress;
   std::vector<double>
       slopes = {},

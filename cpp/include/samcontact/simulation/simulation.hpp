@@ -8,7 +8,7 @@
 
 #include "samcontact/simulation/increment/settings.hpp"
 #include "samcontact/simulation/increment/target.hpp"
-#include "samcontact/simulation/scene/yield_scan.hpp"
+#include "samcontact/simulation/setup/yield_scan.hpp"
 #include "samcontact/simulation/state/counters.hpp"
 #include "samcontact/simulation/state/state.hpp"
 
@@ -45,8 +45,8 @@ class Simulation {
   void restore(const State& state, const Counters& counters);
 
   const State& state() const { return state_; }
-  const Scene& scene() const { return *scene_; }
-  const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
+  const Setup& setup() const { return *setup_; }
+  const std::shared_ptr<const Setup>& shared_setup() const { return setup_; }
   const Counters& counters() const { return counters_; }
   /// Memory of the plastic state and of the volume kernels [byte].
   std::size_t volume_bytes() const;
@@ -62,7 +62,7 @@ class Simulation {
   State heated_by_slip(Target target);
   std::vector<std::string> edge_warnings(const State& reached, const Target& target) const;
 
-  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const Setup> setup_;
   Scans scans_;
   operators::HeatingPair scans_heating_;
   Settings settings_;

@@ -13,8 +13,8 @@ namespace {
 
 double product(const Field& a, const Field& b) { return ordered_dot(a.data(), b.data(), a.size()); }
 
-/// Makes q orthogonal to the vectors and normalises it; stores the scalar products and the length
-/// below them.
+/// Makes q orthogonal to the vectors and normalises it; stores the scalar products and, below them,
+/// the length of q.
 Eigen::VectorXd orthogonalise(const std::vector<Field>& vectors, Field& q) {
   const auto count = static_cast<Eigen::Index>(vectors.size());
   Eigen::VectorXd column(count + 1);

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <stdexcept>
 
 #include "samcontact/base/errors.hpp"
+#include "samcontact/base/law_parameters.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -47,7 +47,11 @@ SharedContactLaw hard_contact() {
 
 SharedContactLaw contact_law(const std::string& kind, const std::vector<double>& parameters) {
   const auto found = laws().find(kind);
-  if (found == laws().end()) throw std::invalid_argument("unknown contact law '" + kind + "'");
+  if (found == laws().end()) {
+    std::vector<std::string> names;
+    for (const auto& [name, make] : laws()) names.push_back(name);
+    throw unknown_law("contact law", names, kind);
+  }
   return found->second(parameters);
 }
 

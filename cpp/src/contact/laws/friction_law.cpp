@@ -38,7 +38,7 @@ FrictionLaw FrictionLaw::named(const std::string& name, const Values& values) {
     });
     found = law;
   });
-  if (!known) throw std::invalid_argument("unknown friction law '" + name + "'");
+  if (!known) throw unknown_law("friction law", law_names<Laws>(), name);
   return FrictionLaw(found);
 }
 

@@ -20,10 +20,10 @@ namespace {
 constexpr double initial_patience = 3.0;
 constexpr double patience_loss = 0.3;
 constexpr int max_steps_per_set = 10;
-/// This number of steps without halving the residual indicates rounding.
+/// After this number of steps without halving the residual, rounding errors dominate.
 constexpr int max_stalled_steps = 20;
-/// Cells are released only if the last change dropped a smaller fraction of cells: releasing while
-/// many drop can cycle.
+/// Cells are added to the set only if its last change dropped less than this fraction of them: if
+/// many cells are dropped and added alternately, the iteration can cycle.
 constexpr double calm_fraction = 0.01;
 
 class ActiveSet {
@@ -74,7 +74,8 @@ class ActiveSet {
     return load_driven_ ? set_.sums(rest_, rest_).plain / set_.size() : approach_;
   }
 
-  /// Approach and scales; a change of the set that raised the energy was premature.
+  /// Updates approach and scales. If the last change of the set raised the energy, the set is
+  /// changed more often from then on.
   void watch_energy(const Totals& all) {
     approach_ = problem_.normal.value;
     if (load_driven_) approach_ = all.contacts > 0 ? all.rest_in_contact / all.contacts : 0.0;
@@ -84,7 +85,7 @@ class ActiveSet {
     take_scales(all);
   }
 
-  /// Scales of pressure and displacement, which hardly change on a set.
+  /// Stores the scales of pressure and displacement, which hardly change on one set.
   void take_scales(const Totals& all) {
     p_scale_ = all.largest_pressure;
     u_scale_ = all.largest_displacement;
@@ -107,7 +108,7 @@ class ActiveSet {
     return set_.size();
   }
 
-  /// Displacement of a pressure that was changed directly, scaled to the load.
+  /// Scales a pressure that was changed directly to the load, and computes its displacement.
   void settle() {
     if (load_driven_) scale_to_sum(p_, problem_.normal.value / problem_.cell_area);
     apply(p_, rest_);
@@ -125,25 +126,25 @@ class ActiveSet {
     violation_ = std::max(p_scale_ > 0 ? -lowest_p / p_scale_ : 0.0, -lowest_gap / u_scale);
   }
 
-  /// Conjugate gradient on the working set, in which the pressure may become negative. False if
-  /// rounding leaves no descent.
+  /// Conjugate gradient on the working set, in which the pressure may become negative. Returns
+  /// false if rounding errors leave no descent.
   bool minimise(double tol, int max_iterations) {
     for_each_cell(std::ssize(r_), [&](std::ptrdiff_t i) { r_[i] = t_[i] = 0.0; });
     double stand = position();
     update_residual(set_.lowest(p_, 0.0), others_.lowest(rest_, stand), stand);
     double zr_old = 0.0, lowest_residual = residual_;
-    int in_vain = 0;
+    int stalled_steps = 0;
     for (int step = 1;; ++step) {
       check_interrupt();
       ++iterations_;
-      // z = P M r with P the projection on the working set and, under load, on zero sum. There r
-      // has no sum, so that z r is that of M r.
+      // z = P M r, where P projects on the working set and, under load control, on zero sum. The
+      // sum of r over the set is zero, so that z r equals the product of M r and r.
       problem_.operators.preconditioner.apply(r_.data(), z_.data(), work_);
       ++preconditioner_count_;
       const Sums zr = set_.sums(z_, r_);
       const double beta = step > 1 ? zr.product / zr_old : 0.0;
       zr_old = zr.product;
-      set_.turn(beta, z_, load_driven_ ? zr.plain / set_.size() : 0.0, t_);
+      set_.update_direction(beta, z_, load_driven_ ? zr.plain / set_.size() : 0.0, t_);
       apply(t_, z_);  // z is free until the next step
       const Sums zt = set_.sums(z_, t_);
       const double curvature = zt.product;
@@ -159,14 +160,14 @@ class ActiveSet {
       const double lowest_gap = others_.add(length, z_, rest_, stand);
       if (u_scale_ == 0) take_scales(totals(p_, rest_, problem_.gap));  // the first pressure
       update_residual(lowest_p, lowest_gap, stand);
-      in_vain = residual_ < 0.5 * lowest_residual ? 0 : in_vain + 1;
-      if (in_vain == 0) lowest_residual = residual_;
+      stalled_steps = residual_ < 0.5 * lowest_residual ? 0 : stalled_steps + 1;
+      if (stalled_steps == 0) lowest_residual = residual_;
       const bool violated = violation_ > 0.5 * tol;
       if (residual_ < 0.5 * tol || iterations_ >= max_iterations ||
           (violated && (violation_ > patience_ * residual_ || step >= max_steps_per_set))) {
         return true;
       }
-      if (in_vain == max_stalled_steps) return false;
+      if (stalled_steps == max_stalled_steps) return false;
     }
   }
 

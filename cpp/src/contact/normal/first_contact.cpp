@@ -12,7 +12,7 @@
 namespace samcontact::contact {
 namespace {
 
-/// Relative to the approach: gaps with a smaller difference are equal.
+/// Gaps that differ by less than this fraction of the approach count as equal.
 constexpr double same_gap = 1e-6;
 
 /// Newly contacting cells in the order of increasing gap.
@@ -27,17 +27,18 @@ std::vector<std::size_t> new_cells(const Growth& growth) {
   return cells;
 }
 
-/// For each of them, the fraction of cells that touched before in a round contact that reaches it.
-/// Cells that are mirror images have gaps that differ by rounding: they are reached together.
+/// For each new cell, the previous number of cells in contact over the number when the contact
+/// reaches this cell. The gaps of mirror images differ by rounding: such cells are reached
+/// together.
 std::vector<double> touching_fraction(const Growth& growth, const std::vector<std::size_t>& cells) {
   const auto before =
       static_cast<double>(std::count_if(growth.before.begin(), growth.before.end(), in_contact));
   std::vector<double> shares;
   while (shares.size() < cells.size()) {
     const std::size_t first = shares.size();
-    const double most = growth.gap[cells[first]] + same_gap * growth.closer;
+    const double max_gap = growth.gap[cells[first]] + same_gap * growth.closer;
     std::size_t last = first + 1;
-    while (last < cells.size() && growth.gap[cells[last]] <= most) ++last;
+    while (last < cells.size() && growth.gap[cells[last]] <= max_gap) ++last;
     const double reached = before + 0.5 * static_cast<double>(first + last);
     shares.resize(last, before / reached);
   }
@@ -64,7 +65,7 @@ std::array<double, 2> edge_normal(const Grid& grid, const Field& gap, std::size_
   const auto of = [&](int a, int b) {
     const double there = gap[static_cast<std::size_t>(std::clamp(a, 0, grid.nx - 1)) * grid.ny +
                              std::clamp(b, 0, grid.ny - 1)];
-    // Next to the end of a body, as at the cell itself.
+    // Beyond the end of a body, the gap of the cell itself is used.
     return std::isfinite(there) ? there : gap[at];
   };
   const double x = (of(i + 1, j) - of(i - 1, j)) / grid.dx,
@@ -75,8 +76,8 @@ std::array<double, 2> edge_normal(const Grid& grid, const Field& gap, std::size_
 }  // namespace
 
 double crosswise_compliance(const Grid& grid, const operators::TangentialInfluence& influence) {
-  // Distance from a load [cells] at which the displacement ahead of it is compared with that beside
-  // it.
+  // Distance from a load [cells] at which the displacement ahead of the load is compared with the
+  // displacement to its side.
   constexpr int far = 100;
   const double side = std::min(grid.dx, grid.dy);
   const Grid square(1, 1, side, side);
@@ -98,11 +99,11 @@ Field slip_after_contact(const Grid& grid, const Growth& growth, double crosswis
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const std::size_t i = cells[c];
     const double share = std::min(growth.gap[i] / growth.closer, 1.0);
-    const double turn = share * twist * slid_by_angle(std::sqrt(before[c]));
+    const double angular = share * twist * slid_by_angle(std::sqrt(before[c]));
     const auto [x, y] = edge_normal(grid, growth.gap, i);
-    parts[i] -= share - turn * (x * x - y * y);
-    parts[n + i] += turn * 2 * x * y;
-    parts[2 * n + i] -= share + turn * (x * x - y * y);
+    parts[i] -= share - angular * (x * x - y * y);
+    parts[n + i] += angular * 2 * x * y;
+    parts[2 * n + i] -= share + angular * (x * x - y * y);
   }
   return parts;
 }

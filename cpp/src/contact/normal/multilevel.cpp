@@ -58,8 +58,8 @@ class Multilevel::Level {
   Level(const Grid& grid, operators::SurfaceInfluence influence)
       : grid_(grid), influence_(std::move(influence)), displacement_(grid, influence_) {}
 
-  /// The work of the solution is counted in units of fft::filter_cost. is_start: only its pressure
-  /// is needed, as a start.
+  /// Counts the work in units of fft::filter_cost. is_start: the solution only serves as a start,
+  /// for which its pressure suffices.
   Solution solve(const Field& initial_gap, Given normal, Field pressure, double tol,
                  int max_iterations, bool is_start = false) const;
 
@@ -182,10 +182,10 @@ class Rounds {
       for (std::size_t i = 0; i < cheap.size(); ++i) problem.gap[i] += displacement[i] - cheap[i];
       std::swap(displacement, cheap);
     }
-    const double asked = exact ? 0.0 : solution_.error * (first ? first_gain : gain);
+    const double target = exact ? 0.0 : solution_.error * (first ? first_gain : gain);
     const auto result =
         solve_active_set(problem, std::move(pressure), std::move(displacement), first && !warm_,
-                         std::max(asked, round_safety * tol), max_iterations);
+                         std::max(target, round_safety * tol), max_iterations);
     std::fill(solution_.tractions.pressure.begin(), solution_.tractions.pressure.end(), 0.0);
     insert(result.pressure.data(), box_, solution_.tractions.pressure.data(), Box::surface(grid_));
     solution_.iterations += result.iterations;
@@ -246,7 +246,7 @@ double Multilevel::Level::rounding(const Field& gap, double lowest, Given normal
   const double area = grid_.cell_area() * static_cast<double>(grid_.surface_size());
   const double of_wave = last_digits * normal.value / area *
                          influence_.wave_compliance(2 * std::numbers::pi / longest);
-  // For surfaces so flat that rounding of their distance exceeds their heights.
+  // Flat surfaces: the rounding error of their distance may exceed their heights.
   const double of_gap = last_digits * std::fabs(lowest);
   const double heights = *std::max_element(gap.begin(), gap.end()) - lowest;
   return heights > of_gap ? of_wave : std::max(of_wave, of_gap);
@@ -284,8 +284,8 @@ Multilevel::~Multilevel() = default;
 Multilevel::Multilevel(Multilevel&&) noexcept = default;
 Multilevel& Multilevel::operator=(Multilevel&&) noexcept = default;
 
-Solution Multilevel::solve_beside_ends(const Field& initial_gap, Given normal, Field pressure,
-                                       double tol, int max_iterations) const {
+Solution Multilevel::solve_with_ends(const Field& initial_gap, Given normal, Field pressure,
+                                     double tol, int max_iterations) const {
   double lowest = INFINITY, highest = -INFINITY;
   for (std::size_t i = 0; i < initial_gap.size(); ++i) {
     if (std::isinf(initial_gap[i])) {
@@ -295,7 +295,7 @@ Solution Multilevel::solve_beside_ends(const Field& initial_gap, Given normal, F
     lowest = std::min(lowest, initial_gap[i]);
     highest = std::max(highest, initial_gap[i]);
   }
-  // No displacement exceeds that of the whole load on one cell.
+  // No displacement exceeds the one due to the whole load on a single cell.
   const double closed = normal.is_force() ? std::fabs(displacement().self_influence()) *
                                                 normal.value / finest_->grid().cell_area()
                                           : std::max(0.0, normal.value - lowest);
@@ -325,7 +325,7 @@ Solution Multilevel::solve(const Field& initial_gap, Given normal, Field pressur
   const auto has_none = [](double gap) { return std::isinf(gap); };
   const bool ends = std::any_of(initial_gap.begin(), initial_gap.end(), has_none);
   Solution solution =
-      ends ? solve_beside_ends(initial_gap, normal, std::move(pressure), tol, max_iterations)
+      ends ? solve_with_ends(initial_gap, normal, std::move(pressure), tol, max_iterations)
            : finest_->solve(initial_gap, normal, std::move(pressure), tol, max_iterations);
   solution.work /= displacement().cost();
   const double area = finest_->grid().cell_area();

@@ -49,52 +49,52 @@ void block_totals(const double* p, const double* rest, const double* gap, std::s
   }
 }
 
-struct Judge {
+struct Criteria {
   double approach, hold, over_p, over_u;
 };
 
-struct Verdict {
+struct Summary {
   double error = 0.0, lowest = 0.0;
   std::size_t working = 0, dropped = 0, penetrating = 0;
 };
 
 SAMCONTACT_MULTIVERSION
-void judge_cells(const double* p, const double* rest, std::size_t n, const Judge& judge,
-                 unsigned char* states, Verdict& verdict) {
+void classify_cells(const double* p, const double* rest, std::size_t n, const Criteria& criteria,
+                    unsigned char* states, Summary& summary) {
   double error[reduce_lanes] = {}, lowest[reduce_lanes] = {};
   for (std::size_t first = 0; first < n; first += reduce_lanes) {
     const std::size_t width = std::min(reduce_lanes, n - first);
-    const auto judge_lane = [&](std::size_t l) {
-      const double pi = p[first + l], g = rest[first + l] - judge.approach;
-      const double share = pi * judge.over_p, opening = g * judge.over_u;
+    const auto evaluate_lane = [&](std::size_t l) {
+      const double pi = p[first + l], g = rest[first + l] - criteria.approach;
+      const double share = pi * criteria.over_p, opening = g * criteria.over_u;
       const double wrong = std::fabs(share < opening ? share : opening);
       error[l] = wrong > error[l] ? wrong : error[l];
       lowest[l] = g < lowest[l] ? g : lowest[l];
     };
     if (width == reduce_lanes) {
-      for (std::size_t l = 0; l < reduce_lanes; ++l) judge_lane(l);
+      for (std::size_t l = 0; l < reduce_lanes; ++l) evaluate_lane(l);
     } else {
-      for (std::size_t l = 0; l < width; ++l) judge_lane(l);
+      for (std::size_t l = 0; l < width; ++l) evaluate_lane(l);
     }
   }
   std::size_t held = 0, pressed = 0, open = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const double g = rest[i] - judge.approach;
-    const bool presses = in_contact(p[i]), works = presses && p[i] > judge.hold * g;
+    const double g = rest[i] - criteria.approach;
+    const bool presses = in_contact(p[i]), works = presses && p[i] > criteria.hold * g;
     const bool penetrates = !presses && g < 0;
     states[i] = static_cast<unsigned char>(works + 2 * penetrates);
     held += works;
     pressed += presses;
     open += penetrates;
   }
-  verdict.working += held;
-  verdict.dropped += pressed - held;
-  verdict.penetrating += open;
-  verdict.error = std::max(verdict.error, *std::max_element(error, error + reduce_lanes));
-  verdict.lowest = std::min(verdict.lowest, *std::min_element(lowest, lowest + reduce_lanes));
+  summary.working += held;
+  summary.dropped += pressed - held;
+  summary.penetrating += open;
+  summary.error = std::max(summary.error, *std::max_element(error, error + reduce_lanes));
+  summary.lowest = std::min(summary.lowest, *std::min_element(lowest, lowest + reduce_lanes));
 }
 
-/// part(begin, end, result) over fixed chunks of n cells, results in order.
+/// Calls part(begin, end, result) for fixed chunks of n cells; returns the results in order.
 template <class Result, class Part>
 std::vector<Result> by_chunks(std::size_t n, const Part& part) {
   const std::ptrdiff_t chunks = (n + reduce_chunk - 1) / reduce_chunk;
@@ -126,15 +126,15 @@ Totals totals(const Field& pressure, const Field& rest, const Field& gap) {
 Survey survey(const Field& pressure, const Field& rest, double approach, double hold,
               const Totals& scales, std::vector<unsigned char>& states) {
   const bool pressed = scales.largest_pressure > 0 && scales.largest_displacement > 0;
-  const Judge judge{approach, hold, pressed ? 1.0 / scales.largest_pressure : 0.0,
-                    pressed ? 1.0 / scales.largest_displacement : 0.0};
-  const auto parts =
-      by_chunks<Verdict>(pressure.size(), [&](std::size_t begin, std::size_t end, Verdict& chunk) {
-        judge_cells(&pressure[begin], &rest[begin], end - begin, judge, &states[begin], chunk);
-      });
+  const Criteria criteria{approach, hold, pressed ? 1.0 / scales.largest_pressure : 0.0,
+                          pressed ? 1.0 / scales.largest_displacement : 0.0};
+  const auto parts = by_chunks<Summary>(pressure.size(), [&](std::size_t begin, std::size_t end,
+                                                             Summary& chunk) {
+    classify_cells(&pressure[begin], &rest[begin], end - begin, criteria, &states[begin], chunk);
+  });
   Survey survey;
   double lowest = 0.0;
-  for (const Verdict& part : parts) {
+  for (const Summary& part : parts) {
     survey.error = std::max(survey.error, part.error);
     lowest = std::min(lowest, part.lowest);
     survey.working += part.working;

@@ -16,9 +16,9 @@ constexpr int smallest_side = 64;
 /// little.
 constexpr int wide_divisor = 8, narrow_divisor = 64;
 
-/// Widens a range of cells to at least `least`, and to a multiple of 8 within [0, n).
-void widen(int n, int least, int& start, int& length) {
-  const int wide = std::min((least + 7) / 8 * 8, n);
+/// Widens a range of cells to at least `min_length`, and to a multiple of 8 within [0, n).
+void widen(int n, int min_length, int& start, int& length) {
+  const int wide = std::min((min_length + 7) / 8 * 8, n);
   start = std::clamp(start - (wide - length) / 2, 0, n - wide);
   length = wide;
 }

@@ -38,8 +38,8 @@ Sums sums_of(const Run* first, const Run* last, const double* a, const double* b
 }
 
 SAMCONTACT_MULTIVERSION
-void turn_runs(const Run* first, const Run* last, double beta, const double* z, double mean,
-               double* t) {
+void update_direction_runs(const Run* first, const Run* last, double beta, const double* z,
+                           double mean, double* t) {
   for (const Run* run = first; run != last; ++run) {
     for (std::size_t i = run->begin; i < run->end; ++i) t[i] = beta * t[i] - (z[i] - mean);
   }
@@ -107,9 +107,9 @@ void CellRuns::assign(const std::vector<unsigned char>& chosen, bool value) {
   chunks_.assign(1, 0);
   size_ = 0;
   const std::size_t n = chosen.size();
-  // Bytes of a known value are found many at a time.
-  const auto next = [&](bool sought, std::size_t first, std::size_t last) {
-    const void* found = std::memchr(chosen.data() + first, sought, last - first);
+  // memchr() compares many bytes at a time.
+  const auto next = [&](bool flag, std::size_t first, std::size_t last) {
+    const void* found = std::memchr(chosen.data() + first, flag, last - first);
     return found
                ? static_cast<std::size_t>(static_cast<const unsigned char*>(found) - chosen.data())
                : last;
@@ -144,11 +144,12 @@ Sums CellRuns::sums(const Field& a, const Field& b) const {
   return total;
 }
 
-void CellRuns::turn(double beta, const Field& z, double mean, Field& t) const {
+void CellRuns::update_direction(double beta, const Field& z, double mean, Field& t) const {
   const std::ptrdiff_t chunks = std::ssize(chunks_) - 1;
 #pragma omp parallel for schedule(static) if (chunks > 1)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
-    turn_runs(&runs_[chunks_[c]], runs_.data() + chunks_[c + 1], beta, z.data(), mean, t.data());
+    update_direction_runs(&runs_[chunks_[c]], runs_.data() + chunks_[c + 1], beta, z.data(), mean,
+                          t.data());
   }
 }
 

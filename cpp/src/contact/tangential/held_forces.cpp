@@ -15,7 +15,8 @@
 namespace samcontact::contact {
 namespace {
 
-/// The motion is not determined by a force this close to the friction limit, relative to it.
+/// A force that is closer to the friction limit than this, relative to the limit, does not
+/// determine the motion.
 constexpr double min_margin = 1e-8;
 
 double force_of(const Given& given) { return given.is_force() ? given.value : 0.0; }
@@ -66,10 +67,10 @@ void require_held_together(const Grid& grid, const TangentialDrive& drive, const
       " %: reduce them, or prescribe the motion instead");
 }
 
-void require_shorter(const TangentialDrive& drive, double most, const MotionNames& motions) {
+void require_shorter(const TangentialDrive& drive, double limit, const MotionNames& motions) {
   const double force = std::hypot(force_of(drive[0]), force_of(drive[1]));
-  require(force == 0 || force < most * (1 - min_margin), "tangential_load",
-          "less than " + to_short_text(most, 6) + " N" + beyond, force,
+  require(force == 0 || force < limit * (1 - min_margin), "tangential_load",
+          "less than " + to_short_text(limit, 6) + " N" + beyond, force,
           std::string("prescribe ") + motions.along + " instead");
 }
 
@@ -84,12 +85,12 @@ void require_held(const TangentialDrive& drive, const FrictionLaw& friction, dou
 void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
                   const FrictionLaw& friction, const MotionNames& motions) {
   if (friction.prevents_slip()) return;
-  const LargestForces most = largest_forces(grid, pressure, friction);
-  require_shorter(drive, most.along, motions);
+  const LargestForces limits = largest_forces(grid, pressure, friction);
+  require_shorter(drive, limits.along, motions);
   const double torque = force_of(drive[2]);
-  require(torque == 0 || std::fabs(torque) < most.torque * (1 - min_margin), "torque",
-          "less in magnitude than " + to_short_text(most.torque, 6) + " N m" + beyond, torque,
-          std::string("prescribe ") + motions.turn + " instead");
+  require(torque == 0 || std::fabs(torque) < limits.torque * (1 - min_margin), "torque",
+          "less in magnitude than " + to_short_text(limits.torque, 6) + " N m" + beyond, torque,
+          std::string("prescribe ") + motions.rotation + " instead");
   const bool pulled = force_of(drive[0]) != 0 || force_of(drive[1]) != 0;
   if (torque != 0 && pulled) require_held_together(grid, drive, pressure, friction);
 }

@@ -181,23 +181,23 @@ class PartialSlipIteration : public SlipIteration {
 /// If no cell resists a uniform shear, that of sticking cells would grow without bound: all cells
 /// slip instead, in the direction of their mean slip and of the forces. False if some cell resists.
 bool PartialSlipIteration::slide_uniformly(double tol) {
-  const double most = ordered_sum(m_, [&](std::size_t i) { return problem_.bound[i]; });
-  if (!problem_.floats || !std::isfinite(most)) return false;
+  const double total_bound = ordered_sum(m_, [&](std::size_t i) { return problem_.bound[i]; });
+  if (!problem_.floats || !std::isfinite(total_bound)) return false;
   const auto mean = [&](std::size_t k) {
     return ordered_sum(m_, [&](std::size_t i) { return r_.slip[k * m_ + i]; }) /
            static_cast<double>(m_);
   };
-  std::array<double, 2> way{mean(0), mean(1)}, force{};
+  std::array<double, 2> slide_direction{mean(0), mean(1)}, force{};
   for (const ShearProblem::Mode& mode : problem_.modes) {
     if (mode.axis == 2) continue;
-    way[mode.axis] = 0.0;
-    force[mode.axis] = mode.target / most;
+    slide_direction[mode.axis] = 0.0;
+    force[mode.axis] = mode.target / total_bound;
   }
-  const double length = std::hypot(way[0], way[1]);
+  const double length = std::hypot(slide_direction[0], slide_direction[1]);
   if (!(length * problem_.stiffness > tol * shear_scale(problem_, r_.shear, r_.slip))) return false;
-  for (double& w : way) w /= length;
+  for (double& w : slide_direction) w /= length;
   for (std::size_t i = 0; i < m_; ++i) {
-    const double along = way[0] * normal_[i] + way[1] * normal_[m_ + i];
+    const double along = slide_direction[0] * normal_[i] + slide_direction[1] * normal_[m_ + i];
     if (is_slipping(i) &&
         (std::fabs(along) > direction_tol || lambda_[i] > direction_tol * self_influence_)) {
       return false;
@@ -206,7 +206,7 @@ bool PartialSlipIteration::slide_uniformly(double tol) {
   const double rest = std::sqrt(std::max(0.0, 1 - force[0] * force[0] - force[1] * force[1]));
   for (std::size_t i = 0; i < 2 * m_; ++i) {
     const std::size_t k = i / m_;
-    r_.shear[i] = problem_.bound[i % m_] * (force[k] + rest * way[k]);
+    r_.shear[i] = problem_.bound[i % m_] * (force[k] + rest * slide_direction[k]);
   }
   std::fill(r_.slipping.begin(), r_.slipping.end(), 1);
   return true;

@@ -85,7 +85,7 @@ class ShearSolver::Level {
   std::size_t operator_size() const { return with_margin(box_, margin_).surface_size(); }
   ShearProblem problem_of(const BoxTask& task, const FrictionLaw& friction,
                           const TangentialDrive& drive) const;
-  /// Turns the problem into that of rolling by one cell.
+  /// Changes the problem to rolling by one cell.
   void let_roll(ShearProblem& problem) const;
   double stiffness_of(const Field& pressure) const;
   BoxStart coarse_start(const BoxTask& task, const FrictionLaw& friction,
@@ -101,9 +101,9 @@ class ShearSolver::Level {
 /// Scale of the slip due to a shear proportional to the pressure, from the coarsest box.
 double ShearSolver::Level::stiffness_of(const Field& pressure) const {
   if (coarser_) return coarser_->stiffness_of(coarsened(box_, pressure));
-  const double most = *std::max_element(pressure.begin(), pressure.end());
+  const double max_pressure = *std::max_element(pressure.begin(), pressure.end());
   Field shear = pressure, displacement(2 * operator_size());
-  for (double& s : shear) s /= most;
+  for (double& s : shear) s /= max_pressure;
   shear.resize(displacement.size(), 0.0);
   ComplexField work;
   operators_.displacement.apply(shear.data(), displacement.data(), work);

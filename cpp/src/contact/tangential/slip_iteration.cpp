@@ -14,7 +14,7 @@ namespace {
 
 /// Number of outer steps without this relative reduction of the error before a fallback is used.
 constexpr double progress = 0.7;
-constexpr int steps_in_vain = 7;
+constexpr int max_stalled_steps = 7;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ ShearResult SlipIteration::run(double tol, int max_steps) {
   double best = INFINITY, lowest = INFINITY;
   Field best_shear;
   std::vector<double> best_motion;
-  for (int in_vain = 0;; ++r_.steps) {
+  for (int stalled_steps = 0;; ++r_.steps) {
     check_interrupt();
     evaluate();
     r_.converged = r_.error <= tol;
@@ -49,24 +49,24 @@ ShearResult SlipIteration::run(double tol, int max_steps) {
       best_shear = r_.shear;
       best_motion = r_.motion;
     }
-    in_vain = r_.error < progress * best ? 0 : in_vain + 1;
-    best = in_vain == 0 ? r_.error : best;
-    if (in_vain > steps_in_vain) {
+    stalled_steps = r_.error < progress * best ? 0 : stalled_steps + 1;
+    best = stalled_steps == 0 ? r_.error : best;
+    if (stalled_steps > max_stalled_steps) {
       if (best_shear.empty()) break;  // no error was finite
       ++r_.fallbacks;
       // Continue from the best shear, not from the last one.
       r_.shear = best_shear;
       r_.motion = best_motion;
       fall_back(tol);
-      in_vain = 0;
+      stalled_steps = 0;
       best = INFINITY;
       continue;
     }
-    // The first step starts from incorrect sets. A later step that gains little is followed by
-    // others.
-    gains_little_ = gains_little_ || (in_vain > 0 && r_.steps > 1);
+    // The first step starts from incorrect sets. If a later step gains little, so do the following
+    // ones.
+    gains_little_ = gains_little_ || (stalled_steps > 0 && r_.steps > 1);
     choose_sets();
-    // Otherwise no step brings the forces nearer.
+    // Otherwise no step brings the forces closer to their prescribed values.
     if (!forces_follow()) stick_everywhere();
     step(tol);
   }

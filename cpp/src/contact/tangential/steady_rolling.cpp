@@ -45,7 +45,7 @@ class SteadyRolling : public SlipIteration {
     r_.error = natural_residual(problem_, r_.shear, r_.slip);
   }
 
-  /// With half of the stiffness of a cell: sets that change less settle.
+  /// Uses half of the stiffness of a cell, so that fewer cells change sides and the sets settle.
   void choose_sets() override { change_sides(0.5 / self_influence_); }
 
   const ShearProblem::Mode& mode(int k) const { return problem_.modes[k]; }

@@ -15,11 +15,11 @@ namespace {
 constexpr double smallest_compliance_fraction = 0.1;
 
 /// Inverse of a symmetric matrix [[xx, xy], [xy, yy]] with its eigenvalues raised to at least
-/// `least`.
-void invert(double least, double& xx, double& xy, double& yy) {
+/// `min_eigenvalue`.
+void invert(double min_eigenvalue, double& xx, double& xy, double& yy) {
   const double mean = 0.5 * (xx + yy), half = 0.5 * (xx - yy), radius = std::hypot(half, xy);
-  const double first = 1.0 / std::max(mean + radius, least),
-               second = 1.0 / std::max(mean - radius, least);
+  const double first = 1.0 / std::max(mean + radius, min_eigenvalue),
+               second = 1.0 / std::max(mean - radius, min_eigenvalue);
   const double stretch = radius > 0 ? 0.5 * (first - second) / radius : 0.0;
   xx = 0.5 * (first + second) + stretch * half;
   yy = 0.5 * (first + second) - stretch * half;
@@ -34,13 +34,13 @@ TangentialPreconditioner::TangentialPreconditioner(const Grid& box,
       inverse_(operators::tangential_kernels(box, influence, convolution_.offsets())) {
   for (auto& entry : inverse_) convolution_.transform(entry.kernel);
   const double shortest = std::numbers::pi * std::hypot(1 / box.dx, 1 / box.dy);
-  const double least = smallest_compliance_fraction * influence.wave_compliance(shortest);
+  const double min_eigenvalue = smallest_compliance_fraction * influence.wave_compliance(shortest);
   // Spectra contain 1/(mx my) of two transforms, and that of a doubly odd kernel a sign.
   const double points = static_cast<double>(convolution_.mx()) * convolution_.my();
   for (std::size_t k = 0; k < inverse_[0].kernel.quarter.size(); ++k) {
     const auto value = [&](int n) -> double& { return inverse_[n].kernel.quarter[k]; };
     double xx = points * value(0), xy = -points * value(1), yy = points * value(3);
-    invert(least, xx, xy, yy);
+    invert(min_eigenvalue, xx, xy, yy);
     value(0) = xx / points;
     value(1) = value(2) = -xy / points;
     value(3) = yy / points;

@@ -165,10 +165,11 @@ std::vector<double> HeatHistory::state() const {
 void HeatHistory::set_state(std::span<const double> state) {
   const std::size_t plane = flux_.size(), levels = filled_.size();
   const int generations = plan_->modes.generations();
-  if (state.size() !=
-      1 + plane + near_.size() + 2 * levels + 2 * plan_->modes.size() * generations) {
-    throw std::invalid_argument("the heat state belongs to a different heat history");
-  }
+  const std::size_t size =
+      1 + plane + near_.size() + 2 * levels + 2 * plan_->modes.size() * generations;
+  require(state.size() == size, "number of values in the heat state", std::to_string(size),
+          static_cast<double>(state.size()),
+          "use a state of a heat history with the same grid, body and settings");
   const double* from = state.data() + 1;
   const auto take = [&](auto to, std::size_t count) {
     std::copy(from, from + count, to);

@@ -261,9 +261,9 @@ Field HeatHistory::fields(HeatQuantity quantity, double ahead,
   Field out(components_of(quantity) * depths.size() * plane, 0.0);
   const ComplexField near = near_spectra(moment);
   // Profiles of some depths at a time, to limit their memory.
-  constexpr std::size_t most = 1 << 20;
+  constexpr std::size_t max_numbers = 1 << 20;
   const std::size_t together =
-      std::clamp<std::size_t>(most / plan.modes.mode_count(), 1, depths.size() + 1);
+      std::clamp<std::size_t>(max_numbers / plan.modes.mode_count(), 1, depths.size() + 1);
   for (std::size_t d0 = 0; d0 < depths.size(); d0 += together) {
     std::vector<double> z(std::min(together, depths.size() - d0));
     for (std::size_t d = 0; d < z.size(); ++d) z[d] = depths[d0 + d] / plan.grid.dx;

@@ -117,11 +117,11 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
   // The remaining images are those of the last disc, in which kernels are not smooth at w = 0: they
   // decrease with the third power of the period.
   const double size = std::max(transform_.mx() * 1.0, transform_.my() * cell_y_);
-  const double least = std::min(transform_.mx() * 1.0, transform_.my() * cell_y_);
+  const double shorter = std::min(transform_.mx() * 1.0, transform_.my() * cell_y_);
   double spread = 128 * std::sqrt(resolution.longest);
   if (moving()) spread = std::min(spread, 1e4 / std::hypot(speed_x, speed_y));
   const double period = std::max(64 * size, spread);
-  const int last = std::max(1, static_cast<int>(std::ceil(std::log2(period / least))));
+  const int last = std::max(1, static_cast<int>(std::ceil(std::log2(period / shorter))));
   double shrink = 1;
   for (int l = 0; l <= last; ++l, shrink *= 0.5) {
     check_interrupt();
@@ -143,8 +143,8 @@ fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
     px += kept * (along_x ? 1 : vx / vy);
     py += kept * (along_x ? vy / vx : 1);
   }
-  const auto size = [](int cells, double least) {
-    return fft::convolution_size(cells, 0, static_cast<int>(std::ceil(least)));
+  const auto size = [](int cells, double min_size) {
+    return fft::convolution_size(cells, 0, static_cast<int>(std::ceil(min_size)));
   };
   return {grid.nx, grid.ny, size(grid.nx, px), size(grid.ny, py / cell_y_)};
 }
@@ -192,7 +192,7 @@ void HeatModes::add_level(int number, int last, double shrink) {
   const double cutoff =
       scales_.is_split ? std::min(scales_.cutoff, scales_.split_end()) : scales_.cutoff;
   const double end = number == 0 ? cutoff : std::min(cutoff, edge.end() / before);
-  const double least = 0.1 * resolution_.tolerance;
+  const double negligible = 0.1 * resolution_.tolerance;
   level.reach_a = static_cast<int>(end / level.dw1);
   level.reach_b = static_cast<int>(end / level.dw2);
   require_memory_of(level, (number == last ? 1 : 2) * std::min(level.dw1, level.dw2));
@@ -202,7 +202,7 @@ void HeatModes::add_level(int number, int last, double shrink) {
       mode.w = std::hypot(mode.w1, mode.w2);
       mode.source = window(mode.w);
       mode.source *= scales_.split(mode.w);
-      if (mode.w > cutoff || std::abs(mode.source) < least) continue;
+      if (mode.w > cutoff || std::abs(mode.source) < negligible) continue;
       mode.decay = {mode.w * mode.w, mode.w1 * speed_x_ + mode.w2 * speed_y_};
       mode.source *= sinc(mode.w1 / 2) * sinc(mode.w2 * cell_y_ / 2) * shrink * shrink / (mx * my);
       level.modes.push_back(mode);

@@ -95,15 +95,15 @@ NearHeat::NearHeat(const HeatModes& modes) : modes_(modes) {
     const double at = std::cos(pi * (m + 0.5) / count);
     rates_.push_back(std::exp(0.5 * (low + high) + 0.5 * (high - low) * at));
   }
-  const double least = 0.01 * std::exp(-modes.scales().sharpness * modes.scales().sharpness);
+  const double negligible = 0.01 * std::exp(-modes.scales().sharpness * modes.scales().sharpness);
   const auto left = [&](double z) {
-    double most = 0;
+    double maximum = 0;
     for (double w = HeatScales::split_begin; w < 20; w += 0.1) {
-      most = std::max(most, (1 - modes.scales().split(w)) * std::exp(-w * z));
+      maximum = std::max(maximum, (1 - modes.scales().split(w)) * std::exp(-w * z));
     }
-    return most;
+    return maximum;
   };
-  while (left(depth_) > least) depth_ += 0.5;
+  while (left(depth_) > negligible) depth_ += 0.5;
 }
 
 template <class Symbol>

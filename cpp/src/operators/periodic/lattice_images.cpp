@@ -90,10 +90,10 @@ LatticeImages::LatticeImages(LatticeModes modes, Points x, Points y, double subt
 
 LatticeImages LatticeImages::of_cells(const LatticeAxis& x, const LatticeAxis& y,
                                       const LatticeImages* like) {
-  const double to_y = (y.apart + 1) * y.period - y.edge();
-  const double to_x = x.period > 0 ? (x.apart + 1) * x.period - x.edge() : INFINITY;
-  const auto beyond = [](double way, double extent) {
-    return extent > 0 ? way / extent : INFINITY;
+  const double to_y = (y.near_images + 1) * y.period - y.edge();
+  const double to_x = x.period > 0 ? (x.near_images + 1) * x.period - x.edge() : INFINITY;
+  const auto beyond = [](double path, double extent) {
+    return extent > 0 ? path / extent : INFINITY;
   };
   const double ratio_x = growth(beyond(to_x, x.extent()), beyond(to_y - y.extent(), x.extent()));
   const double ratio_y = growth(beyond(to_y, y.extent()), beyond(to_x - x.extent(), y.extent()));
@@ -101,8 +101,8 @@ LatticeImages LatticeImages::of_cells(const LatticeAxis& x, const LatticeAxis& y
 }
 
 LatticeImages LatticeImages::of_strips(const LatticeAxis& x) {
-  const double ratio =
-      growth(((x.apart + 1) * x.period - 0.5 * x.d) / std::max(x.extent(), 0.5 * x.d), INFINITY);
+  const double ratio = growth(
+      ((x.near_images + 1) * x.period - 0.5 * x.d) / std::max(x.extent(), 0.5 * x.d), INFINITY);
   // The singularity of a mode at k = 0 contributes only a constant.
   return {LatticeModes::of_strips(x), Points(x, ratio), Points({}, ratio), 1.0};
 }

@@ -15,7 +15,7 @@ using std::numbers::pi;
 /// Sum over the cell and its images that are added one by one, relative to the cell.
 double of_images(double k, const LatticeAxis& axis) {
   double sum = 1.0;
-  for (int n = 1; n <= axis.apart; ++n) sum += 2 * std::cos(k * n * axis.period);
+  for (int n = 1; n <= axis.near_images; ++n) sum += 2 * std::cos(k * n * axis.period);
   return sum;
 }
 
@@ -43,8 +43,8 @@ void LatticeModes::add_lattice(const LatticeAxis& x, const LatticeAxis& y,
                                const LatticeWindow& window, double q1) {
   // Without a period along x, modes that vary along y decay with the distance from the load along
   // x.
-  const double beside = std::max(8 * y.period, 1.1 * y.distance()) + x.d;
-  const double period_x = x.period > 0 ? x.period : x.extent() + beside;
+  const double clearance = std::max(8 * y.period, 1.1 * y.distance()) + x.d;
+  const double period_x = x.period > 0 ? x.period : x.extent() + clearance;
   const int nx = static_cast<int>(window.end * q1 * period_x / (2 * pi));
   const int ny = static_cast<int>(window.end * q1 * y.period / (2 * pi));
   for (int n = x.period > 0 ? 0 : 1; n <= ny; ++n) {
@@ -61,8 +61,8 @@ void LatticeModes::add_lattice(const LatticeAxis& x, const LatticeAxis& y,
 void LatticeModes::subtract_integral(const LatticeAxis& x, const LatticeAxis& y,
                                      const LatticeWindow& window, double q1) {
   const double last = window.end * q1;
-  const double farthest = std::hypot(x.extent() + x.apart * x.period + x.edge(),
-                                     y.extent() + y.apart * y.period + y.edge());
+  const double farthest = std::hypot(x.extent() + x.near_images * x.period + x.edge(),
+                                     y.extent() + y.near_images * y.period + y.edge());
   const auto radial = kernels::gauss_legendre(static_cast<int>(0.5 * last * farthest) +
                                               static_cast<int>(2.9 * window.reach));
   const int angles =

@@ -60,7 +60,7 @@ std::shared_ptr<const PeriodicTable> PeriodicSums::table(const Grid& grid, int c
                                                          int step) const {
   const std::lock_guard lock(mutex_);
   const auto found = std::ranges::find_if(tables_, [&](const auto& kept) {
-    return kept->serves(grid.dx, grid.dy, grid.period, cells_x, step);
+    return kept->fits(grid.dx, grid.dy, grid.period, cells_x, step);
   });
   if (found != tables_.end()) {
     tables_.splice(tables_.begin(), tables_, found);

@@ -12,10 +12,11 @@ namespace {
 /// pi 6).
 constexpr double uniform_from = 6.0;
 
-/// First offsets of a period and their images: `apart` images to each side are added one by one.
+/// First offsets of a period and their images: `near_images` images to each side are added one by
+/// one.
 template <class Visit>
 void for_each_image(const LatticeAxis& axis, int cells, int i, const Visit& visit) {
-  for (int n = -axis.apart; n <= axis.apart; ++n) visit(i + n * cells);
+  for (int n = -axis.near_images; n <= axis.near_images; ++n) visit(i + n * cells);
 }
 
 double sign_of(bool odd, int offset) { return odd && offset < 0 ? -1.0 : 1.0; }
@@ -29,8 +30,7 @@ bool PeriodicTable::is_direct(const Grid& grid) {
   return period.y * grid.dy <= period.x * grid.dx;
 }
 
-bool PeriodicTable::serves(double dx, double dy, const Period& period, int cells_x,
-                           int step) const {
+bool PeriodicTable::fits(double dx, double dy, const Period& period, int cells_x, int step) const {
   return x_.d == dx && y_.d == dy && x_.length == dx / step && period_ == period &&
          (period.x > 0 || x_.cells == cells_x);
 }
@@ -50,8 +50,8 @@ PeriodicTable::PeriodicTable(double dx, double dy, const Period& period, int cel
     }
     // Images so near that the remainder would vary faster than over the offsets.
     const double smooth = std::max(near_x_.extent(), y_.extent());
-    while (near_x_.period > 0 && near_x_.distance() < 0.99 * smooth) ++near_x_.apart;
-    while (y_.distance() < 0.99 * smooth) ++y_.apart;
+    while (near_x_.period > 0 && near_x_.distance() < 0.99 * smooth) ++near_x_.near_images;
+    while (y_.distance() < 0.99 * smooth) ++y_.near_images;
     cell_images_ = std::make_unique<LatticeImages>(
         LatticeImages::of_cells(near_x_, y_, like ? like->cell_images_.get() : nullptr));
     if (square) return;
@@ -61,7 +61,7 @@ PeriodicTable::PeriodicTable(double dx, double dy, const Period& period, int cel
 
 Field PeriodicTable::near_sum(const CellInfluence& influence) const {
   const int nx = near_x_.cells, ny = y_.cells;
-  const int wide = nx + near_x_.apart * period_.x, high = ny + y_.apart * period_.y;
+  const int wide = nx + near_x_.near_images * period_.x, high = ny + y_.near_images * period_.y;
   const Field cell = influence.cell(wide, high);
   const std::size_t count = influence.parities.size();
   Field sum(count * nx * ny, 0.0);

@@ -26,7 +26,7 @@ constexpr int tensor_pairs = 36;  // out * 6 + in
 constexpr int columns = 4;        // Re, Im at +kx; Re, Im at -kx
 
 /// With yz and xz multiplied by i, in strain and in stress, every spectral tensor is real.
-Complex turn(int component) {
+Complex phase_factor(int component) {
   return component == 3 || component == 4 ? Complex(0, 1) : Complex(1, 0);
 }
 
@@ -35,7 +35,7 @@ double mirror_sign(int component) { return component >= 4 ? -1.0 : 1.0; }
 
 /// Factor of the real quarter spectrum of a kernel in the real tensor.
 double real_factor(kernels::Parity parity, int out, int in) {
-  Complex factor = turn(out) / turn(in);
+  Complex factor = phase_factor(out) / phase_factor(in);
   for (int n = parity.odd_x + parity.odd_y; n > 0; --n) factor *= Complex(0, -1);
   assert(factor.imag() == 0);
   return factor.real();
@@ -164,8 +164,8 @@ void CuboidResidualStress::load(int ky, int block, const VolumeSpectrum& strain,
       double* to = values + (k * 6 + c) * columns * lane_count;
       for (int lane = 0; lane < lane_count; ++lane) {
         const int kx = std::min(block * lane_count + lane, mx / 2);
-        const Complex plus = turn(c) * column[kx];
-        const Complex minus = mirror_sign(c) * turn(c) * column[(mx - kx) % mx];
+        const Complex plus = phase_factor(c) * column[kx];
+        const Complex minus = mirror_sign(c) * phase_factor(c) * column[(mx - kx) % mx];
         to[lane] = plus.real();
         to[lane_count + lane] = plus.imag();
         to[2 * lane_count + lane] = minus.real();
@@ -198,7 +198,7 @@ void CuboidResidualStress::store(int ky, int block, double* values, VolumeSpectr
       const int c = places[n];
       auto* column = reinterpret_cast<Complex*>(stress.row(ky, n, k));
       const double* from = values + (k * 6 + c) * columns * lane_count;
-      const Complex back = std::conj(turn(c));
+      const Complex back = std::conj(phase_factor(c));
       for (int lane = 0; lane < lane_count && block * lane_count + lane <= mx / 2; ++lane) {
         const int kx = block * lane_count + lane;
         column[kx] = back * Complex(from[lane], from[lane_count + lane]);

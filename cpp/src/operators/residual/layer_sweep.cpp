@@ -22,7 +22,7 @@ SAMCONTACT_INLINE Wave left_by(const Mode& mode, const Constants& k, const Sums&
 }
 
 /// Sums over cells that are equivalent to a mode entering a layer.
-SAMCONTACT_INLINE Sums that_send(const Mode& mode, const Constants& k, const Wave& wave) {
+SAMCONTACT_INLINE Sums sums_of(const Mode& mode, const Constants& k, const Wave& wave) {
   const Lanes over = 1.0 / (mode[leaving] + tiny);
   Sums r;
   r.c = (0.5 / k.kappa) * wave.plane.f * over;
@@ -52,7 +52,7 @@ struct Block {
 
   /// Eigenstress of the cells of a layer, and the mode that leaves it at its top. For the infinite
   /// layer also the integrals over the cells below, as nothing returns from there.
-  SAMCONTACT_INLINE void rise(int n) const {
+  SAMCONTACT_INLINE void sweep_up(int n) const {
     const auto& layer = stack.layers()[n];
     const Mode at = mode(layer);
     const Constants constants(layer);
@@ -82,7 +82,7 @@ struct Block {
   }
 
   /// Mode that leaves a layer at its bottom.
-  SAMCONTACT_INLINE void sink(int n) const {
+  SAMCONTACT_INLINE void sweep_down(int n) const {
     const auto& layer = stack.layers()[n];
     const Mode at = mode(layer);
     Sums sums[parts];
@@ -105,7 +105,7 @@ struct Block {
     const Constants constants(layer);
     Sums sums[parts];
     for (int p = 0; p < parts; ++p) {
-      sums[p] = that_send(at, constants, waves[n * parts + p].b);
+      sums[p] = sums_of(at, constants, waves[n * parts + p].b);
     }
     for (int k = layer.last - 1; k >= layer.first; --k) {
       for (int p = 0; p < parts; ++p) {
@@ -125,7 +125,7 @@ struct Block {
     Lanes v[parts][6];
     Sums above[parts];
     for (int p = 0; p < parts; ++p) {
-      above[p] = that_send(at, constants, waves[n * parts + p].a);
+      above[p] = sums_of(at, constants, waves[n * parts + p].a);
     }
     for (int k = layer.first; k < std::min(layer.last, layout.nz); ++k) {
       for (int p = 0; p < parts; ++p) {
@@ -151,8 +151,8 @@ SAMCONTACT_INLINE void sweep_block(const Block<parts>& block, Interfaces* interf
   const int count = static_cast<int>(layers.size());
   fill_interfaces(block.stack, block.row, block.step, interfaces);
   for (int n = count - 1; n >= 0; --n) {
-    block.rise(n);
-    if (!layers[n].is_endless()) block.sink(n);
+    block.sweep_up(n);
+    if (!layers[n].is_endless()) block.sweep_down(n);
   }
   reflect(block.stack, interfaces, parts, block.waves);
   for (int n = 0; n < count; ++n) {

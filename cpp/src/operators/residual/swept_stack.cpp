@@ -25,17 +25,17 @@ void fill_coefficients(double kx, double ky, double h, double weight, double* mo
     set(decay, 1.0);
     return;
   }
-  const double e = std::exp(-x), gone = -std::expm1(-x);
+  const double e = std::exp(-x), decayed = -std::expm1(-x);
   set(direction_x, kx / q);
   set(direction_y, ky / q);
   set(thickness, x);
   set(decay, e);
-  set(own, 0.5 * (1 - gone / x));
-  set(own_linear, 0.5 * (1 - (2 * gone - x * e) / x));
-  set(other, 0.5 * gone * gone / x);
-  set(other_shift, x * (1 + e) / gone - 2);
-  set(leaving, 0.5 * gone);
-  set(leaving_shift, 1 - x * e / gone);
+  set(own, 0.5 * (1 - decayed / x));
+  set(own_linear, 0.5 * (1 - (2 * decayed - x * e) / x));
+  set(other, 0.5 * decayed * decayed / x);
+  set(other_shift, x * (1 + e) / decayed - 2);
+  set(leaving, 0.5 * decayed);
+  set(leaving_shift, 1 - x * e / decayed);
 }
 
 }  // namespace

@@ -52,15 +52,15 @@ std::vector<TractionStress::Part> TractionStress::parts(Traction traction) const
 
 void TractionStress::prepare(Traction traction, const TractionStress* shallower) const {
   const std::lock_guard lock(mutex_);
-  const auto wanted = parts(traction);
-  if (!spectra_[static_cast<int>(wanted[0])].empty()) return;
+  const auto needed = parts(traction);
+  if (!spectra_[static_cast<int>(needed[0])].empty()) return;
   std::unique_lock<std::mutex> other;
   if (shallower != nullptr) other = std::unique_lock(shallower->mutex_);
   const Field none;
   const auto known = [&](Part part) -> const Field& {
     return shallower != nullptr ? shallower->spectra_[static_cast<int>(part)] : none;
   };
-  const int first = known(wanted[0]).empty() ? 0 : std::min(layers(), shallower->layers());
+  const int first = known(needed[0]).empty() ? 0 : std::min(layers(), shallower->layers());
   std::vector<std::vector<ParityParts>> heat;
   if (heat_ && traction == Traction::pressure) {
     heat.resize(first);
@@ -71,10 +71,10 @@ void TractionStress::prepare(Traction traction, const TractionStress* shallower)
     }
   }
   std::array<Field, part_count> built;
-  for (const Part part : wanted) {
+  for (const Part part : needed) {
     built[static_cast<int>(part)] = build(part, heat, first, known(part));
   }
-  for (const Part part : wanted) {
+  for (const Part part : needed) {
     spectra_[static_cast<int>(part)] = std::move(built[static_cast<int>(part)]);
   }
 }

@@ -261,7 +261,8 @@ Field BandTables::periodic_far_tables(const Split& split, const KernelOffsets& o
   const int kept = nodes_in(middle_.reach(), bands_.far_spacing);
   const auto [nx, ny] = offsets;
   const std::size_t plane = static_cast<std::size_t>(nx) * ny;
-  if (what == What::heat) throw std::logic_error("heating of a periodic surface");
+  if (what == What::heat)
+    throw std::logic_error("influence tables of heat require a surface that is not periodic");
   Field out = what == What::stress
                   ? repeated_->stress(traction, at, tensor)
                   : repeated_->residual_displacement(axis_along(traction), static_cast<int>(at));

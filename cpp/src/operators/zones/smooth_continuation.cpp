@@ -23,13 +23,13 @@ Eigen::VectorXd low_pass(int factor, int count, double passband_fraction) {
   const double highest = std::numbers::pi / factor;
   Eigen::VectorXd filter = Eigen::VectorXd::Zero(count);
   for (int n = 0; n < points; ++n) {
-    const double part = (n + 0.5) / points, turn = 2 * std::cos(part * highest);
+    const double part = (n + 0.5) / points, twice_cosine = 2 * std::cos(part * highest);
     const double weight = rising((1 - part) / (1 - passband_fraction)) / (points * factor);
     // Chebyshev's recurrence.
-    double before = 0.5 * turn, cosine = 1.0;
+    double before = 0.5 * twice_cosine, cosine = 1.0;
     for (double& sum : filter) {
       sum += weight * cosine;
-      before = std::exchange(cosine, turn * cosine - before);
+      before = std::exchange(cosine, twice_cosine * cosine - before);
     }
   }
   return filter;

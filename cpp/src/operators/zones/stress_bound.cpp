@@ -174,8 +174,8 @@ Field StressBound::near_part(double depth, const Tractions& tractions) const {
   return sum;
 }
 
-void StressBound::look_at(const Group& group, const Loads& loads, double shear_sign,
-                          const Given& given, const Use& use) const {
+void StressBound::evaluate(const Group& group, const Loads& loads, double shear_sign,
+                           const Given& given, const Use& use) const {
   const Grid& grid = tables_->grid();
   const int count = static_cast<int>(group.depths.size());
   const auto spectrum_of = [&](const VolumeTransform& transform, const TractionStress& stress,
@@ -219,14 +219,14 @@ void StressBound::look_at(const Group& group, const Loads& loads, double shear_s
     for (int i = 0; i < nx; ++i) {
       const double* row = corners.data() + static_cast<std::size_t>(i) * (ny + 1);
       for (int j = 0; j < ny; ++j) {
-        double most = 0.0;
+        double near_max = 0.0;
         for (int x = i * block; !near.empty() && x < std::min(grid.nx, (i + 1) * block); ++x) {
           for (int y = j * block; y < std::min(grid.ny, (j + 1) * block); ++y) {
-            most = std::max(most, near[static_cast<std::size_t>(x) * grid.ny + y]);
+            near_max = std::max(near_max, near[static_cast<std::size_t>(x) * grid.ny + y]);
           }
         }
         bound[static_cast<std::size_t>(i) * ny + j] =
-            most + std::max({row[j], row[j + 1], row[ny + 1 + j], row[ny + 2 + j]});
+            near_max + std::max({row[j], row[j + 1], row[ny + 1 + j], row[ny + 2 + j]});
       }
     }
     use(group.first + k, bound.data());
@@ -238,7 +238,7 @@ void StressBound::for_each_depth(const Tractions& tractions, double shear_sign, 
   const Grid& grid = tables_->grid();
   Loads loads{tractions, spread(tractions, Box::surface(grid), grid.ny, middle_), {}};
   loads.far = spread(loads.middle, middle_.own(), middle_.pitch(), far_);
-  for (const auto& group : groups_) look_at(*group, loads, shear_sign, given, use);
+  for (const auto& group : groups_) evaluate(*group, loads, shear_sign, given, use);
 }
 
 std::size_t StressBound::bytes() const {

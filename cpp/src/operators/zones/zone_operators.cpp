@@ -29,10 +29,10 @@ Field fades(int before, int count, int after, double fades_from) {
 
 struct ZoneOperators::Around {
   Box box;                // zone and margin, with the layers of all zones in it
-  int mx, my;             // the plane
+  int mx, my;             // size of the plane
   std::vector<int> near;  // neighbours with cells in it; its own zone first
   ZoneTables::Operators operators;
-  Field fade_x, fade_y;  // weights of the strain in it
+  Field fade_x, fade_y;  // weights of the strain in the margin
   std::array<Field, 3>
       displacement;         // by axis, [i][j] of the plane, due to the strain of the zone itself
   VolumeSpectrum spectrum;  // of that strain

@@ -26,7 +26,7 @@ void BodySurface::add_displacement_to(Field& gap) {
 /// On a stored box, on one side of the mirror planes.
 void BodySurface::add_displacement(const Box& box, const Field& displacement, Axis axis,
                                    double factor, double* to) const {
-  const Grid& grid = scene_.grid;
+  const Grid& grid = setup_.grid;
   const Box whole = choice_.whole(box);
   const double mirrored_x = axis == Axis::x ? -1.0 : 1.0, mirrored_y = axis == Axis::y ? -1.0 : 1.0;
   const auto add = [&](int at, const double* u, double part) {
@@ -52,7 +52,7 @@ void BodySurface::add_displacement(const Box& box, const Field& displacement, Ax
 
 std::span<const Axis> BodySurface::axes() const {
   // Mirror images have equal tangential displacements.
-  if (scene_.friction.sticks() && copies_ == 1) return operators::all_axes;
+  if (setup_.friction.sticks() && copies_ == 1) return operators::all_axes;
   return operators::normal_axis;
 }
 
@@ -80,7 +80,7 @@ void BodySurface::add_tangential_displacement_to(Field& free_slip) const {
     const Field& before = displaced_before_[a];
     for (std::size_t i = 0; i < before.size(); ++i) u[i] -= before[i];
     add_displacement(surface, u, axis, -operators::shear_sign(body_),
-                     free_slip.data() + a * scene_.grid.surface_size());
+                     free_slip.data() + a * setup_.grid.surface_size());
   }
 }
 
@@ -100,7 +100,7 @@ double BodySurface::largest_at_rim(const Box& box, const Field& displacement, bo
 }
 
 Box BodySurface::seen() const {
-  Box seen = Box::surface(scene_.grid);
+  Box seen = Box::surface(setup_.grid);
   // Zones have no displacement beyond the grid.
   if (offset_ == 0 || split_) return seen;
   ++seen.nx;
@@ -110,7 +110,7 @@ Box BodySurface::seen() const {
 
 bool BodySurface::may_touch_outside(const Field& gap, double reach) const {
   if (rim_displacement_ == 0) return false;
-  const Grid& grid = scene_.grid;
+  const Grid& grid = setup_.grid;
   const Box whole = known(), seen = this->seen();
   // A row of the grid between two rows of the body needs both.
   const int first = whole.i0 - seen.i0, end = first + whole.nx - (seen.nx - grid.nx);

@@ -58,19 +58,19 @@ double bytes_of(const Zones& zones, bool split, const Grid& grid, fft::Symmetry 
 
 PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int copies,
                          fft::Symmetry symmetry, const operators::Heating& heating)
-    : scene_(from.scene()),
+    : setup_(from.setup()),
       index_(index),
       number_(number),
       method_(from.method),
       symmetry_(symmetry),
       heating_(heating),
-      strength_(scene_.strength(index, from.travel)),
-      history_(unfolded(from.plastic[index], scene_.grid, symmetry)),
-      met_(from.met[index] ? unfolded(from.met[index], scene_.grid, symmetry) : history_),
+      strength_(setup_.strength(index, from.travel)),
+      history_(unfolded(from.plastic[index], setup_.grid, symmetry)),
+      met_(from.met[index] ? unfolded(from.met[index], setup_.grid, symmetry) : history_),
       offset_(from.placement().offset[index]),
-      cells_(scene_.bodies[index]),
-      search_(scene_, index, heating, strength_),
-      surface_(scene_, index, copies, symmetry, offset_) {
+      cells_(setup_.bodies[index]),
+      search_(setup_, index, heating, strength_),
+      surface_(setup_, index, copies, symmetry, offset_) {
   if (!history_) return;
   tensor_ = history_->tensor();
   strained_ = true;
@@ -78,9 +78,9 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
 
 void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sources,
                             ActiveCells& active) {
-  const std::size_t terms = scene_.bodies[index_].backstresses();
+  const std::size_t terms = setup_.bodies[index_].backstresses();
   const auto bytes = [&](const Zones& of, bool are_split) {
-    return bytes_of(of, are_split, scene_.grid, symmetry_, terms, method_);
+    return bytes_of(of, are_split, setup_.grid, symmetry_, terms, method_);
   };
   require_memory_of(zones, bytes(zones, split), bytes(this->zones(), split_));
   // Release the old one first: both together may exceed the memory.
@@ -104,12 +104,12 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
   }
   cells_.take(zones, std::move(fields.equivalent), std::move(fields.backstress), strength_);
   split_ = split;
-  const auto tables = split ? scene_.cache.zone_tables(index_, tensor_, heating_) : nullptr;
+  const auto tables = split ? setup_.cache.zone_tables(index_, tensor_, heating_) : nullptr;
   if (split) {
     volume_ = std::make_unique<SplitVolume>(tables, zones);
   } else if (!zones.empty()) {
     volume_ =
-        std::make_unique<BoxVolume>(scene_, index_, zones, tensor_, method_, symmetry_, heating_);
+        std::make_unique<BoxVolume>(setup_, index_, zones, tensor_, method_, symmetry_, heating_);
   }
   surface_.begin(volume_.get(), split, before);
   given_stress_.assign(zones.count(), {});
@@ -117,8 +117,8 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     sources.stress(index_, zones.boxes()[zone], tensor_, given_stress_[zone]);
   }
   if (!history_) return;
-  OutsideStrain outside = split ? outside_strain_in_zones(tables, *history_, zones, scene_.reach)
-                                : outside_strain(scene_, index_, *history_, zones, method_);
+  OutsideStrain outside = split ? outside_strain_in_zones(tables, *history_, zones, setup_.reach)
+                                : outside_strain(setup_, index_, *history_, zones, method_);
   for (std::size_t zone = 0; zone < outside.stress.size(); ++zone) {
     add_to(given_stress_[zone], std::move(outside.stress[zone]));
   }
@@ -139,7 +139,7 @@ void PlasticBody::transform(bool active) {
 
 void PlasticBody::set_tractions(const operators::Tractions& tractions) {
   tractions_ = &tractions;
-  if (offset_ != 0) seen_ = seen_from_body(tractions, scene_.grid, offset_);
+  if (offset_ != 0) seen_ = seen_from_body(tractions, setup_.grid, offset_);
 }
 
 void PlasticBody::soften(std::shared_ptr<const BoxField> factor) {
@@ -163,13 +163,13 @@ double PlasticBody::find_stress(ActiveCells& active) {
   const CellHistory::Limits limits = cells_.first_limits();
   std::vector<std::vector<LayerCheck>> checked;  // by zone and layer
   for (const Box& box : zones().boxes()) checked.emplace_back(box.nz);
-  const auto look = [&](std::size_t zone, int k, const double* layer) {
+  const auto check = [&](std::size_t zone, int k, const double* layer) {
     const Field sum = with_given_stress(zone, k, layer);
     const std::size_t plane = zones().boxes()[zone].surface_size();
     checked[zone][k] = check_layer(zones().first(zone) + k * plane, plane,
                                    sum.empty() ? layer : sum.data(), limits, active);
   };
-  volume_->for_each_layer(strained_, strain_, tractions(), operators::shear_sign(index_), look);
+  volume_->for_each_layer(strained_, strain_, tractions(), operators::shear_sign(index_), check);
   double largest = 0.0;
   for (const auto& layers : checked) {
     for (const LayerCheck& layer : layers) {
@@ -235,7 +235,7 @@ PlasticBody::LayerCheck PlasticBody::check_layer(std::size_t first, std::size_t 
 }
 
 std::shared_ptr<const PlasticState> PlasticBody::finish() {
-  const Box box = from_planes_on(zones().around(), scene_.grid, symmetry_);
+  const Box box = from_planes_on(zones().around(), setup_.grid, symmetry_);
   // Release before the history is copied.
   volume_.reset();
   given_stress_.clear();

@@ -10,7 +10,8 @@ namespace {
 /// margin is needed for a weak layer below the zone of plastic flow and apart from it: no flow in
 /// the outermost cells indicates its yield.
 constexpr double near = 0.9, near_weak = 0.7;
-/// Counterparts for zones, or layers below the grid, that must contain the cells that yield.
+/// Counterpart of near_weak for zones and for layers below the grid, which need to contain only
+/// cells that yield.
 constexpr double beyond_weak = 0.8;
 
 /// Number of surface cells above which a bound of the stress is used to find yield.
@@ -55,10 +56,10 @@ const Columns& YieldSearch::yielding_columns(const operators::Tractions& tractio
 
 Columns YieldSearch::columns_beyond(const operators::Tractions& tractions, const YieldLimit& limit,
                                     const YieldScan& scan) const {
-  if (scene_.grid.surface_size() <= large_surface) {
+  if (setup_.grid.surface_size() <= large_surface) {
     return scan.columns(tractions, sign(), limit);
   }
-  return scene_.cache.zone_scan(body_, scene_.strength(body_, {}), heating_)
+  return setup_.cache.zone_scan(body_, setup_.strength(body_, {}), heating_)
       ->columns(tractions, sign(), limit);
 }
 

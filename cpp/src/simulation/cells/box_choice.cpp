@@ -109,8 +109,8 @@ bool is_unbounded(const Box& box, const Grid& grid) {
   const double width = max_widths * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
   const double depth = std::max(width, 2 * grid.nz * grid.dz);
   const Box all = box.united(Box::surface(grid));
-  const auto too_far = [](int cells, double length, double most) {
-    return cells > always_allowed && cells * length > most;
+  const auto too_far = [](int cells, double length, double max_length) {
+    return cells > always_allowed && cells * length > max_length;
   };
   return too_far(all.nx, grid.dx, width) || too_far(all.ny, grid.dy, width) ||
          too_far(all.nz, grid.dz, depth);

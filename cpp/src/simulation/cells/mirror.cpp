@@ -107,18 +107,18 @@ std::vector<Box> whole_boxes(const std::vector<Box>& stored, const Grid& grid,
   std::vector<Box> all;
   for (Box box : stored) {
     const Box whole = whole_box(box, grid, symmetry);
-    const bool beside_x = symmetry == fft::Symmetry::xy && box.i0 > part.i0;
-    const bool beside_y = symmetry != fft::Symmetry::none && box.j0 > part.j0;
-    if (!beside_x) box.i0 = whole.i0, box.nx = whole.nx;
-    if (!beside_y) box.j0 = whole.j0, box.ny = whole.ny;
+    const bool off_plane_x = symmetry == fft::Symmetry::xy && box.i0 > part.i0;
+    const bool off_plane_y = symmetry != fft::Symmetry::none && box.j0 > part.j0;
+    if (!off_plane_x) box.i0 = whole.i0, box.nx = whole.nx;
+    if (!off_plane_y) box.j0 = whole.j0, box.ny = whole.ny;
     all.push_back(box);
     Box image = box;
     image.i0 = whole.i0;
-    if (beside_x) all.push_back(image);
+    if (off_plane_x) all.push_back(image);
     image.j0 = whole.j0;
-    if (beside_x && beside_y) all.push_back(image);
+    if (off_plane_x && off_plane_y) all.push_back(image);
     image.i0 = box.i0;
-    if (beside_y) all.push_back(image);
+    if (off_plane_y) all.push_back(image);
   }
   return all;
 }

@@ -55,10 +55,10 @@ Field seen_from_body(const Field& field, const Grid& grid, double offset, Beyond
   for (int i = 0; i < grid.nx; ++i) {
     const bool inside = i + side >= 0 && i + side < grid.nx;
     const double* own = field.data() + static_cast<std::size_t>(i) * grid.ny;
-    const int apart = inside ? side * grid.ny : 0;
+    const int to_neighbour = inside ? side * grid.ny : 0;
     const double share = inside || beyond == Beyond::as_last ? part : 0.0;
     double* to = out.data() + static_cast<std::size_t>(i) * grid.ny;
-    for (int j = 0; j < grid.ny; ++j) to[j] = (1 - part) * own[j] + share * own[j + apart];
+    for (int j = 0; j < grid.ny; ++j) to[j] = (1 - part) * own[j] + share * own[j + to_neighbour];
   }
   return out;
 }

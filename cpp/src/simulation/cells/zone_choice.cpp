@@ -21,10 +21,10 @@ double padding(bool periodic) { return periodic ? 1.0 : 4.0; }
 /// Margin around the required cells of a zone, and below them [cells].
 constexpr int zone_margin = 1;
 
-bool meet(const Box& a, const Box& b) { return !a.intersected(b).empty(); }
+bool overlap(const Box& a, const Box& b) { return !a.intersected(b).empty(); }
 
 /// Parts of a box outside another one, whose layers do not matter: whole rows in x, or in y.
-std::vector<Box> beside(const Box& box, const Box& other, bool rows_in_x) {
+std::vector<Box> parts_outside(const Box& box, const Box& other, bool rows_in_x) {
   const Box common = box.intersected(other);
   const int i1 = box.i0 + box.nx, j1 = box.j0 + box.ny;
   const int a1 = common.i0 + common.nx, b1 = common.j0 + common.ny;
@@ -47,10 +47,11 @@ std::vector<Box> beside(const Box& box, const Box& other, bool rows_in_x) {
 Box left_over(const Box& box, const std::vector<Box>& zones) {
   std::vector<Box> parts{box};
   for (const Box& zone : zones) {
-    if (zone.nz < box.nz || !meet(zone, box)) continue;
+    if (zone.nz < box.nz || !overlap(zone, box)) continue;
     std::vector<Box> left;
     for (const Box& part : parts) {
-      const std::vector<Box> more = meet(part, zone) ? beside(part, zone, true) : std::vector{part};
+      const std::vector<Box> more =
+          overlap(part, zone) ? parts_outside(part, zone, true) : std::vector{part};
       left.insert(left.end(), more.begin(), more.end());
     }
     parts = std::move(left);
@@ -92,7 +93,7 @@ std::vector<Box> Merging::parted(const Box& a, const Box& b) const {
   std::vector<Box> best;
   for (const auto& [whole, cut] : {std::pair{a, b}, std::pair{b, a}}) {
     for (const bool rows_in_x : {true, false}) {
-      std::vector<Box> boxes = beside(cut, whole, rows_in_x);
+      std::vector<Box> boxes = parts_outside(cut, whole, rows_in_x);
       boxes.insert(boxes.begin(), {whole.i0, whole.j0, whole.nx, whole.ny, std::max(a.nz, b.nz)});
       if (best.empty() || cost(boxes) < cost(best)) best = std::move(boxes);
     }
@@ -102,10 +103,10 @@ std::vector<Box> Merging::parted(const Box& a, const Box& b) const {
 
 bool Merging::better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) const {
   const Box both = boxes[k].united(boxes[l]);
-  if (meet(boxes[k], boxes[l])) return cost(both) <= cost(parted(boxes[k], boxes[l]));
+  if (overlap(boxes[k], boxes[l])) return cost(both) <= cost(parted(boxes[k], boxes[l]));
   if (cost(both) > cost(boxes[k]) + cost(boxes[l])) return false;
   for (std::size_t n = 0; n < boxes.size(); ++n) {
-    if (n != k && n != l && meet(boxes[n], both)) return false;
+    if (n != k && n != l && overlap(boxes[n], both)) return false;
   }
   return true;
 }
@@ -132,8 +133,8 @@ std::vector<Box> Merging::made_disjoint(const std::vector<Box>& boxes) const {
   while (!waiting.empty()) {
     const Box box = left_over(waiting.back(), zones);
     waiting.pop_back();
-    const auto other =
-        std::find_if(zones.begin(), zones.end(), [&](const Box& zone) { return meet(zone, box); });
+    const auto other = std::find_if(zones.begin(), zones.end(),
+                                    [&](const Box& zone) { return overlap(zone, box); });
     if (other != zones.end()) {
       const std::vector<Box> parts = parted(*other, box);
       zones.erase(other);

@@ -23,13 +23,13 @@ double increment_error(const State& one, const State& two) {
     for (std::size_t i = 0; i < a.size(); ++i) d = std::max(d, std::fabs(a[i] - b[i]));
     return d;
   };
-  const Grid& grid = two.scene().grid;
+  const Grid& grid = two.setup().grid;
   const double p_max = largest(two.tractions.pressure);
   double error =
       p_max > 0 ? difference(one.tractions.pressure, two.tractions.pressure) / p_max : 0.0;
   for (int b = 0; b < 2; ++b) {
     if (!one.plastic[b] || !two.plastic[b]) continue;
-    const double yield_strain = two.scene().bodies[b].strain_at_yield();
+    const double yield_strain = two.setup().bodies[b].strain_at_yield();
     const Box box = around(one.flow_boxes[b]).united(around(two.flow_boxes[b]));
     const auto symmetry = common(one.plastic[b]->symmetry(), two.plastic[b]->symmetry());
     const auto first = unfolded(one.plastic[b], grid, symmetry);
@@ -59,7 +59,7 @@ State extrapolated(const State& start, const State& once, const State& twice) {
         b == 1 && once.plastic[0] == once.plastic[1] && twice.plastic[0] == twice.plastic[1];
     if (shared) state.plastic[1] = state.plastic[0], state.met[1] = state.met[0];
     if (shared || !once.flowed[b] || !twice.flowed[b]) continue;
-    const Grid& grid = start.scene().grid;
+    const Grid& grid = start.setup().grid;
     const PlasticState& last = *twice.plastic[b];
     const Box whole = around(once.flow_boxes[b]).united(around(twice.flow_boxes[b]));
     const Box box = part_of(whole, grid, last.symmetry());
@@ -94,7 +94,7 @@ Target between(const State& from, const Target& target, double fraction) {
   Target part = target;
   if (fraction == 1.0) return part;
   const auto mix = [fraction](double a, double b) { return a + fraction * (b - a); };
-  if (from.scene().friction.sticks() && !target.is_prescribed()) {
+  if (from.setup().friction.sticks() && !target.is_prescribed()) {
     const auto present = from.tangential_force();
     for (int k = 0; k < 3; ++k) {
       double& value = part.tangential[k].value;
@@ -109,7 +109,7 @@ Target between(const State& from, const Target& target, double fraction) {
   } else {
     const auto mix_field = [&](const Field& a, Field& b) {
       if (a.empty() && b.empty()) return;
-      b.resize(from.scene().grid.surface_size(), 0.0);
+      b.resize(from.setup().grid.surface_size(), 0.0);
       for (std::size_t i = 0; i < b.size(); ++i) b[i] = mix(a.empty() ? 0.0 : a[i], b[i]);
     };
     mix_field(from.tractions.pressure, part.tractions.pressure);
@@ -157,7 +157,7 @@ Target Division::part_of(const State& from, double start, double end) const {
   for (auto& given : part.tangential) {
     if (!given.is_force()) given.value *= 1.0 - start;
   }
-  if (!from.scene().transient_heating.is_on()) return part;
+  if (!from.setup().transient_heating.is_on()) return part;
   part.duration *= end - start;
   for (auto& heat : part.heating) heat.age = part.duration;
   part.past = from.heat_so_far();
@@ -180,7 +180,7 @@ State Division::increment(const State& from, const Target& part) {
 State Division::solve(const State& from, double start, double end) {
   const Target part = part_of(from, start, end);
   State state = increment(moved_to(from, end), part);
-  if (from.scene().transient_heating.is_on()) state.time = from.time + part.duration;
+  if (from.setup().transient_heating.is_on()) state.time = from.time + part.duration;
   return state;
 }
 

@@ -42,8 +42,8 @@ bool any(const Field& field) {
 class FixedPoint {
  public:
   explicit FixedPoint(const IncrementTask& task)
-      : grid_(task.scene().grid),
-        law_(*task.scene().contact_law),
+      : grid_(task.setup().grid),
+        law_(*task.setup().contact_law),
         target_(task.target),
         settings_(task.settings),
         counters_(task.counters),

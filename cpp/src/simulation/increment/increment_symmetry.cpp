@@ -9,11 +9,11 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
                           const Sources& sources) {
   using fft::Symmetry;
   if (task.from.method == operators::ResidualMethod::exact) return Symmetry::none;
-  Symmetry symmetry = task.scene().symmetry(task.from.travel);
+  Symmetry symmetry = task.setup().symmetry(task.from.travel);
   if (task.target.is_prescribed()) {
-    symmetry = symmetry_of(tractions, task.scene().grid);
+    symmetry = symmetry_of(tractions, task.setup().grid);
   }
-  if (task.scene().friction.sticks()) {
+  if (task.setup().friction.sticks()) {
     symmetry = common(symmetry, symmetry_of(tangential_drive(task)));
     symmetry = common(symmetry, task.from.shear_symmetry);
   }
@@ -27,8 +27,8 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
 }
 
 bool bodies_are_mirror_images(const IncrementTask& task, const Sources& sources) {
-  const auto& [upper, lower] = task.scene().bodies;
-  if (!upper.is_plastic() || upper != lower || task.scene().friction.slides() ||
+  const auto& [upper, lower] = task.setup().bodies;
+  if (!upper.is_plastic() || upper != lower || task.setup().friction.slides() ||
       !is_free_of_shear(task))
     return false;
   if (task.target.heating[0] != task.target.heating[1] ||
@@ -37,7 +37,7 @@ bool bodies_are_mirror_images(const IncrementTask& task, const Sources& sources)
   // Two softening laws cannot be compared.
   if (task.settings.softening[0] || task.settings.softening[1]) return false;
   // The worn depths may differ.
-  if (!task.scene().reliefs[0].worn.empty() || !task.scene().reliefs[1].worn.empty()) return false;
+  if (!task.setup().reliefs[0].worn.empty() || !task.setup().reliefs[1].worn.empty()) return false;
   // Shear acts on the two bodies in opposite directions.
   if (!task.target.tractions.shear_x.empty() || !task.target.tractions.shear_y.empty())
     return false;

@@ -17,11 +17,11 @@ using operators::Tensor;
 PlasticIncrement::PlasticIncrement(const IncrementTask& task)
     : task_(task),
       tractions_(task.target.is_prescribed()
-                     ? seen_from_body(task.target.tractions, task.scene().grid,
+                     ? seen_from_body(task.target.tractions, task.setup().grid,
                                       task.from.placement().origin)
                      : operators::Tractions{task.from.tractions.pressure, {}, {}}),
-      sources_(task.scene(), task.from.travel,
-               given_heat(task.scene(), task.target.heating, task.target.past, task.target.duration,
+      sources_(task.setup(), task.from.travel,
+               given_heat(task.setup(), task.target.heating, task.target.past, task.target.duration,
                           task.target.slip_power),
                task.from.eigenstrain, task.from.method),
       slip_(task),
@@ -36,7 +36,7 @@ PlasticIncrement::PlasticIncrement(const IncrementTask& task)
 void PlasticIncrement::make_bodies() {
   bodies_.reserve(2);
   for (int b = mirror_images_ ? 1 : 0; b < 2; ++b) {
-    if (!task_.scene().bodies[b].is_plastic()) continue;
+    if (!task_.setup().bodies[b].is_plastic()) continue;
     const auto number = static_cast<std::uint8_t>(bodies_.size());
     const PlasticBody& body = bodies_.emplace_back(task_.from, b, number, mirror_images_ ? 2 : 1,
                                                    symmetry_, task_.target.heating[b]);
@@ -58,7 +58,7 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
   if (task_.target.is_prescribed()) {
     solution.tractions = tractions_;
     const Field& pressure = tractions_.pressure;
-    solution.load = task_.scene().grid.cell_area() *
+    solution.load = task_.setup().grid.cell_area() *
                     ordered_sum(gap.size(), [&](std::size_t i) { return pressure[i]; });
     solution.motion.approach = std::numeric_limits<double>::quiet_NaN();
   } else {
@@ -70,7 +70,7 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
     if (slip_.is_on()) {
       solution = slip_.solve(gap, tractions_.pressure, settings);
     } else {
-      const auto solver = task_.scene().cache.solver(task_.target.heating);
+      const auto solver = task_.setup().cache.solver(task_.target.heating);
       solution = solver->solve(gap, task_.target.drive, tractions_.pressure, settings);
     }
     ++task_.counters.contact_solves;
@@ -110,7 +110,7 @@ void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& res
 PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact_tol,
                                                     Field& mapped) {
   scatter(guess);
-  gap_.assign(task_.scene().grid.surface_size(), 0.0);
+  gap_.assign(task_.setup().grid.surface_size(), 0.0);
   if (!task_.target.is_prescribed()) {
     sources_.separate(gap_);
     for (int b = 0; b < 2; ++b) sources_.displace(b, gap_);
@@ -159,7 +159,7 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
   });
   state.softening[i] = body.cells().softening();
   if (state.flowed[i]) {
-    state.flow_boxes[i] = whole_boxes(body.zones().boxes(), task_.scene().grid, symmetry_);
+    state.flow_boxes[i] = whole_boxes(body.zones().boxes(), task_.setup().grid, symmetry_);
     state.plastic[i] = body.finish();
   }
   if (!mirror_images_) return;

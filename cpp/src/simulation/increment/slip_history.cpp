@@ -14,7 +14,7 @@ namespace {
 
 /// Mean travel of both bodies in the increment [m].
 double mean_travel(const State& state) {
-  return 0.5 * (state.advance[0] + state.advance[1]) * state.scene().grid.dx;
+  return 0.5 * (state.advance[0] + state.advance[1]) * state.setup().grid.dx;
 }
 
 /// If the travel of a body differs from that of the tractions by this much, its displacement is
@@ -65,10 +65,11 @@ class Widened {
 
 /// Tangential displacement of a body [2][i][j] due to tractions moved by its travel [cells], less
 /// that due to tractions moved by `cells` without those that left the grid.
-Field displaced_otherwise(const Scene& scene, int body, const operators::Tractions& tractions,
-                          double way, int cells) {
-  const Grid& grid = scene.grid;
-  const double most = farthest * grid.nx, own = std::clamp(way, -most, most);
+Field displaced_otherwise(const Setup& setup, int body, const operators::Tractions& tractions,
+                          double body_travel, int cells) {
+  const Grid& grid = setup.grid;
+  const double max_travel = farthest * grid.nx,
+               own = std::clamp(body_travel, -max_travel, max_travel);
   const int whole = static_cast<int>(std::lround(own));
   const Widened widened(grid, std::abs(whole) + 1);
   const operators::Tractions wide = for_each(tractions, widened);
@@ -80,7 +81,7 @@ Field displaced_otherwise(const Scene& scene, int body, const operators::Tractio
   contact::add_scaled(-1.0, kept.shear_y, difference.shear_y);
   Field slid;
   for (const auto axis : {operators::Axis::x, operators::Axis::y}) {
-    const Field u = operators::surface_displacement(widened.grid(), *scene.media[body], {},
+    const Field u = operators::surface_displacement(widened.grid(), *setup.media[body], {},
                                                     difference, operators::shear_sign(body), axis);
     slid.insert(slid.end(), widened.begin_of(u),
                 widened.begin_of(u) + static_cast<std::ptrdiff_t>(grid.surface_size()));
@@ -90,17 +91,17 @@ Field displaced_otherwise(const Scene& scene, int body, const operators::Tractio
 
 /// Slip due to the difference between the travel of the bodies [cells] and the whole cells by which
 /// the tractions move; empty: none.
-Field slip_of_travel(const Scene& scene, const operators::Tractions& tractions,
+Field slip_of_travel(const Setup& setup, const operators::Tractions& tractions,
                      const Travel& travel, int cells) {
-  const bool cut = is_cut(tractions.pressure, scene.grid, cells);
+  const bool cut = is_cut(tractions.pressure, setup.grid, cells);
   Field slip;
   for (int b = 0; b < 2; ++b) {
-    const bool apart = std::fabs(travel[b] - cells) >= min_travel_difference;
-    if (scene.media[b]->is_rigid() || !(cut || apart)) continue;
-    slip.resize(2 * scene.grid.surface_size(), 0.0);
+    const bool differs = std::fabs(travel[b] - cells) >= min_travel_difference;
+    if (setup.media[b]->is_rigid() || !(cut || differs)) continue;
+    slip.resize(2 * setup.grid.surface_size(), 0.0);
     // Previous displacement of body 2 is not slip in the opposite direction.
     contact::add_scaled(operators::shear_sign(b),
-                        displaced_otherwise(scene, b, tractions, travel[b], cells), slip);
+                        displaced_otherwise(setup, b, tractions, travel[b], cells), slip);
   }
   return slip;
 }
@@ -108,7 +109,7 @@ Field slip_of_travel(const Scene& scene, const operators::Tractions& tractions,
 /// State from which the shear of the increment starts, before the displacement due to plastic
 /// strain.
 contact::ContactHistory contact_before(const IncrementTask& task) {
-  const Grid& grid = task.scene().grid;
+  const Grid& grid = task.setup().grid;
   const Travel& by = task.from.advance;
   contact::ContactHistory before;
   before.approach = task.from.approach;
@@ -118,9 +119,9 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
     before.gap = simulation::gap(task.from);
   } else {
     // Tractions of a moved state lie at its contact, not at the new positions of their cells.
-    const Placement then = task.scene().placement(advanced(task.from.travel, {-by[0], -by[1]}));
+    const Placement then = task.setup().placement(advanced(task.from.travel, {-by[0], -by[1]}));
     const Placement now = task.from.placement();
-    const int followed = std::max(task.scene().followed(), 0);
+    const int followed = std::max(task.setup().followed(), 0);
     const int cells = then.first[followed] - now.first[followed] -
                       static_cast<int>(std::lround(now.origin - then.origin));
     const auto carried = taken_along(task.from.tractions, grid, cells);
@@ -128,9 +129,9 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
     before.pressure = carried.pressure;
     before.shear = shear_vectors(carried);
     // Fractions of a cell move the grid, not the surface of the body that it follows.
-    const double own = task.scene().followed() < 0 ? 0.5 * (by[0] + by[1]) : by[followed];
+    const double own = task.setup().followed() < 0 ? 0.5 * (by[0] + by[1]) : by[followed];
     const Travel travel{by[0] - own + cells, by[1] - own + cells};
-    before.free_slip = slip_of_travel(task.scene(), task.from.tractions, travel, cells);
+    before.free_slip = slip_of_travel(task.setup(), task.from.tractions, travel, cells);
   }
   before.shear.resize(2 * grid.surface_size(), 0.0);
   return before;
@@ -141,7 +142,7 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
 contact::TangentialDrive tangential_drive(const IncrementTask& task) {
   contact::TangentialDrive drive = task.target.tangential;
   if (!drive[0].is_force()) {
-    drive[0].value += (task.from.advance[0] - task.from.advance[1]) * task.scene().grid.dx;
+    drive[0].value += (task.from.advance[0] - task.from.advance[1]) * task.setup().grid.dx;
   }
   // Slip due to rotation is evaluated at the mean positions of particles during the increment.
   if (!drive[1].is_force())
@@ -150,10 +151,10 @@ contact::TangentialDrive tangential_drive(const IncrementTask& task) {
 }
 
 bool is_free_of_shear(const IncrementTask& task) {
-  if (!task.scene().friction.sticks()) return true;
+  if (!task.setup().friction.sticks()) return true;
   const auto drive = tangential_drive(task);
   const auto is_zero = [](double v) { return v == 0; };
-  return !task.scene().partial_slip->is_coupled() &&
+  return !task.setup().partial_slip->is_coupled() &&
          std::all_of(drive.begin(), drive.end(),
                      [](const contact::Given& given) { return given.value == 0; }) &&
          std::all_of(task.from.tractions.shear_x.begin(), task.from.tractions.shear_x.end(),
@@ -163,22 +164,22 @@ bool is_free_of_shear(const IncrementTask& task) {
 }
 
 SlipHistory::SlipHistory(const IncrementTask& task)
-    : task_(task), on_(task.scene().friction.sticks() && !task.target.is_prescribed()) {
+    : task_(task), on_(task.setup().friction.sticks() && !task.target.is_prescribed()) {
   if (!on_) return;
   before_ = contact_before(task);
-  carried_apart_ = before_.free_slip;
+  travel_slip_ = before_.free_slip;
 }
 
 Field& SlipHistory::begin_slip() {
-  before_.free_slip = carried_apart_;
-  before_.free_slip.resize(2 * task_.scene().grid.surface_size(), 0.0);
+  before_.free_slip = travel_slip_;
+  before_.free_slip.resize(2 * task_.setup().grid.surface_size(), 0.0);
   return before_.free_slip;
 }
 
 contact::Solution SlipHistory::solve(const Field& gap, const Field& start,
                                      const contact::ContactSettings& settings) {
   const contact::PartialSlipStart first{start, shear_.shear, shear_.sticking, shear_.motion};
-  contact::PartialSlipSolution found = task_.scene().partial_slip->solve(
+  contact::PartialSlipSolution found = task_.setup().partial_slip->solve(
       gap, task_.target.drive.normal, tangential_drive(task_), before_, first, settings);
   shear_ = std::move(found.tangential);
   contact::Solution solution = std::move(found.normal);
@@ -190,16 +191,16 @@ contact::Solution SlipHistory::solve(const Field& gap, const Field& start,
 }
 
 void SlipHistory::remember(const operators::Tractions& tractions, State& state) const {
-  if (!task_.scene().friction.sticks()) return;
+  if (!task_.setup().friction.sticks()) return;
   state.slip_work.clear();
   if (task_.target.is_prescribed()) {
     state.slip.clear();
-    state.shear_symmetry = common(state.shear_symmetry, symmetry_of(tractions, task_.scene().grid));
+    state.shear_symmetry = common(state.shear_symmetry, symmetry_of(tractions, task_.setup().grid));
     return;
   }
   state.slip = shear_.slip;
   if (!task_.target.slip_power.empty()) {
-    const std::size_t n = task_.scene().grid.surface_size();
+    const std::size_t n = task_.setup().grid.surface_size();
     const Field &s = shear_.shear, &w = shear_.slip;
     for (std::size_t i = 0; i < n; ++i) {
       state.slip_work.push_back(s[i] * w[i] + s[n + i] * w[n + i]);

@@ -12,7 +12,7 @@ namespace samcontact::simulation {
 
 ThermalSoftening::ThermalSoftening(const IncrementTask& task)
     : task_(task),
-      given_(given_heat(task.scene(), task.target.heating, task.target.past, task.target.duration,
+      given_(given_heat(task.setup(), task.target.heating, task.target.past, task.target.duration,
                         task.target.slip_power)),
       offsets_(task.from.placement().offset) {}
 
@@ -20,7 +20,7 @@ void ThermalSoftening::apply(PlasticBody& body, const Box& box) {
   Field& pressure = pressure_[body.index()];
   if (!pressure.empty() || !task_.settings.softening[body.index()]) return;
   pressure = body.tractions().pressure;
-  soften(body, task_.scene().volume_below(pressure).united(box));
+  soften(body, task_.setup().volume_below(pressure).united(box));
 }
 
 void ThermalSoftening::extend(PlasticBody& body, const Box& box) const {
@@ -34,9 +34,9 @@ void ThermalSoftening::soften(PlasticBody& body, const Box& box) const {
 
 std::shared_ptr<const BoxField> ThermalSoftening::factor(int body, const Box& box) const {
   const Softening& law = task_.settings.softening[body];
-  const Grid& grid = task_.scene().grid;
+  const Grid& grid = task_.setup().grid;
   const auto depths = grid.z(box.nz);
-  const auto operators = task_.scene().cache.temperature(task_.target.heating[body], box);
+  const auto operators = task_.setup().cache.temperature(task_.target.heating[body], box);
   Field rise =
       operators->rise(window({pressure_[body], {}, {}}, grid, box).pressure.data(), depths);
   if (given_[body].is_on()) {

@@ -35,26 +35,26 @@ Columns columns_of(const std::vector<Cell>& cells) {
 bool SplitChoice::is_allowed() const {
   return !task_.settings.one_zone && sources_.all_smooth(0) && sources_.all_smooth(1) &&
          symmetry_ == fft::Symmetry::none && task_.from.method == operators::ResidualMethod::fast &&
-         task_.scene().may_split() && (!task_.scene().grid.period.is_on() || is_cold_and_at_rest());
+         task_.setup().may_split() && (!task_.setup().grid.period.is_on() || is_cold_and_at_rest());
 }
 
 bool SplitChoice::is_cold_and_at_rest() const {
   const auto hot = [](const operators::Heating& heating) { return heating.factor != 0; };
   return task_.from.travel == Travel{} && task_.from.advance == Travel{} &&
-         !task_.scene().transient_heating.is_on() &&
+         !task_.setup().transient_heating.is_on() &&
          std::none_of(task_.target.heating.begin(), task_.target.heating.end(), hot);
 }
 
 std::vector<Box> SplitChoice::merged_zones(const std::vector<Box>& boxes) const {
-  return merged(within_period(boxes, task_.scene().grid.period), task_.scene().split);
+  return merged(within_period(boxes, task_.setup().grid.period), task_.setup().split);
 }
 
 bool SplitChoice::is_worthwhile(const PlasticBody& body, const std::vector<Box>& boxes) const {
   if (boxes.size() < 2) return false;
-  const bool periodic = task_.scene().grid.period.is_on();
+  const bool periodic = task_.setup().grid.period.is_on();
   const double cost =
-      cost_of_zones(boxes, Box::surface(task_.scene().grid), task_.scene().split, periodic);
-  const Box window = window_of(tractions_, task_.scene().grid), all = around(boxes);
+      cost_of_zones(boxes, Box::surface(task_.setup().grid), task_.setup().split, periodic);
+  const Box window = window_of(tractions_, task_.setup().grid), all = around(boxes);
   if (task_.from.travel != Travel{} && !window.empty()) {
     // One box does not include strain outside the present plastic flow.
     const Box needed = choice_.in_grid_or({}, window.united({0, 0, 0, 0, all.nz}));
@@ -68,13 +68,13 @@ bool SplitChoice::is_worthwhile(const PlasticBody& body, const std::vector<Box>&
 
 std::vector<Box> SplitChoice::zones_to_begin_with(const PlasticBody& body) const {
   const auto& before = task_.from.flow_boxes[body.index()];
-  const bool stays = task_.from.advance == Travel{};
-  if (stays && before.size() > 1 &&
+  const bool is_stationary = task_.from.advance == Travel{};
+  if (is_stationary && before.size() > 1 &&
       !(body.history() && body.history()->reaches_beyond(Zones(before))))
     return before;
   std::vector<Box> boxes = body.history() ? body.history()->zones().boxes() : std::vector<Box>{};
   if (task_.from.travel != Travel{}) {
-    const Grid& grid = task_.scene().grid;
+    const Grid& grid = task_.setup().grid;
     for (Box& box : boxes) box = box.intersected({0, box.j0, grid.nx, box.ny, box.nz});
     std::erase_if(boxes, [](const Box& box) { return box.empty(); });
   }

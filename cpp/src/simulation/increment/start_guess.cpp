@@ -38,7 +38,7 @@ double StartGuess::part_of_last_load() const {
 }
 
 bool StartGuess::is_steady() const {
-  const auto& reliefs = task_.scene().reliefs;
+  const auto& reliefs = task_.setup().reliefs;
   const auto moves = [&](int b) {
     return !reliefs[b].heights.empty() && task_.from.advance[b] != 0;
   };

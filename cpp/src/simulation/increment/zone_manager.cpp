@@ -38,7 +38,7 @@ ZoneManager::ZoneManager(const IncrementTask& task, fft::Symmetry symmetry, cons
                          std::vector<PlasticBody>& bodies, ActiveCells& active)
     : task_(task),
       symmetry_(symmetry),
-      choice_(task.scene().grid, symmetry),
+      choice_(task.setup().grid, symmetry),
       split_(task, symmetry, guess, tractions, sources),
       softening_(task),
       sources_(sources),
@@ -57,7 +57,7 @@ void ZoneManager::soften() {
 
 void ZoneManager::set_zones(PlasticBody& body, const Zones& zones, bool split) {
   const Box whole = choice_.whole(zones.around());
-  if (is_unbounded(whole, task_.scene().grid)) throw unbounded_zone_error(body);
+  if (is_unbounded(whole, task_.setup().grid)) throw unbounded_zone_error(body);
   body.set_zones(zones, split, sources_, active_);
   softening_.extend(body, whole);
 }
@@ -85,7 +85,7 @@ bool ZoneManager::may_touch_outside(const Field& gap) const {
 }
 
 bool ZoneManager::fit(const Field& gap) {
-  const Grid& grid = task_.scene().grid;
+  const Grid& grid = task_.setup().grid;
   const bool touches = may_touch_outside(gap);
   bool grown = false;
   for (PlasticBody& body : bodies_) {
@@ -167,7 +167,7 @@ bool ZoneManager::grow_beyond() {
     const Box below = body.search().yield_below(body.tractions(), scan, sources_);
     if (!below.empty()) needed = needed.united(choice_.with_margin(below));
     if (needed.empty()) continue;
-    needed = needed.united(window_of(body.tractions(), task_.scene().grid));
+    needed = needed.united(window_of(body.tractions(), task_.setup().grid));
     if (!box.empty() && choice_.whole(box).contains(needed)) continue;
     set_box(body, choice_.fitted(needed, box));
     grown = true;
@@ -180,7 +180,7 @@ void ZoneManager::take_up_zones(PlasticBody& body) {
     std::vector<Box> boxes = split_.zones_to_begin_with(body);
     if (split_.is_worthwhile(body, boxes)) return set_zones(body, Zones(std::move(boxes)), true);
   }
-  const auto parts = parts_of(task_.from.flow_boxes[body.index()], task_.scene().grid, symmetry_);
+  const auto parts = parts_of(task_.from.flow_boxes[body.index()], task_.setup().grid, symmetry_);
   set_zones(body, parts.size() == 1 ? Zones(parts) : Zones({choice_.fitted(around(parts), {})}));
 }
 
@@ -192,8 +192,8 @@ bool ZoneManager::fit_zones(PlasticBody& body) {
       body.search().yielding_columns(body.tractions(), *task_.scans[body.index()], sources_));
   boxes.insert(boxes.end(), near.begin(), near.end());
   boxes = split_.merged_zones(boxes);
-  const bool asks = first || task_.from.travel != Travel{};
-  if (asks && !split_.is_worthwhile(body, boxes)) {
+  const bool may_merge = first || task_.from.travel != Travel{};
+  if (may_merge && !split_.is_worthwhile(body, boxes)) {
     if (!first) set_box(body, choice_.fitted(body.zones().around(), {}));
     return !first;
   }
@@ -221,7 +221,7 @@ std::vector<Box> ZoneManager::rims_with_flow(std::size_t b) const {
     const Box& box = zones.boxes()[zone];
     const bool inside = i > box.i0 && i < box.i0 + box.nx - 1 && j > box.j0 &&
                         j < box.j0 + box.ny - 1 && k < box.nz - 1;
-    if (!inside && !holds_around(zones, {i, j, k}, task_.scene().grid.period))
+    if (!inside && !holds_around(zones, {i, j, k}, task_.setup().grid.period))
       needed[zone] = needed[zone].united(widened({i, j, 1, 1, k + 1}, growth));
   }
   std::erase_if(needed, [](const Box& box) { return box.empty(); });

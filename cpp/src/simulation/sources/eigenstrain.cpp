@@ -76,11 +76,11 @@ std::shared_ptr<const PlasticState> sum_of(const std::shared_ptr<const PlasticSt
   return found->zones().empty() ? nullptr : found;
 }
 
-void require_followed(const Eigenstrains& strains, const Scene& scene, const Travel& travel) {
-  if (scene.followed() >= 0) return;
+void require_followed(const Eigenstrains& strains, const Setup& setup, const Travel& travel) {
+  if (setup.followed() >= 0) return;
   for (int b = 0; b < 2; ++b) {
     const bool follows =
-        scene.friction.sticks() ? travel[0] == travel[1] : travel[b] == std::round(travel[b]);
+        setup.friction.sticks() ? travel[0] == travel[1] : travel[b] == std::round(travel[b]);
     if (!strains[b] || follows) continue;
     throw std::invalid_argument(
         "a body with an eigenstrain must advance by whole cells (under partial slip, both bodies "
@@ -95,20 +95,20 @@ void Eigenstrain::displace(int body, Field& sum) const {
   Field& own = displacement_[body];
   if (own.empty()) {
     own =
-        displacement_of(*strains_[body], scene_, body, method_, operators::Axis::z, offsets_[body]);
+        displacement_of(*strains_[body], setup_, body, method_, operators::Axis::z, offsets_[body]);
   }
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += own[i];
 }
 
 void Eigenstrain::stress(int body, const Box& box, Tensor tensor, Field& sum) const {
   if (!acts_on(body)) return;
-  add_to(sum, components_of(stress_of(*strains_[body], scene_, body, method_, box), tensor));
+  add_to(sum, components_of(stress_of(*strains_[body], setup_, body, method_, box), tensor));
 }
 
 Box Eigenstrain::box_beyond(int body, const Strength& strength, double softening,
                             double share) const {
   if (!acts_on(body)) return {};
-  const Grid& grid = scene_.grid;
+  const Grid& grid = setup_.grid;
   Box window{0, 0, grid.nx, grid.ny, grid.nz};
   const Box own = strains_[body]->zones().around();
   for (int margin = std::max({own.nx, own.ny, own.nz}) / 2 + 1;; margin *= 2) {
@@ -119,7 +119,7 @@ Box Eigenstrain::box_beyond(int body, const Strength& strength, double softening
     std::vector<LayerRange> layers;
     layers.reserve(region.nz);
     for (int k = 0; k < region.nz; ++k) layers.push_back({k, k, k + 1});
-    const Box found = cells_beyond(stress_of(*strains_[body], scene_, body, method_, region),
+    const Box found = cells_beyond(stress_of(*strains_[body], setup_, body, method_, region),
                                    region, strength.limits(layers, softening, share, share));
     if (!reaches_end(found, region, grid) || is_unbounded(region, grid)) return found;
   }

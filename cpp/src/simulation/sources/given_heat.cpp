@@ -5,13 +5,13 @@
 
 namespace samcontact::simulation {
 
-GivenHeat::GivenHeat(const Scene& scene, int body,
+GivenHeat::GivenHeat(const Setup& setup, int body,
                      const std::shared_ptr<const operators::HeatHistory>& past, double ahead,
                      const operators::Heating& heating, const Field& slip_power)
-    : grid_(scene.grid),
+    : grid_(setup.grid),
       past_(past),
       ahead_(ahead),
-      of_slip_(heating.is_of_slip() && !slip_power.empty() ? scene.cache.flux_heat(body, heating)
+      of_slip_(heating.is_of_slip() && !slip_power.empty() ? setup.cache.flux_heat(body, heating)
                                                            : nullptr),
       slip_power_(slip_power) {}
 
@@ -32,10 +32,10 @@ Field GivenHeat::stress(std::span<const double> depths, double offset) const {
   return past_ ? past_->stress(ahead_, depths) : of_slip_->stress(power_at(offset), depths);
 }
 
-std::array<GivenHeat, 2> given_heat(const Scene& scene, const operators::HeatingPair& heating,
+std::array<GivenHeat, 2> given_heat(const Setup& setup, const operators::HeatingPair& heating,
                                     const PastHeat& past, double ahead, const Field& slip_power) {
   const auto of = [&](int b) {
-    return GivenHeat(scene, b, past[b], ahead, heating[b], slip_power);
+    return GivenHeat(setup, b, past[b], ahead, heating[b], slip_power);
   };
   return {of(0), of(1)};
 }

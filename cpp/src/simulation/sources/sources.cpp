@@ -12,17 +12,17 @@ namespace {
 /// The undeformed surfaces.
 class Undeformed : public Source {
  public:
-  Undeformed(const Scene& scene, const Travel& travel) : scene_(scene), travel_(travel) {}
+  Undeformed(const Setup& setup, const Travel& travel) : setup_(setup), travel_(travel) {}
 
   bool acts_on(int /*body*/) const override { return false; }
   bool remains() const override { return true; }
   void separate(Field& gap) const override {
-    if (gap_.empty()) gap_ = scene_.gap(travel_);
+    if (gap_.empty()) gap_ = setup_.gap(travel_);
     for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += gap_[i];
   }
 
  private:
-  const Scene& scene_;
+  const Setup& setup_;
   Travel travel_;
   mutable Field gap_;  // empty until first used
 };
@@ -31,31 +31,31 @@ class Undeformed : public Source {
 /// their strength.
 class InitialStress : public Source {
  public:
-  InitialStress(const Scene& scene, const Travel& travel) : scene_(scene), travel_(travel) {}
+  InitialStress(const Setup& setup, const Travel& travel) : setup_(setup), travel_(travel) {}
 
-  bool acts_on(int body) const override { return scene_.bodies[body].has_initial_stress(); }
+  bool acts_on(int body) const override { return setup_.bodies[body].has_initial_stress(); }
   bool remains() const override { return true; }
   void stress(int body, const Box& box, operators::Tensor tensor, Field& sum) const override {
     if (!acts_on(body)) return;
     auto& strength = strength_[body];
-    if (!strength) strength.emplace(scene_.strength(body, travel_));
+    if (!strength) strength.emplace(setup_.strength(body, travel_));
     strength->add_stress(box, tensor, sum);
   }
 
  private:
-  const Scene& scene_;
+  const Setup& setup_;
   Travel travel_;
   mutable std::array<std::optional<Strength>, 2> strength_;
 };
 
 }  // namespace
 
-Sources::Sources(const Scene& scene, const Travel& travel, const std::array<GivenHeat, 2>& heat,
+Sources::Sources(const Setup& setup, const Travel& travel, const std::array<GivenHeat, 2>& heat,
                  const Eigenstrains& eigenstrains, operators::ResidualMethod method) {
-  all_.push_back(std::make_unique<Undeformed>(scene, travel));
-  all_.push_back(std::make_unique<HeatSource>(scene.grid, heat, scene.placement(travel).offset));
-  all_.push_back(std::make_unique<InitialStress>(scene, travel));
-  all_.push_back(std::make_unique<Eigenstrain>(scene, travel, method, eigenstrains));
+  all_.push_back(std::make_unique<Undeformed>(setup, travel));
+  all_.push_back(std::make_unique<HeatSource>(setup.grid, heat, setup.placement(travel).offset));
+  all_.push_back(std::make_unique<InitialStress>(setup, travel));
+  all_.push_back(std::make_unique<Eigenstrain>(setup, travel, method, eigenstrains));
 }
 
 bool Sources::all_remain(int body) const {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "samcontact/base/errors.hpp"
 #include "samcontact/simulation/cells/box_choice.hpp"
 
 namespace samcontact::simulation {
@@ -14,6 +15,7 @@ namespace {
 
 /// Maximum distance from the origin of a body [cells].
 constexpr int farthest = 1 << 30;
+constexpr auto in_range = "less than 2^30 cells in magnitude";
 constexpr auto no_fit = "the arrays of a plastic history do not match its zones";
 
 void require_that(bool holds, const char* what) {
@@ -70,11 +72,11 @@ PlasticRecord record(const PlasticState& history) {
 std::shared_ptr<const PlasticState> from_record(const PlasticRecord& record, const Grid& grid,
                                                 std::size_t backstresses) {
   const auto& [symmetry, tensor, origin, box, zones, strain, equivalent, backstress] = record;
-  require_that(is_one_of(symmetry), "mirrored must be 0, 1 or 2");
-  require_that(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator,
-               "tensor must be 0 or 1");
+  require(is_one_of(symmetry), "mirrored", "0, 1 or 2", static_cast<int>(symmetry));
+  require(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator, "tensor",
+          "0 or 1", static_cast<int>(tensor));
   for (const int cell : origin) {
-    require_that(std::abs(static_cast<long>(cell)) < farthest, "origin is out of range");
+    require(std::abs(static_cast<long>(cell)) < farthest, "origin", in_range, cell);
   }
   const Box part = stored_part(grid, symmetry);
   require_that(is_box(box, grid) && !box.empty() && box.nz > 0 &&
@@ -101,7 +103,7 @@ std::shared_ptr<const PlasticState> from_record(const PlasticRecord& record, con
 
 void require_consistent(const State& state) {
   using operators::ResidualMethod;
-  const Grid& grid = state.scene().grid;
+  const Grid& grid = state.setup().grid;
   const auto fits = [&](const Field& field) { return field.size() == grid.surface_size(); };
   require_that(fits(state.tractions.pressure), "the pressure does not match the grid");
   for (const Field* field : {&state.tractions.shear_x, &state.tractions.shear_y, &state.contact_gap,
@@ -109,12 +111,13 @@ void require_consistent(const State& state) {
     require_that(field->empty() || fits(*field),
                  "shear, gap or slip power does not match the grid");
   }
-  for (const double way : state.travel) {
-    require_that(std::fabs(way) < farthest, "travel is out of range");
+  for (const double travel : state.travel) {
+    require(std::fabs(travel) < farthest, "travel", in_range, travel);
   }
-  require_that(state.method == ResidualMethod::exact || state.method == ResidualMethod::fast,
-               "residual_method must be 0 or 1");
-  require_that(is_one_of(state.past_symmetry), "past_symmetry must be 0, 1 or 2");
+  require(state.method == ResidualMethod::exact || state.method == ResidualMethod::fast,
+          "residual_method", "0 or 1", static_cast<int>(state.method));
+  require(is_one_of(state.past_symmetry), "past_symmetry", "0, 1 or 2",
+          static_cast<int>(state.past_symmetry));
   for (int b = 0; b < 2; ++b) {
     for (const Box& box : state.flow_boxes[b]) {
       require_that(is_box(box, grid) && !box.empty() && !is_unbounded(box, grid),

@@ -7,11 +7,11 @@ bool is_in_zones(const State& state, int body) {
   const auto& history = state.plastic[body];
   return history && state.flow_boxes[body].size() > 1 &&
          history->symmetry() == fft::Symmetry::none &&
-         state.method == operators::ResidualMethod::fast && state.scene().may_split() &&
-         (!state.scene().grid.period.is_on() || state.travel == Travel{});
+         state.method == operators::ResidualMethod::fast && state.setup().may_split() &&
+         (!state.setup().grid.period.is_on() || state.travel == Travel{});
 }
 
-bool shows_zones(const State& state, int body) {
+bool has_zone_stress(const State& state, int body) {
   return is_in_zones(state, body) && state.travel == Travel{} &&
          !state.plastic[body]->reaches_beyond(Zones(state.flow_boxes[body]));
 }
@@ -19,15 +19,15 @@ bool shows_zones(const State& state, int body) {
 bool is_elsewhere(const State& state, int body) {
   const auto& history = state.plastic[body];
   if (!history) return false;
-  const Box whole = whole_box(history->box(), state.scene().grid, history->symmetry());
+  const Box whole = whole_box(history->box(), state.setup().grid, history->symmetry());
   return state.flow_boxes[body] != std::vector{whole};
 }
 
 std::vector<Box> zones(const State& state, int body) {
   if (!state.plastic[body]) return {};
-  if (shows_zones(state, body)) return state.flow_boxes[body];
+  if (has_zone_stress(state, body)) return state.flow_boxes[body];
   const PlasticState& history = *state.plastic[body];
-  const Box strained = whole_box(history.zones().around(), state.scene().grid, history.symmetry())
+  const Box strained = whole_box(history.zones().around(), state.setup().grid, history.symmetry())
                            .intersected(state.below({}));
   return strained.empty() ? std::vector<Box>{} : std::vector{strained};
 }

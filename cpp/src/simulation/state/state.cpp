@@ -17,36 +17,36 @@ namespace {
 
 /// Initial state of surfaces with attraction: separated, just before contact.
 void part(State& state) {
-  const Scene& scene = state.scene();
-  const Field pull = contact::attraction(*scene.contact_law, scene.initial_gap);
+  const Setup& setup = state.setup();
+  const Field pull = contact::attraction(*setup.contact_law, setup.initial_gap);
   contact::add_scaled(-1.0, pull, state.tractions.pressure);
   state.load =
-      -scene.grid.cell_area() * ordered_sum(pull.size(), [&](std::size_t i) { return pull[i]; });
+      -setup.grid.cell_area() * ordered_sum(pull.size(), [&](std::size_t i) { return pull[i]; });
   const Field attracted = gap(state);
   state.approach += *std::min_element(attracted.begin(), attracted.end());
 }
 
 }  // namespace
 
-State::State(std::shared_ptr<const Scene> scene, operators::ResidualMethod method_)
-    : method(method_), scene_(std::move(scene)) {
-  tractions.pressure.assign(scene_->grid.surface_size(), 0.0);
-  approach = *std::min_element(scene_->initial_gap.begin(), scene_->initial_gap.end());
-  if (scene_->contact_law->attracts()) part(*this);
+State::State(std::shared_ptr<const Setup> setup, operators::ResidualMethod method_)
+    : method(method_), setup_(std::move(setup)) {
+  tractions.pressure.assign(setup_->grid.surface_size(), 0.0);
+  approach = *std::min_element(setup_->initial_gap.begin(), setup_->initial_gap.end());
+  if (setup_->contact_law->attracts()) part(*this);
 }
 
 PastHeat State::heat_so_far() const {
   PastHeat so_far = past;
-  if (!scene_->transient_heating.is_on() || time == 0) return so_far;
+  if (!setup_->transient_heating.is_on() || time == 0) return so_far;
   for (int b = 0; b < 2; ++b) {
     if (b == 1 && heating[0] == heating[1] && past[0] == past[1] &&
-        scene_->media[0] == scene_->media[1]) {
+        setup_->media[0] == setup_->media[1]) {
       so_far[1] = so_far[0];
       continue;
     }
     if (!past[b] && !heating[b].is_on()) continue;
     auto history = std::make_shared<operators::HeatHistory>(
-        past[b] ? *past[b] : scene_->heat_history(b, heating[b]));
+        past[b] ? *past[b] : setup_->heat_history(b, heating[b]));
     Field flux = tractions.pressure;
     for (double& q : flux) q *= heating[b].factor;
     history->add(flux.data(), duration);
@@ -57,27 +57,27 @@ PastHeat State::heat_so_far() const {
 
 fft::Symmetry State::heat_symmetry_so_far() const {
   if (!heating[0].is_on() && !heating[1].is_on()) return past_symmetry;
-  const fft::Symmetry flux = symmetry_of(tractions.pressure, scene_->grid);
+  const fft::Symmetry flux = symmetry_of(tractions.pressure, setup_->grid);
   return common(past_symmetry, common(flux, symmetry_of(heating)));
 }
 
 std::array<double, 3> State::tangential_force() const {
   const Field both = shear_vectors(tractions);
-  return both.empty() ? std::array<double, 3>{} : contact::forces(scene_->grid, both);
+  return both.empty() ? std::array<double, 3>{} : contact::forces(setup_->grid, both);
 }
 
 State State::moved(const Travel& to) const {
   State state = *this;
   state.travel = to;
   state.advance = {to[0] - travel[0], to[1] - travel[1]};
-  const Grid& grid = scene_->grid;
+  const Grid& grid = setup_->grid;
   const Placement from = placement(), place = state.placement();
   const auto cells = static_cast<int>(std::lround(place.origin - from.origin));
   state.tractions.pressure = simulation::moved(tractions.pressure, grid, cells);
   state.tractions.shear_x = simulation::moved(tractions.shear_x, grid, cells);
   state.tractions.shear_y = simulation::moved(tractions.shear_y, grid, cells);
   state.contact_gap.clear();
-  require_followed(eigenstrain, *scene_, to);
+  require_followed(eigenstrain, *setup_, to);
   for (int b = 0; b < 2; ++b) {
     const int by = from.first[b] - place.first[b];
     if (eigenstrain[b]) state.eigenstrain[b] = eigenstrain[b]->moved(by, 0);
@@ -93,12 +93,12 @@ State State::moved(const Travel& to) const {
 }
 
 operators::Tractions State::tractions_on(int body) const {
-  return seen_from_body(tractions, scene_->grid, placement().offset[body]);
+  return seen_from_body(tractions, setup_->grid, placement().offset[body]);
 }
 
 int State::layers() const {
-  Box box = scene_->volume_below(repulsion(*this));
-  if (scene_->grid.nz > 0) return box.nz;
+  Box box = setup_->volume_below(repulsion(*this));
+  if (setup_->grid.nz > 0) return box.nz;
   for (const auto* strains : {&plastic, &eigenstrain}) {
     for (const auto& strain : *strains) {
       if (strain) box.nz = std::max(box.nz, strain->box().nz);
@@ -108,7 +108,7 @@ int State::layers() const {
 }
 
 Box State::below(Layers layers) const {
-  const Grid& grid = scene_->grid;
+  const Grid& grid = setup_->grid;
   return {0, 0, grid.nx, grid.ny, layers ? *layers : this->layers()};
 }
 

@@ -18,8 +18,8 @@ int cells_before(int from, int to) {
 
 }  // namespace
 
-State State::widened(std::shared_ptr<const Scene> to) const {
-  const Grid &from = scene_->grid, &grid = to->grid;
+State State::widened(std::shared_ptr<const Setup> to) const {
+  const Grid &from = setup_->grid, &grid = to->grid;
   const int i = cells_before(from.nx, grid.nx), j = cells_before(from.ny, grid.ny);
   if (past[0] || past[1] || softening[0] || softening[1]) {
     throw std::invalid_argument(
@@ -50,7 +50,7 @@ State State::widened(std::shared_ptr<const Scene> to) const {
     }
     state.last_flow = std::make_shared<const PlasticIncrementGuess>(std::move(flow));
   }
-  state.scene_ = std::move(to);
+  state.setup_ = std::move(to);
   return state;
 }
 

@@ -10,9 +10,9 @@ Field plastic_strain(const State& state, int body, Layers layers) {
 }
 
 Field plastic_strain(const State& state, int body, const Box& region) {
-  state.scene().require_volume(body);
+  state.setup().require_volume(body);
   if (!state.plastic[body]) return Field(6 * region.volume_size(), 0.0);
-  const auto history = unfolded(state.plastic[body], state.scene().grid, fft::Symmetry::none);
+  const auto history = unfolded(state.plastic[body], state.setup().grid, fft::Symmetry::none);
   return six_components(history->strain(region), history->tensor());
 }
 
@@ -21,9 +21,9 @@ Field equivalent_plastic_strain(const State& state, int body, Layers layers) {
 }
 
 Field equivalent_plastic_strain(const State& state, int body, const Box& region) {
-  state.scene().require_volume(body);
+  state.setup().require_volume(body);
   if (!state.plastic[body]) return Field(region.volume_size(), 0.0);
-  return unfolded(state.plastic[body], state.scene().grid, fft::Symmetry::none)->equivalent(region);
+  return unfolded(state.plastic[body], state.setup().grid, fft::Symmetry::none)->equivalent(region);
 }
 
 Field eigenstrain(const State& state, int body, Layers layers) {
@@ -31,14 +31,14 @@ Field eigenstrain(const State& state, int body, Layers layers) {
 }
 
 Field eigenstrain(const State& state, int body, const Box& region) {
-  state.scene().require_volume(body);
+  state.setup().require_volume(body);
   const auto& strain = state.eigenstrain[body];
   return strain ? strain->strain(region) : Field(6 * region.volume_size(), 0.0);
 }
 
 Box strain_beyond(const State& state, int body) {
   if (!state.plastic[body]) return {};
-  const Grid& grid = state.scene().grid;
+  const Grid& grid = state.setup().grid;
   const auto history = state.plastic[body];
   const Box whole = whole_box(history->box(), grid, history->symmetry());
   Box seen{0, 0, grid.nx, grid.ny, grid.nz > 0 ? grid.nz : whole.nz};
@@ -53,7 +53,7 @@ Box strain_beyond(const State& state, int body) {
 }
 
 std::size_t plastic_cells(const State& state, int body) {
-  const auto whole = unfolded(state.plastic[body], state.scene().grid, fft::Symmetry::none);
+  const auto whole = unfolded(state.plastic[body], state.setup().grid, fft::Symmetry::none);
   return whole ? whole->tiles().yielded_cells() : 0;
 }
 
@@ -70,13 +70,13 @@ Field backstress(const State& state, int body, Layers layers) {
 }
 
 Field backstress(const State& state, int body, const Box& region) {
-  state.scene().require_volume(body);
+  state.setup().require_volume(body);
   const std::size_t cells = region.volume_size();
-  const std::size_t terms = state.scene().bodies[body].backstresses();
+  const std::size_t terms = state.setup().bodies[body].backstresses();
   Field out(6 * terms * cells, 0.0);
   if (!state.plastic[body] || terms == 0) return out;
   const Field deviators =
-      unfolded(state.plastic[body], state.scene().grid, fft::Symmetry::none)->backstress(region);
+      unfolded(state.plastic[body], state.setup().grid, fft::Symmetry::none)->backstress(region);
   for (std::size_t n = 0; n < terms; ++n) {
     complete(deviators.data() + 5 * n * cells, cells, out.data() + 6 * n * cells);
   }
@@ -84,8 +84,8 @@ Field backstress(const State& state, int body, const Box& region) {
 }
 
 Field yield_factor(const State& state, int body, const Box& region) {
-  state.scene().require_volume(body);
-  const Field factor = state.scene().strength(body, state.travel).factor(region);
+  state.setup().require_volume(body);
+  const Field factor = state.setup().strength(body, state.travel).factor(region);
   return factor.empty() ? Field(region.volume_size(), 1.0) : factor;
 }
 

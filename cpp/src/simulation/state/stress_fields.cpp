@@ -21,25 +21,25 @@ fft::Symmetry stress_symmetry(const State& state, int body, bool with_tractions)
   const fft::Symmetry of_strain = state.plastic[body]->symmetry();
   if (!with_tractions) return of_strain;
   const fft::Symmetry of_heat = common(state.past_symmetry, symmetry_of(state.heating));
-  return common(common(of_strain, of_heat), symmetry_of(state.tractions, state.scene().grid));
+  return common(common(of_strain, of_heat), symmetry_of(state.tractions, state.setup().grid));
 }
 
 Field stress_of_strain(const State& state, int body, const Box& region) {
-  state.scene().require_volume(body);
+  state.setup().require_volume(body);
   if (!state.plastic[body]) return Field(6 * region.volume_size(), 0.0);
-  return stress_of(*state.plastic[body], state.scene(), body, state.method, region);
+  return stress_of(*state.plastic[body], state.setup(), body, state.method, region);
 }
 
 /// region: the whole grid.
 Field total_stress(const State& state, int body, bool with_tractions, const Box& region) {
-  const Grid& grid = state.scene().grid;
-  state.scene().require_volume(body);
+  const Grid& grid = state.setup().grid;
+  state.setup().require_volume(body);
   const double sign = operators::shear_sign(body);
   if (!state.plastic[body] && !with_tractions) return Field(6 * region.volume_size(), 0.0);
   const operators::Heating heat = with_tractions ? state.heating[body] : operators::Heating{};
   const operators::Tractions loads = state.tractions_on(body);
   const auto of_tractions = [&] {
-    return state.scene()
+    return state.setup()
         .cache.volume(body, region, Tensor::full, state.method, fft::Symmetry::none, heat)
         ->stress(nullptr, &loads, sign);
   };
@@ -58,7 +58,7 @@ Field total_stress(const State& state, int body, bool with_tractions, const Box&
     const Box stored = part_of(whole, grid, symmetry);
     const operators::Tractions here = window(loads, grid, stored);
     const Field strain = six_components(history->strain(stored), history->tensor());
-    const Field part = state.scene()
+    const Field part = state.setup()
                            .cache.volume(body, whole, Tensor::full, state.method, symmetry, heat)
                            ->stress(strain.data(), with_tractions ? &here : nullptr, sign);
     put_unfolded(part, stored, symmetry, grid, region, out);
@@ -98,9 +98,9 @@ Field initial_stress(const State& state, int body, Layers layers) {
 }
 
 Field initial_stress(const State& state, int body, const Box& region) {
-  state.scene().require_volume(body);
+  state.setup().require_volume(body);
   Field stress(6 * region.volume_size(), 0.0);
-  state.scene().strength(body, state.travel).add_stress(region, Tensor::full, stress);
+  state.setup().strength(body, state.travel).add_stress(region, Tensor::full, stress);
   return stress;
 }
 
@@ -109,21 +109,21 @@ Field eigenstress(const State& state, int body, Layers layers) {
 }
 
 Field eigenstress(const State& state, int body, const Box& region) {
-  state.scene().require_volume(body);
+  state.setup().require_volume(body);
   const auto& strain = state.eigenstrain[body];
   if (!strain) return Field(6 * region.volume_size(), 0.0);
-  return stress_of(*strain, state.scene(), body, state.method, region);
+  return stress_of(*strain, state.setup(), body, state.method, region);
 }
 
 Field stress_in_zones(const State& state, int body, bool with_tractions) {
   const std::vector<Box> boxes = zones(state, body);
   if (boxes.empty()) return {};
-  if (!shows_zones(state, body)) {
+  if (!has_zone_stress(state, body)) {
     return cut(with_tractions ? stress(state, body) : residual_stress(state, body), state.below({}),
                boxes.front());
   }
   const operators::Heating heat = with_tractions ? state.heating[body] : operators::Heating{};
-  const auto tables = state.scene().cache.zone_tables(body, Tensor::full, heat);
+  const auto tables = state.setup().cache.zone_tables(body, Tensor::full, heat);
   const Zones zones(boxes);
   operators::ZoneOperators operators(tables, boxes);
   const Field strain =
@@ -159,7 +159,7 @@ Field stress_in_zones(const State& state, int body, bool with_tractions) {
 Box own_box(const State& state, int body) {
   if (!state.plastic[body] || is_elsewhere(state, body) || !state.sources().all_remain(body))
     return {};
-  const Grid& grid = state.scene().grid;
+  const Grid& grid = state.setup().grid;
   Box box = whole_box(state.plastic[body]->box(), grid, state.plastic[body]->symmetry());
   Box window = window_of(state.tractions_on(body), grid);
   window.nz = box.nz;
@@ -171,12 +171,12 @@ Box own_box(const State& state, int body) {
 Field deviator_in_own_box(const State& state, int body, bool with_tractions) {
   const Box region = own_box(state, body);
   if (region.empty()) return {};
-  const Grid& grid = state.scene().grid;
+  const Grid& grid = state.setup().grid;
   const fft::Symmetry symmetry = stress_symmetry(state, body, with_tractions);
   const auto history = unfolded(state.plastic[body], grid, symmetry);
   const Box& stored = history->box();
   const operators::Tractions here = window(state.tractions_on(body), grid, stored);
-  const Field part = state.scene()
+  const Field part = state.setup()
                          .cache
                          .volume(body, whole_box(stored, grid, symmetry), history->tensor(),
                                  state.method, symmetry, state.heating[body])

@@ -11,7 +11,7 @@ namespace samcontact::simulation {
 
 Field gap(const State& state) {
   if (!state.contact_gap.empty()) return state.contact_gap;
-  Field gap(state.scene().grid.surface_size(), 0.0);
+  Field gap(state.setup().grid.surface_size(), 0.0);
   state.sources().separate(gap);
   const double moved = std::isfinite(state.approach) ? state.approach : 0.0;
   for (double& g : gap) g -= moved;
@@ -26,21 +26,21 @@ Field residual_displacement(const State& state, int body, operators::Axis axis, 
   const Box surface{region.i0, region.j0, region.nx, region.ny, 1};
   Field out(surface.surface_size(), 0.0);
   if (!state.plastic[body]) return out;
-  const Grid& grid = state.scene().grid;
+  const Grid& grid = state.setup().grid;
   fft::Symmetry symmetry = state.plastic[body]->symmetry();
   const Box own = whole_box(state.plastic[body]->box(), grid, symmetry);
   // The operators of the box exist already.
   const bool inside = !is_elsewhere(state, body) && own.contains(surface);
   const Box around = inside ? own
                             : acting_box(*unfolded(state.plastic[body], grid, fft::Symmetry::none),
-                                         surface, state.scene().reach);
+                                         surface, state.setup().reach);
   if (whole_box(part_of(around, grid, symmetry), grid, symmetry) != around) {
     symmetry = fft::Symmetry::none;
   }
   const auto history = unfolded(state.plastic[body], grid, symmetry);
   const Box stored = part_of(around, grid, symmetry);
   const auto operators =
-      state.scene().cache.volume(body, around, history->tensor(), state.method, symmetry,
+      state.setup().cache.volume(body, around, history->tensor(), state.method, symmetry,
                                  inside ? state.heating[body] : operators::Heating{});
   operators::VolumeSpectrum spectrum = operators->make_spectrum();
   operators::forward(operators->transform(), history->strain(stored).data(), spectrum);
@@ -55,13 +55,13 @@ Field residual_displacement(const State& state, int body, operators::Axis axis, 
 }
 
 Field residual_displacement(const State& state, int body, operators::Axis axis) {
-  const Grid& grid = state.scene().grid;
+  const Grid& grid = state.setup().grid;
   const double offset = state.placement().offset[body];
   if (is_in_zones(state, body)) {
     const PlasticState& history = *state.plastic[body];
-    const auto tables = state.scene().cache.zone_tables(body, history.tensor(), {});
+    const auto tables = state.setup().cache.zone_tables(body, history.tensor(), {});
     const Zones all =
-        acting_zones(history, Zones(state.flow_boxes[body]), *tables, state.scene().reach);
+        acting_zones(history, Zones(state.flow_boxes[body]), *tables, state.setup().reach);
     operators::ZoneOperators zones(tables, all.boxes());
     zones.transform(history.strain(all), {&axis, 1});
     Field own(grid.surface_size());
@@ -81,9 +81,9 @@ Field residual_displacement(const State& state, int body, operators::Axis axis) 
 
 Field surface_displacement(const State& state, int body) {
   Field out = residual_displacement(state, body, operators::Axis::z);
-  if (state.scene().media[body]->is_rigid()) return out;
+  if (state.setup().media[body]->is_rigid()) return out;
   const Field of_tractions = operators::surface_displacement(
-      state.scene().grid, *state.scene().media[body], state.heating[body], state.tractions,
+      state.setup().grid, *state.setup().media[body], state.heating[body], state.tractions,
       operators::shear_sign(body), operators::Axis::z);
   for (std::size_t i = 0; i < out.size(); ++i) out[i] += of_tractions[i];
   state.sources().displace(body, out);

@@ -16,16 +16,16 @@ PlasticState whole(const PlasticState& history, const Grid& grid) {
 
 }  // namespace
 
-Box acting_box(const PlasticState& history, const Box& wanted, int reach) {
-  const int step = std::max(8, (wanted.nx + 3) / 4);
+Box acting_box(const PlasticState& history, const Box& receiving, int reach) {
+  const int step = std::max(8, (receiving.nx + 3) / 4);
   const auto beyond = [&](int cells) {
     return std::clamp((cells + step - 1) / step * step, 0, reach);
   };
   const Box& past = history.box();
-  const int left = beyond(wanted.i0 - past.i0);
-  const int right = beyond(past.i0 + past.nx - (wanted.i0 + wanted.nx));
-  const Box long_box{wanted.i0 - left, past.j0, wanted.nx + left + right, past.ny, past.nz};
-  return wanted.united(long_box);
+  const int left = beyond(receiving.i0 - past.i0);
+  const int right = beyond(past.i0 + past.nx - (receiving.i0 + receiving.nx));
+  const Box long_box{receiving.i0 - left, past.j0, receiving.nx + left + right, past.ny, past.nz};
+  return receiving.united(long_box);
 }
 
 Zones acting_zones(const PlasticState& history, const Zones& zones,
@@ -39,23 +39,23 @@ Zones acting_zones(const PlasticState& history, const Zones& zones,
   return boxes.size() == zones.count() ? zones : Zones(merged(boxes, tables.split()));
 }
 
-Field stress_of(const PlasticState& history, const Scene& scene, int body,
+Field stress_of(const PlasticState& history, const Setup& setup, int body,
                 operators::ResidualMethod method, const Box& region) {
-  const PlasticState all = whole(history, scene.grid);
-  const Box around = acting_box(all, region, scene.reach);
+  const PlasticState all = whole(history, setup.grid);
+  const Box around = acting_box(all, region, setup.reach);
   const auto operators =
-      scene.cache.volume(body, around, operators::Tensor::full, method, fft::Symmetry::none, {});
+      setup.cache.volume(body, around, operators::Tensor::full, method, fft::Symmetry::none, {});
   const Field strain = six_components(all.strain(around), all.tensor());
   return cut(operators->stress(strain.data(), nullptr, 1.0), around, region);
 }
 
-Field displacement_of(const PlasticState& history, const Scene& scene, int body,
+Field displacement_of(const PlasticState& history, const Setup& setup, int body,
                       operators::ResidualMethod method, operators::Axis axis, const Box& region) {
   const Box surface{region.i0, region.j0, region.nx, region.ny, 1};
-  const PlasticState all = whole(history, scene.grid);
-  const Box around = acting_box(all, surface, scene.reach);
+  const PlasticState all = whole(history, setup.grid);
+  const Box around = acting_box(all, surface, setup.reach);
   const auto operators =
-      scene.cache.volume(body, around, all.tensor(), method, fft::Symmetry::none, {});
+      setup.cache.volume(body, around, all.tensor(), method, fft::Symmetry::none, {});
   operators::VolumeSpectrum spectrum = operators->make_spectrum();
   operators::forward(operators->transform(), all.strain(around).data(), spectrum);
   Field plane(around.surface_size()), out(surface.surface_size());
@@ -66,15 +66,15 @@ Field displacement_of(const PlasticState& history, const Scene& scene, int body,
   return out;
 }
 
-Field displacement_of(const PlasticState& history, const Scene& scene, int body,
+Field displacement_of(const PlasticState& history, const Setup& setup, int body,
                       operators::ResidualMethod method, operators::Axis axis, double offset) {
   // A body offset by a fraction of a cell needs one row beyond the grid.
   const int more = offset == 0 ? 0 : 1;
-  const Grid& grid = scene.grid;
+  const Grid& grid = setup.grid;
   Grid wide = grid;
   wide.nx += 2 * more;
   const Field own =
-      displacement_of(history, scene, body, method, axis, {-more, 0, wide.nx, grid.ny, 0});
+      displacement_of(history, setup, body, method, axis, {-more, 0, wide.nx, grid.ny, 0});
   const Field seen = seen_from_body(own, wide, -offset);
   const std::ptrdiff_t beyond = static_cast<std::ptrdiff_t>(more) * grid.ny;
   return {seen.begin() + beyond, seen.end() - beyond};

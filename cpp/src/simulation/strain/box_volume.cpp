@@ -7,15 +7,15 @@
 
 namespace samcontact::simulation {
 
-BoxVolume::BoxVolume(const Scene& scene, int body, const Zones& zones, operators::Tensor tensor,
+BoxVolume::BoxVolume(const Setup& setup, int body, const Zones& zones, operators::Tensor tensor,
                      operators::ResidualMethod method, fft::Symmetry symmetry,
                      const operators::Heating& heating)
-    : grid_(scene.grid),
+    : grid_(setup.grid),
       zones_(zones),
       tensor_(tensor),
-      box_(from_planes_on(zones.around(), scene.grid, symmetry)),
+      box_(from_planes_on(zones.around(), setup.grid, symmetry)),
       surface_{box_.i0, box_.j0, box_.nx, box_.ny, 1},
-      operators_(scene.cache.volume(body, whole_box(box_, scene.grid, symmetry), tensor, method,
+      operators_(setup.cache.volume(body, whole_box(box_, setup.grid, symmetry), tensor, method,
                                     symmetry, heating)),
       spectrum_(operators_->make_spectrum()) {}
 

@@ -21,20 +21,20 @@ Field strain_without(const PlasticState& history, const Zones& over, const Zones
 
 }  // namespace
 
-OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,
+OutsideStrain outside_strain(const Setup& setup, int body, const PlasticState& history,
                              const Zones& zones, operators::ResidualMethod method,
                              std::span<const operators::Axis> axes) {
   if (!history.reaches_beyond(zones)) return {};
-  const Grid& grid = scene.grid;
+  const Grid& grid = setup.grid;
   const fft::Symmetry symmetry = history.symmetry();
   const Box part = stored_part(grid, symmetry);
   const Box around =
-      acting_box(history, Box{part.i0, part.j0, part.nx, 1, 1}.united(zones.around()), scene.reach);
+      acting_box(history, Box{part.i0, part.j0, part.nx, 1, 1}.united(zones.around()), setup.reach);
   const Field strain = strain_without(history, Zones({around}), zones);
   const int components = operators::count(history.tensor());
   if (std::all_of(strain.begin(), strain.end(), [](double v) { return v == 0; })) return {};
 
-  const auto operators = scene.cache.volume(body, whole_box(around, grid, symmetry),
+  const auto operators = setup.cache.volume(body, whole_box(around, grid, symmetry),
                                             history.tensor(), method, symmetry, {});
   operators::VolumeSpectrum spectrum = operators->make_spectrum();
   operators::forward(operators->transform(), strain.data(), spectrum);

@@ -35,8 +35,8 @@ class Multilevel {
  private:
   class Level;
 
-  Solution solve_beside_ends(const Field& initial_gap, Given normal, Field pressure, double tol,
-                             int max_iterations) const;
+  Solution solve_with_ends(const Field& initial_gap, Given normal, Field pressure, double tol,
+                           int max_iterations) const;
 
   std::unique_ptr<Level> finest_;
 };

@@ -26,7 +26,7 @@ class CellRuns {
   /// sum of a_i, and of a_i b_i.
   Sums sums(const Field& a, const Field& b) const;
   /// t = beta t - (z - mean).
-  void turn(double beta, const Field& z, double mean, Field& t) const;
+  void update_direction(double beta, const Field& z, double mean, Field& t) const;
   /// y += factor x. Returns the minimum of y - shift, at most 0.
   double add(double factor, const Field& x, Field& y, double shift) const;
   /// Minimum of y - shift, at most 0.

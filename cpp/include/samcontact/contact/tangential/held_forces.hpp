@@ -9,7 +9,7 @@ namespace samcontact::contact {
 
 /// Names of the tangential motions and of the rotation, for messages.
 struct MotionNames {
-  const char *along, *turn;
+  const char *along, *rotation;
 };
 inline constexpr MotionNames increment_motions{"shift", "twist"},
     rolling_motions{"creepage", "spin"};

@@ -113,7 +113,7 @@ void add_motion(const ShearProblem& problem, std::size_t mode, double motion, Fi
 void cut_to_bound(const Field& bound, Field& v);
 
 /// Reference value of the error e_t [Pa]: the largest bound, or ten times the largest shear if that
-/// is much less, as without slip.
+/// is much less, as it is if friction prevents slip.
 double shear_scale(const ShearProblem& problem, const Field& shear, const Field& slip);
 /// max |s - P(s + stiffness w)| over the scale, P the nearest point within the bound; and the
 /// relative error of the prescribed forces.

@@ -57,8 +57,8 @@ struct HeatPlan {
     const std::lock_guard lock(mutex);
     const std::pair key(static_cast<int>(quantity), z);
     if (const auto found = kept.find(key); found != kept.end()) return found->second;
-    constexpr std::size_t most = 128;
-    if (kept.size() >= most) kept.clear();
+    constexpr std::size_t max_tables = 128;
+    if (kept.size() >= max_tables) kept.clear();
     auto made = std::make_shared<const NearTables>(
         quantity == HeatQuantity::temperature    ? near.temperature(z)
         : quantity == HeatQuantity::displacement ? near.displacement()

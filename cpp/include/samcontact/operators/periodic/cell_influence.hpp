@@ -29,11 +29,11 @@ CellInfluence compliance_of_cell(const Elastic& elastic, Traction traction, Axis
 /// that component as an eigenstrain.
 kernels::Parity stress_parity(Traction traction, int component);
 
-/// Ratio of that displacement to that stress, by Betti's theorem, counting each shear component
-/// with its transpose.
+/// Ratio of the displacement due to an eigenstrain component to the stress component due to a
+/// traction, by Betti's theorem; each shear component is counted with its transpose.
 double betti_factor(Traction traction, int component);
 
-/// The components of a tensor that a field has, first.
+/// Moves the components that a field of this kind stores to the front.
 kernels::Stress select(kernels::Stress s, Tensor tensor);
 /// Selected components of tables [component][plane].
 Field selected(Field six, Tensor tensor);

@@ -16,14 +16,14 @@ struct LatticeAxis {
   int cells = 1;
   double period = 0.0;  // 0: none
   double length = d;    // of the acting cell
-  int apart = 0;        // images up to this one are added one by one
+  int near_images = 0;  // images up to this one are added one by one
 
   double extent() const { return (cells - 1) * d; }
   /// Distance from the middle of a cell to beyond its edge: equal for all cells that are not large,
   /// so that finer and coarser grids of a period have the same wavenumbers and points.
   double edge() const { return std::max(0.5 * d, period / 64); }
   /// Distance from the farthest offset to the first image that is not added individually.
-  double distance() const { return (apart + 1) * period - extent(); }
+  double distance() const { return (near_images + 1) * period - extent(); }
 };
 
 /// Window g = erfc((q/q_1 - 1)/s)/2. Its steps are Gaussians: the part above it has a range of

@@ -37,7 +37,7 @@ class PeriodicTable {
 
   /// Whether the grid needs a table along x; otherwise one with x and y exchanged.
   static bool is_direct(const Grid& grid);
-  bool serves(double dx, double dy, const Period& period, int cells_x, int step) const;
+  bool fits(double dx, double dy, const Period& period, int cells_x, int step) const;
 
   /// Sums at offsets 0..columns()-1, 0..rows()-1: [component][j][i].
   Field sum(const CellInfluence& influence) const;

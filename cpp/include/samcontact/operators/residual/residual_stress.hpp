@@ -19,7 +19,7 @@ struct ResidualSettings {
   /// Fast: factor of the stress of a Fourier mode, as a function of wavenumbers in 1/m; empty: 1.
   std::function<double(double kx, double ky)> share = {};
   /// Fast: whether the highest wavenumbers are blended with their aliases; otherwise `share` must
-  /// be negligible there.
+  /// be negligible at these wavenumbers.
   bool blends = true;
 };
 

@@ -46,8 +46,8 @@ class StressBound {
   /// Tractions on the cells and on the nodes of both lattices.
   struct Loads;
 
-  void look_at(const Group& group, const Loads& loads, double shear_sign, const Given& given,
-               const Use& use) const;
+  void evaluate(const Group& group, const Loads& loads, double shear_sign, const Given& given,
+                const Use& use) const;
   /// Von Mises stress of the smooth bands at the corners of blocks, from nodes [component][a][b],
   /// plus optionally a deviator of cells [i][j], whose components are `step` apart.
   Field at_corners(const Field& nodes, const std::array<double, 3>& start, const double* more,

@@ -15,12 +15,12 @@ class BodySurface {
  public:
   /// copies: 2 if the other body is the mirror image in the contact plane, otherwise 1. offset:
   /// offset of the cells of the body, see Placement.
-  BodySurface(const Scene& scene, int body, int copies, fft::Symmetry symmetry, double offset)
-      : scene_(scene),
+  BodySurface(const Setup& setup, int body, int copies, fft::Symmetry symmetry, double offset)
+      : setup_(setup),
         body_(body),
         copies_(copies),
         offset_(offset),
-        choice_(scene.grid, symmetry) {}
+        choice_(setup.grid, symmetry) {}
 
   /// Axes along which the residual displacement is needed.
   std::span<const operators::Axis> axes() const;
@@ -55,7 +55,7 @@ class BodySurface {
                         double factor, double* to) const;
   double largest_at_rim(const Box& box, const Field& displacement, bool ends_x) const;
 
-  const Scene& scene_;
+  const Setup& setup_;
   int body_, copies_;
   double offset_;
   BoxChoice choice_;

@@ -10,7 +10,7 @@
 
 #include "samcontact/plasticity/return_mapping.hpp"
 #include "samcontact/simulation/cells/box_field.hpp"
-#include "samcontact/simulation/scene/strength.hpp"
+#include "samcontact/simulation/setup/strength.hpp"
 #include "samcontact/simulation/strain/plastic_state.hpp"
 
 namespace samcontact::simulation {

@@ -76,7 +76,7 @@ class PlasticBody {
   /// Adds all other stress of a layer.
   Field with_given_stress(std::size_t zone, int k, const double* layer) const;
 
-  const Scene& scene_;
+  const Setup& setup_;
   int index_;
   std::uint8_t number_;
   operators::ResidualMethod method_;

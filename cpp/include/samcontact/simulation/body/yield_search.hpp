@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "samcontact/simulation/scene/yield_scan.hpp"
+#include "samcontact/simulation/setup/yield_scan.hpp"
 #include "samcontact/simulation/sources/sources.hpp"
 
 namespace samcontact::simulation {
@@ -14,8 +14,8 @@ namespace samcontact::simulation {
 class YieldSearch {
  public:
   /// heating: proportional to the pressure. strength: of the body in the increment.
-  YieldSearch(const Scene& scene, int body, const operators::Heating& heating, Strength strength)
-      : scene_(scene), body_(body), heating_(heating), strength_(std::move(strength)) {}
+  YieldSearch(const Setup& setup, int body, const operators::Heating& heating, Strength strength)
+      : setup_(setup), body_(body), heating_(heating), strength_(std::move(strength)) {}
 
   /// Sets the minimum factor of the yield stress due to softening.
   void soften(double weakest) { weakest_ = weakest; }
@@ -46,7 +46,7 @@ class YieldSearch {
   Columns columns_beyond(const operators::Tractions& tractions, const YieldLimit& limit,
                          const YieldScan& scan) const;
 
-  const Scene& scene_;
+  const Setup& setup_;
   int body_;
   operators::Heating heating_;
   Strength strength_;

@@ -31,8 +31,8 @@ std::vector<Box> within_period(const std::vector<Box>& boxes, const Period& peri
 std::vector<Box> merged(const std::vector<Box>& boxes, const operators::BandSplit& split);
 
 /// Work of an evaluation with these zones and with one box, both in cells of transforms and sweeps;
-/// padding is needed only on a surface that is not periodic (`periodic`: periodic). surface: cells
-/// with known displacement.
+/// surface: cells with known displacement. periodic: whether the surface is periodic and needs no
+/// padding.
 double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
                      const operators::BandSplit& split, bool periodic);
 double cost_of_box(const Box& box, bool periodic);

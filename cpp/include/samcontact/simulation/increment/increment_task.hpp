@@ -4,7 +4,7 @@
 
 #include "samcontact/simulation/increment/settings.hpp"
 #include "samcontact/simulation/increment/target.hpp"
-#include "samcontact/simulation/scene/yield_scan.hpp"
+#include "samcontact/simulation/setup/yield_scan.hpp"
 #include "samcontact/simulation/state/counters.hpp"
 #include "samcontact/simulation/state/state.hpp"
 
@@ -18,7 +18,7 @@ struct IncrementTask {
   const Settings& settings;
   Counters& counters;
 
-  const Scene& scene() const { return from.scene(); }
+  const Setup& setup() const { return from.setup(); }
 };
 
 }  // namespace samcontact::simulation

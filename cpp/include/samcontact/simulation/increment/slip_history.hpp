@@ -35,7 +35,7 @@ class SlipHistory {
   IncrementTask task_;
   bool on_;
   contact::ContactHistory before_;
-  Field carried_apart_;           // slip due to different travel of the bodies
+  Field travel_slip_;             // slip due to different travel of the bodies
   contact::ShearSolution shear_;  // of the last solution
 };
 

@@ -18,7 +18,7 @@ class SplitChoice {
               const operators::Tractions& tractions, const Sources& sources)
       : task_(task),
         symmetry_(symmetry),
-        choice_(task.scene().grid, symmetry),
+        choice_(task.setup().grid, symmetry),
         guess_(guess),
         tractions_(tractions),
         sources_(sources) {}

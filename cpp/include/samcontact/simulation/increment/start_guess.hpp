@@ -17,7 +17,7 @@ class StartGuess {
   StartGuess(const IncrementTask& task, fft::Symmetry symmetry)
       : task_(task), symmetry_(symmetry) {}
 
-  /// Estimated unknowns of the cells, which it activates; empty: no estimate.
+  /// Activates the cells of the estimate and returns their unknowns; empty: no estimate.
   Field find(std::vector<PlasticBody>& bodies, ActiveCells& active) const;
   /// Whether the contact moves on without change.
   bool is_steady() const;

@@ -8,7 +8,7 @@
 #include "samcontact/contact/partial_slip_contact.hpp"
 #include "samcontact/operators/heat/heating.hpp"
 #include "samcontact/simulation/cells/motion.hpp"
-#include "samcontact/simulation/scene/past_heat.hpp"
+#include "samcontact/simulation/setup/past_heat.hpp"
 
 namespace samcontact::simulation {
 

@@ -21,16 +21,16 @@ std::shared_ptr<const PlasticState> sum_of(const std::shared_ptr<const PlasticSt
 
 /// Throws std::invalid_argument if the travel of the bodies is not a whole number of their cells
 /// and no body has cells that follow it.
-void require_followed(const Eigenstrains& strains, const Scene& scene, const Travel& travel);
+void require_followed(const Eigenstrains& strains, const Setup& setup, const Travel& travel);
 
 class Eigenstrain : public Source {
  public:
-  Eigenstrain(const Scene& scene, const Travel& travel, operators::ResidualMethod method,
+  Eigenstrain(const Setup& setup, const Travel& travel, operators::ResidualMethod method,
               Eigenstrains strains)
-      : scene_(scene),
+      : setup_(setup),
         method_(method),
         strains_(std::move(strains)),
-        offsets_(scene.placement(travel).offset) {}
+        offsets_(setup.placement(travel).offset) {}
 
   bool acts_on(int body) const override { return strains_[body] != nullptr; }
   bool remains() const override { return true; }
@@ -43,7 +43,7 @@ class Eigenstrain : public Source {
   Box box_beyond(int body, const Strength& strength, double softening, double share) const override;
 
  private:
-  const Scene& scene_;
+  const Setup& setup_;
   operators::ResidualMethod method_;
   Eigenstrains strains_;
   std::array<double, 2> offsets_;

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "samcontact/operators/heat/flux_heat.hpp"
-#include "samcontact/simulation/scene/scene.hpp"
+#include "samcontact/simulation/setup/setup.hpp"
 
 namespace samcontact::simulation {
 
@@ -16,7 +16,7 @@ class GivenHeat {
  public:
   /// past: heat history, evaluated `ahead` seconds after its end; null: no history. heating: used
   /// only for heat due to slip. slip_power: friction power per area [i][j] [W/m^2]; empty: zero.
-  GivenHeat(const Scene& scene, int body, const std::shared_ptr<const operators::HeatHistory>& past,
+  GivenHeat(const Setup& setup, int body, const std::shared_ptr<const operators::HeatHistory>& past,
             double ahead, const operators::Heating& heating, const Field& slip_power);
 
   bool is_on() const { return past_ || of_slip_; }
@@ -37,7 +37,7 @@ class GivenHeat {
 };
 
 /// Given heat by body.
-std::array<GivenHeat, 2> given_heat(const Scene& scene, const operators::HeatingPair& heating,
+std::array<GivenHeat, 2> given_heat(const Setup& setup, const operators::HeatingPair& heating,
                                     const PastHeat& past, double ahead, const Field& slip_power);
 
 /// Values in a box, of fields in layers below the grid [component][k][i][j]; cells laterally

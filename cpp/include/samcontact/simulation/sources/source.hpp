@@ -5,7 +5,7 @@
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/box.hpp"
 #include "samcontact/operators/zones/stress_bound.hpp"
-#include "samcontact/simulation/scene/strength.hpp"
+#include "samcontact/simulation/setup/strength.hpp"
 
 namespace samcontact::simulation {
 

@@ -16,7 +16,7 @@ namespace samcontact::simulation {
 class Sources {
  public:
   /// heat: not proportional to the pressure. method: for the stress of eigenstrains.
-  Sources(const Scene& scene, const Travel& travel, const std::array<GivenHeat, 2>& heat,
+  Sources(const Setup& setup, const Travel& travel, const std::array<GivenHeat, 2>& heat,
           const Eigenstrains& eigenstrains, operators::ResidualMethod method);
 
   /// Whether all stress of a body that is not due to tractions and plastic strain remains after

@@ -118,14 +118,14 @@ void describe(S& s, Visitor& visit) {
     visit("flow_boxes" + number, s.flow_boxes[b]);
     visit.made("softening" + number, s.softening[b], as_it_is, copied);
     visit.made("history" + number, s.plastic[b], record, [&](const PlasticRecord& plain) {
-      return from_record(plain, s.scene().grid, s.scene().bodies[b].backstresses());
+      return from_record(plain, s.setup().grid, s.setup().bodies[b].backstresses());
     });
     visit.made("eigenstrain" + number, s.eigenstrain[b], record,
-               [&](const PlasticRecord& plain) { return from_record(plain, s.scene().grid, 0); });
+               [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
     visit.made(
         "past" + number, s.past[b], [](const operators::HeatHistory& heat) { return heat.state(); },
         [&](const std::vector<double>& numbers) {
-          auto heat = s.scene().heat_history(b, s.heating[b]);
+          auto heat = s.setup().heat_history(b, s.heating[b]);
           heat.set_state(numbers);
           return std::make_shared<const operators::HeatHistory>(std::move(heat));
         });

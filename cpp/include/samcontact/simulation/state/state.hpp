@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "samcontact/simulation/cells/box_field.hpp"
-#include "samcontact/simulation/scene/scene.hpp"
+#include "samcontact/simulation/setup/setup.hpp"
 #include "samcontact/simulation/sources/sources.hpp"
 #include "samcontact/simulation/strain/plastic_state.hpp"
 
@@ -34,9 +34,9 @@ using Layers = std::optional<int>;
 
 class State {
  public:
-  State(std::shared_ptr<const Scene> scene, operators::ResidualMethod method);
-  /// Names and types of the parts of a description, and nothing else.
-  static State without_scene() { return {}; }
+  State(std::shared_ptr<const Setup> setup, operators::ResidualMethod method);
+  /// Empty state, only for the names and types of its described parts.
+  static State without_setup() { return {}; }
 
   /// Tractions in the frame of body 2; on body 1 the shear is reversed. Shear arrays may be empty.
   operators::Tractions tractions;
@@ -78,16 +78,16 @@ class State {
   std::array<bool, 2> flowed{};  // whether a body had plastic flow in this increment
   std::vector<std::string> warnings;
 
-  const Scene& scene() const { return *scene_; }
-  const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
+  const Setup& setup() const { return *setup_; }
+  const std::shared_ptr<const Setup>& shared_setup() const { return setup_; }
 
-  Placement placement() const { return scene_->placement(travel); }
+  Placement placement() const { return setup_->placement(travel); }
   /// Copy with the bodies moved; nothing is solved.
   State moved(const Travel& to) const;
   /// Copy on the grid of another setup, which differs only in its larger grid with equal numbers of
   /// added cells on both sides. Throws std::invalid_argument for any other grid, and for a state
   /// with a heat history or softening.
-  State widened(std::shared_ptr<const Scene> to) const;
+  State widened(std::shared_ptr<const Setup> to) const;
 
   /// Force due to shear on body 2 along x and y, and its moment about z at the origin of the grid
   /// [N, N, N m].
@@ -98,10 +98,10 @@ class State {
   fft::Symmetry heat_symmetry_so_far() const;
   /// Heat of the bodies that is not proportional to the pressure.
   std::array<GivenHeat, 2> given_heat() const {
-    return simulation::given_heat(*scene_, heating, past, duration, slip_power);
+    return simulation::given_heat(*setup_, heating, past, duration, slip_power);
   }
   /// Sources, which refer to this state.
-  Sources sources() const { return {*scene_, travel, given_heat(), eigenstrain, method}; }
+  Sources sources() const { return {*setup_, travel, given_heat(), eigenstrain, method}; }
 
   /// Number of layers of volume fields: that of the grid, or enough for all plastic strain and for
   /// the stress below the contact.
@@ -115,7 +115,7 @@ class State {
  private:
   State() = default;
 
-  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const Setup> setup_;
 };
 
 }  // namespace samcontact::simulation

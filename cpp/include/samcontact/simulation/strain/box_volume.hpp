@@ -4,7 +4,7 @@
 #pragma once
 
 #include "samcontact/simulation/cells/zones.hpp"
-#include "samcontact/simulation/scene/scene.hpp"
+#include "samcontact/simulation/setup/setup.hpp"
 #include "samcontact/simulation/strain/zone_volume.hpp"
 
 namespace samcontact::simulation {
@@ -12,7 +12,7 @@ namespace samcontact::simulation {
 /// All tractions must lie in the box around the zones.
 class BoxVolume : public ZoneVolume {
  public:
-  BoxVolume(const Scene& scene, int body, const Zones& zones, operators::Tensor tensor,
+  BoxVolume(const Setup& setup, int body, const Zones& zones, operators::Tensor tensor,
             operators::ResidualMethod method, fft::Symmetry symmetry,
             const operators::Heating& heating);
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "samcontact/simulation/scene/scene.hpp"
+#include "samcontact/simulation/setup/setup.hpp"
 #include "samcontact/simulation/strain/plastic_state.hpp"
 
 namespace samcontact::simulation {
@@ -20,7 +20,7 @@ struct OutsideStrain {
 
 /// zones: within the grid, on one side of the mirror planes of the history. axes: of the required
 /// displacement.
-OutsideStrain outside_strain(const Scene& scene, int body, const PlasticState& history,
+OutsideStrain outside_strain(const Setup& setup, int body, const PlasticState& history,
                              const Zones& zones, operators::ResidualMethod method,
                              std::span<const operators::Axis> axes = operators::normal_axis);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samcontact/simulation/scene/strength.hpp"
+#include "samcontact/simulation/setup/strength.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,16 +70,16 @@ Strength::Strength(const plasticity::Body& body, const Grid& grid, const Relief&
   if (variation.value.back() == 0 && !body.is_layered()) return;
   if (dz > 0) {
     layers_ = cells_over(deepest, dz);
-    const auto most = std::max_element(relief.worn.begin(), relief.worn.end());
-    const double worn = most == relief.worn.end() ? 0.0 : std::min(*most, deepest);
+    const auto deepest_wear = std::max_element(relief.worn.begin(), relief.worn.end());
+    const double worn = deepest_wear == relief.worn.end() ? 0.0 : std::min(*deepest_wear, deepest);
     worn_layers_ = cells_over(worn, dz);
   }
   variation_ = std::move(variation);
-  double most = 0.0;
+  double max_pressure = 0.0;
   for (const double z : variation_->depth) {
-    most = std::max(most, yield_pressure_at(z));
+    max_pressure = std::max(max_pressure, yield_pressure_at(z));
     max_above_.depth.push_back(z);
-    max_above_.value.push_back(most);
+    max_above_.value.push_back(max_pressure);
     weakens_ = weakens_ || is_weak_at(z);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samcontact/simulation/scene/scene.hpp"
+#include "samcontact/simulation/setup/setup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ Media media_of(const plasticity::Body& body1, const plasticity::Body& body2) {
 
 }  // namespace
 
-Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
+Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
              Field initial_gap_, const contact::FrictionLaw& friction_, double image_tol,
              const TransientHeating& transient_heating_, int reach_, Reliefs reliefs_,
              const operators::BandSplit& split_, contact::SharedContactLaw contact_law_)
@@ -72,7 +72,7 @@ Scene::Scene(const Grid& grid_, const plasticity::Body& body1, const plasticity:
   symmetry_ = common(symmetry_, friction.symmetry());
 }
 
-int Scene::followed() const {
+int Setup::followed() const {
   // Without plastic strain or relief all positions on a body are equivalent.
   const auto has_history = [this](int body) {
     return bodies[body].is_plastic() || !reliefs[body].heights.empty();
@@ -80,7 +80,7 @@ int Scene::followed() const {
   return has_history(1) ? 1 : has_history(0) ? 0 : -1;
 }
 
-Placement Scene::placement(const Travel& travel) const {
+Placement Setup::placement(const Travel& travel) const {
   const int body = followed();
   if (body >= 0 || !friction.sticks()) return {travel, body};
   // Under partial slip the shear is transported with the surface, by the mean travel of both
@@ -89,7 +89,7 @@ Placement Scene::placement(const Travel& travel) const {
   return {Travel{mean, mean}, 1};
 }
 
-Field Scene::relief(int body, const Travel& travel) const {
+Field Setup::relief(int body, const Travel& travel) const {
   const Relief& relief = reliefs[body];
   Field heights(grid.surface_size(), 0.0);
   if (relief.heights.empty()) return heights;
@@ -107,7 +107,7 @@ Field Scene::relief(int body, const Travel& travel) const {
   return heights;
 }
 
-Field Scene::gap(const Travel& travel) const {
+Field Setup::gap(const Travel& travel) const {
   Field gap = shifted_gap(initial_gap, grid, placement(travel).origin);
   for (int b = 0; b < 2; ++b) {
     if (reliefs[b].heights.empty()) continue;
@@ -117,7 +117,7 @@ Field Scene::gap(const Travel& travel) const {
   return gap;
 }
 
-fft::Symmetry Scene::symmetry(const Travel& travel) const {
+fft::Symmetry Setup::symmetry(const Travel& travel) const {
   const bool moved = travel != Travel{};
   const auto symmetry = moved ? common(symmetry_, fft::Symmetry::y) : symmetry_;
   const bool flat = reliefs[0].heights.empty() && reliefs[1].heights.empty();
@@ -126,7 +126,7 @@ fft::Symmetry Scene::symmetry(const Travel& travel) const {
   return common(of_gap, common(symmetry_of_worn(0, travel), symmetry_of_worn(1, travel)));
 }
 
-fft::Symmetry Scene::symmetry_of_worn(int body, const Travel& travel) const {
+fft::Symmetry Setup::symmetry_of_worn(int body, const Travel& travel) const {
   const Relief& relief = reliefs[body];
   if (relief.worn.empty()) return fft::Symmetry::xy;
   Field worn(grid.surface_size());
@@ -140,11 +140,11 @@ fft::Symmetry Scene::symmetry_of_worn(int body, const Travel& travel) const {
   return common(symmetry_of(worn, grid), fft::Symmetry::y);
 }
 
-Strength Scene::strength(int body, const Travel& travel) const {
+Strength Setup::strength(int body, const Travel& travel) const {
   return {bodies[body], grid, reliefs[body], placement(travel).first[body]};
 }
 
-operators::HeatHistory Scene::heat_history(int body, const operators::Heating& heating) const {
+operators::HeatHistory Setup::heat_history(int body, const operators::Heating& heating) const {
   return heat_of(*media[body])
       ->history(grid, heating,
                 {.shortest = transient_heating.shortest,
@@ -152,7 +152,7 @@ operators::HeatHistory Scene::heat_history(int body, const operators::Heating& h
                  .in_depth = grid.has_volume()});
 }
 
-Box Scene::volume_below(const Field& repulsion) const {
+Box Setup::volume_below(const Field& repulsion) const {
   Box box = Box::whole(grid);
   if (grid.nz > 0 || !grid.has_volume()) return box;
   const double depth = depth_in_radii * spot_radius(repulsion, grid);
@@ -160,6 +160,6 @@ Box Scene::volume_below(const Field& repulsion) const {
   return box;
 }
 
-void Scene::require_volume(int body) const { simulation::require_volume(grid, media, body); }
+void Setup::require_volume(int body) const { simulation::require_volume(grid, media, body); }
 
 }  // namespace samcontact::simulation

@@ -10,17 +10,17 @@
 #include "samcontact/plasticity/body.hpp"
 #include "samcontact/simulation/cells/mirror.hpp"
 #include "samcontact/simulation/cells/motion.hpp"
-#include "samcontact/simulation/scene/operator_cache.hpp"
-#include "samcontact/simulation/scene/past_heat.hpp"
-#include "samcontact/simulation/scene/strength.hpp"
+#include "samcontact/simulation/setup/operator_cache.hpp"
+#include "samcontact/simulation/setup/past_heat.hpp"
+#include "samcontact/simulation/setup/strength.hpp"
 
 namespace samcontact::simulation {
 
 /// Bodies are indexed 0 (upper) and 1 (lower).
-class Scene {
+class Setup {
  public:
   /// reach: distance beyond the grid along x within which plastic strain acts [cells].
-  Scene(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
+  Setup(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
         Field initial_gap, const contact::FrictionLaw& friction, double image_tol,
         const TransientHeating& transient_heating, int reach, Reliefs reliefs,
         const operators::BandSplit& split = {},

@@ -11,7 +11,7 @@
 #include "samcontact/operators/volume/traction_stress.hpp"
 #include "samcontact/operators/zones/stress_bound.hpp"
 #include "samcontact/simulation/cells/zone_choice.hpp"
-#include "samcontact/simulation/scene/strength.hpp"
+#include "samcontact/simulation/setup/strength.hpp"
 
 namespace samcontact::simulation {
 

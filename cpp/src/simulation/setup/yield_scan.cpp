@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samcontact/simulation/scene/yield_scan.hpp"
+#include "samcontact/simulation/setup/yield_scan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -161,8 +161,8 @@ void YieldScan::for_beyond(const Level& level, const operators::Tractions& tract
 
   const std::vector<LayerLimit> limits = limit.of(level.ranges);
   for (int k = 0; k < nz; ++k) {
-    const auto [least, start] = limits[k];
-    const double bound = least > 0 ? least * least / 3 : -1.0;
+    const auto [strength, start] = limits[k];
+    const double bound = strength > 0 ? strength * strength / 3 : -1.0;
     for (int i = 0; i < grid.nx; ++i) {
       for (int j = 0; j < grid.ny; ++j) {
         const std::size_t at = k * plane + static_cast<std::size_t>(i) * grid.ny + j;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samcontact/simulation/scene/operator_cache.hpp"
+#include "samcontact/simulation/setup/operator_cache.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "samcontact/simulation/scene/yield_scan.hpp"
+#include "samcontact/simulation/setup/yield_scan.hpp"
 
 namespace samcontact::simulation {
 namespace {
@@ -97,10 +97,10 @@ OperatorCache::Operators OperatorCache::volume(int body, const Box& box, operato
   }
   Operators shallower;
   for (const Kept& k : kept_) {
-    const bool alike = k.medium == media_[body] && k.size.nx == size.nx && k.size.ny == size.ny &&
-                       k.tensor == tensor && k.method == method && k.symmetry == symmetry &&
-                       k.heating == heating;
-    if (!alike || k.size.nz > size.nz) continue;
+    const bool fits = k.medium == media_[body] && k.size.nx == size.nx && k.size.ny == size.ny &&
+                      k.tensor == tensor && k.method == method && k.symmetry == symmetry &&
+                      k.heating == heating;
+    if (!fits || k.size.nz > size.nz) continue;
     if (!shallower || k.size.nz > shallower->grid().nz) shallower = k.operators;
   }
   kept_.remove_if([&](const Kept& k) {
@@ -123,8 +123,8 @@ std::shared_ptr<const operators::ZoneTables> OperatorCache::zone_tables(
   const std::lock_guard lock(mutex_);
   const operators::Heating heat = heating.is_on() ? heating : operators::Heating{};
   for (const KeptZones& kept : zone_tables_) {
-    const bool alike = kept.medium == media_[body] && kept.heating == heat;
-    if (alike && kept.tables->tensor() == tensor) return kept.tables;
+    const bool fits = kept.medium == media_[body] && kept.heating == heat;
+    if (fits && kept.tables->tensor() == tensor) return kept.tables;
   }
   std::erase_if(zone_tables_, [&](const KeptZones& kept) {
     return kept.body == body && kept.tables->tensor() == tensor && kept.heating.is_on() &&

@@ -102,19 +102,23 @@ def prepare_search(
     boolean("progress", progress)
     own = isinstance(case, Mapping) and "grid" not in case and accuracy is not None
     known = case_of_contact("case", case, **({"accuracy": accuracy} if own else {}))
-    scene = RefinableCase(known)
-    asked = _prescribed_accuracy(scene, known, accuracy, quantities)
-    scene.accept(min(asked.values()))
-    scene.names = [name for name in scene.names if name in asked or name in INCREMENT_QUANTITIES]
-    most = known.max_memory if max_memory is None else positive("max_memory", max_memory)
-    limit = known.max_time if max_time is None else positive("max_time", max_time)
-    if most is None:
-        most = memory.available() or math.inf
-    return AccuracySearch(scene, asked, most, HOUR if limit is None else limit, progress)
+    refinable = RefinableCase(known)
+    targets = _prescribed_accuracy(refinable, known, accuracy, quantities)
+    refinable.accept(min(targets.values()))
+    refinable.names = [
+        name for name in refinable.names if name in targets or name in INCREMENT_QUANTITIES
+    ]
+    memory_limit = known.max_memory if max_memory is None else positive("max_memory", max_memory)
+    time_limit = known.max_time if max_time is None else positive("max_time", max_time)
+    if memory_limit is None:
+        memory_limit = memory.available() or math.inf
+    return AccuracySearch(
+        refinable, targets, memory_limit, HOUR if time_limit is None else time_limit, progress
+    )
 
 
 def _prescribed_accuracy(
-    scene: RefinableCase,
+    refinable: RefinableCase,
     case: Case,
     accuracy: float | Mapping[str, float] | None,
     quantities: Sequence[str] | None,
@@ -131,23 +135,23 @@ def _prescribed_accuracy(
     ):
         raise TypeError(f"quantities must be a list of names, got {in_short(chosen)}")
     if isinstance(given, Mapping):
-        asked = dict(given)
+        targets = dict(given)
         for name in chosen or ():
-            if name not in asked:
+            if name not in targets:
                 raise ValueError(
                     "accuracy must have a value for each name in quantities, got none for "
                     f"{in_short(name)}: add a value for this name, or remove the name from "
                     "quantities"
                 )
     else:
-        asked = dict.fromkeys(scene.names if chosen is None else chosen, given)
-    if not asked:
+        targets = dict.fromkeys(refinable.names if chosen is None else chosen, given)
+    if not targets:
         raise ValueError("quantities must contain at least one name, got none")
-    for name, value in asked.items():
-        if name not in scene.names:
+    for name, value in targets.items():
+        if name not in refinable.names:
             raise ValueError(
                 "quantities must be names of quantities of this case "
-                f"({', '.join(scene.names)}), got {in_short(name)}"
+                f"({', '.join(refinable.names)}), got {in_short(name)}"
             )
         positive("accuracy", value)
         if not value < 1:
@@ -155,4 +159,4 @@ def _prescribed_accuracy(
                 f"accuracy must be a relative error in (0, 1), e.g. 0.01 for 1 %, "
                 f"got {in_short(value)}"
             )
-    return asked
+    return targets

@@ -16,7 +16,7 @@
 #include "samcontact/operators/heat/temperature.hpp"
 #include "samcontact/operators/volume/volume_operators.hpp"
 #include "samcontact/operators/zones/zone_operators.hpp"
-#include "samcontact/simulation/scene/strength.hpp"
+#include "samcontact/simulation/setup/strength.hpp"
 
 namespace samcontact::simulation {
 
