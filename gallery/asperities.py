@@ -206,16 +206,16 @@ def figures(results: Results) -> list[Picture]:
     shown = [run.series for ratio, run in results.runs.items() if ratio != 1.15]
     pictures = []
     for name, draw, caption in (
-        ("x", asperity_figures.force, "Figure 4.7: tangential force"),
-        ("z", asperity_figures.force, "Figure 4.8: normal force"),
-        ("energy", asperity_figures.net_energy, "Figure 4.9: net energy of a pass"),
-        ("ratio", asperity_figures.load_ratio, "Figure 4.10: load ratio"),
-        ("imprint", asperity_figures.residual_displacement, "Figure 4.11: maximum imprint depth"),
+        ("x", asperity_figures.force, "Figure 4.7: tangential force."),
+        ("z", asperity_figures.force, "Figure 4.8: normal force."),
+        ("energy", asperity_figures.net_energy, "Figure 4.9: net energy of a pass."),
+        ("ratio", asperity_figures.load_ratio, "Figure 4.10: load ratio. Dotted: thesis, 0.045."),
+        ("imprint", asperity_figures.residual_displacement, "Figure 4.11: maximum imprint depth."),
     ):
         figure = Figure(figsize=(6.2, 4.2), layout="constrained")
         options = {"component": name} if draw is asperity_figures.force else {}
         ax = draw(shown, figure.subplots(), critical=CRITICAL, **options)
         if name == "ratio":
             ax.axhline(-0.045, color="k", linestyle=":", linewidth=1)
-        pictures.append(Picture(f"asperities_{name}", caption + ".", figure))
+        pictures.append(Picture(f"asperities_{name}", caption, figure))
     return pictures

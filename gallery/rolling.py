@@ -76,7 +76,7 @@ def compute(quick: bool) -> Results:
 
 
 def stated(results: Results) -> list[Number | Statement]:
-    return [*stated_bearing(results), *stated_print(results), *stated_stress(results)]
+    return [*stated_bearing(results), *stated_imprint(results), *stated_stress(results)]
 
 
 def stated_bearing(results: Results) -> list[Number | Statement]:
@@ -85,7 +85,7 @@ def stated_bearing(results: Results) -> list[Number | Statement]:
     return [
         STATED.number("pressure at 460 N", p0 * 1e-9),
         STATED.trend(
-            "prints at 460 N",
+            "imprints at 460 N",
             0 < hard.depth < soft.depth and hard.width() < soft.width(),
             soft.depth * 1e9,
             hard.depth * 1e9,
@@ -96,7 +96,7 @@ def stated_bearing(results: Results) -> list[Number | Statement]:
     ]
 
 
-def stated_print(results: Results) -> list[Number | Statement]:
+def stated_imprint(results: Results) -> list[Number | Statement]:
     return [*stated_depth(results), *stated_shoulders(results), *stated_cycles(results)]
 
 
@@ -117,7 +117,7 @@ def stated_depth(results: Results) -> list[Number | Statement]:
             pressed_depth * 1e6,
         ),
         say.trend(
-            "depth along the way",
+            "depth along the track",
             first.depth < 0.85 * deepest and change < 0.03,
             deepest * 1e6,
             first.x[first.along.argmax()] / a,
@@ -146,7 +146,7 @@ def stated_cycles(results: Results) -> list[Number | Statement]:
     say = STATED.on(mesh)
     return [
         say.trend(
-            "print by cycles",
+            "imprint by cycles",
             0 < growth[1] < 0.5 * growth[0] and growth[1] < 0.015,
             [depth * 1e6 for depth in depths],
         ),

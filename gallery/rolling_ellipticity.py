@@ -62,7 +62,7 @@ def compute(quick: bool) -> Results:
 def stated(results: Results) -> list[Number | Statement]:
     return [
         *contacts(results),
-        *print_trends(results),
+        *imprint_trends(results),
         *pressure_trends(results),
         *profile_trends(results),
         *at_pressure(results),
@@ -87,7 +87,7 @@ def contacts(results: Results) -> list[Number | Statement]:
     ]
 
 
-def print_trends(results: Results) -> list[Number | Statement]:
+def imprint_trends(results: Results) -> list[Number | Statement]:
     runs, mesh = results.runs, results.mesh
     name = "k = " + ", ".join(str(k) for k in runs)
     steady = [run.steady for run in runs.values()]
@@ -103,7 +103,7 @@ def print_trends(results: Results) -> list[Number | Statement]:
         say.trend("depth", falls(depths), depths),
         say.trend("width", grows(widths), widths),
         say.trend("shoulder beyond end", grows(beyond) and beyond[-1] > 2 * beyond[0], beyond),
-        say.trend("shoulders beside track", falls(beside), beside),
+        say.trend("shoulders at sides", falls(beside), beside),
         say.trend(
             "highest shoulder",
             0.7 < beyond[0] / beside[0] < 1.0

@@ -60,7 +60,7 @@ def compute(quick: bool) -> Results:
         relief2=sc.Relief(sc.surfaces.sinusoidal(grid, AMPLITUDE, WAVELENGTH, WAVELENGTH)),
         progress=False,
     )
-    return Results(found, f"2.5 and {dz * 1e6:g} µm")
+    return Results(found, f"cells 2.5 µm, layers {dz * 1e6:g} µm")
 
 
 def stated(results: Results) -> list[Number | Statement]:
@@ -120,7 +120,7 @@ def stated_end(results: Results) -> list[Statement]:
         say.trend(
             "volume",
             conserved < 1e-12,
-            f"the same to {conserved:.0e}" if conserved > 0 else "the same",
+            f"equal, relative difference {conserved:.0e}" if conserved > 0 else "equal",
         ),
     ]
 

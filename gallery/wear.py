@@ -83,7 +83,7 @@ def compute(quick: bool) -> Results:
         for strain_depth in ("exact", "smoothed")
     )
     # On the coarse grid the rim is only a few cells wide, so a single cell has an effect.
-    mesh = f"{dx * 1e6:.0f} and {dz * 1e6:.0f} µm"
+    mesh = f"cells {dx * 1e6:.0f} µm, layers {dz * 1e6:.0f} µm"
     return Results(exact, smoothed, mesh, 0.3 if quick else 0.15)
 
 
@@ -166,7 +166,7 @@ def stated_largest(results: Results) -> list[Statement]:
         say.trend(
             "volume",
             conserved < 1e-12,
-            f"the same to {conserved:.0e}" if conserved > 0 else "the same",
+            f"equal, relative difference {conserved:.0e}" if conserved > 0 else "equal",
         ),
     ]
 
