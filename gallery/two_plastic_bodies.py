@@ -125,7 +125,7 @@ def compute(quick: bool) -> Results:
                 beyond.append((p0, largest_strain(state, pair)))
     pressures, strains = np.array(beyond).T
     return Results(
-        cases, peak, (pressures, strains), f"a/{cells}", f"a/{low_cells} with a of {low_peak:.0f} N"
+        cases, peak, (pressures, strains), f"a/{cells}", f"a/{low_cells}, a at {low_peak:.0f} N"
     )
 
 
