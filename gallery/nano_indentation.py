@@ -85,7 +85,7 @@ def curve(states: list[sc.State]) -> tuple[np.ndarray, np.ndarray]:
     return np.array([s.approach for s in states]), np.array([s.load for s in states])
 
 
-def difference_of_the_drives(results: Results) -> float:
+def control_difference(results: Results) -> float:
     """Return the maximum load difference of both runs at equal approach, over the peak load."""
     split = results.top + 1
     found = []
@@ -102,7 +102,7 @@ def difference_of_the_drives(results: Results) -> float:
     return float(max(found) / LOAD)
 
 
-def prints(states: list[sc.State]) -> np.ndarray:
+def imprints(states: list[sc.State]) -> np.ndarray:
     """Return the residual imprint depth at the centre [m] after unloading from each load.
 
     Unloading is elastic, so the depth follows from the plastic strain under load.
@@ -114,7 +114,7 @@ def stated(results: Results) -> list[Number | Statement]:
     """Return the stated values of the thesis and the computed ones."""
     grid, top = results.grid, results.by_load[results.top]
     elastic = hertz(LOAD)
-    difference = difference_of_the_drives(results)
+    difference = control_difference(results)
     radius = float(np.sqrt(top.contact_area / np.pi))
     flattened = top.pressure.max() < elastic.p0 and radius > elastic.a
     say = STATED.on(results.mesh)
@@ -144,7 +144,7 @@ def figures(results: Results) -> list[Picture]:
         Picture(
             "nano_imprint",
             "Figure 2.9: residual imprint depth at the centre versus maximum load.",
-            print_figure(results),
+            imprint_figure(results),
         ),
         Picture(
             "nano_load_interference",
@@ -163,13 +163,13 @@ def figures(results: Results) -> list[Picture]:
     ]
 
 
-def print_figure(results: Results) -> Figure:
+def imprint_figure(results: Results) -> Figure:
     figure, ax = gridded()
     loading = results.by_load[: results.top + 1]
     _, load = curve(loading)
     ax.plot(
         np.append(0, load) * 1e3,
-        np.append(0, prints(loading)) * 1e9,
+        np.append(0, imprints(loading)) * 1e9,
         "o-",
         ms=3,
         label="simulation",

@@ -232,7 +232,7 @@ def stated_residual(results: Results) -> list[Number | Statement]:
 
 
 def figures(results: Results) -> list[Picture]:
-    return [bearing(results), prints(results), across(results), along(results)]
+    return [bearing(results), imprints(results), across(results), along(results)]
 
 
 def bearing(results: Results) -> Picture:
@@ -250,7 +250,7 @@ def bearing(results: Results) -> Picture:
     )
 
 
-def prints(results: Results) -> Picture:
+def imprints(results: Results) -> Picture:
     a, run = BALL.a, results.rolled
     figure, (upper, lower) = axes(2, 1, (9.0, 6.4))
     shown = run.vertical

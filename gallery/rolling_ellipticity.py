@@ -202,7 +202,7 @@ def at_pressure(results: Results) -> list[Number | Statement]:
 
 
 def figures(results: Results) -> list[Picture]:
-    return [prints(results), pressures(results), profiles(results), stresses(results)]
+    return [imprints(results), pressures(results), profiles(results), stresses(results)]
 
 
 def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
@@ -215,7 +215,7 @@ def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
     ax.set_xlim(0, 2.2)
 
 
-def prints(results: Results) -> Picture:
+def imprints(results: Results) -> Picture:
     a = BALL.a
     figure, (left, right) = axes(sharey=True)
     both_cycles(

@@ -156,7 +156,7 @@ def hydrostatic_trends(results: Results) -> list[Number | Statement]:
 
 
 def figures(results: Results) -> list[Picture]:
-    return [strains(results), hydrostatic(results), prints(results)]
+    return [strains(results), hydrostatic(results), imprints(results)]
 
 
 def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
@@ -205,7 +205,7 @@ def hydrostatic(results: Results) -> Picture:
     )
 
 
-def prints(results: Results) -> Picture:
+def imprints(results: Results) -> Picture:
     figure, ax = axes(1, 1, (9.0, 3.6))
     both_cycles(ax, results.runs, "{:g} GPa",
                 lambda run, n: (1e3 * run.cycles[n].x, -1e6 * run.cycles[n].along))  # fmt: skip
