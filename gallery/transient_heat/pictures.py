@@ -38,7 +38,7 @@ def flash(results: Results) -> Picture:
                   va="center", arrowprops={"arrowstyle": "->"})  # fmt: skip
     for ax in (left, right):
         ax.set_xlim(-1.8, 1.8)
-    right.set_ylim(-0.2, 13)
+    right.set_ylim(-0.2, 16)
     finish(left, "x/a", "surface temperature rise [K]")
     finish(right, "x/a", "pressure [GPa]")
     return Picture(
