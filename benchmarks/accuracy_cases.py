@@ -71,7 +71,7 @@ YIELDING: dict[str, Case] = {
     "V1, rigid tip": pressed(RIGID, NITRIDED, 0.65, TIP),
     "V1, 0.3 N": pressed(RIGID, NITRIDED, 0.3, TIP),
     "V1, diamond tip": pressed(DIAMOND, NITRIDED, 0.3, TIP),
-    "V2, both yield": pressed(SWIFT, SWIFT, 2000.0),
+    "V2, both elastic-plastic": pressed(SWIFT, SWIFT, 2000.0),
     "two laws": pressed(M50, BILINEAR, 1000.0),
     "2a, rigid on M50": pressed(RIGID, M50, 800.0, LARGE_BALL),
     "2d, rigid on perfectly plastic": pressed(RIGID, PERFECT, 92.42736, LARGE_BALL),

@@ -20,10 +20,10 @@ SERIES = ("case", "control")
 HEAVY_SETUP = {"load": HEAVY_LOAD, "width": 1.8, "depth": 2.4}
 LOADINGS = {  # load [N], increments
     "1500 N in 20 increments": (LOAD, 20),
-    "1500 N at once": (LOAD, 1),
-    "p0 = 8 GPa at once": (HEAVY_LOAD, 1),
+    "1500 N in one increment": (LOAD, 1),
+    "p0 = 8 GPa in one increment": (HEAVY_LOAD, 1),
 }
-CYCLE = "p0 = 8 GPa and back"
+CYCLE = "p0 = 8 GPa and unloading"
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:

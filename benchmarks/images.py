@@ -82,4 +82,4 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         bound = float(row["method"].removeprefix("image_tol "))
         worst[bound] = max(worst.get(bound, 0.0), row["error: stress, largest"])
     stated = [f"{error:.1e} for image_tol {bound:.0e}" for bound, error in worst.items()]
-    return [f"Largest error of all boxes: {', '.join(stated)}."]
+    return [f"Maximum error in all boxes: {', '.join(stated)}."]

@@ -23,7 +23,7 @@ STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 RADIUS = 10e-3  # m
 LOADS = (900.0, 904.0, 908.0, 912.0)  # N; the first increment computes tables
 TURNS = 3
-BODIES = ("homogeneous", "with a profile", "one coating", "five layers")
+BODIES = ("homogeneous", "yield-stress profile", "one coating", "five layers")
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
@@ -33,7 +33,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 def body_of(name: str, cell: float) -> sc.Material | sc.Layered:
     """Return a layered body whose layers are as thick as the cells."""
-    if name == "with a profile":
+    if name == "yield-stress profile":
         return STEEL.with_yield_profile([0.0, 2 * cell, 20 * cell], [1.02, 1.01, 1.0])
     if name == "homogeneous":
         return STEEL
@@ -104,5 +104,5 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
             f"{label} {np.max([row[f'{label}, {name}'] for row in rows]):.2f}"
             for label in ("iteration", "first increment", "memory")
         ]
-        lines.append(f"- {name}, maximum ratio to a homogeneous body: {', '.join(stated)}.")
+        lines.append(f"- {name}, maximum ratio to the homogeneous body: {', '.join(stated)}.")
     return ["\n".join(lines)]

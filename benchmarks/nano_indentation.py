@@ -41,7 +41,7 @@ def solve(meter: Meter, method: str) -> dict[str, Any]:
     return {
         "cells": grid.nx * grid.ny * grid.nz,
         "increments": len(path),
-        "largest_interference_nm": 1e9 * interference,
-        "errors": {"largest interference": relative_error(interference, INTERFERENCE)},
+        "approach_nm": 1e9 * interference,
+        "errors": {"approach": relative_error(interference, INTERFERENCE)},
         **work_of(solved),
     }

@@ -160,7 +160,7 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
     ]
     times = [row["time_ratio"] for row in fast]
     return [
-        f"Ratio of the fast method to exact coefficients with centre values: rms error "
+        f"Fast method relative to exact coefficients with the strain at cell centres: rms error "
         f"{min(errors):.2f} to {max(errors):.2f}, time of a single use {min(times):.2f} to "
         f"{max(times):.2f}."
     ]

@@ -32,7 +32,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
     for n in sizes:
         for percent in (2, 5):
             stored = str(folder / f"{NAME}-{n}-{percent}.npz")
-            for method, function in (("one box", "make_reference"), ("zones", "solve")):
+            for method, function in (("one box", "make_reference"), ("subdomains", "solve")):
                 given = {"n": n, "percent": percent, "file": stored}
                 found.append(
                     Task(NAME, f"{percent} % in contact", method, function, given, "one box")
@@ -112,18 +112,21 @@ def solve(
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """Return a sentence per size: zones compared with one box in time, memory and fields."""
+    """Return a sentence per size: subdomains compared with one box in time, memory and fields."""
     lines = []
     for across in sorted({row["across"] for row in rows}):
         at = [row for row in rows if row["across"] == across]
-        one, zones = ([row for row in at if row["method"] == name] for name in ("one box", "zones"))
+        one, zones = (
+            [row for row in at if row["method"] == name] for name in ("one box", "subdomains")
+        )
         if one and zones:
             times = [row["time_ratio"] for row in zones]
             memory = [b["memory_MB"] / a["memory_MB"] for a, b in zip(one, zones, strict=True)]
             errors = [row[key] for row in zones for key in row if key.startswith("error: ")]
             lines.append(
-                f"- {across:.0f} cells across: zones need {min(times):.2f} to {max(times):.2f} of "
-                f"the time and {min(memory):.2f} to {max(memory):.2f} of the memory of one box; "
-                f"fields differ by at most {max(errors):.1e}."
+                f"- {across:.0f} cells across: subdomains need {min(times):.2f} to "
+                f"{max(times):.2f} of the time and {min(memory):.2f} to {max(memory):.2f} "
+                "of the memory of one box; the relative difference of the fields is at most "
+                f"{max(errors):.1e}."
             )
     return ["\n".join(lines)] if lines else []

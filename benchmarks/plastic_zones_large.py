@@ -23,10 +23,10 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
     given = {"n": sizes[0], "percent": PERCENT, "file": stored, "parts": [1 / INCREMENTS]}
     found = [
         Task(NAME, "first increment", "one box", "make_reference", given, "one box"),
-        Task(NAME, "first increment", "zones", "solve", given, "one box"),
+        Task(NAME, "first increment", "subdomains", "solve", given, "one box"),
     ]
     case = f"{INCREMENTS} increments and unloading"
-    return found + [Task(NAME, case, "zones", "press_and_unload", {"n": n}) for n in sizes]
+    return found + [Task(NAME, case, "subdomains", "press_and_unload", {"n": n}) for n in sizes]
 
 
 def press_and_unload(meter: Meter, n: int) -> dict[str, Any]:

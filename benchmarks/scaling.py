@@ -96,6 +96,6 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
     """Return the sentences below the table."""
     return [
         f"Fast method, {FITTED[0]:.0e} to {FITTED[1]:.0e} cells: "
-        f"{quantity} grows as cells^{value:.2f}."
+        f"{quantity} increases with the number of cells to the power {value:.2f}."
         for quantity, value in exponents(rows).items()
     ]

@@ -41,18 +41,18 @@ about half as fine. A change on the coarse mesh is approximately the improvement
 mesh to the mesh of the page. It is also approximately an upper bound of the remaining error of the
 page.
 
-If a value consists of several numbers, the table gives the largest change, relative to the largest
-of these numbers. Numbers are used with the digits printed in the text, so a change of the last
-digit of a small number is a large percentage. A dash means that the change does not apply to this
-contact, or that it alters how many numbers the value has. In rolling, the contact advances by one
-cell per step, so halved cells also halve the steps. In asperity collisions, increments can be
-halved only if the cells are halved too; the column "increments" then compares with the results on
-halved cells.
+If a row of a gallery page contains several numbers, the table gives the largest change, relative to
+the largest of these numbers. Numbers in text are rounded as on the page, so a change of the last
+digit of a small number is a large percentage. A dash means that the change of the mesh does not
+apply to this contact, or that it changes how many numbers the row contains. In rolling, the contact
+advances by one cell per step, so halved cells also halve the steps. In asperity collisions,
+increments can be halved only if the cells are halved too. The column "increments" then gives the
+change relative to the results on halved cells.
 """
 MESHES = {
     moves.OWN_MESH_NOTE: "Mesh of the page.\n",
     moves.COARSE_MESH_NOTE: "Coarse mesh.\n",
-    moves.BOTH_MESHES_NOTE: "Mesh of the page; in brackets, coarse mesh.\n",
+    moves.BOTH_MESHES_NOTE: "Mesh of the page; values in brackets: coarse mesh.\n",
 }
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 ROUNDING = 1e-8
@@ -159,7 +159,7 @@ def run(of: str, mesh: str, change: str) -> Record:
 
 
 def page(records: list[Record]) -> str:
-    """Return the page; values that never change by more than 0.5 % are only counted."""
+    """Return the page; rows that never change by more than 0.5 % are only counted."""
     text = [HEAD]
     for part in PARTS:
         found = [row for row in moves.of_part(part, records) if row.values]
@@ -168,7 +168,9 @@ def page(records: list[Record]) -> str:
         text.append(MESHES[meshes])
         shown = [row for row in found if not row.largest or row.largest.percent > 0.5]
         if steady := len(found) - len(shown):
-            text.append(f"{steady} of {len(found)} values change by less than 0.5 %.\n")
+            text.append(
+                f"Rows that change by at most 0.5 % (not listed): {steady} of {len(found)}.\n"
+            )
         lines = []
         for row in shown:
             numbers = ", ".join(f"{number:.4g}" for number in row.values[:6])
@@ -176,7 +178,7 @@ def page(records: list[Record]) -> str:
             cells = [cell(row.by.get(what), meshes == moves.BOTH_MESHES_NOTE) for what in CHANGES]
             lines.append([row.quantity, f"{numbers}{more}", *cells])
         if lines:
-            text.append(table(["value", "numbers", *CHANGES], lines) + "\n")
+            text.append(table(["quantity", "numbers", *CHANGES], lines) + "\n")
     return "\n".join(text)
 
 

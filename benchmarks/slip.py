@@ -24,14 +24,18 @@ SERIES = ("case", "method")
 MU = 0.3
 METHODS = {"pressure alone": None, "tol 1e-4": 1e-4, "tol 1e-6": 1e-6, "tol 1e-8": 1e-8}
 BASE = "pressure alone"
-AXES = ("time_s", "memory_MB", "shear_work"), ("error: shift", "error: stick radius")
+AXES = (
+    ("time_s", "memory_MB", "shear_work"),
+    ("error: tangential displacement", "error: stick radius"),
+)
 RADIUS = 0.4  # contact radius on a grid of 1 m x 1 m
 NU = 0.3
 WHEEL_ON_RAIL = 287, 323  # cells of the finest of CONTACT's wheel-on-rail examples
 WIDE_RADIUS = 0.4175  # as many contact cells as in that example
 STEPS = 56
-ENTRY = "loaded tangentially, then rolling"
-CONTACT_STATES = {"shifted": 22.6, "rolling": 2210.0}  # s; its own times of 2016, on one core
+ENTRY = "tangential load, then rolling"
+# s; times published in 2016, on one core
+CONTACT_STATES = {"tangential displacement": 22.6, "rolling": 2210.0}
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
@@ -43,7 +47,13 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
         for method in METHODS
     ]
     different_bodies = [
-        Task(NAME, f"dissimilar, {k} of 8", "tol 1e-8", "press_dissimilar", {"n": n, "last": k})
+        Task(
+            NAME,
+            f"dissimilar materials, increment {k} of 8",
+            "tol 1e-8",
+            "press_dissimilar",
+            {"n": n, "last": k},
+        )
         for n in sizes[:2]
         for k in (1, 8)
     ]
@@ -53,7 +63,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
         for method in ("tol 1e-4", "tol 1e-8")
     ]
     large = (72, 81) if quick else WHEEL_ON_RAIL
-    variants = {"shifted": "shift", "rolling": "roll_wide"}
+    variants = {"tangential displacement": "shift", "rolling": "roll_wide"}
     wide = [
         Task(NAME, f"{large[0]} x {large[1]}, {name}", "tol 1e-7", function, {"n": list(large)})
         for name, function in variants.items()
@@ -84,7 +94,7 @@ def solve(meter: Meter, n: int, share: float, method: str) -> dict[str, Any]:
     moved = 3 * MU * load * softness() / (16 * RADIUS) * (1 - (1 - share) ** (2 / 3))
     stick = math.sqrt(pulled.sticking.sum() * grid.cell_area / math.pi) / RADIUS
     errors = {
-        "shift": relative_error(pulled.shift[0], moved),
+        "tangential displacement": relative_error(pulled.shift[0], moved),
         "stick radius": relative_error(stick, (1 - share) ** (1 / 3)),
     }
     return {"cells": n * n, "across": n, "errors": errors, **work(pulled), **shear_work(pulled)}
@@ -174,7 +184,7 @@ def roll_on(meter: Meter, steps: int) -> dict[str, Any]:
         "errors": {"creepage": relative_error(abs(creepage), abs(steady.creepage[0]))},
         "shear_applications": sum(applications),
         "shear_work": sum(one.tangential_work for one in found),
-        "most_in_a_step": max(applications[1:]),
+        "max_applications_per_step": max(applications[1:]),
     }
 
 
@@ -197,9 +207,10 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         most = {m: max(row["shear_work"] for row in of[m]) for m in ("tol 1e-4", "tol 1e-8")}
         exact = max(row["shear_applications"] for row in of["tol 1e-8"])
         lines.append(
-            f"{n:.0f} cells across: the work for the shear is at most that of "
-            f"{most['tol 1e-4']:.0f} exact displacements at a tolerance of 1e-4, and of "
-            f"{most['tol 1e-8']:.0f} at 1e-8; at most {exact:.0f} of these are exact evaluations."
+            f"{n:.0f} cells across: the shear solution costs at most as much as "
+            f"{most['tol 1e-4']:.0f} exact evaluations of the displacement (tolerance 1e-4), or as "
+            f"{most['tol 1e-8']:.0f} (tolerance 1e-8). It includes at "
+            f"most {exact:.0f} exact evaluations."
         )
     for row in rows:
         size, _, name = row["case"].partition(", ")
@@ -207,8 +218,8 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
             stated = CONTACT_STATES[name]
             lines.append(
                 f"{size} cells, {row['cells_in_contact']:.0f} in contact, {name}: "
-                f"{row['time_s']:.2g} s; "
-                f"CONTACT, as stated in 2016 for a wheel on a rail with 50 796 cells: {stated:g} s."
+                f"{row['time_s']:.2g} s; CONTACT: {stated:g} s, published in 2016 for a wheel on a "
+                "rail with 50 796 cells in contact."
             )
     return ["\n".join(f"- {line}" for line in lines)] if lines else []
 

@@ -31,7 +31,7 @@ SIZES = {
     "contact": (64, 256, 1024),
     "partial slip": (64, 256, 1024),
     "increments": (8, 24, 40),
-    "zones": (64, 256, 512),
+    "plastic subdomains": (64, 256, 512),
     "sweep": (4, 16, 64),
 }
 ROUNDS = 3  # repetitions of all cases except sweeps, which take minutes
@@ -39,7 +39,7 @@ LARGE_SIZES = {
     "contact": 256**2,
     "partial slip": 256**2,
     "increments": 1e5,
-    "zones": 1e5,
+    "plastic subdomains": 1e5,
     "sweep": 64,
 }
 """Minimum cells (of a sweep: cases) of a large case; starting a process takes a second."""
@@ -65,7 +65,7 @@ def solve(meter: Meter, case: str, n: int, method: str) -> dict[str, Any]:
         return {"cells": n * n, "across": n, "contact_iterations": found.iterations}
     if case == "partial slip":
         return {**slip.solve(meter, n, 0.5, "tol 1e-6"), "errors": {}}
-    if case == "zones":
+    if case == "plastic subdomains":
         simulation, states = plastic_zones.run(meter, n, 5, "auto")
         return plastic_zones.summary(simulation, states[-1])
     return press(meter, n) if case == "increments" else sweep(meter, n, int(method[0]))
@@ -113,6 +113,6 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         small = [row["time_ratio"] for row in both if row["cells"] < LARGE_SIZES[case]]
         stated = [f"efficiency of two threads at least {min(large):.2f}"] if large else []
         if small:
-            stated.append(f"small cases take up to {max(small):.2f} times as long as on one")
+            stated.append(f"small cases take up to {max(small):.2f} times the time on one thread")
         lines += [f"- {case}: {'; '.join(stated)}."] if stated else []
     return ["\n".join(lines)]

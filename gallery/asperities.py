@@ -21,13 +21,15 @@ from .stated import Number, Stated, Statement
 STATED = Stated("asperities")
 TITLE = "Collision of two asperities"
 INTRODUCTION = """
-This page shows forces, energy and imprints of two colliding asperities (tugging, in the thesis),
-and compares with part 4 of the thesis. Two spheres of 1 m radius, perfectly plastic with 0.9115
-GPa, pass each other at constant height, without friction and rotation. Forces, energy and
-interference are divided by their values at the onset of yield (Green 2005). X is the offset of the
-centres, negative before they are aligned, R = 0.5 m. A positive tangential force resists the
-motion; the figures of the thesis show both forces of the first pass. The kinematics are derived
-independently, because equations (4.2), (4.13) and (4.15) of the thesis contain errors
+This page shows the forces, energy and imprints of two colliding asperities (tugging, in the
+thesis), and compares with part 4 of Boucly's thesis (2008). Two perfectly plastic spheres with a
+radius of 1 m and a yield stress of 0.9115 GPa pass each other at constant height, without friction
+and rotation. Forces, energy U and interference ω are divided by their critical values U_c, ω_c and
+so on at the onset of yield (Green 2005). X is the offset of the centres, negative before they are
+aligned, and R = 0.5 m is the equivalent radius. The load ratio is the tangential force divided by
+the normal force. A positive tangential force resists the motion. The forces in the figures are
+those of the first pass, as in the thesis. The kinematics are derived independently, because
+equations (4.2), (4.13) and (4.15) of the thesis contain errors
 ([theory](../theory/moving_contacts.md#collision-of-two-asperities)).
 """
 
@@ -204,16 +206,16 @@ def figures(results: Results) -> list[Picture]:
     shown = [run.series for ratio, run in results.runs.items() if ratio != 1.15]
     pictures = []
     for name, draw, caption in (
-        ("x", asperity_figures.force, "Figure 4.7: tangential force"),
-        ("z", asperity_figures.force, "Figure 4.8: normal force"),
-        ("energy", asperity_figures.net_energy, "Figure 4.9: net energy of a pass"),
-        ("ratio", asperity_figures.load_ratio, "Figure 4.10: load ratio"),
-        ("imprint", asperity_figures.residual_displacement, "Figure 4.11: maximum imprint depth"),
+        ("x", asperity_figures.force, "Figure 4.7: tangential force."),
+        ("z", asperity_figures.force, "Figure 4.8: normal force."),
+        ("energy", asperity_figures.net_energy, "Figure 4.9: net energy of a pass."),
+        ("ratio", asperity_figures.load_ratio, "Figure 4.10: load ratio. Dotted: thesis, 0.045."),
+        ("imprint", asperity_figures.residual_displacement, "Figure 4.11: maximum imprint depth."),
     ):
         figure = Figure(figsize=(6.2, 4.2), layout="constrained")
         options = {"component": name} if draw is asperity_figures.force else {}
         ax = draw(shown, figure.subplots(), critical=CRITICAL, **options)
         if name == "ratio":
             ax.axhline(-0.045, color="k", linestyle=":", linewidth=1)
-        pictures.append(Picture(f"asperities_{name}", caption + ".", figure))
+        pictures.append(Picture(f"asperities_{name}", caption, figure))
     return pictures

@@ -83,7 +83,7 @@ def of_part(name: str, records: list[dict[str, Any]]) -> list[Moves]:
 
 
 def note(table: list[Moves]) -> str:
-    """Return the explanation of the column "moves" of a page."""
+    """Return the explanation of the column "sensitivity" of a page."""
     own = {move.own for moves in table for move in moves.by.values()}
     return (
         BOTH_MESHES_NOTE if len(own) == 2 else OWN_MESH_NOTE if own == {True} else COARSE_MESH_NOTE

@@ -19,12 +19,13 @@ from .stated import Number, Stated, Statement
 STATED = Stated("nano_indentation")
 TITLE = "Nano-indentation"
 INTRODUCTION = """
-This page compares a computed nano-indentation with sections 2.3.1.1 and 2.3.1.3 of the thesis. A
-rigid spherical tip of radius 105 µm is pressed on nitrided steel (E = 210 GPa, ν = 0.3, Swift's law
-with B = 1240 MPa, C = 30, n = 0.085) with 0.650 N and removed. The thesis prints Young's modulus as
-210 MPa; the elastic interference that it states requires 210 GPa. The indentation is computed
-twice, with given loads and with given interferences (rigid-body approaches). The measured imprints
-of figure 2.9 are stated neither in a table nor in the text, and are not shown here.
+This page compares a computed nano-indentation with sections 2.3.1.1 and 2.3.1.3 of Boucly's thesis
+(2008). A rigid spherical tip of radius 105 µm is loaded with 0.650 N against nitrided steel and
+unloaded. The steel has E = 210 GPa, ν = 0.3 and Swift hardening with B = 1240 MPa, C = 30 and n =
+0.085. The thesis gives Young's modulus as 210 MPa, but the elastic approach that it states requires
+210 GPa. The indentation is computed twice: with prescribed load and with prescribed rigid-body
+approach, which the thesis calls interference. The thesis gives the measured imprints of figure 2.9
+neither in a table nor in the text, so they are not shown here.
 """
 
 TIP = 105e-6
@@ -33,12 +34,12 @@ STEEL = sc.Material.swift(E=210e9, nu=0.3, B=1240e6, C=30.0, n=0.085)
 MESH = 31, 17, 44
 """Mesh of the thesis: cells along x, y and z."""
 SHOWN = 4
-"""Loads in the figure of the pressure."""
+"""Number of loads in the figure of the pressure."""
 
 
 @dataclass(frozen=True)
 class Results:
-    """States of both runs, with prescribed load or interference; each run loads and unloads."""
+    """States of both runs, with prescribed load or approach; each run loads and unloads."""
 
     grid: sc.Grid
     by_load: list[sc.State]
@@ -80,12 +81,12 @@ def compute(quick: bool) -> Results:
 
 
 def curve(states: list[sc.State]) -> tuple[np.ndarray, np.ndarray]:
-    """Return interference [m] and load [N] of each state."""
+    """Return approach [m] and load [N] of each state."""
     return np.array([s.approach for s in states]), np.array([s.load for s in states])
 
 
-def difference_of_the_drives(results: Results) -> float:
-    """Return the maximum load difference of both runs at equal interference, over the peak load."""
+def control_difference(results: Results) -> float:
+    """Return the maximum load difference of both runs at equal approach, over the peak load."""
     split = results.top + 1
     found = []
     for part in (slice(0, split), slice(split - 1, None)):
@@ -101,7 +102,7 @@ def difference_of_the_drives(results: Results) -> float:
     return float(max(found) / LOAD)
 
 
-def prints(states: list[sc.State]) -> np.ndarray:
+def imprints(states: list[sc.State]) -> np.ndarray:
     """Return the residual imprint depth at the centre [m] after unloading from each load.
 
     Unloading is elastic, so the depth follows from the plastic strain under load.
@@ -113,7 +114,7 @@ def stated(results: Results) -> list[Number | Statement]:
     """Return the stated values of the thesis and the computed ones."""
     grid, top = results.grid, results.by_load[results.top]
     elastic = hertz(LOAD)
-    difference = difference_of_the_drives(results)
+    difference = control_difference(results)
     radius = float(np.sqrt(top.contact_area / np.pi))
     flattened = top.pressure.max() < elastic.p0 and radius > elastic.a
     say = STATED.on(results.mesh)
@@ -142,31 +143,33 @@ def figures(results: Results) -> list[Picture]:
     return [
         Picture(
             "nano_imprint",
-            "Figure 2.9: residual imprint depth at the centre against the maximum load.",
-            print_figure(results),
+            "Figure 2.9: residual imprint depth at the centre versus maximum load.",
+            imprint_figure(results),
         ),
         Picture(
             "nano_load_interference",
-            "Figure 2.14: load against interference, loading and unloading, by load and by "
-            "interference; at 0.650 N 372 nm are stated, 349 nm if the steel were elastic.",
+            "Figure 2.14: load versus rigid-body approach during loading and unloading, with "
+            "prescribed load and with prescribed approach. Dashed: approach at 0.650 N in the "
+            "thesis, 372 nm, and 349 nm for elastic steel.",
             load_figure(results),
         ),
         Picture(
             "nano_pressure",
-            "Figure 2.15: pressure along x in the plane y = 0 for increasing load up to 0.650 N; "
-            "thesis: flatter than Hertz's (dashed), equal by load and by interference.",
+            "Figure 2.15: pressure along x in the plane y = 0 for increasing loads up to 0.650 N, "
+            "and the Hertz pressure (dashed). According to the thesis, the pressure is flatter "
+            "than the Hertz pressure, and equal for prescribed load and prescribed approach.",
             pressure_figure(results),
         ),
     ]
 
 
-def print_figure(results: Results) -> Figure:
+def imprint_figure(results: Results) -> Figure:
     figure, ax = gridded()
     loading = results.by_load[: results.top + 1]
     _, load = curve(loading)
     ax.plot(
         np.append(0, load) * 1e3,
-        np.append(0, prints(loading)) * 1e9,
+        np.append(0, imprints(loading)) * 1e9,
         "o-",
         ms=3,
         label="simulation",
@@ -174,7 +177,8 @@ def print_figure(results: Results) -> Figure:
     last = results.by_load[-1].residual_displacement().max()
     ax.plot(LOAD * 1e3, last * 1e9, "ks", mfc="none", label="after unloading")
     ax.axvline(LOAD * 1e3, color="k", linestyle="--", linewidth=0.8)
-    ax.text(LOAD * 1e3 - 8, 1, "thesis: largest load, 650 mN", rotation=90, ha="right", va="bottom")
+    label = "Boucly (2008): maximum load, 650 mN"
+    ax.text(LOAD * 1e3 - 8, 1, label, rotation=90, ha="right", va="bottom")
     ax.set_xlabel("load [mN]")
     ax.set_ylabel("residual imprint depth [nm]")
     ax.set_ylim(bottom=0)
@@ -187,14 +191,14 @@ def load_figure(results: Results) -> Figure:
     w, load = (np.append(0.0, values) for values in curve(results.by_load))
     ax.plot(w * 1e9, load * 1e3, "-", label="prescribed load")
     w, load = curve(results.by_approach)
-    ax.plot(w * 1e9, load * 1e3, "o", ms=4, mfc="none", label="prescribed interference")
+    ax.plot(w * 1e9, load * 1e3, "o", ms=4, mfc="none", label="prescribed approach")
     elastic = np.linspace(0, LOAD, 60)
     hertzian = [0.0, *(hertz(value).approach for value in elastic[1:])]
     ax.plot(np.multiply(hertzian, 1e9), elastic * 1e3, "k-", linewidth=0.8, label="elastic (Hertz)")
-    for value, label in ((349, "thesis, elastic: 349 nm"), (372, "thesis: 372 nm")):
+    for value, label in ((349, "Boucly (2008), elastic: 349 nm"), (372, "Boucly (2008): 372 nm")):
         ax.axvline(value, color="k", linestyle="--", linewidth=0.8)
         ax.text(value - 2, 8, label, rotation=90, ha="right", va="bottom")
-    ax.set_xlabel("interference [nm]")
+    ax.set_xlabel("rigid-body approach [nm]")
     ax.set_ylabel("load [mN]")
     ax.legend(frameon=False, loc="upper left")
     return figure
@@ -216,9 +220,9 @@ def pressure_figure(results: Results) -> Figure:
     top = results.by_approach[results.top]
     ax.plot(
         x, top.pressure[:, row] * 1e-9, "o", ms=4, mfc="none", color=line.get_color(),
-        label=f"prescribed interference, {top.approach * 1e9:.0f} nm",
+        label=f"prescribed approach, {top.approach * 1e9:.0f} nm",
     )  # fmt: skip
-    ax.plot([], [], "k--", lw=0.9, label="Hertz, same load")
+    ax.plot([], [], "k--", lw=0.9, label="Hertz, equal load")
     ax.set_xlabel("x [µm]")
     ax.set_ylabel("pressure [GPa]")
     ax.set_xlim(-9.5, 9.5)

@@ -23,6 +23,9 @@ _IMAGE: dict[str, Any] = {
     "dpi": 80, "metadata": {"Software": None}, "bbox_inches": "tight", "pad_inches": 0.08
 }  # fmt: skip
 
+UNSTATED = ("not stated", "not compared")
+"""Texts for values on which the thesis makes no statement."""
+
 
 @dataclass(frozen=True)
 class Picture:
@@ -60,7 +63,7 @@ def digits(value: float) -> str:
 
 
 def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
-    """Return the Markdown table of stated values and of their changes with the mesh."""
+    """Return the Markdown table of stated and computed values and their sensitivity to the mesh."""
     largest = moves.column(moved)
     heads = ["quantity", "thesis", "samcontact", "difference", "mesh"]
     heads += ["sensitivity"] * bool(moved)
@@ -80,7 +83,8 @@ def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
                 off if off[1:] != "0.0 %" else off[1:],  # zero has no sign
             )
         else:
-            agreement = "agrees" if entry.holds and not entry.contradicted else "differs"
+            agrees = "" if entry.thesis in UNSTATED else "agrees"
+            agreement = agrees if entry.holds and not entry.contradicted else "differs"
             cells = (entry.thesis, entry.ours, agreement)
         moves_by = [largest.get(moves.words(entry.quantity), "")] * bool(moved)
         lines.append(f"| {' | '.join([entry.quantity + note, *cells, entry.mesh, *moves_by])} |")

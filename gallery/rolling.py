@@ -23,13 +23,14 @@ STATED = Stated("rolling")
 TITLE = "Rolling and repeated passes"
 INTRODUCTION = """
 This page shows the track and the residual stress of a rolling ball, and compares with sections
-3.2.1.1 and 3.2.1.2 of the thesis. A ceramic ball of 9.525 mm diameter rolls over a steel flat
-without friction. The first part is 460 N on steel M50 or 52100, as in a thrust bearing. The
-profiles measured there (figures 3.8, 3.9 and 3.12) have no numbers in the text, so only computed
-profiles are shown; figures 3.6 and 3.7 show the bearing. The second part is a Hertz pressure of 5.7
-GPa on steel 52100: load, roll to the right, unload, return unloaded, and repeat. a is the Hertz
-contact radius at 5.7 GPa. The moduli of 310 and 210 MPa in 3.2.1.1 are GPa. Sections across the
-track are taken at 60 % of the distance. Tensile stress is positive.
+3.2.1.1 and 3.2.1.2 of Boucly's thesis (2008). A ceramic ball of 9.525 mm diameter rolls over a
+steel flat without friction. In the first part the load is 460 N on steel M50 or 52100, as in a
+thrust bearing. The thesis gives no numbers for the profiles measured in this part (figures 3.8, 3.9
+and 3.12), so only computed profiles are shown. Figures 3.6 and 3.7 of the thesis show the bearing.
+In the second part the Hertz pressure is p0 = 5.7 GPa on steel 52100. Each cycle consists of
+loading, rolling to the right, unloading, and returning unloaded. a is the Hertz contact radius at
+5.7 GPa. Section 3.2.1.1 gives the moduli as 310 and 210 MPa; 310 and 210 GPa are used here.
+Sections across the track are taken at 60 % of the distance. Tensile stress is positive.
 """
 
 BEARING_LOAD = 460.0
@@ -84,7 +85,7 @@ def stated_bearing(results: Results) -> list[Number | Statement]:
     return [
         STATED.number("pressure at 460 N", p0 * 1e-9),
         STATED.trend(
-            "prints at 460 N",
+            "imprints at 460 N",
             0 < hard.depth < soft.depth and hard.width() < soft.width(),
             soft.depth * 1e9,
             hard.depth * 1e9,
@@ -116,7 +117,7 @@ def stated_depth(results: Results) -> list[Number | Statement]:
             pressed_depth * 1e6,
         ),
         say.trend(
-            "depth along the way",
+            "depth along the track",
             first.depth < 0.85 * deepest and change < 0.03,
             deepest * 1e6,
             first.x[first.along.argmax()] / a,
@@ -145,7 +146,7 @@ def stated_cycles(results: Results) -> list[Number | Statement]:
     say = STATED.on(mesh)
     return [
         say.trend(
-            "print by cycles",
+            "imprint by cycles",
             0 < growth[1] < 0.5 * growth[0] and growth[1] < 0.015,
             [depth * 1e6 for depth in depths],
         ),
@@ -231,7 +232,7 @@ def stated_residual(results: Results) -> list[Number | Statement]:
 
 
 def figures(results: Results) -> list[Picture]:
-    return [bearing(results), prints(results), across(results), along(results)]
+    return [bearing(results), imprints(results), across(results), along(results)]
 
 
 def bearing(results: Results) -> Picture:
@@ -244,12 +245,12 @@ def bearing(results: Results) -> Picture:
     finish(right, "rolling direction x [µm]")
     return Picture(
         "rolling_bearing",
-        "Figures 3.8 and 3.9, computed profiles only: imprints across and along the track, 460 N.",
+        "Figures 3.8 and 3.9: imprints across and along the track, 460 N (computed profiles only).",
         figure,
     )
 
 
-def prints(results: Results) -> Picture:
+def imprints(results: Results) -> Picture:
     a, run = BALL.a, results.rolled
     figure, (upper, lower) = axes(2, 1, (9.0, 6.4))
     shown = run.vertical
@@ -268,9 +269,9 @@ def prints(results: Results) -> Picture:
     finish(right, "across the track y/a")
     return Picture(
         "rolling_imprints",
-        "Figures 3.10 to 3.12: imprint of a ball that is pressed, or rolled to the right, once "
-        f"({1e3 * run.distance:.2g} mm); and of up to three cycles (2 mm) along and across the "
-        "track. Of figure 3.12 only the computed profiles.",
+        "Figures 3.10 to 3.12. Top: imprint of a ball that is only pressed, and of a ball that "
+        f"rolls to the right once by {run.distance * 1e3:.2g} mm. Bottom: imprints after one to three "
+        "cycles of 2 mm, along and across the track (of figure 3.12, computed profiles only).",
         figure,
     )
 

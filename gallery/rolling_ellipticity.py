@@ -19,16 +19,18 @@ from .track import BALL, Mesh, Run, both_cycles, ellipse, roll, table_ellipse
 STATED = Stated("rolling_ellipticity")
 TITLE = "Rolling: influence of the ellipticity"
 INTRODUCTION = """
-This page shows how the ellipticity of a rolling contact changes track, strain and residual stress,
-and compares with section 3.2.1.3 of the thesis. A ceramic ellipsoid rolls twice by 4 mm along the
-minor axis of its contact over a flat of steel 52100. The semi-major axis is k times the semi-minor
-axis, and the grid is stretched across by the same factor. The thesis intends a Hertz pressure of
-5.7 GPa for every k, but the radii and loads of table 3.2 (R_x = 4.7625 mm, R_y / R_x = k^(pi/2),
-1152.9 N times k) give 4.9 to 5.2 GPa for k > 1, by exact elliptic integrals. The stated values and
-trends are those of these radii and loads, which are used in the rows and figures below unless 5.7
-GPa is stated. In the latter k, the semi-minor axis and 5.7 GPa are exact: R_x falls from 4.7625 mm
-(k = 1) to 3.76 mm (k = 16). a is 310.8 µm, p0 is 5.7 GPa; profiles are taken at 60 % of the
-distance.
+This page shows how the ellipticity of a rolling contact changes the track, strain and residual
+stress, and compares with section 3.2.1.3 of Boucly's thesis (2008). A ceramic ellipsoid rolls twice
+by 4 mm along the minor axis of its contact over a flat of steel 52100. The semi-major axis is k
+times the semi-minor axis, and the grid is stretched across the track by the same factor. The thesis
+intends a Hertz pressure of 5.7 GPa for every k. By exact elliptic integrals, however, the radii and
+loads of its table 3.2 (R_x = 4.7625 mm, R_y / R_x = k^(pi/2), load 1152.9 N times k) give only 4.9
+to 5.2 GPa for k > 1.
+
+The values and trends stated in the thesis are results for these radii and loads. The rows and
+figures below therefore use them, except where 5.7 GPa is stated. In those rows and figures k, the
+semi-minor axis and 5.7 GPa are exact, and R_x falls from 4.7625 mm (k = 1) to 3.76 mm (k = 16). a
+is 310.8 µm and p0 is 5.7 GPa in all rows. Profiles are taken at 60 % of the distance.
 """
 
 BODIES = (CERAMIC, STEEL_52100)
@@ -60,7 +62,7 @@ def compute(quick: bool) -> Results:
 def stated(results: Results) -> list[Number | Statement]:
     return [
         *contacts(results),
-        *print_trends(results),
+        *imprint_trends(results),
         *pressure_trends(results),
         *profile_trends(results),
         *at_pressure(results),
@@ -85,7 +87,7 @@ def contacts(results: Results) -> list[Number | Statement]:
     ]
 
 
-def print_trends(results: Results) -> list[Number | Statement]:
+def imprint_trends(results: Results) -> list[Number | Statement]:
     runs, mesh = results.runs, results.mesh
     name = "k = " + ", ".join(str(k) for k in runs)
     steady = [run.steady for run in runs.values()]
@@ -101,7 +103,7 @@ def print_trends(results: Results) -> list[Number | Statement]:
         say.trend("depth", falls(depths), depths),
         say.trend("width", grows(widths), widths),
         say.trend("shoulder beyond end", grows(beyond) and beyond[-1] > 2 * beyond[0], beyond),
-        say.trend("shoulders at track sides", falls(side_heights), side_heights),
+        say.trend("shoulders at sides", falls(side_heights), side_heights),
         say.trend(
             "highest shoulder",
             0.7 < beyond[0] / side_heights[0] < 1.0
@@ -200,7 +202,7 @@ def at_pressure(results: Results) -> list[Number | Statement]:
 
 
 def figures(results: Results) -> list[Picture]:
-    return [prints(results), pressures(results), profiles(results), stresses(results)]
+    return [imprints(results), pressures(results), profiles(results), stresses(results)]
 
 
 def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
@@ -213,7 +215,7 @@ def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
     ax.set_xlim(0, 2.2)
 
 
-def prints(results: Results) -> Picture:
+def imprints(results: Results) -> Picture:
     a = BALL.a
     figure, (left, right) = axes(sharey=True)
     both_cycles(
@@ -230,7 +232,7 @@ def prints(results: Results) -> Picture:
     return Picture(
         "rolling_ellipticity_imprints",
         "Figures 3.18 and 3.19: imprints along and across the track after one (dashed) and two "
-        "cycles, rolled to the right.",
+        "cycles of rolling to the right.",
         figure,
     )
 
@@ -246,13 +248,13 @@ def pressures(results: Results) -> Picture:
                 ax.plot(run.x / a, run.pressure_along[-1] / p0, f"C{n}", label=f"k = {k}")
         ax.set_xlim(-1.6, 1.6)
     left.set_title("radii and loads of table 3.2", fontsize="medium")
-    right.set_title("5.7 GPa", fontsize="medium")
+    right.set_title("Hertz pressure of 5.7 GPa", fontsize="medium")
     finish(left, "rolling direction x/a", "pressure / 5.7 GPa")
     finish(right, "rolling direction x/a")
     return Picture(
         "rolling_ellipticity_pressure",
-        "Figure 3.20: steady pressure in the plane y = 0; right, not in the thesis: with an "
-        "elastic pressure of 5.7 GPa for every k.",
+        "Figure 3.20: steady pressure in the plane y = 0. Right, not in the thesis: contacts with "
+        "a Hertz pressure of 5.7 GPa for every k.",
         figure,
     )
 
@@ -269,9 +271,9 @@ def profiles(results: Results) -> Picture:
     finish(right, "depth z/a", "von Mises stress under load / p0")
     return Picture(
         "rolling_ellipticity_strain",
-        "Figures 3.21 and 3.22: plastic strain, and von Mises stress under the load, below the "
-        "middle of the track after one (dashed) and two cycles. Dotted: depth of the largest "
-        "elastic stress of a point and a line contact.",
+        "Figures 3.21 and 3.22: plastic strain, and von Mises stress under load, below the middle "
+        "of the track after one (dashed) and two cycles. Dotted: depth of the maximum elastic "
+        "stress in a point contact (0.48) and a line contact (0.8).",
         figure,
     )
 
@@ -286,6 +288,7 @@ def stresses(results: Results) -> Picture:
     finish(right, "depth z/a", "residual hydrostatic stress / p0")
     return Picture(
         "rolling_ellipticity_stress",
-        "Figures 3.23 and 3.24: residual von Mises and hydrostatic stress on the same lines.",
+        "Figures 3.23 and 3.24: residual von Mises and hydrostatic stress below the middle of the "
+        "track after one (dashed) and two cycles.",
         figure,
     )

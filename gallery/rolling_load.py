@@ -20,16 +20,18 @@ from .track import BALL, Mesh, Run, both_cycles, roll, table_ellipse
 STATED = Stated("rolling_load")
 TITLE = "Rolling: influence of the load"
 INTRODUCTION = """
-This page shows how the load of a rolling contact changes track, strain and residual stress, and
-compares with section 3.2.1.3 of the thesis, tables 3.2 and 3.3. A ceramic ellipsoid rolls twice by
-4 mm along the minor axis of its contact over a flat of steel 52100, under 3690 to 25 499 N, and
-returns unloaded. The tables give R_x = 4.7625 mm, R_y / R_x = k^(pi/2) = 26.2 for k = 8, and a load
-k times that of a ball with equal semi-minor axis. These values are inconsistent: the exact contact
-of these radii and loads has k = 8.18, and a Hertz pressure 15 % below the stated one. The stated
-strains, stresses and imprints are those of the radii and loads, which are used here; they are
-labelled with the stated pressures. For an actual pressure of 5.7 GPa see [influence of the
-ellipticity](rolling_ellipticity.md). Profiles are taken at 60 % of the distance, after two cycles.
-Tensile stress is positive.
+This page shows how the load of a rolling contact changes the track, strain and residual stress, and
+compares with section 3.2.1.3 of Boucly's thesis (2008), tables 3.2 and 3.3. A ceramic ellipsoid
+rolls twice by 4 mm along the minor axis of its contact over a flat of steel 52100, under loads of
+3690 to 25 499 N, and returns unloaded. The semi-major axis of the contact is k times the semi-minor
+axis a. The tables give R_x = 4.7625 mm, R_y / R_x = k^(pi/2) = 26.2 for k = 8, and a load that is k
+times that of a ball with an equal semi-minor axis. These values are inconsistent: by the exact
+solution, these radii and loads give k = 8.18, and a Hertz pressure 15 % below the stated one.
+
+The strains, stresses and imprints stated in the thesis are results for these radii and loads. They
+are therefore used here as well, and labelled with the stated pressures. For an actual pressure of
+5.7 GPa see [influence of the ellipticity](rolling_ellipticity.md). Profiles are taken at 60 % of
+the distance, after two cycles. Tensile stress is positive.
 """
 
 K = 8
@@ -154,7 +156,7 @@ def hydrostatic_trends(results: Results) -> list[Number | Statement]:
 
 
 def figures(results: Results) -> list[Picture]:
-    return [strains(results), hydrostatic(results), prints(results)]
+    return [strains(results), hydrostatic(results), imprints(results)]
 
 
 def curves(ax: Axes, results: Results, name: str, scale: float) -> None:
@@ -183,7 +185,8 @@ def strains(results: Results) -> Picture:
     return Picture(
         "rolling_load_strain",
         "Figures 3.25 and 3.26: plastic strain and residual von Mises stress below the middle of "
-        "the steady track after one (dashed) and two cycles. Triangles: maxima of the thesis.",
+        "the steady track after one (dashed) and two cycles. Triangles: maxima stated in the "
+        "thesis.",
         figure,
     )
 
@@ -196,12 +199,13 @@ def hydrostatic(results: Results) -> Picture:
     finish(ax, "depth [µm]", "residual hydrostatic stress [MPa]")
     return Picture(
         "rolling_load_hydrostatic",
-        "Figure 3.27: residual hydrostatic stress on the same lines.",
+        "Figure 3.27: residual hydrostatic stress below the middle of the steady track after one "
+        "(dashed) and two cycles.",
         figure,
     )
 
 
-def prints(results: Results) -> Picture:
+def imprints(results: Results) -> Picture:
     figure, ax = axes(1, 1, (9.0, 3.6))
     both_cycles(ax, results.runs, "{:g} GPa",
                 lambda run, n: (1e3 * run.cycles[n].x, -1e6 * run.cycles[n].along))  # fmt: skip
@@ -212,7 +216,7 @@ def prints(results: Results) -> Picture:
     finish(ax, "rolling direction x [mm]", "height of the surface [µm]")
     return Picture(
         "rolling_load_imprints",
-        "Figure 3.28: imprint in the middle of the track after one (dashed) and two cycles, rolled "
-        "to the right.",
+        "Figure 3.28: imprint in the middle of the track after one (dashed) and two cycles of "
+        "rolling to the right. Dotted: maximum and steady depth at 8 GPa stated in the thesis.",
         figure,
     )

@@ -19,15 +19,18 @@ from .track import BALL, Mesh, Run, ellipse, roll
 STATED = Stated("rolling_two_bodies")
 TITLE = "Indentation and rolling compared"
 INTRODUCTION = """
-This page compares indentation with rolling, and the computed values with section 3.2.2 of the
-thesis. In the first part two bodies of steel 52100 have a circular (k = 1) or elliptic (k = 8)
-contact. One of them is elastic (E_EP) or both are elastic-plastic (EP_EP); they are pressed
-together or rolled twice along the minor axis. The contacts are exact for the Hertz pressure p0; the
-thesis does not state how those of k = 8 were obtained, see [influence of the
-ellipticity](rolling_ellipticity.md). In the second part a ceramic ball of 9.525 mm diameter is on a
-flat with linear hardening, with a tangent modulus E_t of 0 to 0.8 times Young's modulus. Yield
-stress and load are not stated in the thesis; the micro-yield stress of 52100, 1477 MPa, and 5.7 GPa
-are assumed.
+This page compares indentation with rolling, and the computed values with section 3.2.2 of Boucly's
+thesis (2008). In the first part two bodies of steel 52100 have a circular (k = 1) or elliptic (k =
+8) contact. Either one body is elastic (E_EP) or both are elastic-plastic (EP_EP). The bodies are
+pressed together, or they roll twice along the minor axis of the contact. Radii and loads are exact
+for k and the Hertz pressure p0. The thesis does not state how the contacts with k = 8 were obtained
+(see [influence of the ellipticity](rolling_ellipticity.md)). a is the semi-axis along x, the
+rolling direction.
+
+In the second part a ceramic ball of 9.525 mm diameter is pressed on a flat with linear hardening,
+or rolls over it. The tangent modulus E_t is 0 to 0.8 times Young's modulus E. The thesis states
+neither yield stress nor load. The micro-yield stress of steel 52100, 1477 MPa, and a Hertz pressure
+of 5.7 GPa are assumed.
 """
 
 MICRO_YIELD = float(STEEL_52100.yield_stress(MICRO_STRAIN))
@@ -247,13 +250,13 @@ def loads(results: Results) -> Picture:
     for ax, title in ((first, "pressed"), (second, "rolled, second cycle")):
         ax.axhline(1.0, color="k", linestyle="--", linewidth=1, label="E_E (Hertz)")
         ax.set_title(title, fontsize="medium")
-    finish(first, "", "largest pressure / p0")
+    finish(first, "", "maximum pressure / p0")
     finish(second, legend=False)
-    finish(third, "p0 / micro-yield stress", "largest plastic strain [%]", legend=False)
+    finish(third, "p0 / micro-yield stress", "maximum plastic strain [%]", legend=False)
     finish(fourth, "p0 / micro-yield stress", legend=False)
     return Picture(
         "rolling_two_bodies_load",
-        "Figure 3.29: largest pressure and plastic strain against the Hertz pressure.",
+        "Figure 3.29: maximum pressure and maximum plastic strain versus Hertz pressure p0.",
         figure,
     )
 
@@ -267,7 +270,9 @@ def laws() -> Picture:
     finish(ax, "strain [%]", "stress [GPa]")
     ax.legend(fontsize="small", title="$E_t/E$")
     return Picture(
-        "rolling_two_bodies_laws", "Figure 3.30: laws of linear hardening, in tension.", figure
+        "rolling_two_bodies_laws",
+        "Figure 3.30: stress-strain curves of linear hardening in uniaxial tension.",
+        figure,
     )
 
 
@@ -289,7 +294,7 @@ def distributions(results: Results) -> Picture:
     finish(right, "y/a", legend=False)
     return Picture(
         "rolling_two_bodies_pressure",
-        "Figures 3.31 to 3.33: pressure of a ball that is pressed, and rolled to the right; the "
-        "last across the track through the largest pressure.",
+        "Figures 3.31 to 3.33: pressure of a ball that is pressed (left) and of a ball that rolls "
+        "to the right, along the track (middle) and across it through the maximum (right).",
         figure,
     )

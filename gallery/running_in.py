@@ -20,15 +20,16 @@ from .wear import HERTZ as SMOOTH
 STATED = Stated("running_in")
 TITLE = "Running-in of a rough surface"
 INTRODUCTION = """
-This page shows the running-in of a rough surface, and compares with section 5.2.2 of the thesis.
-The balls and the steel are those of [wear of a flat surface](wear.md), under 30 N, with the
-roughness A sin(2πx/λ) sin(2πy/λ), A = 0.5 µm and λ = 50 µm, on one surface. The friction is 0.4,
-the threshold 0.2 %. Body 2 is rough, elastic-plastic and wears; body 1 is smooth and elastic. The
-thesis does not state the width of its filter for the border of the worn region. Here the filter is
-a Gaussian, equivalent to a moving average over half a wavelength. With it the results converge with
-cells, layers and increments; with the filter of the thesis, a polynomial over a fixed number of
-cells, they do not ([convergence](../wear_convergence.md)). Sections are through the crests next to
-the centre, y = 12.5 µm.
+This page shows the running-in of a rough surface, and compares with section 5.2.2 of Boucly's
+thesis (2008). The balls and the steel are those of [wear of a flat surface](wear.md), under 30 N.
+One surface has the roughness A sin(2πx/λ) sin(2πy/λ) with A = 0.5 µm and λ = 50 µm. The friction
+coefficient is 0.4, and surface material wears above a plastic strain of 0.2 %. Body 2 is rough,
+elastic-plastic and wears; body 1 is smooth and elastic. The thesis does not state the width of the
+filter that smooths the border of the worn region. Here the filter is a Gaussian that is equivalent
+to a moving average over half a wavelength. With this filter the results converge as cells, layers
+and increments become smaller. With the filter of the thesis, a polynomial over a fixed number of
+cells, they do not ([convergence](../wear_convergence.md)). Sections are taken through the crests
+next to the centre, at y = 12.5 µm.
 """
 
 LOAD, AMPLITUDE, WAVELENGTH = 30.0, 0.5e-6, 50e-6
@@ -59,7 +60,7 @@ def compute(quick: bool) -> Results:
         relief2=sc.Relief(sc.surfaces.sinusoidal(grid, AMPLITUDE, WAVELENGTH, WAVELENGTH)),
         progress=False,
     )
-    return Results(found, f"2.5 and {dz * 1e6:g} µm")
+    return Results(found, f"cells 2.5 µm, layers {dz * 1e6:g} µm")
 
 
 def stated(results: Results) -> list[Number | Statement]:
@@ -119,7 +120,7 @@ def stated_end(results: Results) -> list[Statement]:
         say.trend(
             "volume",
             conserved < 1e-12,
-            f"the same to {conserved:.0e}" if conserved > 0 else "the same",
+            f"equal, relative difference {conserved:.0e}" if conserved > 0 else "equal",
         ),
     ]
 
@@ -129,7 +130,7 @@ def figures(results: Results) -> list[Picture]:
     return [
         surface(found, 0, "running_in_initial", "Figure 5.12: initial surface."),
         panels(found.first, "running_in_first", "Figure 5.13: first cycle, plane y = 12.5 µm."),
-        surface(found, -1, "running_in_final", "Figure 5.14: the surface after running-in."),
+        surface(found, -1, "running_in_final", "Figure 5.14: surface after running-in."),
         panels(found.last, "running_in_last", "Figure 5.15: last cycle, plane y = 12.5 µm."),
         history(found),
     ]
@@ -165,9 +166,10 @@ def history(found: sc.wear.WearResult) -> Picture:
         values = [getattr(cycle, name) * 1e-9 for cycle in found.cycles]
         right.plot(numbers, values, "o-", markersize=3, label=label)
     right.set_ylim(bottom=0)
-    finish(right, "cycle", "largest in the cycle [GPa]")
+    finish(right, "cycle", "maximum in the cycle [GPa]")
     return Picture(
         "running_in_history",
-        "Not in the thesis: worn volume, largest pressure and von Mises stress of each cycle.",
+        "Not in the thesis: worn volume, maximum pressure and maximum von Mises stress of each "
+        "cycle.",
         figure,
     )

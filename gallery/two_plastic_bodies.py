@@ -19,11 +19,13 @@ from .stated import Number, Stated, Statement
 STATED = Stated("two_plastic_bodies")
 TITLE = "Two elastic-plastic bodies"
 INTRODUCTION = """
-This page compares the contact of two elastic-plastic balls with section 2.3.1.4 of the thesis. Two
-balls of 15 mm radius (equivalent radius 7.5 mm), steel 52100, are loaded to 11 179 N, a Hertz
-pressure of 8 GPa. One ball is elastic-plastic and the other elastic (E_EP), or both are
-elastic-plastic (EP_EP). L_c is the load at which the equivalent plastic strain reaches 0.2 %. a is
-the Hertz contact radius at 11 179 N; values up to 1900 N are from a finer grid.
+This page shows the contact of two steel balls of which one or both are elastic-plastic, and
+compares with section 2.3.1.4 of Boucly's thesis (2008). The balls have a radius of 15 mm
+(equivalent radius 7.5 mm), are of steel 52100 and are loaded to 11 179 N, a Hertz pressure of 8
+GPa. Either one ball is elastic-plastic and the other elastic (E_EP), or both are elastic-plastic
+(EP_EP). L is the load, and L_c the load at which the maximum equivalent plastic strain reaches 0.2
+%. p_max is the maximum pressure. The Hertz pressure p0 and the Hertz contact radius a are for 11
+179 N. Values for loads up to 1900 N are computed on a finer grid.
 """
 
 RADIUS = 7.5e-3
@@ -59,7 +61,7 @@ class Case:
 
     @property
     def critical(self) -> float:
-        """Return the load at a plastic strain of 0.2 % [N]."""
+        """Load at a plastic strain of 0.2 % [N]."""
         return float(np.interp(2e-3, self.gamma, self.load))
 
 
@@ -123,7 +125,7 @@ def compute(quick: bool) -> Results:
                 beyond.append((p0, largest_strain(state, pair)))
     pressures, strains = np.array(beyond).T
     return Results(
-        cases, peak, (pressures, strains), f"a/{cells}", f"a/{low_cells} with a of {low_peak:.0f} N"
+        cases, peak, (pressures, strains), f"a/{cells}", f"a/{low_cells}, a at {low_peak:.0f} N"
     )
 
 
@@ -224,8 +226,8 @@ def fields(results: Results) -> Picture:
     finish(right, "depth z/a", "residual hydrostatic stress / Hertz pressure")
     return Picture(
         "two_plastic_bodies_fields",
-        "Figures 2.16 and 2.17: pressure at 11 179 N (8 GPa) in the plane y = 0, and "
-        "hydrostatic stress on the axis after unloading.",
+        "Figures 2.16 and 2.17: pressure at 11 179 N (8 GPa) in the plane y = 0, and residual "
+        "hydrostatic stress on the axis.",
         figure,
     )
 
@@ -247,31 +249,33 @@ def loads(results: Results) -> Picture:
     strain_axis.axhline(0.2, color="k", linestyle=":", linewidth=1)
     strain_axis.set_ylabel("maximum plastic strain [%], dash-dotted")
     strain_axis.set_ylim(0, 3)
-    finish(left, "load [kN]", "largest pressure [GPa]")
+    finish(left, "load [kN]", "maximum pressure [GPa]")
     right.plot(
         1, 0.95 * hertz(LC["EP_EP"]).p0 / p0, "o", color="k", markerfacecolor="none",
         label="Boucly (2008): 5 % below Hertz",
     )  # fmt: skip
-    finish(right, "$L/L_c$", "largest pressure / 8 GPa")
+    finish(right, "load $L/L_c$", "maximum pressure / 8 GPa")
     return Picture(
         "two_plastic_bodies_load",
-        "Figures 2.18 and 2.19: largest pressure and plastic strain against the load. Circles "
-        "on the left: L_c at 0.2 % in the thesis.",
+        "Figures 2.18 and 2.19: maximum pressure and maximum plastic strain versus load. Circles "
+        "on the left: loads L_c at a strain of 0.2 % in the thesis. L_c on the right: 1743 N, the "
+        "value of the thesis for EP_EP.",
         figure,
     )
 
 
 def differences(results: Results) -> Picture:
     figure, ax = axes(1, 1, (5.0, 3.6))
-    for pair, label in (("EP_EP", "identical laws"), ("M50 against 52100", "M50 against 52100")):
+    for pair, label in (("EP_EP", "both 52100"), ("M50 against 52100", "M50 and 52100")):
         load, percent = difference(results, pair)
         ax.plot(load / LC["EP_EP"], percent, color=COLOURS[pair], label=label)
     ax.plot([0, 1], [3, 3], "k--", linewidth=1, label="Boucly (2008): below 3 % for $L < L_c$")
     ax.plot(PEAK / LC["EP_EP"], 11, "ko", markerfacecolor="none", label="Boucly (2008): 11 %")
-    finish(ax, "$L/L_c$", "$p_{max}$ of E_EP above that of two\nelastic-plastic bodies [%]")
+    ylabel = "excess of $p_{max}$ of E_EP over $p_{max}$\nof two elastic-plastic bodies [%]"
+    finish(ax, "load $L/L_c$", ylabel)
     return Picture(
         "two_plastic_bodies_difference",
-        "Figure 2.20: error in the largest pressure when one of two elastic-plastic bodies is "
-        "taken as elastic; with two hardening laws, the harder one.",
+        "Figure 2.20: error of the maximum pressure if one of two elastic-plastic bodies is taken "
+        "as elastic. For M50 and 52100, the harder M50 is taken as elastic. L_c is 1743 N.",
         figure,
     )

@@ -19,23 +19,26 @@ from .stated import Number, Stated, Statement
 STATED = Stated("wear")
 TITLE = "Wear of a flat surface"
 INTRODUCTION = """
-This page shows the wear of smooth balls, the limit of the wear model, and a comparison with section
-5.2.1 of the thesis. Two smooth balls of 15 mm radius are loaded thirteen times by 2000 N with
-friction 0.4 (the shear follows the load). After each cycle surface material with more than 0.2 %
-accumulated plastic strain is removed. The steel follows Swift's law with B = 1735 MPa, C = 16, n =
-0.067. The thesis states neither whether both balls are elastic-plastic nor the width of its filter.
-Here body 2 is elastic-plastic and wears, body 1 is elastic, and the filter is 300 µm wide, of
-second order. After smoothing of the border the plastic strain moves up by the exact depth, as
-described in the thesis, or by the local wear depth ([theory](../theory/wear.md)).
+This page shows the wear of smooth balls and the limit of the wear model, and compares with section
+5.2.1 of Boucly's thesis (2008). Two smooth balls of 15 mm radius are loaded thirteen times with
+2000 N and a friction coefficient of 0.4; the shear traction follows the load. After each cycle the
+surface material with more than 0.2 % accumulated plastic strain is removed. The steel has Swift
+hardening with B = 1735 MPa, C = 16 and n = 0.067. The thesis states neither whether both balls are
+elastic-plastic nor the width of its smoothing filter. Here body 2 is elastic-plastic and wears,
+body 1 is elastic, and the filter is 300 µm wide and of second order. After the border of the worn
+region has been smoothed, the remaining plastic strain moves up to the new surface. It moves either
+by the wear depth before smoothing, as described in the thesis, or by the smoothed wear depth
+([theory](../theory/wear.md)).
 
-Wear does not cease, as stated in the thesis. Its rate is constant if the strain moves up by the
-local wear depth, and decreases if it moves by the exact depth. However, both leave the range of the
-theory in the second cycle. The first cycle removes a lens 47 µm deep, whereas the approach is 28
-µm, so the next contact is on the rim of the pit, at far more than the Hertz pressure. Its plastic
-zone joins that below the surface in figure 5.9, and a hole of 200 µm breaks out. Each further cycle
-removes the rim and creates a new one further out. Plastic strains of the rim are several times the
-small-strain limit, and its walls are steep. The rates are therefore those of this model on this
-mesh, not of a steel.
+As stated in the thesis, wear does not cease. The wear rate is constant if the strain moves by the
+smoothed depth, and decreases if it moves by the depth before smoothing. However, both calculations
+leave the range of the theory in the second cycle. The first cycle removes a lens 47 µm deep,
+whereas the approach of the balls is 28 µm. The next contact is therefore on the rim of the pit, at
+far more than the Hertz pressure. The plastic zone below the rim joins the zone below the surface in
+figure 5.9, and a hole of 200 µm breaks out. Each further cycle removes the rim and creates a new
+one further out. Plastic strains in the rim are several times the small-strain limit, and the walls
+of the rim are steep. The wear rates are therefore results of this model on this mesh, and not those
+of a steel.
 """
 
 STEEL = sc.Material.swift(E=210e9, nu=0.3, B=1735e6, C=16.0, n=0.067)
@@ -43,19 +46,19 @@ RADIUS, LOAD, FRICTION, THRESHOLD, CYCLES = 7.5e-3, 2000.0, 0.4, 2e-3, 13
 WINDOW = 300e-6
 E_STAR = sc.hertz.effective_modulus(ELASTIC, STEEL)
 HERTZ = sc.hertz.point(R=RADIUS, E_star=E_STAR, load=LOAD)
-TITLES = ("strain moved by the exact depth", "by what the surface lost")
+TITLES = ("strain moved by depth before smoothing", "strain moved by smoothed depth")
 STEADY = slice(3, None)
-"""Return the wear rate of each cycle after the third."""
+"""Cycles after the third."""
 
 
 @dataclass
 class Results:
     exact: sc.wear.WearResult
     smoothed: sc.wear.WearResult
-    """Results with strain moved up by the exact depth, and by the depth of the smoothed surface."""
+    """Results with strain moved up by the depth before smoothing, and by the smoothed depth."""
     mesh: str
     allowed: float
-    """Return the maximum relative difference of the wear of a single cycle from the mean."""
+    """Maximum relative difference of the wear in a single cycle from the mean."""
 
 
 def compute(quick: bool) -> Results:
@@ -80,7 +83,7 @@ def compute(quick: bool) -> Results:
         for strain_depth in ("exact", "smoothed")
     )
     # On the coarse grid the rim is only a few cells wide, so a single cell has an effect.
-    mesh = f"{dx * 1e6:.0f} and {dz * 1e6:.0f} µm"
+    mesh = f"cells {dx * 1e6:.0f} µm, layers {dz * 1e6:.0f} µm"
     return Results(exact, smoothed, mesh, 0.3 if quick else 0.15)
 
 
@@ -163,7 +166,7 @@ def stated_largest(results: Results) -> list[Statement]:
         say.trend(
             "volume",
             conserved < 1e-12,
-            f"the same to {conserved:.0e}" if conserved > 0 else "the same",
+            f"equal, relative difference {conserved:.0e}" if conserved > 0 else "equal",
         ),
     ]
 
@@ -180,14 +183,14 @@ def figures(results: Results) -> list[Picture]:
         panels(results.exact.first, "wear_first", "Figure 5.9: first cycle, plane y = 0."),
         Picture(
             "wear_profile",
-            "Figure 5.10: worn surface in the plane y = 0 after each cycle, and the volume worn in "
-            "each.",
+            "Figure 5.10: worn surface in the plane y = 0 after each cycle, and worn volume per "
+            "cycle.",
             figure,
         ),
         panels(
             results.smoothed.last,
             "wear_last",
-            "Figure 5.11: thirteenth cycle, plane y = 0; strain moved by what the surface lost.",
+            "Figure 5.11: thirteenth cycle, plane y = 0, strain moved by the smoothed depth.",
         ),
     ]
 
@@ -202,6 +205,7 @@ def volumes(results: Results, ax: Axes) -> None:
         wear.wear_rate(found.to_dataset(), ax)
         ax.get_lines()[-1].set_label(label)
     mean = float(np.mean(results.smoothed.rate[STEADY])) * 1e18
-    ax.axhspan(0.85 * mean, 1.15 * mean, color="C1", alpha=0.15, label="mean of 4 to 13, ±15 %")
+    label = "mean of cycles 4 to 13, ±15 %"
+    ax.axhspan(0.85 * mean, 1.15 * mean, color="C1", alpha=0.15, label=label)
     finish(ax, "cycle", "worn volume per cycle [µm³]")
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.06), fontsize="small", frameon=False)

@@ -34,16 +34,16 @@ TITLES = {
     "slip": "Partial slip",
 }
 KINDS = {
-    "hertz": "elastic",
-    "rough": "elastic",
-    "plastic": "elastic-plastic",
-    "periodic": "periodic elastic",
-    "periodic_plastic": "periodic elastic-plastic",
+    "hertz": "elastic contact",
+    "rough": "elastic contact",
+    "plastic": "elastic-plastic contact",
+    "periodic": "periodic elastic contact",
+    "periodic_plastic": "periodic elastic-plastic contact",
     "slip": "partial slip",
 }
 PERIODIC = ("periodic", "periodic_plastic")
 FINE_PRESSURE, FINE_AREA = "pressure, finest", "contact area, finest"
-TIMES = {"with_setup_s": "with set-up", "without_setup_s": "without"}
+TIMES = {"with_setup_s": "with set-up", "without_setup_s": "without set-up"}
 
 Place = tuple[str, str, int]
 Ladder = dict[float, list[dict[str, Any]]]
@@ -135,9 +135,12 @@ def solver_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any]]
             }
             if not any(ratios.values()):
                 continue  # the code, or samcontact, does not reach this error
-            line: dict[str, Any] = {"in contact": where(place, codes), "cells": f"{place[2]}²"}
+            line: dict[str, Any] = {
+                "case, area in contact": where(place, codes),
+                "cells": f"{place[2]}²",
+            }
             if not place[1]:
-                del line["in contact"]
+                del line["case, area in contact"]
             line.update(code=code, **ratios)
             best = row_at(ladder, measure, COUNTED_AT[problem])
             line["memory_MB"] = best and best["memory_MB"]
@@ -214,9 +217,9 @@ def accuracy_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any
             error, time = grids[code][n]
             same_cells = grids[OURS].get(n, (0.0, None))[1]
             same_error = time_at(ours, error) if ours and error <= ours[0][0] else None
-            line: dict[str, Any] = {"in contact": case, "cells": f"{n}²", "code": code}
+            line: dict[str, Any] = {"case": case, "cells": f"{n}²", "code": code}
             if not case:
-                del line["in contact"]
+                del line["case"]
             line["error of pressure"] = error
             line["error of contact area"] = rows[n, code]["errors"][FINE_AREA]
             line["time, equal cells"] = time and same_cells and time / same_cells
@@ -251,7 +254,7 @@ MAX_SETUP_BOUND_CELLS = (
 
 
 def smallest_ratios(data: dict[str, Any]) -> str:
-    """Return the minimum ratio of any other code, for each kind of contact."""
+    """Return the minimum time of any other code relative to samcontact, by kind of contact."""
     found: dict[str, list[float]] = {}
     for place, codes in by_place(data).items():
         problem = place[0]
@@ -264,16 +267,15 @@ def smallest_ratios(data: dict[str, Any]) -> str:
                 ratio = ratio_at(codes, code, MEASURE[problem], time, COUNTED_AT[problem])
                 found.setdefault(kind, []).extend([ratio] if ratio else [])
     return "; ".join(
-        f"minimum ratio of {kind} contact at an error of {COUNTED_AT[problem]:g}"
-        + (f", from {MAX_SETUP_BOUND_CELLS}² cells on" if problem in ELASTIC else "")
-        + f": {min(found[kind]):.2g}"
+        f"{kind} {min(found[kind]):.2g} at an error of {COUNTED_AT[problem]:g}"
+        + (f" and from {MAX_SETUP_BOUND_CELLS}² cells on" if problem in ELASTIC else "")
         for kind, problem in {kind: problem for problem, kind in KINDS.items()}.items()
         if found.get(kind)
     )
 
 
 def wins_of_peers(data: dict[str, Any]) -> list[str]:
-    """Return where another code is faster at equal error, over the errors of the tables."""
+    """Return the cases in which another code is faster at equal error, with the minimum ratio."""
     found: dict[str, list[str]] = {}
     for problem, measure in MEASURE.items():
         for place, codes in by_place(data).items():
@@ -285,25 +287,23 @@ def wins_of_peers(data: dict[str, Any]) -> list[str]:
                     smallest = min((ratio for ratio in ratios if ratio), default=1.0)
                     if smallest < 1:
                         title = TITLES[problem] + (f", {place[1]}" if place[1] else "")
-                        kind = "with set-up" if name == "with set-up" else "without set-up"
-                        line = f"{title}, {code}, {kind}"
+                        line = f"{title}, {code}, {name}"
                         found.setdefault(line, []).append(f"{place[2]}² ({smallest:.2f})")
     for stress in stress_lines(data):
         for name in TIMES.values():
             if stress[name] < 1:
-                kind = name if name == "with set-up" else "without set-up"
-                line = f"{TITLES['stress']}, {stress['code']}, {kind}"
+                line = f"{TITLES['stress']}, {stress['code']}, {name}"
                 found.setdefault(line, []).append(f"{stress['cells']} ({stress[name]:.2f})")
     for problem in PERIODIC:
         for place in accuracy_lines(problem, data):
             ratio = place["time, equal error"]
             if place["code"] != OURS and ratio and ratio < 1:
-                case = f", {place['in contact']}" if "in contact" in place else ""
+                case = f", {place['case']}" if "case" in place else ""
                 line = f"{TITLES[problem]}{case}, {place['code']}, at the error of its grid"
                 found.setdefault(line, []).append(f"{place['cells']} ({ratio:.2f})")
     if not found:
         return ["In these tables no other code is faster at equal error."]
-    head = "At one or more of the errors of the tables (minimum time relative to samcontact):"
+    head = "Cells (in brackets: minimum time relative to samcontact, at any error in the tables):"
     return ["\n".join([head, "", *(f"- {k}: {', '.join(v)}" for k, v in found.items())])]
 
 
@@ -325,11 +325,14 @@ def about_grids(problem: str, data: dict[str, Any]) -> list[str]:
     """Return discretisation errors of codes with different discretisations."""
     sections = []
     if problem in PLASTIC and (grid := grid_lines(problem, data)):
-        sections += ["Tightly converged, relative to samcontact on the finest grid:", table(grid)]
+        sections += [
+            "Tightly converged solutions, relative to samcontact on the finest grid:",
+            table(grid),
+        ]
     if problem in PERIODIC and (lines := list(accuracy_lines(problem, data))):
         sections += [
-            f"Relative to samcontact on {MAX_CELLS[problem]}² cells, times with set-up at a tenth "
-            "of the error of the grid:",
+            f"Errors relative to samcontact on {MAX_CELLS[problem]}² cells, and relative times "
+            "with set-up to a tenth of the error of the grid:",
             table(without_empty(lines)),
         ]
     clocks = {
@@ -339,7 +342,7 @@ def about_grids(problem: str, data: dict[str, Any]) -> list[str]:
         if key.split("|")[0] == problem
     }
     if "process_time" in clocks:
-        sections.append("Measured in processor time, on a machine with other load.")
+        sections.append("Times are processor times, measured on a machine with other load.")
     return sections
 
 
@@ -349,7 +352,7 @@ def tables_of(data: dict[str, Any]) -> str:
     counts = [len(rounds) for rounds in data["rows"].values() if rounds]
     sections = [f"{versions}; one thread; {min(counts)} to {max(counts)} rounds."]
     if smallest := smallest_ratios(data):
-        sections.append(smallest[0].upper() + smallest[1:] + ".")
+        sections.append(f"Minimum time of another code relative to samcontact: {smallest}.")
     for problem, title in TITLES.items():
         lines = list(stress_lines(data) if problem == "stress" else solver_lines(problem, data))
         if lines:

@@ -7,23 +7,24 @@ from .statements import stated
 
 TITLE = "Flattening of a perfectly plastic half-space"
 INTRODUCTION = """
-This page compares the flattening of an elastic, perfectly plastic half-space with section 2.3.1.2
-of the thesis and with models. A rigid sphere is pressed without friction to 110 critical
-interferences. The thesis compares with the finite elements of Kogut and Etsion (2002,
-[doi:10.1115/1.1490373](https://doi.org/10.1115/1.1490373)). Here the model of Jackson and Green
-(2005, [doi:10.1115/1.1866166](https://doi.org/10.1115/1.1866166)) is shown as well; both models are
+This page shows the flattening of an elastic, perfectly plastic half-space by a rigid sphere, and
+compares it with section 2.3.1.2 of Boucly's thesis (2008) and with two empirical models. The sphere
+is pressed without friction up to 110 times the critical interference ω_c, at which yield begins.
+The thesis compares with the finite elements of Kogut and Etsion (2002,
+[doi:10.1115/1.1490373](https://doi.org/10.1115/1.1490373)). The model of Jackson and Green (2005,
+[doi:10.1115/1.1866166](https://doi.org/10.1115/1.1866166)) is shown here as well. Both models are
 in `samcontact.flattening`.
 
-The thesis does not state the material. ν is 0.3 here, as in Kogut and Etsion. In the half-space
-theory no other property matters: load over critical load, area over critical area, the shape of the
-plastic zone over the critical contact radius a_c, and plastic strain over Y/E (yield stress over
-Young's modulus) are functions of ω/ω_c alone. Y/E is 10⁻⁴, for which the empirical models are at
-their limit of small a/R.
+The thesis does not state the material. Here ν is 0.3, as in Kogut and Etsion. In half-space theory
+no other property matters. Four ratios depend on ω/ω_c alone: load to critical load, area to
+critical area, dimensions of the plastic zone to the critical contact radius a_c, and plastic strain
+to Y/E (yield stress over Young's modulus). Y/E is 10⁻⁴ here, for which the empirical models are at
+their limit of a contact radius much smaller than the radius of the sphere.
 
-Four grids cover the range, so that the contact radius always has a sufficient number of cells. The
-plastic zone has reached a depth when the first cell at this depth yields. The first layer of cells
-has its centre half a layer below the surface; the value at the surface is extrapolated from the
-first two layers.
+Four grids cover the range of interferences, so that every contact radius is resolved by enough
+cells. The plastic zone is taken to reach a depth when the first cell at this depth yields. The
+first layer of cells has its centre half a layer below the surface. The interference at which the
+surface itself yields is therefore extrapolated from the first two layers.
 """
 
 __all__ = ["INTRODUCTION", "TITLE", "compute", "figures", "stated"]

@@ -23,36 +23,39 @@ SMALL_INTERFERENCES, LARGE_INTERFERENCES = (
 
 
 def figures(results: Results) -> list[Picture]:
-    """Draw figures 2.10 to 2.13, and load, area and mean pressure with both empirical models."""
+    """Draw figures 2.10 to 2.13, and compare load, area and mean pressure with two models."""
     return [
         Picture(
             "flattening_zone_small",
-            "Figure 2.10: outlines of the plastic zone in the plane y = 0, for 2 to 11 critical "
-            "interferences. Thesis: elastic core at the surface at 2, zone at the surface at 6.",
+            "Figure 2.10: outlines of the plastic zone in the plane y = 0, for ω/ω_c from 2 to 11. "
+            "According to the thesis, an elastic core lies at the surface at ω/ω_c = 2, and the "
+            "zone reaches the surface at 6.",
             zones(results, SMALL_INTERFERENCES, zoom=True),
         ),
         Picture(
             "flattening_zone_large",
-            "Figure 2.11: outlines of the plastic zone for 12 to 110 critical interferences.",
+            "Figure 2.11: outlines of the plastic zone for ω/ω_c from 12 to 110.",
             zones(results, LARGE_INTERFERENCES, zoom=False),
         ),
         Picture(
             "flattening_strain",
-            "Figure 2.12: largest equivalent plastic strain, as a multiple of Y/E, and in percent "
-            "for the material that has the stated 5 % at 28.",
+            "Figure 2.12: maximum equivalent plastic strain as a multiple of Y/E (left axis), and "
+            "in percent for a material whose strain at ω/ω_c = 28 is 5 %, as stated in the thesis "
+            "(right axis).",
             strain_figure(results),
         ),
         Picture(
             "flattening_friction",
-            "Figure 2.13: interference at which the plastic zone reaches the surface. Thesis: 6 "
-            "without friction, less with friction, below 1 for high friction.",
+            "Figure 2.13: interference at which the plastic zone reaches the surface. The thesis "
+            "states 6 without friction, less with friction, and below 1 for high friction.",
             friction_figure(results),
         ),
         Picture(
             "flattening_models",
-            "Load, contact area and mean pressure with the models of Kogut and Etsion and of "
-            "Jackson and Green, and finite elements for ν = 0.32. Dashed: 2 and 30, between which "
-            "the load agrees with both models to 7 %.",
+            "Load, contact area and mean pressure, compared with the models of Kogut and Etsion "
+            "and of Jackson and Green, and with finite elements for ν = 0.32. Between the dashed "
+            "lines at ω/ω_c = 2 and 30, the load agrees with both models to 7 %. P_c and A_c are "
+            "the critical load and contact area, Y is the yield stress.",
             model_figure(results),
         ),
     ]
@@ -96,9 +99,9 @@ def surface(ax: Axes, reached: float) -> None:
     edge = reached**0.5 * 1.04
     ax.axvline(edge, color="k", linestyle="--", linewidth=0.8)
     text_style: dict[str, Any] = {"fontsize": 9, "transform": ax.transAxes}
-    text = "elastic core above the lines;\nthesis: found at 2, shrinks above 6"
+    text = "elastic core above the lines;\nBoucly (2008): found at 2,\nshrinks above 6"
     ax.text(1.03, 1.0, text, va="top", **text_style)
-    text = f"dashed: zone reaches the surface;\nthesis: at 6, here: at {reached:.1f}"
+    text = f"dashed: zone reaches the surface\nat {reached:.1f}; Boucly (2008): at 6"
     ax.text(1.03, 0.0, text, va="bottom", **text_style)
 
 
@@ -110,12 +113,12 @@ def strain_figure(results: Results) -> Figure:
     at = results.at(28.0).strain
     ax.axvline(28, color="k", linestyle="--", linewidth=0.8)
     ax.axhline(at, color="k", linestyle="--", linewidth=0.8)
-    ax.text(29, 0.2, "thesis: 28", rotation=90, va="bottom")
-    ax.text(109, at - 0.15, "thesis: 5 %", ha="right", va="top")
+    ax.text(29, 0.2, "Boucly (2008): 28", rotation=90, va="bottom")
+    ax.text(109, at - 0.15, "Boucly (2008): 5 %", ha="right", va="top")
     right = ax.secondary_yaxis(
         "right", functions=(lambda g: np.multiply(g, 5 / at), lambda p: np.multiply(p, at / 5))
     )
-    right.set_ylabel(f"for Y/E = {5 / at:.2f} % [%]")
+    right.set_ylabel(f"maximum plastic strain for Y/E = {5 / at:.2f} % [%]")
     ax.set_xlim(0, 112)
     ax.set_ylim(0, None)
     ax.set_xlabel(r"$\omega/\omega_c$")
@@ -132,13 +135,16 @@ def friction_figure(results: Results) -> Figure:
         ms=4,
         label="simulation",
     )
-    for value, label in ((6, "thesis, no friction: 6"), (1, "thesis: below 1, high friction")):
+    for value, label in (
+        (6, "Boucly (2008), no friction: 6"),
+        (1, "Boucly (2008), high friction: below 1"),
+    ):
         ax.axhline(value, color="k", linestyle="--", linewidth=0.8)
         ax.text(0.5, value + 0.25 * (value < 2) + 0.06, label, ha="right", va="bottom")
     ax.set_xlim(-0.01, 0.51)
     ax.set_ylim(0, 6.6)
-    ax.set_xlabel("coefficient of friction μ")
-    ax.set_ylabel(r"$\omega/\omega_c$, zone at the surface")
+    ax.set_xlabel("friction coefficient μ")
+    ax.set_ylabel(r"$\omega/\omega_c$ when the zone reaches the surface")
     ax.legend(frameon=False, loc="center right")
     return figure
 
@@ -175,8 +181,8 @@ def model_figure(results: Results) -> Figure:
     for ax, label in zip(
         panels,
         (
-            r"load / $P_c$ / $(\omega/\omega_c)^{1.25}$",
-            r"area / $A_c$ / $(\omega/\omega_c)$",
+            r"load / $[P_c\,(\omega/\omega_c)^{1.25}]$",
+            r"area / $[A_c\,(\omega/\omega_c)]$",
             "mean pressure / Y",
         ),
         strict=True,

@@ -120,15 +120,19 @@ def friction(results: Results) -> list[Statement]:
 
 def surface_remark(results: Results) -> str:
     text = (
-        "First yield is at 0.5 a_c under the axis. The zone grows outward and up, and comes to the "
-        "surface in a ring just inside the edge of the contact, while the core within it stays "
-        f"elastic. Converged: {REACHED:.1f} (to 0.1), 17 % below the 6 of the thesis, which takes "
-        "that number from Kogut and Etsion. "
+        "First yield is on the axis at a depth of 0.5 a_c. The zone grows outward and up, and "
+        "reaches the surface in a ring just inside the edge of the contact, while the core within "
+        f"this ring stays elastic. The converged value is {REACHED:.1f} (to 0.1), 17 % below the 6 "
+        "of the thesis, which is taken from Kogut and Etsion. "
     )
     if results.study:
         rows = "; ".join(
             f"{s.cells} cells: {s.layers[0]:.2f}, {s.ratio:.2f}"
             for s in sorted([*results.study, results.surface[0]], key=lambda s: s.cells)
         )
-        text += f"Cells per a_c, first layer and extrapolated to the surface: {rows}. "
-    return text + "The two bracket the limit: the first layer yields too early, at half its depth."
+        text += "Values for the first layer, and extrapolated to the surface, by cells per a_c: "
+        text += f"{rows}. "
+    return text + (
+        "The two values bracket the limit: the first layer yields too early, because its centre is "
+        "half a layer below the surface."
+    )

@@ -7,12 +7,15 @@ from .statements import stated
 
 TITLE = "Normal load and friction"
 INTRODUCTION = """
-This page shows how friction changes stress, plastic strain and residual stress below a sliding
-ball, and compares with section 2.3.3 of the thesis. A ball of 10 mm radius is in full sliding on a
-half-space of steel M50 with the friction coefficient µ; the shear traction µp acts on the
-half-space along +x. The first part is a rigid ball with 800 N, the second an elastic ball with up
-to 5000 N. For the second part the text states 20 mm, but its Hertz pressure of 5.05 GPa requires 10
-mm, as stated at the start of the section. a is the Hertz contact radius at the largest load.
+This page shows how friction changes the stress, plastic strain and residual stress below a sliding
+ball, and compares with section 2.3.3 of Boucly's thesis (2008). A ball of 10 mm radius is in full
+sliding on a half-space of steel M50. The friction coefficient is µ, and the shear traction µp acts
+on the half-space along +x, where p is the pressure. The first part has a rigid ball under 800 N,
+the second an elastic ball under up to 5000 N. For the second part the thesis gives the radius as 20
+mm, but its Hertz pressure of 5.05 GPa requires 10 mm, the radius stated at the start of the
+section. a is the Hertz contact radius at the maximum load of each part, ω the rigid-body approach
+(interference in the thesis), and γ the equivalent plastic strain. The index c marks values at the
+onset of yield, and c0 those without friction.
 """
 
 __all__ = ["INTRODUCTION", "TITLE", "compute", "figures", "stated"]

@@ -52,7 +52,7 @@ def rigid_elastic(results: Results) -> Picture:
     return Picture(
         "friction_rigid_elastic",
         "Figures 2.35 to 2.40: rigid ball on an elastic half-space, 800 N. Pressure in the plane "
-        "y = 0 and von Mises stress on x = y = 0; the shear acts on the half-space along +x.",
+        "y = 0, and von Mises stress on x = y = 0. The shear acts on the half-space along +x.",
         figure,
     )
 
@@ -104,7 +104,7 @@ def onset_and_strain(results: Results) -> Picture:
         0.3, color="k", linestyle="--", linewidth=1, label="Boucly (2008): at the surface above 0.3"
     )
     left.set_ylim(0, 1.1)
-    finish(left, "µ", "over that for µ = 0")
+    finish(left, "friction coefficient µ", "value / value for µ = 0 [-]")
     for k, friction in enumerate(SHOWN):
         case = results.sliding[friction]
         pressure = ball.p0 * (case.loads / F2_LOAD) ** (1 / 3) / MICRO_YIELD
@@ -120,11 +120,11 @@ def onset_and_strain(results: Results) -> Picture:
                           frameon=False)  # fmt: skip
     right.add_artist(stated)
     right.set_ylim(1e-3, 20)
-    finish(right, "Hertz pressure / micro-yield stress", "largest plastic strain [%]")
+    finish(right, "Hertz pressure / micro-yield stress", "maximum plastic strain [%]")
     return Picture(
         "friction_onset",
         "Figures 2.50 and 2.51: critical load and interference at the onset of yield (closed "
-        "form), and the largest plastic strain against the Hertz pressure.",
+        "form), and maximum plastic strain versus Hertz pressure, for six values of µ.",
         figure,
     )
 
@@ -152,7 +152,7 @@ def pressure_and_strain(results: Results) -> Picture:
     return Picture(
         "friction_pressure",
         "Figures 2.52 and 2.57: pressure in the plane y = 0, and equivalent plastic strain on "
-        "x = y = 0 (for µ = 0.5 it increases up to the surface), at 5000 N.",
+        "x = y = 0, at 5000 N. For µ = 0.5 the strain increases up to the surface.",
         figure,
     )
 
@@ -182,10 +182,10 @@ def maximum(results: Results) -> Picture:
     mus = sorted(results.sliding)
     found = np.array([results.sliding[mu].von_mises_at for mu in mus])
     figure, (left, right) = axes()
-    left.plot(mus, found[:, 0] * 1e-9, "o-", markersize=3, color="C0", label="largest")
+    left.plot(mus, found[:, 0] * 1e-9, "o-", markersize=3, color="C0", label="maximum")
     near, below = np.array([rivals(results.sliding[mu], a) for mu in mus]).T
-    left.plot(mus, below * 1e-9, ":", color="C2", label="below z = 0.2 a")
-    left.plot(mus, near * 1e-9, ":", color="C3", label="above z = 0.2 a")
+    left.plot(mus, below * 1e-9, ":", color="C2", label="maximum for z > 0.2 a")
+    left.plot(mus, near * 1e-9, ":", color="C3", label="maximum for z < 0.2 a")
     right.plot(mus, found[:, 1] / a, "o-", markersize=3, color="C0", label="x/a")
     right.plot(mus, found[:, 2] / a, "s-", markersize=3, color="C3", label="z/a")
     for ax in (left, right):
@@ -196,12 +196,12 @@ def maximum(results: Results) -> Picture:
             linewidth=1,
             label="Boucly (2008): at the surface above 0.32",
         )
-    finish(left, "µ", "largest von Mises stress [GPa]")
-    finish(right, "µ", "its position")
+    finish(left, "friction coefficient µ", "maximum von Mises stress [GPa]")
+    finish(right, "friction coefficient µ", "position of the maximum [-]")
     return Picture(
         "friction_maximum",
-        "Figure 2.55: value and position of the largest von Mises stress at 5000 N. Positions are "
-        "those of cells.",
+        "Figure 2.55: value and position of the maximum von Mises stress at 5000 N. Positions are "
+        "cell centres.",
         figure,
     )
 
@@ -220,8 +220,8 @@ def residual_map(results: Results) -> Picture:
     ax.set(xlim=(-1.5, 1.5), ylim=(1.5, 0), aspect="equal", xlabel="x/a", ylabel="depth z/a")
     return Picture(
         "friction_residual_map",
-        "Figure 2.56: residual von Mises stress in the plane y = 0 after 5000 N, µ = 0. Dotted: "
-        "the Hertz depth.",
+        "Figure 2.56: residual von Mises stress in the plane y = 0 after a load of 5000 N, µ = 0. "
+        "Dotted: Hertz depth.",
         figure,
     )
 
@@ -242,8 +242,8 @@ def hydrostatic(results: Results) -> Picture:
     finish(right, "depth z/a")
     return Picture(
         "friction_hydrostatic",
-        "Figures 2.58 and 2.59: residual hydrostatic stress on x = y = 0, for µ = 0 and loads up "
-        "to 5000 N, and for 5000 N and µ up to 0.5. a is that of 5000 N.",
+        "Figures 2.58 and 2.59: residual hydrostatic stress on x = y = 0. Left: µ = 0 and loads up "
+        "to 5000 N. Right: 5000 N and µ up to 0.5. a is the Hertz radius at 5000 N.",
         figure,
     )
 
@@ -251,15 +251,16 @@ def hydrostatic(results: Results) -> Picture:
 def first_layer(results: Results) -> Picture:
     figure, ax = axes(1, 1, (5.0, 3.6))
     depth, gamma = np.array(results.layers).T
-    ax.plot(depth, 100 * gamma, "o-", color="C0", label="maximum plastic strain")
+    ax.plot(depth, 100 * gamma, "o-", color="C0", label="simulation")
     required = bound(0.5, float(results.sliding[0.5].pressure.max()))
-    ax.axhline(100 * required, color="C3", linestyle=":", label="required by the shear at z = 0")
+    label = "minimum required by the shear at z = 0"
+    ax.axhline(100 * required, color="C3", linestyle=":", label=label)
     ax.axhline(5.34, color="k", linestyle="--", linewidth=1, label="Boucly (2008): 5.34 %")
     ax.set(xlim=(0, 1.1 * depth.max()), ylim=(0, 14))
-    finish(ax, "depth of the first layer z/a", "plastic strain [%]")
+    finish(ax, "depth of the first layer z/a", "maximum plastic strain [%]")
     return Picture(
         "friction_first_layer",
-        "Not in the thesis: the largest plastic strain for µ = 0.5 and 5000 N against the depth "
-        "at which it is taken.",
+        "Not in the thesis: maximum plastic strain for µ = 0.5 and 5000 N versus depth of the "
+        "first layer, at which it occurs.",
         figure,
     )

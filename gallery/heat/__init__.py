@@ -7,14 +7,15 @@ from .statements import stated
 
 TITLE = "Frictional heat"
 INTRODUCTION = """
-This page shows how frictional heat changes pressure, stress and the onset of yield, and compares
-with section 2.3.2 of the thesis. Two balls of 15 mm radius are loaded by 1500 N. One is elastic and
-adiabatic, the other of steel AISI 52100 and heated by the flux Q_f p, at rest and in the steady
-state. The coefficient of friction is so small that the shear traction is neglected. a is the Hertz
-contact radius. The conductivity is 50.2 W/(m K), the thermal expansion 11.7e-6 /K; the diffusivity
-has no influence here. All constants are independent of temperature, although the temperature rise
-is far beyond the limits of steel. Unloading removes the heat together with the pressure, in one
-increment; the residual stress is that of the cold body.
+This page shows how frictional heat changes the pressure, the stress and the onset of yield, and
+compares with section 2.3.2 of Boucly's thesis (2008). Two balls of 15 mm radius are loaded with
+1500 N. One ball is elastic and adiabatic. The other is of steel AISI 52100 and heated by the flux
+Q_f p, where p is the pressure; it is at rest, and the temperature is steady. The friction
+coefficient is assumed to be so small that the shear traction is negligible. a is the Hertz contact
+radius and γ the equivalent plastic strain. The conductivity is 50.2 W/(m K) and the thermal
+expansion 11.7e-6 /K; the diffusivity has no influence here. All constants are independent of
+temperature, although the temperature rise is far beyond the limits of steel. Unloading removes the
+heat together with the pressure, in one increment, so the residual stress is that of the cold body.
 """
 
 __all__ = ["INTRODUCTION", "TITLE", "compute", "figures", "stated"]

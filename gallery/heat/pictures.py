@@ -42,8 +42,8 @@ def pressures(results: Results) -> Picture:
         finish(ax, "x/a", "pressure [GPa]")
     return Picture(
         "heat_pressure",
-        "Figure 2.21: pressure in the plane y = 0. Thesis: the heat raises the largest pressure, "
-        "in a smaller contact.",
+        "Figure 2.21: pressure in the plane y = 0. According to the thesis, heat increases the "
+        "maximum pressure and reduces the contact area.",
         figure,
     )
 
@@ -54,10 +54,10 @@ def strain(results: Results) -> Picture:
     ax.plot(p0 / YIELD, 100 * gamma, "o-", markersize=3, label="samcontact")
     ax.plot(5.5, 2.0, "ko", markerfacecolor="none", label="Boucly (2008): 2 % at 5.5")
     ax.set_ylim(0, None)
-    finish(ax, "Hertz pressure / micro-yield stress", "largest plastic strain [%]")
+    finish(ax, "Hertz pressure / micro-yield stress", "maximum plastic strain [%]")
     return Picture(
         "heat_strain",
-        "Figure 2.22: largest equivalent plastic strain against the Hertz pressure, no heat.",
+        "Figure 2.22: maximum equivalent plastic strain versus Hertz pressure, without heat.",
         figure,
     )
 
@@ -79,13 +79,13 @@ def onset_figure(results: Results) -> Picture:
     left.set_ylim(0, 3.2)
     middle.set_ylim(0.6, -0.02)
     left.plot([], [], "k--", linewidth=0.8, label="Boucly (2008): 0.075 and 0.152 m/s")
-    finish(left, "heat factor $Q_f$ [m/s]", "Hertz pressure / micro-yield stress")
-    finish(middle, "heat factor $Q_f$ [m/s]", "depth z/a", legend=False)
-    finish(right, "heat factor $Q_f$ [m/s]", "radius r/a", legend=False)
+    finish(left, "heat flux / pressure, $Q_f$ [m/s]", "Hertz pressure / micro-yield stress")
+    finish(middle, "heat flux / pressure, $Q_f$ [m/s]", "depth z/a", legend=False)
+    finish(right, "heat flux / pressure, $Q_f$ [m/s]", "radius r/a", legend=False)
     return Picture(
         "heat_onset",
-        "Figures 2.23 to 2.25: Hertz pressure at the onset of yield, and depth and radius of the "
-        "point that yields first, against the heat factor. a is the Hertz radius at that load.",
+        "Figures 2.23 to 2.25: Hertz pressure at the onset of yield, and depth and radius of first "
+        "yield, versus heat flux per unit pressure. a is the Hertz radius at the onset of yield.",
         figure,
     )
 
@@ -103,8 +103,9 @@ def small_load(results: Results) -> Picture:
     finish(ax, "x/a", "pressure [GPa]")
     return Picture(
         "heat_small_load",
-        "Figure 2.26: pressure at 140 N, elastic-plastic with heat. Thesis: the pressure rises "
-        "and the area falls with the heat; for no heat it is that of Hertz.",
+        "Figure 2.26: pressure of an elastic-plastic contact with heat at 140 N. According to the "
+        "thesis, heat increases the pressure and reduces the contact area. Without heat, the "
+        "pressure is the Hertz pressure.",
         figure,
     )
 
@@ -128,7 +129,7 @@ def sections(results: Results) -> list[Picture]:
             ax.plot(x[i], z[k], "wx", markersize=7, clip_on=False, zorder=4)
             ax.set_title(
                 f"$Q_f$ = {factor:g} m/s: {case.largest[0] * 1e-6:.0f} MPa at "
-                f"{case.largest[1] * 1e6:.0f} µm (stated {STATED.values(row)[factor]:.0f})",
+                f"{case.largest[1] * 1e6:.0f} µm (Boucly: {STATED.values(row)[factor]:.0f})",
                 fontsize="small",
             )
             ax.set(xlim=(-1.5, 1.5), ylim=(1.2, 0), aspect="equal", xlabel="x/a",
@@ -137,8 +138,8 @@ def sections(results: Results) -> list[Picture]:
             Picture(
                 f"heat_sections_{name}",
                 f"Figures {numbers}: von Mises stress in the plane y = 0, "
-                f"{'elastic' if name == 'elastic' else 'elastic-plastic'}, 1500 N. Cross: the "
-                "largest in this plane.",
+                f"{'elastic' if name == 'elastic' else 'elastic-plastic'}, 1500 N. Cross: "
+                "maximum in this plane. In brackets: maximum stated in the thesis [MPa].",
                 figure,
             )
         )
@@ -164,7 +165,7 @@ def residual_figure(results: Results) -> Picture:
         finish(ax, "depth [µm]", "residual von Mises stress [MPa]")
     return Picture(
         "heat_residual",
-        "Not in the thesis: residual von Mises stress on the axis near the surface, with thinner "
-        "and thinner layers, and the values of Table 2.3.",
+        "Not in the thesis: residual von Mises stress on the axis near the surface, for several "
+        "layer thicknesses. Circles: values of Table 2.3 of the thesis.",
         figure,
     )

@@ -198,7 +198,7 @@ def stated_plastic(results: Results) -> list[Number | Statement]:
             (200, 240, 40, 40),
             [results.last(f).largest[1] for f in FACTORS],
             results.mesh["heated"],
-            f"For 0.12 and 0.20 m/s it is on a ring of radius {distances[0]:.2f} and "
+            f"For 0.12 and 0.20 m/s the maximum is on a ring of radius {distances[0]:.2f} and "
             f"{distances[1]:.2f} a.",
         ),
         STATED.number(
@@ -268,8 +268,8 @@ def competition(results: Results) -> list[Statement]:
 def stated_residual(results: Results) -> list[Number | Statement]:
     case, found = results.last(0.20), [largest_residual(results.last(f)) for f in FACTORS]
     remarks = {
-        0.12: "At the surface, where its gradient is steep: extrapolated to z = 0 from the "
-        f"first two layers. {study(results, 0.12)}.",
+        0.12: "The maximum is at the surface, where the stress has a steep gradient. It is "
+        f"extrapolated to z = 0 from the first two layers. {study(results, 0.12)}.",
         0.20: reversed_flow(results),
     }
     free = at_surface(case.elastic_unloading) * 1e-6
@@ -301,8 +301,8 @@ def reversed_flow(results: Results) -> str:
     needed = ((STATED.values("residual stress")[0.20] * 1e6 / B) ** (1 / n) - C) * 1e-6
     return (
         "No residual stress can be larger than the yield stress, "
-        f"{1e-6 * float(STEEL.yield_stress(gamma)):.0f} MPa at the largest strain of "
-        f"{100 * gamma:.1f} %; 4219.6 MPa would need {100 * needed:.0f} %. The body "
+        f"{1e-6 * float(STEEL.yield_stress(gamma)):.0f} MPa at the maximum plastic strain of "
+        f"{100 * gamma:.1f} %; 4219.6 MPa would require a strain of {100 * needed:.0f} %. The body "
         f"yields again, in tension, while it cools. {study(results, 0.20)}."
     )
 
@@ -314,4 +314,7 @@ def study(results: Results, factor: float) -> str:
         f"{at_surface(case.residual) * 1e-6:.0f}"
         for case in results.plastic[factor]
     ]
-    return "Layers, first of them and surface [MPa]: " + "; ".join(rows)
+    return (
+        "Stress in the first layer and extrapolated to the surface [MPa], by layer thickness: "
+        + "; ".join(rows)
+    )

@@ -38,12 +38,12 @@ def flash(results: Results) -> Picture:
                   va="center", arrowprops={"arrowstyle": "->"})  # fmt: skip
     for ax in (left, right):
         ax.set_xlim(-1.8, 1.8)
-    right.set_ylim(-0.2, 13)
-    finish(left, "x/a", "temperature rise of the surface [K]")
+    right.set_ylim(-0.2, 16)
+    finish(left, "x/a", "surface temperature rise [K]")
     finish(right, "x/a", "pressure [GPa]")
     return Picture(
         "transient_heat_flash",
-        "Flash temperature along the direction of motion, and pressure; elastic flat.",
+        "Flash temperature and pressure along the direction of motion, elastic flat.",
         figure,
     )
 
@@ -57,13 +57,13 @@ def temperatures(results: Results) -> Picture:
         figure.colorbar(shown, ax=ax, label="temperature rise [K]", shrink=0.85,
                         location="bottom", ticks=MaxNLocator(5))  # fmt: skip
         ax.plot(x / HERTZ.a, 0, "wx", clip_on=False, zorder=4)
-        ax.text(0.02, 0.05, f"largest: {value:.0f} K", transform=ax.transAxes, color="w",
+        ax.text(0.02, 0.05, f"maximum: {value:.0f} K", transform=ax.transAxes, color="w",
                 fontsize="small")  # fmt: skip
     figure.axes[0].set_ylabel("depth z/a")
     return Picture(
         "transient_heat_temperature",
         "Figures 3.34 to 3.36: temperature rise in the plane y = 0, elastic flat. In (iii) the "
-        "tool moves to the right. Cross: the largest.",
+        "tool moves to the right. Cross: maximum.",
         figure,
     )
 
@@ -86,13 +86,13 @@ def stresses(results: Results) -> Picture:
             figure.colorbar(shown, ax=ax, label="von Mises stress [MPa]", shrink=0.85,
                             location="bottom", ticks=MaxNLocator(6))  # fmt: skip
             ax.plot(x / HERTZ.a, z / HERTZ.a, "wx", clip_on=False, zorder=4)
-            ax.text(0.02, 0.05, f"largest: {stress * 1e-6:.0f} MPa", transform=ax.transAxes,
+            ax.text(0.02, 0.05, f"maximum: {stress * 1e-6:.0f} MPa", transform=ax.transAxes,
                     color="w", fontsize="small")  # fmt: skip
         row[0].set_ylabel(f"{name}\ndepth z/a")
     return Picture(
         "transient_heat_von_mises",
-        "Figures 3.34 to 3.36: von Mises stress in the plane y = 0; above an elastic flat, below "
-        "an elastic-plastic one. Cross: the largest.",
+        "Figures 3.34 to 3.36: von Mises stress in the plane y = 0. Upper row: elastic flat. Lower "
+        "row: elastic-plastic flat. Cross: maximum.",
         figure,
     )
 
@@ -113,13 +113,13 @@ def approach(results: Results) -> Picture:
     ax.loglog(results.times, 1 - results.rises / steady, "o-", markersize=3, label="temperature")
     ax.loglog(results.times, 1 - results.pressures / top, "s-", markersize=3, label="pressure")
     ax.loglog(results.times, [still_missing(t) / steady for t in results.times], "k--",
-              linewidth=1, label="point source, long times")  # fmt: skip
+              linewidth=1, label="temperature, point source, long times")  # fmt: skip
     ax.axvline(TIME, color="k", linestyle=":", linewidth=1, label="23 ms")
     ax.set_ylim(1e-9, 3)
-    finish(ax, "time of heating [s]", "relative difference from steady maximum [-]")
+    finish(ax, "heating time [s]", "relative difference from steady maximum [-]")
     return Picture(
         "transient_heat_steady",
-        "Not in the thesis: approach of case (i) to case (ii). Relative differences of the maximum "
-        "temperature rise and the maximum pressure from their steady values.",
+        "Not in the thesis: convergence of case (i) to the steady state (ii). Relative differences "
+        "of the maximum temperature rise and the maximum pressure from their steady values.",
         figure,
     )

@@ -144,4 +144,4 @@ def ahead(case: Elastic) -> float:
 def where(found: tuple[float, float, float]) -> str:
     stress, x, z = found
     a = HERTZ.a
-    return f"{stress * 1e-6:.0f} MPa at |x|/a = {abs(x) / a:.2f}, z/a = {z / a:.2f}"
+    return f"{stress * 1e-6:.0f} MPa at x/a = ±{abs(x) / a:.2f}, z/a = {z / a:.2f}"
