@@ -271,7 +271,8 @@ def imprints(results: Results) -> Picture:
         "rolling_imprints",
         "Figures 3.10 to 3.12. Top: imprint of a ball that is only pressed, and of a ball that "
         f"rolls to the right once by {run.distance * 1e3:.2g} mm. Bottom: imprints after one to "
-        "three cycles of 2 mm, along and across the track (of figure 3.12, computed profiles only).",
+        "three cycles of 2 mm, along and across the track (of figure 3.12 only the computed "
+        "profiles).",
         figure,
     )
 
