@@ -62,9 +62,8 @@ SCRIPTS = {
 def answers():
     """Return the answers to each script of one process per number of threads."""
     outputs = outputs_with("".join(SCRIPTS.values()), 1, 2)
-    return dict(
-        zip(SCRIPTS, zip(*(text.splitlines() for text in outputs), strict=True), strict=True)
-    )
+    lines = (text.splitlines() for text in outputs)
+    return dict(zip(SCRIPTS, zip(*lines, strict=True), strict=True))
 
 
 def test_two_simulations_at_once_give_the_digits_of_each_alone():
