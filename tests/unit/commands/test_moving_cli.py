@@ -19,7 +19,7 @@ from samcontact import Simulation, results
 from samcontact.cases import load_case
 from samcontact.commands import solve_contact
 
-QUICK = f"estimate_error = false\n{MOVING}"
+WITHOUT_ERROR_ESTIMATE = f"estimate_error = false\n{MOVING}"
 
 
 @pytest.fixture
@@ -31,10 +31,10 @@ def case_file(tmp_path):
 
 @pytest.fixture(scope="module")
 def undisturbed(tmp_path_factory):
-    """Return the results of a run of `QUICK` from begin to end."""
+    """Return the results of a run of `WITHOUT_ERROR_ESTIMATE` from begin to end."""
     folder = tmp_path_factory.mktemp("plain")
-    (folder / "scene.toml").write_text(QUICK)
-    command = ("run", folder / "scene.toml", "--output", folder, "--no-figures", "--quiet")
+    (folder / "case.toml").write_text(WITHOUT_ERROR_ESTIMATE)
+    command = ("run", folder / "case.toml", "--output", folder, "--no-figures", "--quiet")
     assert invoke(*command).exit_code == 0
     return fields(folder)
 
@@ -88,7 +88,7 @@ main(sys.argv[2:])
 
 def test_a_killed_run_resumes(case_file, tmp_path, undisturbed):
     resumed = tmp_path / "resumed"
-    case_file.write_text(QUICK)
+    case_file.write_text(WITHOUT_ERROR_ESTIMATE)
     options = ("--no-figures", "--quiet")
     arguments = ["run", str(case_file), "--output", str(resumed), "--resume", *options]
     command = [sys.executable, "-c", KILLED, "9", *arguments]  # in the second pass
@@ -196,7 +196,7 @@ main(sys.argv[1:])
 
 def test_ctrl_c_prints_the_resume_command(case_file, tmp_path, undisturbed):
     stopped = tmp_path / "stopped"
-    case_file.write_text(QUICK)
+    case_file.write_text(WITHOUT_ERROR_ESTIMATE)
     options = ("--no-figures", "--quiet")
     command = [sys.executable, "-c", INTERRUPTED, "run", str(case_file)]
     ended = subprocess.run(
