@@ -10,7 +10,7 @@ import numpy as np
 import samcontact as sc
 from samcontact.plotting import wear
 
-from .bodies import ELASTIC
+from .bodies import ELASTIC, tolerance
 from .drawing import axes, finish
 from .page import Picture
 from .stated import Number, Stated, Statement
@@ -59,6 +59,7 @@ def compute(quick: bool) -> Results:
         friction=FRICTION,
         relief2=sc.Relief(sc.surfaces.sinusoidal(grid, AMPLITUDE, WAVELENGTH, WAVELENGTH)),
         progress=False,
+        tol=tolerance(quick),
     )
     return Results(found, f"cells 2.5 µm, layers {dz * 1e6:g} µm")
 
