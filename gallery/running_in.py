@@ -45,8 +45,8 @@ class Results:
 
 
 def compute(quick: bool) -> Results:
-    dz, depth = (1e-6, 20e-6) if quick else (0.5e-6, 25e-6)
-    grid = sc.Grid(135, 135, 2.5e-6, 2.5e-6, round(depth / dz), dz)
+    cells, dz, depth = (117, 1e-6, 15e-6) if quick else (135, 0.5e-6, 25e-6)
+    grid = sc.Grid(cells, cells, 2.5e-6, 2.5e-6, round(depth / dz), dz)
     found = sc.wear.run(
         grid,
         ELASTIC,

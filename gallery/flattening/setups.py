@@ -21,6 +21,7 @@ RATIOS = np.array(
     [1.2, 1.35, 1.5, 1.75, 2, 2.3, 2.6, 3, 3.5, 4, 4.5, 5, 5.5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 18,
      20, 23, 26, 28, 30, 34, 40, 46, 52, 60, 70, 80, 95, 110]
 )  # fmt: skip
+RATIOS_QUICK = np.array([1.5, 2, 3, 4, 6, 8, 10, 14, 20, 28, 30, 40, 60, 80, 110])
 RANGES = (1.0, 4.0, 14.0, 40.0, 110.0)
 FRICTION = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5)
 FRICTION_QUICK = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
@@ -76,16 +77,20 @@ class Results:
 def compute(quick: bool) -> Results:
     """Solve all cases of the page, on coarse grids if quick."""
     cells, per_critical, study = (14, 6, ()) if quick else (28, 12, (6, 9, 16))
+
+    def path(friction: float) -> tuple[int, float]:
+        return (36, 4.0) if quick and friction > 0 else (80, 6.0)
+
     points = []
     for above, top in pairwise(RANGES):
         points += flatten(above, top, cells, 1 if quick else 3, tolerance(quick))
     return Results(
         points,
         [
-            reach_surface(friction, per_critical, 40 if quick and friction > 0 else 80)
-            for friction in (FRICTION_QUICK if quick else FRICTION)
+            reach_surface(mu, per_critical, *path(mu))
+            for mu in (FRICTION_QUICK if quick else FRICTION)
         ],
-        [reach_surface(0.0, count, 80) for count in study],
+        [reach_surface(0.0, count, 80, 6.0) for count in study],
         cells,
     )
 
@@ -113,7 +118,7 @@ def flatten(above: float, top: float, cells: int, parts: int, tol: float) -> lis
     deep = np.interp(np.log(top), np.log([12, 110]), [1.9, 2.6])
     solver = simulation(radius / cells, wide * radius, deep * radius, tol)
     points, before = [], 1.0
-    for ratio in RATIOS[top >= RATIOS]:
+    for ratio in RATIOS[top >= RATIOS] if parts > 1 else RATIOS_QUICK[top >= RATIOS_QUICK]:
         for part in np.geomspace(before, ratio, parts + 1)[1:]:
             state = solver.step(approach=part * CRITICAL.interference)
         before = ratio
@@ -145,10 +150,11 @@ def point(ratio: float, state: sc.State) -> Point:
     )
 
 
-def reach_surface(friction: float, cells: int, increments: int, limit: float = 6.0) -> Surface:
+def reach_surface(friction: float, cells: int, increments: int, limit: float) -> Surface:
     """Return the interferences at which the first and the second layer of cells yield.
 
-    cells: number of cells per critical contact radius.
+    cells: number of cells per critical contact radius. increments, limit: number of increments and
+    largest interference ratio of the path.
     """
     half_width, depth = 1.15 * limit**0.5 + 0.4, 1.9 * limit**0.5
     solver = simulation(1.0 / cells, half_width, depth, 1e-6, friction)
