@@ -204,9 +204,9 @@ def roll(
     cycles: int = 1,
     steady: float = 0.6,
 ) -> Run:
-    """Load, roll a distance `way` [m] towards +x over both bodies, and unload, `cycles` times.
+    """Load, roll a distance `distance` [m] towards +x over both bodies, and unload, `cycles` times.
 
-    steady: position of the section across the track, as a fraction of `way`.
+    steady: position of the section across the track, as a fraction of `distance`.
     """
     grid = mesh.grid(contact)
     gap = sc.surfaces.paraboloid(grid, contact.Rx, contact.Ry)

@@ -131,7 +131,7 @@ def test_changed_boxes(tmp_path, count):
 @with_trials("flipped or cut bytes of a journal")
 @pytest.mark.filterwarnings("ignore:.*is damaged")
 def test_damaged_journal(tmp_path, count):
-    """A run ends with the same bits, or refuses a file that is no longer recognisable as its own."""
+    """A run ends with the same bits, or refuses a file that it no longer recognises."""
     folder = tmp_path / "journal"
     elastic = sc.Material.elastic(210e9, 0.3)
 
