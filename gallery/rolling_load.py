@@ -57,8 +57,8 @@ def compute(quick: bool) -> Results:
         depth = 2.6 if pressure < 5 else 4.3 if pressure < 7 else 4.6
         width, loading = (1.45, 5) if quick else (1.8, 10)
         mesh = Mesh(cells, layers, 2.5, width, depth, loading, tolerance(quick))
-        # the depth of the steady imprint and the tension below, which need a long track and a second
-        # cycle, are stated for 8 GPa
+        # the depth of the steady imprint and the tension below, which need a long track and two
+        # cycles, are stated for 8 GPa
         distance, cycles = (2.4e-3, 1) if quick and pressure < 8 else (4e-3, 2)
         runs[pressure] = roll(BODIES, table_ellipse(K, load), mesh, distance, cycles)
     contact = runs[8.0].contact

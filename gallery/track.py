@@ -204,7 +204,7 @@ def roll(
     cycles: int = 1,
     steady: float = 0.6,
 ) -> Run:
-    """Load, roll a distance `distance` [m] towards +x over both bodies, and unload, `cycles` times.
+    """Load, roll by `distance` [m] towards +x over both bodies, and unload, `cycles` times.
 
     steady: position of the section across the track, as a fraction of `distance`.
     """
