@@ -39,6 +39,7 @@ def steady(
     start: RollingSolution | None = None,
     tol: float = ContactSettings.tol,
     on_border: str = ContactSettings.on_border,
+    on_stall: str = ContactSettings.on_stall,
     max_iterations: int = ContactSettings.max_iterations,
 ) -> RollingSolution:
     """Solve the contact in steady rolling towards +x.
@@ -73,7 +74,7 @@ def steady(
         Moment about z on body 2 [N m]. A direction without prescribed value has no creepage.
     start : RollingSolution, optional
         Solution for similar creepages or forces, as initial guess of the iteration.
-    tol, on_border, max_iterations
+    tol, on_border, on_stall, max_iterations
         As in `ContactSolver`; tol also bounds the error of the shear, and that of prescribed forces
         relative to the maximum forces.
 
@@ -109,6 +110,7 @@ def steady(
         friction,
         tol=tol,
         on_border=on_border,
+        on_stall=on_stall,
         max_iterations=max_iterations,
     )
     solution = solve_driven(solver, gap, load, approach, _Rolling(given, friction, start))
@@ -153,8 +155,7 @@ class _Rolling:
             start, shear, *_ = before_on(self.previous, grid, "start")
             creepage = (*self.previous.creepage, self.previous.spin)
         drive = self.given.is_force, self.given.values
-        tol, most, refuse = settings
-        found = core.roll(*contact, *drive, start, shear, creepage, tol, most, refuse)
+        found = core.roll(*contact, *drive, start, shear, creepage, *settings)
         return self._solution(grid, found)
 
     def _solution(self, grid: Grid, found: dict[str, Any]) -> tuple[RollingSolution, str]:

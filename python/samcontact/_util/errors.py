@@ -6,6 +6,10 @@ class GridTooSmallWarning(UserWarning):
     """Warning that the contact reaches the grid edge, or plastic strain is outside the fields."""
 
 
+class ConvergenceWarning(UserWarning):
+    """Warning that no solution was found: the result is the state with the smallest error."""
+
+
 class PlasticStrainWarning(UserWarning):
     """Warning that the plastic strain exceeds the small-strain limit of 5 %.
 

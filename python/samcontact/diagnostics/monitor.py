@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .._util.display import quantity
-from .._util.errors import GridTooSmallWarning, PlasticStrainWarning
+from .._util.errors import ConvergenceWarning, GridTooSmallWarning, PlasticStrainWarning
 from ..heat import Heat
 from ..solutions.state import State
 from . import resolution, sharp_edges
@@ -73,6 +73,8 @@ class Monitor:
         self, state: State, scene: ContactSetup, complaints: list[str], *, stacklevel: int
     ) -> None:
         """Issue warnings after an increment; complaints: messages of the core on the grid edge."""
+        if state.stall_warning:
+            warnings.warn(state.stall_warning, ConvergenceWarning, stacklevel=stacklevel + 1)
         for complaint in complaints:
             warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
         if scene.plastic and not self.clipping_warned and (text := _cut_text(state)):

@@ -64,6 +64,10 @@ class Simulation(Configured, HtmlTable):
         gives a tolerance for which 64 suffice. Default: no subdivision, first order.
     on_border : {"error", "warn"}, optional
         Action if the contact reaches the edge of the grid; with "warn" it is never enlarged.
+    on_stall : {"error", "warn"}, optional
+        Action if no pressure and shear of dissimilar bodies with partial slip are found: raise
+        `ConvergenceError`, or go on from the state with the smallest error and issue
+        `ConvergenceWarning`.
     max_iterations : int, optional
         Maximum number of fixed-point iterations before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
@@ -121,6 +125,7 @@ class Simulation(Configured, HtmlTable):
         tol: float = Settings.tol,
         increment_tol: float | None = Settings.increment_tol,
         on_border: str = Settings.on_border,
+        on_stall: str = Settings.on_stall,
         max_iterations: int = Settings.max_iterations,
         residual_stress: str = Settings.residual_stress,
         image_tol: float = Settings.image_tol,
@@ -140,6 +145,7 @@ class Simulation(Configured, HtmlTable):
             tol=tol,
             increment_tol=increment_tol,
             on_border=on_border,
+            on_stall=on_stall,
             max_iterations=max_iterations,
             residual_stress=residual_stress,
             image_tol=image_tol,
@@ -249,6 +255,8 @@ class Simulation(Configured, HtmlTable):
         ElasticStrainWarning, SingularPressureWarning, UnitWarning, PlasticStrainWarning, \
         GridTooSmallWarning, ResolutionWarning, IncrementWarning
             Each is issued at most once per simulation; docs/conventions.md lists the conditions.
+        ConvergenceWarning
+            With on_stall="warn", for each increment without a solution.
         """
         given = {
             "load": load, "approach": approach, "pressure": pressure, "shear": shear,
@@ -317,7 +325,7 @@ class Simulation(Configured, HtmlTable):
     @property
     def counters(self) -> dict[str, int]:
         """Counts of contact_solves, contact_iterations, yield_checks, plastic_solves,
-        plastic_iterations, halvings; volume_bytes: memory of plastic state and kernels."""
+        plastic_iterations, halvings, joint_steps; volume_bytes: memory of plastic state and kernels."""
         return dict(self.engine.core.counters)
 
     def set_plastic_strain(

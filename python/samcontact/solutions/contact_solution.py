@@ -108,9 +108,20 @@ class ShearedSolution(ContactSolution):
     torque: float
     tangential_error: float
     sweeps: int
+    joint_steps: int
     tangential_iterations: int
     tangential_applications: int
     tangential_work: float
+
+    @property
+    def stall_text(self) -> str:
+        """Text of the warning of a solution that has not converged."""
+        error = max(self.error, self.tangential_error)
+        return (
+            f"no pressure and shear to the tolerance were found, after {self.sweeps} sweeps and "
+            f"{self.joint_steps} Newton steps: this is the state with the smallest error, "
+            f"{error:.2g}; reduce the force or increment"
+        )
 
     def _rows(self) -> Rows:
         return [
@@ -159,6 +170,8 @@ class PartialSlipSolution(ShearedSolution):
         elastic energy of the shear error is smaller. NaN for infinite friction.
     sweeps : int
         Iterations between pressure and shear; 1 if they are uncoupled.
+    joint_steps : int
+        Newton steps on pressure and shear together; 0 if the sweeps converged.
     tangential_iterations : int
         Iterations of the linear solves for the shear on the finest grid.
     tangential_applications : int

@@ -187,6 +187,17 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         return int(self._core.contact_iterations)
 
     @property
+    def joint_steps(self) -> int:
+        """Newton steps on pressure and shear together in this increment; 0 if the sweeps between
+        them converged."""
+        return int(self._core.joint_steps)
+
+    @property
+    def stall_warning(self) -> str:
+        """Message that the increment has no solution; empty if it has converged."""
+        return str(self._core.stall_warning)
+
+    @property
     def substeps(self) -> int:
         """Number of sub-increments of this increment; 1 if it was not subdivided."""
         return int(self._core.substeps)

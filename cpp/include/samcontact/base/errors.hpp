@@ -20,6 +20,12 @@ class ConvergenceError : public std::runtime_error {
   double residual_;
 };
 
+/// Error of an iteration whose increment may be solved in another way.
+class StalledError : public ConvergenceError {
+ public:
+  using ConvergenceError::ConvergenceError;
+};
+
 /// Error of a contact that does not fit into the grid.
 class GridTooSmallError : public std::invalid_argument {
  public:

@@ -19,11 +19,17 @@ class Division {
   Division(const State& from, const Target& target, const Settings& settings, Counters& counters,
            ScansOf scans);
 
-  /// State at the target. Throws ConvergenceError if the smallest sub-increment does not converge,
+  /// State at the target. Where the sweeps between pressure and shear stall, sub-increments are
+  /// tried first; then, from the start, both are solved together, as they are at once if the
+  /// preceding increment required it; then, if the settings allow it, the state with the smallest
+  /// error is accepted. Throws ConvergenceError if the smallest sub-increment does not converge,
   /// and std::invalid_argument if the tolerance requires smaller ones, or too many.
   State walk();
 
  private:
+  /// Walks with the present settings.
+  State walk_parts();
+  void restart();
   // Positions along the increment: 0 at its start, 1 at the target.
 
   Target part_of(const State& from, double start, double end) const;
@@ -41,11 +47,12 @@ class Division {
 
   const State& from_;
   const Target& target_;
-  const Settings& settings_;
+  Settings settings_;
   Counters& counters_;
   ScansOf scans_;
   State moment_;
   double done_ = 0.0;
+  bool stalled_ = false;  // whether sweeps have stalled in this walk
   int iterations_ = 0, substeps_ = 0;
   int short_parts_ = 0;  // number of sub-increments whose length is limited by the tolerance
 };
