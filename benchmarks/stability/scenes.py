@@ -184,8 +184,9 @@ def residuals(given: Scene, states: list[sc.State]) -> list[float]:
     """Largest violation of the conditions of contact and friction in each increment, relative to
     the largest pressure, displacement or shear, from the tractions and the rigid motion alone.
 
-    Slip is checked in increments at rest that were not divided, where cells touched before: part of the
-    slip of a new cell occurs before it touches.
+    Slip is checked in increments at rest that were not divided, where cells touched before: part
+    of the slip of a new cell occurs before it touches, unless pressure and shear were solved for
+    together.
     """
     matrix, n = dense_matrix(given), given.gap.size
     x, y = (c.ravel() for c in np.meshgrid(given.grid.x, given.grid.y, indexing="ij"))
@@ -199,7 +200,8 @@ def residuals(given: Scene, states: list[sc.State]) -> list[float]:
         gap = given.gap.ravel() + u[0] - state.approach
         slip = (matrix @ before.ravel()).reshape(3, n)[1:] - u[1:]
         slip += np.array([by[0] - by[2] * y, by[1] + by[2] * x])
-        known = (before[0].ravel() > 0) & (state.substeps == 1 and "advance" not in step)
+        known = (before[0].ravel() > 0) | (state.joint_steps > 0)
+        known &= state.substeps == 1 and "advance" not in step
         found.append(residual(given.friction, tractions.reshape(3, n), gap, slip, u, known))
         before = tractions
     return found

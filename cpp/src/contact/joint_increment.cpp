@@ -56,9 +56,6 @@ JointProblem PartialSlipContact::Sweeps::joint_problem() {
     }
   }
   const Field& p = s_.normal.tractions.pressure;
-  find_approach(problem);
-  problem.slip_part = slip_part(p, s_.normal.motion.approach,
-                                cell * ordered_sum(n_, [&](std::size_t i) { return p[i]; }));
   const double largest = largest_of(n_, [&](std::size_t i) { return p[i]; });
   // Shear proportional to the pressure.
   u.assign(3 * n_, 0.0);
@@ -67,17 +64,6 @@ JointProblem PartialSlipContact::Sweeps::joint_problem() {
   const double slid = longest(Field(u.begin() + static_cast<std::ptrdiff_t>(n_), u.end()));
   problem.stiffness = 1 / (slid > 0 ? slid : displacement.tangential_self_influence());
   return problem;
-}
-
-void PartialSlipContact::Sweeps::find_approach(const JointProblem& problem) {
-  double& approach = s_.normal.motion.approach;
-  approach = normal_.value;
-  if (!normal_.is_force()) return;
-  const Field& p = s_.normal.tractions.pressure;
-  Field u = joined(p, s_.tangential.shear, n_), gap = gap_;
-  problem.operators->displacement.apply(u.data(), u.data(), work_);
-  for (std::size_t i = 0; i < n_; ++i) gap[i] += u[i];
-  approach = contact_mean(p, gap);
 }
 
 JointState PartialSlipContact::Sweeps::joint_start(const JointProblem& problem,

@@ -208,8 +208,9 @@ def test_sweeps_are_few_whatever_the_tolerance(tol, nu):
 @pytest.mark.filterwarnings(
     "ignore::samcontact.GridTooSmallWarning", "ignore::samcontact.ResolutionWarning"
 )
-def test_without_slip_there_may_be_no_solution():
-    """Two cells of the edge are pulled where they stick and overlap where they are free."""
+def test_without_slip_cells_that_stick_or_part_may_have_no_solution():
+    """Two cells of the edge are pulled where they stick and overlap where they are free: they touch
+    without pressure and slide."""
     body1, body2 = sc.Material.rigid(), sc.Material.elastic(210e9, 0.0)
     ball = sc.hertz.point(7.5e-3, sc.hertz.effective_modulus(body1, body2), load=300.0)
     grid = sc.Grid(13, 13, 3 * ball.a / 13, 3 * ball.a / 13)
@@ -222,11 +223,10 @@ def test_without_slip_there_may_be_no_solution():
         return pressed, drive, lambda: solver.solve(gap, previous=pressed, **drive)
 
     pressed, drive, solve = sheared(math.inf)
-    with pytest.raises(
-        sc.ConvergenceError,
-        match=r"dissimilar materials .* friction of at most 2 times the pressure$",
-    ):
-        solve()
+    found = solve()
+    sliding = (found.pressure == 0) & (np.hypot(*found.shear) > 0)
+    assert found.joint_steps > 0
+    assert 1 <= np.count_nonzero(sliding) <= 4
     # the same by pivots: the worst cell changes sides
     n, matrix = gap.size, dense_matrix(grid, body1, body2)
     wanted = matrix @ np.concatenate([pressed.shear.ravel(), pressed.pressure.ravel()])

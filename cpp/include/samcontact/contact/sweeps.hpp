@@ -49,9 +49,9 @@ class PartialSlipContact::Sweeps {
   /// Replaces the present solution by one for pressure and shear together; if there is none, by the
   /// state with the smallest error.
   void solve_jointly();
+  /// Data of the increment. Cells count all their slip from its start: the part before they touch
+  /// jumps where the approach begins to grow, and would leave no solution between.
   JointProblem joint_problem();
-  /// Approach at which the present tractions close their gap on average.
-  void find_approach(const JointProblem& problem);
   /// Slip due to a unit motion in a direction.
   Field direction(int k) const;
   JointState joint_start(const JointProblem& problem, const Field& pressure,

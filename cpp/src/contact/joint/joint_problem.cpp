@@ -18,20 +18,6 @@ constexpr double on_bound = 1 - 1e-9;
 /// Fraction of the cells that stick at first if no tractions are known, and their least number.
 constexpr std::size_t first_share = 8, first_cells = 4;
 
-void add_rigid_motion(const JointProblem& problem, JointState& state) {
-  const std::size_t n = problem.size();
-  Field moved = problem.motion;
-  for (std::size_t k = 0; k < problem.modes.size(); ++k) {
-    add_scaled(state.motion[k], problem.modes[k].direction, moved);
-  }
-  const Field& part = problem.slip_part;
-  for_each_cell(n, [&](std::size_t i) {
-    const double x = moved[i], y = moved[n + i];
-    state.slip[i] += part.empty() ? x : part[i] * x + part[n + i] * y;
-    state.slip[n + i] += part.empty() ? y : part[n + i] * x + part[2 * n + i] * y;
-  });
-}
-
 double force_error(const JointProblem& problem, const JointState& state, double scale) {
   const std::size_t n = problem.size();
   double error = 0.0;
@@ -166,7 +152,10 @@ void evaluate(const JointProblem& problem, JointState& state, ComplexField& work
     state.slip[i] -= state.displacement[n + i];
     state.slip[n + i] -= state.displacement[2 * n + i];
   });
-  add_rigid_motion(problem, state);
+  add_scaled(1.0, problem.motion, state.slip);
+  for (std::size_t k = 0; k < problem.modes.size(); ++k) {
+    add_scaled(state.motion[k], problem.modes[k].direction, state.slip);
+  }
   update_errors(problem, state);
 }
 

@@ -55,10 +55,10 @@ void JointStep::find_cells() {
   }
 }
 
-void JointStep::add_constraint(const Field& residual, const Field& force, double missing) {
+void JointStep::add_constraint(const Field& direction, double missing) {
   Constraint made{{}, {}, 0.0, 0.0, missing};
-  reduce(residual, made.residual);
-  gather(force, made.force);
+  reduce(direction, made.residual);
+  gather(direction, made.force);
   const auto normalise = [](Field& v) {
     const double length = std::sqrt(dot(v, v));
     if (length > 0) {
@@ -73,24 +73,19 @@ void JointStep::add_constraint(const Field& residual, const Field& force, double
 }
 
 void JointStep::add_constraints() {
-  Field residual(3 * n_), force(3 * n_);
-  const auto sum_of = [&] { return dot(force, state_.tractions); };
+  Field direction(3 * n_, 0.0);
+  const auto add = [&](double target) {
+    add_constraint(direction, target - dot(direction, state_.tractions));
+  };
   if (problem_.normal.is_force()) {
-    std::fill_n(residual.begin(), n_, 1.0);
-    force = residual;
-    add_constraint(residual, force, problem_.normal.value - sum_of());
+    std::fill_n(direction.begin(), n_, 1.0);
+    add(problem_.normal.value);
+    std::fill_n(direction.begin(), n_, 0.0);
   }
-  const Field& part = problem_.slip_part;
   for (const JointProblem::Mode& mode : problem_.modes) {
-    for_each_cell(n_, [&](std::size_t i) {
-      const double x = mode.direction[i], y = mode.direction[n_ + i];
-      force[i] = residual[i] = 0.0;
-      force[n_ + i] = x;
-      force[2 * n_ + i] = y;
-      residual[n_ + i] = part.empty() ? x : part[i] * x + part[n_ + i] * y;
-      residual[2 * n_ + i] = part.empty() ? y : part[n_ + i] * x + part[2 * n_ + i] * y;
-    });
-    add_constraint(residual, force, mode.target - sum_of());
+    std::copy(mode.direction.begin(), mode.direction.end(),
+              direction.begin() + static_cast<std::ptrdiff_t>(n_));
+    add(mode.target);
   }
   const auto count = static_cast<Eigen::Index>(constraints_.size());
   if (count == 0) return;

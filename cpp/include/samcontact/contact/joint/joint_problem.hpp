@@ -65,10 +65,6 @@ struct JointProblem {
   Field free_slip;  // not due to the rigid motion or the tractions [m]
   Field motion;     // slip due to the prescribed rigid motion [m]
   std::vector<Mode> modes = {};
-  /// Part of the slip due to the rigid motion that occurs in contact, [xx, xy, yy][cell]; empty:
-  /// all of it. It is not adapted to the iterates: a cell that the rigid motion alone presses on
-  /// the other body and lifts again would leave no solution.
-  Field slip_part = {};
   /// Scale of shear per scale of slip of the contact [Pa/m].
   double stiffness = 0.0;
   double rounding = 0.0;  // gaps up to this value count as closed [m]
@@ -101,8 +97,7 @@ JointState start_from(const JointProblem& problem, Field tractions);
 /// Puts the tractions of open and slipping cells onto their lines.
 void put_on_lines(const FrictionCone& cone, JointState& state);
 
-/// Updates displacement, gap, slip and errors. Returns the operations in units of
-/// fft::filter_cost.
+/// Updates displacement, gap, slip and errors.
 void evaluate(const JointProblem& problem, JointState& state, ComplexField& work);
 
 }  // namespace samcontact::contact

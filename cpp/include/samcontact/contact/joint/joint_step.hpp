@@ -41,7 +41,7 @@ class JointStep {
   double sheared(std::size_t i) const { return state_.states[i] == CellState::slide ? line_ : 0.0; }
   void find_cells();
   void add_constraints();
-  void add_constraint(const Field& residual, const Field& force, double missing);
+  void add_constraint(const Field& direction, double missing);
   Field right_side() const;
 
   /// Tractions [3][i][j] of unknowns, and unknowns of a displacement [3][i][j].
