@@ -34,7 +34,7 @@ PARTS = (
     "counts",
     "threads",
 )
-OPTIONAL_PARTS = ("plastic_zones_large",)  # only where they are asked for
+OPTIONAL_PARTS = ("plastic_zones_large",)  # measured on request only
 DEFAULT_PARTS = tuple(name for name in PARTS if name not in OPTIONAL_PARTS)
 PAGE = ROOT / "docs" / "benchmarks.md"
 
@@ -44,12 +44,12 @@ PAGE = ROOT / "docs" / "benchmarks.md"
 @click.option("--quick", is_flag=True, help="Small sizes, about two minutes.")
 @click.option("--threads", default=1, help="OMP_NUM_THREADS (1).")
 @click.option("--output", type=Path, default=ROOT / "results" / "benchmarks", help="Folder.")
-@click.option("--docs", is_flag=True, help="Also put their tables into docs/benchmarks.md.")
-@click.option("--notes", is_flag=True, help="Only write the sentences below the tables again.")
+@click.option("--docs", is_flag=True, help="Also write their tables into docs/benchmarks.md.")
+@click.option("--notes", is_flag=True, help="Only rewrite the sentences below the tables.")
 def main(
     parts: tuple[str, ...], quick: bool, threads: int, output: Path, docs: bool, notes: bool
 ) -> None:
-    """Measure parts, or all but the large ones; exit code 1 when a measurement fails."""
+    """Measure the given parts (default: all but the large ones); exit code 1 if one fails."""
     if notes:
         write_notes()
     else:
@@ -61,7 +61,7 @@ def module(name: str) -> ModuleType:
 
 
 def write_notes() -> None:
-    """Make the sentences of the page of its tables."""
+    """Rewrite the sentences of the page from its tables."""
     from . import tables
 
     text = tables.noted(PAGE.read_text(encoding="utf-8"), [module(name) for name in PARTS])
@@ -72,7 +72,7 @@ def measure(names: Sequence[str], quick: bool, threads: int, folder: Path, docs:
     """Measure parts and write their tables and diagrams."""
     os.environ["OMP_NUM_THREADS"] = str(threads)
     os.environ.setdefault("MPLBACKEND", "Agg")
-    # Only now: matplotlib reads its backend when it is imported.
+    # Imported late: matplotlib reads its backend at import.
     from . import plots, tables
 
     (folder / "data").mkdir(parents=True, exist_ok=True)
@@ -90,7 +90,7 @@ def measure(names: Sequence[str], quick: bool, threads: int, folder: Path, docs:
         text = tables.report(table, parts, times=False)
         titles = [module(name).TITLE for name in PARTS]
         text = tables.with_sections(tables.inside_markers(old), text, titles)
-        # Sentences of the table as it is read, with the digits that it has.
+        # Sentences follow the table as read back, with its digits.
         made = tables.noted(tables.between_markers(old, text), parts)
         PAGE.write_text(made, encoding="utf-8")
     failed = [row for row in rows if "failed" in row]

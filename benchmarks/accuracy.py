@@ -38,48 +38,52 @@ TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.accuracy --docs -->
 # Reliability of the estimated errors
 
-This page shows how often the true error of a value exceeds the error that samcontact states for
-it. `samcontact.to_accuracy`, or `accuracy` in a case file, gives values with estimated errors
-([how errors are estimated](theory/accuracy.md#solution-to-an-accuracy)).
+This page shows how often the true error of a value exceeds the error estimated by samcontact (the
+stated error). `samcontact.to_accuracy`, or `accuracy` in a case file, solves a contact to a
+prescribed accuracy and gives values with stated errors ([how errors are
+estimated](theory/accuracy.md#solution-to-an-accuracy)).
 
-{cases} contacts are solved to 5, 1 and 0.2 %, and the stated errors are compared with the true
-ones. The reference is Hertz for pressure, approach and area of elastic paraboloids. For other
-values it is the extrapolation with order 2 of the finest grids of about {finest:.0f} s, and of 32
-or 64 increments on a coarser grid with orders 1 and 2. For rolling contacts this reference is
-hardly more accurate than the values judged. [Finite
-elements](#comparison-of-the-reference-with-finite-elements) of three of the cases agree with the
-reference to within their own accuracy.
+{cases} contacts are solved to accuracies of 5, 1 and 0.2 %, and the stated errors are compared with
+the true errors. The true error is the difference from a reference. For pressure, approach and area
+of elastic paraboloids, the reference is Hertz's solution. For all other values, it is extrapolated:
+with order 2 in the cell size, from the finest grids that can be solved in about {finest:.0f} s; and
+with orders 1 and 2 in the number of increments, from up to 32 or 64 increments on a coarser grid.
+For rolling contacts this reference is hardly more accurate than the values that are compared with
+it. [Finite elements](#comparison-of-the-reference-with-finite-elements) solutions of three of the
+cases agree with the reference to within the accuracy of the finite elements.
 
-No run may take more than {longest:.0f} s. Runs that would take longer are marked "not reached";
-they still state their errors. The constants of the estimate were calibrated with these contacts,
-except for {new}: {later}.
+The time limit of a run is {longest:.0f} s. Runs that cannot reach the accuracy within this time are
+marked "not reached"; their values have stated errors too. The constants of the estimate were
+calibrated with these contacts, except for {new}: {later}.
 
 {summary}
 
-A value is covered if its true error is below the stated one. Times are the sum over all grids of
-a run, on one processor of a machine with other work. The numbers of cells are those of the finest
-surface.
+A value is covered if its true error is at most the stated error. The third and fourth columns are
+ratios of true and stated errors. The next table gives the time of each run, summed over all its
+grids, and the number of surface cells of the finest grid. The times were measured on one processor
+of a machine that also did other work.
 
 {costs}
 
 ## Comparison of the reference with finite elements
 
-All values are in SI units. The axisymmetric curves are in `reference/fem`, whose page states
-their accuracy. The curves of case 2d continue to loads whose residual stress needs finer grids
-than permitted for a run here, so the contact here is one of their earlier increments.
+All values are in SI units. The axisymmetric finite-element results are in `reference/fem`; the
+README file in this folder states their accuracy. At the highest loads of case 2d, the residual
+stress needs finer grids than the time limit of a run permits. An earlier increment of the
+finite-element curve is therefore compared.
 
 {elements}
 
 ## Errors of each quantity
 
-True and stated errors relative to the maximum value of the run [%].
+The tables give true and stated errors [%], relative to the maximum value in the run.
 
 {tables}
 """
 
 
 class Judged(NamedTuple):
-    """A quantity of a case, at an accuracy."""
+    """True and stated error of one quantity of a case at one prescribed accuracy."""
 
     case: str
     asked: float
@@ -134,7 +138,7 @@ def run(of: str, asked: float) -> Record:
 
 
 def quantities(records: list[Record]) -> list[Judged]:
-    """All quantities of the records."""
+    """Return the rows of all quantities of the records."""
     return [
         Judged(record["of"], record["asked"], quantity, record["stated"][quantity], true,
                record["seconds"], record["cells"], record["reached"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contacts whose values are known, or can be had on a grid that is much finer."""
+"""Contacts with known values, or with reference values from a much finer grid."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Processor and wall time of one and two threads, next to processes that are always busy.
+"""Processor and wall time of one and two threads while other processes load the machine.
 
 One and two threads take turns, so that other work of the machine affects both. While other
 processes are busy, two threads should cost at most 1.3 times the processor time of one, and not be
@@ -38,7 +38,7 @@ def balls() -> None:
 
 
 def pressed(load: float) -> tuple[sc.Simulation, list[dict[str, float]]]:
-    """A ball up to a load and back."""
+    """Load and unload a ball."""
     grid = sc.Grid(25, 25, 40e-6, 40e-6, 14, 35e-6)
     steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
@@ -47,7 +47,7 @@ def pressed(load: float) -> tuple[sc.Simulation, list[dict[str, float]]]:
 
 
 def searches() -> None:
-    """The loads that leave two largest plastic strains."""
+    """Find the loads for two values of the maximum plastic strain."""
     for strain in (0.001, 0.002):
         sc.find_load(
             pressed, "max_equivalent_plastic_strain_body2", strain, largest_load=5e3, progress=False
@@ -55,7 +55,7 @@ def searches() -> None:
 
 
 def measured(case: str, threads: int) -> tuple[float, float]:
-    """Clock and processor time [s] of a case in a fresh process, without its start."""
+    """Return wall and processor time [s] of a case in a new process, without process start."""
     done = subprocess.run(
         [sys.executable, "-m", "benchmarks.busy", "--case", case],
         env=os.environ | {"OMP_NUM_THREADS": str(threads), "OPENBLAS_NUM_THREADS": "1"},
@@ -68,7 +68,7 @@ def measured(case: str, threads: int) -> tuple[float, float]:
 
 
 def solve(case: str) -> None:
-    """The case itself, after a first solve that loads what is needed."""
+    """Run the case after a first solve that loads all libraries."""
     warnings.simplefilter("ignore")
     work = balls if case == CASES[0] else searches
     balls()
@@ -79,7 +79,7 @@ def solve(case: str) -> None:
 
 @contextlib.contextmanager
 def beside(count: int) -> Iterator[None]:
-    """Keep `count` processors busy with processes that do nothing else."""
+    """Load `count` processors with processes that do nothing else."""
     processes = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(count)]
     try:
         yield
@@ -91,7 +91,7 @@ def beside(count: int) -> Iterator[None]:
 
 @click.command(help=__doc__)
 @click.argument("rounds", default=5)
-@click.option("--case", hidden=True, help="Only its times, in this process.")
+@click.option("--case", hidden=True, help="Only measure this case, in this process.")
 def main(rounds: int, case: str | None) -> None:
     if case:
         solve(case)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operator applications per increment, and what the control of increments costs and gains."""
+"""Operator applications per increment, and cost and benefit of the increment control."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def load_up(meter: Meter, across: int, path: str, method: str) -> dict[str, Any]
 def there_and_back(
     meter: Meter, across: int, method: str
 ) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
-    """Fields to compare, and columns. A method is a number of increments or a tolerance."""
+    """Return fields to compare and columns. A method is a number of increments or a tolerance."""
     automatic = method.startswith("increment_tol")
     half = 1 if automatic else int(method.split()[0]) // 2
     tol = float(method.split()[1]) if automatic else None
@@ -97,7 +97,7 @@ def there_and_back(
         "pressure": loaded.pressure,
         "plastic strain": unloaded.equivalent_plastic_strain(),
         "residual von Mises": von_mises(unloaded.residual_stress()),
-        "print": unloaded.residual_displacement(),
+        "imprint": unloaded.residual_displacement(),
     }
     control = "increment_tol" if automatic else "given increments"
     return fields, {"control": control, **columns(simulation, 2 * half, substeps)}
@@ -110,7 +110,7 @@ def make_reference(meter: Meter, across: int, method: str, file: str) -> dict[st
 
 
 def cycle(meter: Meter, across: int, method: str, file: str) -> dict[str, Any]:
-    """Largest differences from the finest division, relative to the largest values."""
+    """Return the largest differences from the smallest increments, relative to the maximum."""
     fields, work = there_and_back(meter, across, method)
     with np.load(file) as fine:
         errors = {name: largest_error(field, fine[name]) for name, field in fields.items()}

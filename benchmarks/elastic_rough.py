@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A self-affine surface on a slight crown against a flat: the error against the finest grid."""
+"""Elastic contact of a crowned self-affine surface and a flat: error against the finest grid."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def solve(meter: Meter, n: int, method: str) -> dict[str, Any]:
-    """n cells across; the contact covers four fifths of the width."""
+    """Solve on n cells across; the contact covers four fifths of the width."""
     exact = hertz()
     d = 2 * exact.a / (0.8 * n)
     grid = sc.Grid(n, n, d, d)
@@ -54,7 +54,7 @@ def solve(meter: Meter, n: int, method: str) -> dict[str, Any]:
 
 
 def work(found: sc.ContactSolution) -> dict[str, Any]:
-    """Iterations and, where the solver counts them, applications of the operator."""
+    """Return the iterations and, if the solver counts them, the operator applications."""
     columns = {"contact_iterations": found.iterations}
     if hasattr(found, "operator_applications"):
         columns["surface_applications"] = found.operator_applications

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cost of fatigue criteria: a pass of 60 states over a body."""
+"""Cost of fatigue criteria for a pass of 60 states over a body."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def judge(meter: Meter, cells: int, method: str) -> dict[str, Any]:
-    """`cells` along x and y that all states see, half as many layers."""
+    """Measure criteria on `cells` x `cells` common cells of all states and half as many layers."""
     d = 4 * HALF_LENGTH / cells
     grid = sc.Grid(cells + STATES, cells, d, d, nz=cells // 2, dz=d)
     elastic = sc.Material.elastic(STEEL.E, STEEL.nu)
     hertz = sc.hertz.point(RADIUS, elastic.E / (2 * (1 - elastic.nu**2)), p0=2.0e9)
-    # a body 2 that could flow carries the grid along; here it does not
+    # an elastic-plastic body 2 would move the grid along; an elastic one does not
     hard = sc.Material.perfect_plastic(elastic.E, elastic.nu, 100 * hertz.p0)
     simulation = sc.Simulation(grid, elastic, hard, sc.surfaces.paraboloid(grid, RADIUS))
     steps: list[dict[str, Any]] = [{"load": hertz.load}]
@@ -50,7 +50,7 @@ def judge(meter: Meter, cells: int, method: str) -> dict[str, Any]:
     if method == "stress of the states":
         meter(lambda: sc.fatigue.orthogonal_shear(cycle))
     else:
-        sc.fatigue.orthogonal_shear(cycle)  # which leaves the stress
+        sc.fatigue.orthogonal_shear(cycle)  # omits the stress from the measurement
         meter(lambda: getattr(sc.fatigue, method)(cycle, **CRITERIA[method]))
     points = cycle.points_shape[0] * cycle.points_shape[1] * cycle.points_shape[2]
     return {"cells": points, "across": cells, "errors": {}}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measurements, each in a fresh process: time, peak memory, and what the solver counted.
+"""Measurements in new processes: time, peak memory and solver counters.
 
 A part is a module with a NAME, a TITLE, the function `tasks(quick, folder)` that lists its
 measurements, and functions `f(meter, **arguments)` that the tasks name. Such a function prepares a
@@ -27,7 +27,7 @@ import scipy.ndimage  # noqa: F401  (loaded by the first solve of a process: no 
 from .study import ROOT
 
 T = TypeVar("T")
-MAX_REPEATED_SECONDS = 0.5  # s: what is shorter is timed three times, and the best time counts
+MAX_REPEATED_SECONDS = 0.5  # s; shorter runs are timed three times, and the minimum counts
 
 
 @dataclass(frozen=True)
@@ -42,19 +42,19 @@ class Task:
     arguments: dict[str, Any] = field(default_factory=dict)
     """Keyword arguments, JSON; they also distinguish tasks of equal case and method."""
     reference: str = ""
-    """The method whose time, in the same case with otherwise equal arguments, is 1."""
+    """Reference method: times of the same case with equal arguments are relative to its time."""
     threads: int = 0
     """Number of threads of this task; 0: the common number."""
     rounds: int = 1
-    """Fresh processes that measure it; the shortest time counts."""
+    """Number of new processes that measure the task; the minimum time counts."""
     hidden: bool = False
-    """Whether the task only makes data for other tasks, without a row in the tables."""
+    """Whether the task only prepares data for other tasks and has no row in the tables."""
 
 
 def peak_memory() -> int:
-    """Largest memory of this process so far [bytes].
+    """Return the largest memory of this process so far [bytes].
 
-    From /proc where there is one: ru_maxrss is inherited from the process that started this one.
+    It is read from /proc if available, because ru_maxrss is inherited from the parent process.
     """
     status = Path("/proc/self/status")
     if status.exists():
@@ -68,15 +68,15 @@ def peak_memory() -> int:
 
 
 class Meter:
-    """Times calls and takes the memory they add to that of the process before."""
+    """Meter of calls: their time, and the memory that they add to the process."""
 
     def __init__(self) -> None:
         self.time = 0.0
-        self.cpu = 0.0  # s of the processor, of all threads
+        self.cpu = 0.0  # processor time [s] of all threads
         self.memory = 0
 
     def __call__(self, work: Callable[[], T]) -> T:
-        """Do the work, more than once when it is short; time and memory go to the meter."""
+        """Run the work, repeatedly if it is short, and store time and memory in the meter."""
         before = peak_memory()
         times, processor = [], []
         while len(times) < (3 if sum(times) < MAX_REPEATED_SECONDS else 1):
@@ -85,18 +85,18 @@ class Meter:
             times.append(time.perf_counter() - start)
             processor.append(time.process_time() - used)
             if len(times) == 1:
-                self.memory = max(peak_memory() - before, 0)  # what is counted late is none
+                self.memory = max(peak_memory() - before, 0)  # never negative
         self.time, self.cpu = min(times), min(processor)
         return result
 
 
 def largest_error(computed: Any, reference: Any) -> float:
-    """Largest difference relative to the largest reference."""
+    """Return the largest difference relative to the largest reference value."""
     return float(np.abs(np.subtract(computed, reference)).max() / np.abs(reference).max())
 
 
 def rms_error(computed: Any, reference: Any) -> float:
-    """Root mean square difference relative to that of the reference."""
+    """Return the rms difference relative to the rms of the reference."""
     difference = np.subtract(computed, reference)
     return float(np.sqrt(np.mean(difference**2) / np.mean(np.square(reference))))
 
@@ -119,7 +119,7 @@ def work_of(simulation: Any) -> dict[str, int]:
 
 
 def run_here(task: Task) -> dict[str, Any]:
-    """Do the measurement in this process."""
+    """Run the measurement in this process."""
     meter = Meter()
     function = getattr(importlib.import_module(f"benchmarks.{task.part}"), task.function)
     found = function(meter, **task.arguments)
@@ -132,13 +132,13 @@ def run_here(task: Task) -> dict[str, Any]:
 
 
 def options_text(task: Task) -> str:
-    """Arguments as a column; paths of files are no option."""
+    """Return the arguments as a column, without file paths."""
     shown = {k: v for k, v in task.arguments.items() if not str(v).endswith(".npz")}
     return ", ".join(f"{k}={v}" for k, v in shown.items())
 
 
 def measure(task: Task) -> dict[str, Any]:
-    """Do the measurement in a fresh process. One that fails becomes a row with its message."""
+    """Run the measurement in a new process; a failure becomes a row with its message."""
     command = [sys.executable, "-m", "benchmarks.harness", json.dumps(task.__dict__)]
     threads = {"OMP_NUM_THREADS": str(task.threads)} if task.threads else {}
     done = subprocess.run(command, cwd=ROOT, capture_output=True, env=os.environ | threads)
@@ -151,7 +151,7 @@ def measure(task: Task) -> dict[str, Any]:
 
 
 def same_but_method(task: Task) -> tuple[str, str]:
-    """Key that tasks share which differ by their method alone."""
+    """Return a key shared by tasks that differ only in their method."""
     rest = {k: v for k, v in task.arguments.items() if k != "method"}
     return task.case, json.dumps(rest, sort_keys=True)
 
@@ -159,8 +159,8 @@ def same_but_method(task: Task) -> tuple[str, str]:
 def run_tasks(
     tasks: list[Task], report: Callable[[str], None] = lambda line: None
 ) -> list[dict[str, Any]]:
-    """Measure tasks in their order and add the ratios of times."""
-    # Rounds of all of them: a machine is slow for a while, not for one task.
+    """Measure tasks in order and add the ratios of times."""
+    # All tasks are repeated in rounds, so that a slow phase of the machine affects all of them.
     best: list[dict[str, Any]] = [{} for _ in tasks]
     for n in range(max((task.rounds for task in tasks), default=0)):
         for at, task in enumerate(tasks):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cost of frictional heat: equal contact and increments, cold and heated."""
+"""Cost of frictional heating: an equal contact with equal increments, cold and heated."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ HEAT_CASES = {
     "moving, 0.1 m/s": sc.Heat(FACTOR, velocity=(0.1, 0.0)),
 }
 TRANSIENT_HEAT = sc.Heat(FACTOR, history=(STEP, 1.0))
-MAX_MISES = {"cold": 2351e6, "at rest": 1926e6}  # Pa, elastic-plastic, independent computations
+MAX_MISES = {"cold": 2351e6, "at rest": 1926e6}  # Pa, from independent computations
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
@@ -39,13 +39,13 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
     plastic = [
         Task(NAME, "12 increments", method, "press", {"cells": c, "method": method}, "cold")
         for c in cells
-        for method in (*HEAT_CASES, "marched in time")
+        for method in (*HEAT_CASES, "transient")
     ]
     return contact + plastic
 
 
 def solve(meter: Meter, n: int, method: str) -> dict[str, Any]:
-    """n cells across; operators are built before."""
+    """Solve on n cells across; the operators are built before the measurement."""
     d = 2.6 * hertz().a / n
     grid = sc.Grid(n, n, d, d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -62,7 +62,7 @@ def press(meter: Meter, cells: int, method: str) -> dict[str, Any]:
     n = 2 * int(1.5 * cells) + 1
     grid = sc.Grid(n, n, d, d, int(1.7 * cells), d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    marched = method == "marched in time"
+    marched = method == "transient"
     heat = TRANSIENT_HEAT if marched else HEAT_CASES[method]
     extra = {"duration": STEP} if marched else {}
 

@@ -20,7 +20,7 @@ from .operators import load_arrays, stress
 NAME = "images"
 TITLE = "Periodic images of the fast residual stress"
 SERIES = ("case",)
-BOXES = {  # nx, ny, nz, thickness of the layers over the width of the cells
+BOXES = {  # nx, ny, nz, layer thickness over cell size
     "48 x 48 x 32": (48, 48, 32, 1.0),
     "48 x 24 x 32": (48, 24, 32, 1.0),
     "48 x 48 x 80": (48, 48, 80, 1.0),
@@ -67,7 +67,7 @@ def make_reference(meter: Meter, box: str, file: str) -> dict[str, Any]:
 
 
 def apply(meter: Meter, box: str, file: str, method: str) -> dict[str, Any]:
-    """Set-up and one application."""
+    """Measure set-up and one application."""
     grid, strain = blob(box)
     field = meter(lambda: stress(grid, strain, "fast", float(method.split()[1])))
     cells = grid.nx * grid.ny * grid.nz
@@ -81,5 +81,5 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
     for row in rows:
         bound = float(row["method"].removeprefix("image_tol "))
         worst[bound] = max(worst.get(bound, 0.0), row["error: stress, largest"])
-    told = [f"{error:.1e} for image_tol {bound:.0e}" for bound, error in worst.items()]
-    return [f"Largest error of all boxes: {', '.join(told)}."]
+    stated = [f"{error:.1e} for image_tol {bound:.0e}" for bound, error in worst.items()]
+    return [f"Largest error of all boxes: {', '.join(stated)}."]

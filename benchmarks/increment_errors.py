@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Increment errors, estimated and true, for the table in docs/theory/accuracy.md.
 
-The cases are also used by tests/unit/simulation/test_increment_errors.py too.
+The cases are also used by tests/unit/simulation/test_increment_errors.py.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def ball(
     cells: int = 12,
     **options: Any,
 ) -> sc.Simulation:
-    """Make a ball on a flat body, with so many cells across the elastic contact."""
+    """Return a ball on a flat body, with `cells` cells across the elastic contact."""
     moduli = [(1 - body.nu**2) / body.E for body in (body1, body2) if body is not RIGID]
     half_width = (0.75 * load * R * sum(moduli)) ** (1 / 3)
     size, n = 2 * half_width / cells, int(1.5 * cells) | 1
@@ -49,12 +49,12 @@ def ball(
 
 
 def pressed(load: float, count: int) -> Path:
-    """Load in so many increments."""
+    """Return a load path of `count` increments."""
     return [{"load": load * n / count} for n in range(1, count + 1)]
 
 
 def shaken(load: float, force: float, count: int) -> Path:
-    """Load, then a tangential force that goes to one side, to the other and back."""
+    """Return loading, then a tangential force in one direction, its reversal and its return."""
     shares = np.arange(1, count + 1) / count
     forces = np.concatenate([shares, 1 - 2 * shares, -1 + 2 * shares]) * force
     return pressed(load, count) + [
@@ -63,7 +63,7 @@ def shaken(load: float, force: float, count: int) -> Path:
 
 
 def rolled(load: float, size: float, count: int) -> Path:
-    """Load, then roll over `CELLS_ROLLED` cells in as many increments."""
+    """Return loading, then rolling over `CELLS_ROLLED` cells in `count` increments."""
     way = CELLS_ROLLED / count * size
     return pressed(load, count) + [{"load": load, "advance": (way, way)}] * count
 
@@ -120,9 +120,9 @@ def solved(scene: Setup, count: int) -> tuple[sc.Simulation, Path, list[sc.State
 
 
 def true_error(name: str, states: Sequence[sc.State], finer: Sequence[sc.State]) -> float:
-    """Largest difference of a field at any cell from a run in more increments, over its largest.
+    """Return the largest relative difference of a field from a run in more increments.
 
-    Of a strain in the last state, of others in all states.
+    Strains are compared in the last state, other fields in all states.
     """
 
     def of(state: sc.State) -> np.ndarray:
@@ -138,13 +138,13 @@ def true_error(name: str, states: Sequence[sc.State], finer: Sequence[sc.State])
 
 
 def _difference(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Return the difference of two fields in their common layers."""
+    """Return the maximum difference of two fields in their common layers."""
     layers = slice(min(one.shape[-1], other.shape[-1]))
     return np.asarray(one[..., layers] - other[..., layers])
 
 
 def errors(scene: Setup, counts: Sequence[int], many: int) -> dict[str, list[tuple[float, float]]]:
-    """True and stated relative errors of each field, for each number of increments."""
+    """Return true and estimated relative errors of each field for each number of increments."""
     found: dict[str, list[tuple[float, float]]] = {name: [] for name in scene.fields}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sc.IncrementWarning)
@@ -159,9 +159,9 @@ def errors(scene: Setup, counts: Sequence[int], many: int) -> dict[str, list[tup
 
 
 def stated_errors(names: Sequence[str] = tuple(SCENES), runs: int | None = None) -> str:
-    """True errors by the increments, and their ratio to the stated ones.
+    """Return true increment errors, and their ratio to the estimated errors.
 
-    runs: how many of the increment counts of each case to run; None: all.
+    runs: number of increment counts to run for each case; None: all.
     """
     rows = []
     for name in names:

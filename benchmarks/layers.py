@@ -18,10 +18,10 @@ import samcontact as sc
 from .harness import Meter, Task
 
 NAME = "layers"
-TITLE = "Bodies with depth"
+TITLE = "Yield-stress profiles and layers"
 STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 RADIUS = 10e-3  # m
-LOADS = (900.0, 904.0, 908.0, 912.0)  # N; the first makes tables
+LOADS = (900.0, 904.0, 908.0, 912.0)  # N; the first increment computes tables
 TURNS = 3
 BODIES = ("homogeneous", "with a profile", "one coating", "five layers")
 
@@ -32,7 +32,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def body_of(name: str, cell: float) -> sc.Material | sc.Layered:
-    """Layers are as thick as cells are deep."""
+    """Return a layered body whose layers are as thick as the cells."""
     if name == "with a profile":
         return STEEL.with_yield_profile([0.0, 2 * cell, 20 * cell], [1.02, 1.01, 1.0])
     if name == "homogeneous":
@@ -44,7 +44,7 @@ def body_of(name: str, cell: float) -> sc.Material | sc.Layered:
 
 
 def march(body: sc.Material | sc.Layered, grid: sc.Grid) -> dict[str, float]:
-    """CPU seconds of the first increment, and of an iteration of the later ones; bytes."""
+    """Processor time of the first increment and per iteration of later ones [s]; memory [bytes]."""
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     began = time.process_time()
     simulation = sc.Simulation(grid, sc.Material.rigid(), body, gap, tol=1e-6)
@@ -100,9 +100,9 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
     """Return sentences that summarise the rows."""
     lines = []
     for name in BODIES[1:]:
-        told = [
+        stated = [
             f"{label} {np.max([row[f'{label}, {name}'] for row in rows]):.2f}"
             for label in ("iteration", "first increment", "memory")
         ]
-        lines.append(f"- {name}, maximum ratio to a homogeneous body: {', '.join(told)}.")
+        lines.append(f"- {name}, maximum ratio to a homogeneous body: {', '.join(stated)}.")
     return ["\n".join(lines)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The case file of a nano-indentation, 26 increments: time of the fast method over the exact."""
+"""Nano-indentation case in 26 increments: time of the fast method relative to the exact one."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Residual stress of a real plastic zone, exact and fast, against a converged field.
+"""Residual stress of a real plastic zone: exact and fast method against a converged field.
 
 The plastic strain is that of two balls at the largest load, one fine axisymmetric solution, sampled
 at the cell centres of a box around the plastic zone. The reference samples it on cells an odd
@@ -49,7 +49,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def make_profile(meter: Meter, material: str, across: int, file: str) -> dict[str, Any]:
-    """Plastic strain in the half plane y = 0, x >= 0 of a fine solution."""
+    """Return the plastic strain of a fine solution in the half-plane y = 0, x >= 0."""
     simulation = balls(
         across, width=1.15, lower=MATERIALS[material], residual_stress="fast", tol=1e-5
     )
@@ -67,7 +67,7 @@ def make_profile(meter: Meter, material: str, across: int, file: str) -> dict[st
 
 
 def plastic_box(profile: dict[str, np.ndarray], cells: int) -> sc.Grid:
-    """The plastic zone and one cell around, `cells` cubes across its radius."""
+    """Return a box of the plastic zone plus one cell, with `cells` cubes per radius of the zone."""
     i, k = np.nonzero(profile["equivalent"] > 1e-7)
     d = profile["r"][i.max()] / cells
     n = 2 * (cells + 1) + 1
@@ -75,7 +75,7 @@ def plastic_box(profile: dict[str, np.ndarray], cells: int) -> sc.Grid:
 
 
 def sample(profile: dict[str, np.ndarray], grid: sc.Grid) -> np.ndarray:
-    """The axisymmetric strain at the cell centres."""
+    """Return the axisymmetric strain at the cell centres."""
     r_known, z_known = profile["r"], profile["z"]
     # Cylindrical components, mirrored for r < 0: rz is odd.
     columns = {"rr": (0, 1), "tt": (1, 1), "zz": (2, 1), "rz": (4, -1)}
@@ -130,7 +130,7 @@ def make_reference(meter: Meter, cells: int, profile: str, file: str) -> dict[st
 
 
 def apply(meter: Meter, cells: int, profile: str, file: str, method: str) -> dict[str, Any]:
-    """Set-up and one application."""
+    """Measure set-up and one application."""
     known = load_arrays(profile)
     grid = plastic_box(known, cells)
     strain = sample(known, grid)

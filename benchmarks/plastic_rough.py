@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A small rough patch that yields under a rigid flat: the error against the finest grid."""
+"""Small elastic-plastic rough patch under a rigid flat: error relative to the finest grid."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ HURST = 0.8
 CROWN = 3e-3  # m: radius of curvature that keeps the contact inside the grid
 LOAD = 12.0  # N
 INCREMENTS = 6
-DEPTH = 0.3  # of the volume, in sides
+DEPTH = 0.3  # depth of the volume over the side
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
@@ -91,7 +91,7 @@ def solve(meter: Meter, n: int, method: str, file: str) -> dict[str, Any]:
             "largest plastic strain": relative_error(
                 loaded.equivalent_plastic_strain().max(), fine["strain"]
             ),
-            "print, rms": rms_error(
+            "imprint, rms": rms_error(
                 unloaded.residual_displacement(), block_means(fine["print"], n)
             ),
         }

@@ -35,7 +35,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def solve(meter: Meter, across: int, increments: int, method: str) -> dict[str, Any]:
-    """Cells across the Hertz radius, equal increments of the load up and one down."""
+    """Load in equal increments and unload in one, with `across` cells per Hertz radius."""
 
     def run() -> tuple[sc.Simulation, sc.State, sc.State]:
         simulation = balls(across, residual_stress=method)
@@ -63,6 +63,6 @@ def solve(meter: Meter, across: int, increments: int, method: str) -> dict[str, 
         ),
     }
     errors = {quantity: relative_error(*pair) for quantity, pair in computed.items()}
-    errors["print"] = float(print_error)
+    errors["imprint depth"] = float(print_error)
     cells = grid.nx * grid.ny * grid.nz
     return {"cells": cells, "across": across, "errors": errors, **work_of(simulation)}

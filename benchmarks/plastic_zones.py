@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rough contacts that yield at many spots: plastic strain in zones, and in one box around them."""
+"""Rough contacts that yield at many spots: plastic subdomains compared with a single box."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ NAME = "plastic_zones"
 TITLE = "Plastic zones of rough surfaces"
 CELL = 1e-6  # m
 SLOPE = 0.06  # rms
-MIN_WAVELENGTH = 8  # cells of the shortest wave
+MIN_WAVELENGTH = 8  # cells per shortest wave
 ROLL_OFF = 64  # cells
-HARDNESS = 4.2e9  # Pa: load over contact area, nearly
-LOADING = (0.5, 1.0)  # parts of the load
-BOWL = 3.0  # height of the border over the rms of the roughness: it keeps the contact inside
+HARDNESS = 4.2e9  # Pa; approximate load over contact area
+LOADING = (0.5, 1.0)  # fractions of the load
+BOWL = 3.0  # height of the border over the rms roughness; keeps the contact inside
 SINKS_FROM = 1024  # cells, from where on the border is as much higher as larger surfaces sink
 
 
@@ -41,7 +41,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def gap(grid: sc.Grid) -> np.ndarray:
-    """A self-affine surface of a rigid flat, in a bowl."""
+    """Return the gap of a self-affine rigid flat in a bowl."""
     rough = sc.surfaces.rough_self_affine(
         grid, 1e-6, 0.8, wavelength_min=MIN_WAVELENGTH * CELL, roll_off=ROLL_OFF * CELL, seed=7
     )
@@ -104,7 +104,7 @@ def solve(
     with np.load(file) as whole:
         errors = {
             "pressure, rms": rms_error(ours["pressure"], whole["pressure"]),
-            "print, rms": rms_error(ours["print"], whole["print"]),
+            "imprint, rms": rms_error(ours["print"], whole["print"]),
             "mean gap": relative_error(ours["gap"], whole["gap"]),
             "largest plastic strain": relative_error(ours["strain"], whole["strain"]),
         }

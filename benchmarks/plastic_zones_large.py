@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The rough contacts of plastic_zones on grids whose one box hardly fits into memory, or not."""
+"""Rough contacts of plastic_zones on grids whose single box hardly fits into memory."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["make_reference", "press_and_unload", "solve", "tasks"]
 
 NAME = "plastic_zones_large"
 TITLE = "Large plastic zones of rough surfaces"
-PERCENT = 5  # in contact under the full load
+PERCENT = 5  # contact fraction under full load [%]
 INCREMENTS = 4
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Work-precision diagrams: a row of axes for each error, a column for each kind of work."""
+"""Work-precision diagrams with one row of axes per error and one column per kind of work."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
-# Okabe & Ito: told apart by every kind of colour vision.
+# Okabe & Ito: distinguishable for all kinds of colour vision.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 MARKERS = "osD^vPX"
 LABELS = {
@@ -33,24 +33,24 @@ APPLICATIONS = ("volume_applications", "surface_applications", "contact_iteratio
 
 
 def label(column: str) -> str:
-    """Name and unit of a column; errors are relative."""
+    """Return name and unit of a column; errors are relative."""
     name = column.removeprefix("error: ")
     return LABELS.get(column, f"error of {name} [-]" if name != column else column)
 
 
 def axes_of(rows: pd.DataFrame, part: ModuleType) -> tuple[list[str], list[str]]:
-    """Columns along x and along y: what the part says, or work against errors."""
+    """Return the columns along x and y: those of the part, by default work and errors."""
     if hasattr(part, "AXES"):
         across, up = part.AXES
         return list(across), list(up)
-    # An operator that is applied as often everywhere says nothing.
+    # A constant number of applications contains no information.
     counted = [c for c in APPLICATIONS if c in rows and rows[c].nunique() > 1]
     errors = [c for c in rows if c.startswith("error: ") and rows[c].notna().any()]
     return ["time_s", "memory_MB", *counted[:1]], errors
 
 
 def series(rows: pd.DataFrame, part: ModuleType) -> Iterator[tuple[str, pd.DataFrame]]:
-    """The lines of a diagram and their names."""
+    """Return the lines of a diagram and their names."""
     by = list(getattr(part, "SERIES", ("case", "method")))
     varying = [column for column in by if rows[column].nunique() > 1] or by[:1]
     for key, group in rows.groupby(varying, sort=False):
@@ -58,7 +58,7 @@ def series(rows: pd.DataFrame, part: ModuleType) -> Iterator[tuple[str, pd.DataF
 
 
 def label_sparsely(axis: Axis) -> None:
-    """Labels that do not overlap: decades, or 1, 2 and 5 where there is hardly more than one."""
+    """Set tick labels that do not overlap: decades, or 1, 2 and 5 within about one decade."""
     low, high = axis.get_view_interval()
     if high < 30 * low:
         axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
@@ -67,7 +67,7 @@ def label_sparsely(axis: Axis) -> None:
 
 
 def diagram(rows: pd.DataFrame, part: ModuleType) -> Figure | None:
-    """Doubly logarithmic diagrams of one part, or None where no line has two points."""
+    """Return the double-logarithmic diagrams of a part; None if no line has two points."""
     across, up = axes_of(rows, part)
     across = [c for c in across if c in rows]
     up = [c for c in up if c in rows]
@@ -95,7 +95,7 @@ def diagram(rows: pd.DataFrame, part: ModuleType) -> Figure | None:
 
 
 def write(rows: pd.DataFrame, part: ModuleType, folder: Path) -> Path | None:
-    """Write NAME.png where there is something to draw."""
+    """Write NAME.png if there is anything to draw."""
     figure = diagram(rows, part)
     if figure is None:
         return None

@@ -27,13 +27,13 @@ SIDE = WAVES * MIN_WAVELENGTH
 MIN_WAVES = 2  # number of longest waves along a side
 HURST, SLOPE, SEED = 0.8, 0.06, 5
 BOWL = 3.0  # height of the raised border over the rms roughness: keeps the contact inside
-DEPTH = MIN_WAVELENGTH / 20  # m, below which residual stress converges
-HARDNESS = 4.2e9  # Pa: load over contact area, nearly
+DEPTH = MIN_WAVELENGTH / 20  # m; depth below which the residual stress converges
+HARDNESS = 4.2e9  # Pa; approximate load over contact area
 PERCENT = (1.0, 2.0)
-CELLS_PER_WAVE = (8, 16, 32, 64, 128)  # cells of the shortest wave
+CELLS_PER_WAVE = (8, 16, 32, 64, 128)  # cells per shortest wave
 QUICK_CELLS_PER_WAVE = (16, 32)
 PARTS = (1, 4, 16)  # increments from load to load
-CELLS_PER_WAVE_OF_PARTS = 32  # cells of the shortest wave, for these
+CELLS_PER_WAVE_OF_PARTS = 32  # cells per shortest wave, for these
 SERIES = {
     "area": "contact area",
     "pressure": "mean pressure in contact",
@@ -80,7 +80,7 @@ wrong by about
 
 $$\\frac{{\\pi - 1 + \\ln 2}}{{24}} \\, \\frac{{S}}{{N}} = {side:.3f} \\, \\frac{{S}}{{N}},$$
 
-where S is the number of sides between cells in contact and others, and N the number of cells in
+where S is the number of cell sides between contact and open cells, and N the number of cells in
 contact (Yastrebov, Anciaux and Molinari 2017,
 [doi:10.1016/j.triboint.2017.04.023](https://doi.org/10.1016/j.triboint.2017.04.023)). This is the
 column "area uncertainty" of the tables; it follows from a single solution. The errors found are
@@ -88,11 +88,11 @@ column "area uncertainty" of the tables; it follows from a single solution. The 
 round spot d cells across is {round:.2f}/d of its area: {eight:.0f} % with 8 cells, {four:.0f} %
 with 4. "Cells across a spot" is the d of round spots with equal S/N.
 
-The contact area in states and results is corrected for this error where spots are small, and the
-edge is located within the cells where they are not: docs/theory/contact.md. The tables are for
-counted cells, whose mean pressure is too low by as much as the area is too large. Plastic strain
-and residual stress below the surface are largest in spots that are wider than the average, and are
-considerably more accurate.
+The [contact area](theory/contact.md#contact-area) in states and results is corrected for this error
+where spots are small, and the edge is located within the cells where they are not. The tables are
+for counted cells, whose mean pressure is too low by as much as the area is too large. Plastic
+strain and residual stress below the surface are largest in spots that are wider than the average,
+and are considerably more accurate.
 
 ## Recommendations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A self-affine surface that is a sum of waves, so that every grid samples the same surface.
+"""Self-affine surface as a sum of waves, so that every grid samples the same surface.
 
 `samcontact.surfaces.rough_self_affine` filters noise of the grid itself: another grid is another
 surface.
@@ -31,17 +31,17 @@ def heights(n: int, amplitudes: np.ndarray, rms: float) -> np.ndarray:
     if n <= 2 * highest:
         raise ValueError(f"n must be > {2 * highest}, got {n}")
     kx, ky = np.arange(-highest, highest + 1), np.arange(highest + 1)
-    # Cell centres lie half a cell from where the inverse transform samples.
+    # Cell centres lie half a cell away from the points of the inverse transform.
     shift = np.exp(1j * np.pi / n * (kx[:, None] + ky[None, :]))
     spectrum = np.zeros((n, n), complex)
     spectrum[kx[:, None], ky[None, :]] = amplitudes * shift
-    # Real part of waves: half their mean square, except that on ky = 0 opposite waves interfere.
+    # The real part has half the mean square, except that opposite waves interfere on ky = 0.
     surface = n * n * np.fft.ifft2(spectrum).real
     return rms / surface_rms(amplitudes) * surface
 
 
 def surface_rms(amplitudes: np.ndarray) -> float:
-    """Root mean square of the real part of the sum of waves, over the whole surface."""
+    """Return the rms of the real part of the sum of waves over the whole surface."""
     on_axis = 0.5 * (amplitudes[:, 0] + np.conj(amplitudes[::-1, 0]))
     return float(
         np.sqrt(np.sum(np.abs(on_axis) ** 2) + 0.5 * np.sum(np.abs(amplitudes[:, 1:]) ** 2))
@@ -49,6 +49,6 @@ def surface_rms(amplitudes: np.ndarray) -> float:
 
 
 def block_means(field: np.ndarray, n: int) -> np.ndarray:
-    """Means over the n x n blocks of a square field."""
+    """Return the means over the n x n blocks of a square field."""
     m = field.shape[0] // n
     return field.reshape(n, m, n, m).mean(axis=(1, 3))

@@ -20,11 +20,11 @@ from .steel import ELASTIC, STEEL
 
 NAME = "scaling"
 TITLE = "Growth of time and memory"
-NOTES_NEED_TIMES = True  # which its page does not keep
+NOTES_NEED_TIMES = True  # not stored on its page
 AXES = (("box_cells",), ("us_per_cell_and_application", "bytes_per_cell"))
 MAX_PRESSURE = 6.5e9  # Pa
-WIDTH, DEPTH = 1.6, 2.2  # half width and depth of the volume in contact radii
-EXACT_CELLS = 400_000  # at 1 kB a cell and more while stepping
+WIDTH, DEPTH = 1.6, 2.2  # half-width and depth of the volume in contact radii
+EXACT_CELLS = 400_000  # needs 1 kB per cell, and more during a step
 FITTED = (1e5, 5e6)  # cells
 
 
@@ -44,7 +44,7 @@ def shape(across: int) -> tuple[int, int, int]:
 
 
 def solve(meter: Meter, across: int, method: str) -> dict[str, Any]:
-    """Everything from an elastic half-space to one increment done, set-up included."""
+    """Measure one increment from an elastic half-space, including set-up."""
     nx, ny, nz = shape(across)
     d = 1e-3 / across
     grid = sc.Grid(nx, ny, d, d, nz, d)
@@ -71,12 +71,12 @@ def solve(meter: Meter, across: int, method: str) -> dict[str, Any]:
 
 
 def exponent(cells: Sequence[float], values: Sequence[float]) -> float:
-    """Slope of a straight line through logarithms."""
+    """Return the slope of a straight line through logarithms."""
     return float(np.polyfit(np.log(cells), np.log(values), 1)[0])
 
 
 def exponents(rows: list[dict[str, Any]]) -> dict[str, float]:
-    """Growth of the fast method's time per application and of its memory within FITTED."""
+    """Return the exponents of time per application and memory of the fast method within FITTED."""
     fitted = [
         row
         for row in rows

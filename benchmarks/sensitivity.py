@@ -26,24 +26,28 @@ from .study import Record, Study, table
 
 PARTS = tuple(FIGURES)
 
-# Colliding asperities move by whole cells: increments can only be halved together with the cells.
+# Colliding asperities move by whole cells, so increments are halved only together with cells.
 AFTER = {("asperities", "increments"): "cells"}
 HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.sensitivity --docs -->
 # Sensitivity of the gallery to the mesh
 
-This page states by how much [%] each number on a page of the [gallery](gallery.md) changes when the
-mesh is changed: cells halved in both directions, layers halved, load increments halved, or the grid
-made a quarter wider and deeper (column "grid size"), one at a time. Each section states whether the
-mesh is that of the page or the coarse one of the tests, about half as fine. The changes on the
-coarse mesh are about the improvement from the coarse mesh to that of the page, and about an upper
-bound of the remaining error of the page.
+This page states by how much [%] the numbers on each page of the [gallery](gallery.md) change when
+the mesh is changed. Four changes are made, one at a time: cells of half the size along x and y
+(column "cells"), layers of half the thickness ("layers"), load increments of half the size
+("increments"), and a grid that is a quarter wider and deeper ("grid size"). Each section states
+which mesh was changed: the mesh of the gallery page, or the coarse mesh of the tests, which is
+about half as fine. A change on the coarse mesh is approximately the improvement from the coarse
+mesh to the mesh of the page. It is also approximately an upper bound of the remaining error of the
+page.
 
-For several numbers the largest change relative to the largest number is given. Numbers in a text
-are used as printed: a small difference changes by a large percentage in its last digit. A dash
-means that the change does not apply to this contact, or that it alters the number of values.
-Rolling advances by one cell per step, so halved cells also halve its steps. Asperity collisions
-can have smaller increments only on smaller cells, and are compared with these.
+If a value consists of several numbers, the table gives the largest change, relative to the largest
+of these numbers. Numbers are used with the digits printed in the text, so a change of the last
+digit of a small number is a large percentage. A dash means that the change does not apply to this
+contact, or that it alters how many numbers the value has. In rolling, the contact advances by one
+cell per step, so halved cells also halve the steps. In asperity collisions, increments can be
+halved only if the cells are halved too; the column "increments" then compares with the results on
+halved cells.
 """
 MESHES = {
     moves.OWN_MESH_NOTE: "Mesh of the page.\n",
@@ -58,7 +62,7 @@ def resized(
     what: str | None, nx: int, ny: int, dx: float, dy: float, nz: int = 0, dz: float | None = None
 ) -> tuple[Any, ...]:
     """Return the arguments of a `Grid`, finer or larger in one respect."""
-    if what == "cells":  # an odd number stays odd: the middle stays a cell
+    if what == "cells":  # an odd number stays odd, so that the middle remains a cell centre
         nx, ny, dx, dy = 2 * nx - nx % 2, 2 * ny - ny % 2, dx / 2, dy / 2
     elif what == "layers" and dz is not None:
         nz, dz = 2 * nz, dz / 2
@@ -77,7 +81,7 @@ def changed(what: str | None) -> Iterator[None]:
     def step(simulation: Any, **target: Any) -> Any:
         kind = next((k for k in ("load", "approach") if target.get(k) is not None), None)
         before = getattr(simulation.state, kind) if kind else float("nan")
-        if before == before and target[kind] != 0:  # elastic unloading has no path
+        if before == before and target[kind] != 0:  # elastic unloading does not depend on the path
             half = {kind: 0.5 * (before + target[kind])}
             if "advance" in target:
                 half["advance"] = target["advance"] = [0.5 * way for way in target["advance"]]
@@ -114,7 +118,7 @@ def stated(name: str, what: str | None, coarse: bool) -> dict[str, list[float]]:
     with changed(what):
         try:
             entries = part.stated(part.compute(coarse))
-        except Exception as error:  # stated in the table; the other parts continue
+        except Exception as error:  # marked in the table; other parts continue
             return {"(not computed)": [float("nan")], str(error)[:60]: []}
     return {
         entry.quantity: [float(entry.ours)]

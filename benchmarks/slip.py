@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Partial slip: work of shear and pressure solutions, compared with Cattaneo and Mindlin.
 
-And of rolling with creepage, steady and step after step.
+Also rolling with creepage, steady and incremental.
 """
 
 from __future__ import annotations
@@ -19,18 +19,18 @@ from .harness import Meter, Task, relative_error
 
 NAME = "slip"
 TITLE = "Partial slip"
-NOTES_NEED_TIMES = True  # which its page does not keep
+NOTES_NEED_TIMES = True  # not stored on its page
 SERIES = ("case", "method")
 MU = 0.3
 METHODS = {"pressure alone": None, "tol 1e-4": 1e-4, "tol 1e-6": 1e-6, "tol 1e-8": 1e-8}
 BASE = "pressure alone"
 AXES = ("time_s", "memory_MB", "shear_work"), ("error: shift", "error: stick radius")
-RADIUS = 0.4  # of the contact, on 1 m x 1 m
+RADIUS = 0.4  # contact radius on a grid of 1 m x 1 m
 NU = 0.3
 WHEEL_ON_RAIL = 287, 323  # cells of the finest of CONTACT's wheel-on-rail examples
-WIDE_RADIUS = 0.4175  # as many of them touch as there
+WIDE_RADIUS = 0.4175  # as many contact cells as in that example
 STEPS = 56
-ENTRY = "pulled, then rolling"
+ENTRY = "loaded tangentially, then rolling"
 CONTACT_STATES = {"shifted": 22.6, "rolling": 2210.0}  # s; its own times of 2016, on one core
 
 
@@ -42,8 +42,8 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
         for q in (0.1, 0.5, 0.9)
         for method in METHODS
     ]
-    unlike = [
-        Task(NAME, f"unlike, {k} of 8", "tol 1e-8", "press_unlike", {"n": n, "last": k})
+    different_bodies = [
+        Task(NAME, f"dissimilar, {k} of 8", "tol 1e-8", "press_unlike", {"n": n, "last": k})
         for n in sizes[:2]
         for k in (1, 8)
     ]
@@ -59,11 +59,17 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
         for name, function in scenes.items()
     ]
     steps = {"steps": 14 if quick else STEPS}
-    return [*pulled, *unlike, *rolling, *wide, Task(NAME, ENTRY, "tol 1e-8", "roll_on", steps)]
+    return [
+        *pulled,
+        *different_bodies,
+        *rolling,
+        *wide,
+        Task(NAME, ENTRY, "tol 1e-8", "roll_on", steps),
+    ]
 
 
 def solve(meter: Meter, n: int, share: float, method: str) -> dict[str, Any]:
-    """A ball pressed and pulled: the time is that of both, from nothing."""
+    """Press a ball and load it tangentially; the time includes both, from zero tractions."""
     grid, body, gap, load = ball(n, n, RADIUS)
     tol = METHODS[method]
     if tol is None:
@@ -116,14 +122,14 @@ def rolled(grid: sc.Grid, body: sc.Material, gap: Any, load: float, tol: float) 
 
 
 def roll(meter: Meter, n: int, tol: float) -> dict[str, Any]:
-    """A ball that rolls steadily: the time is that of pressure and shear, from nothing."""
+    """Solve steady rolling of a ball; the time includes pressure and shear, from zero tractions."""
     scene = ball(n, n, RADIUS)
-    return {"cells": n * n, "across": n, **told(meter(lambda: rolled(*scene, tol)))}
+    return {"cells": n * n, "across": n, **shown(meter(lambda: rolled(*scene, tol)))}
 
 
 def roll_wide(meter: Meter, n: list[int]) -> dict[str, Any]:
     scene = ball(*n, WIDE_RADIUS)
-    return {"cells": n[0] * n[1], "across": n[0], **told(meter(lambda: rolled(*scene, 1e-7)))}
+    return {"cells": n[0] * n[1], "across": n[0], **shown(meter(lambda: rolled(*scene, 1e-7)))}
 
 
 def shift(meter: Meter, n: list[int]) -> dict[str, Any]:
@@ -136,12 +142,12 @@ def shift(meter: Meter, n: list[int]) -> dict[str, Any]:
         )
     )
     force = MU * load * (1 - (1 - 0.43) ** 1.5)
-    columns = told(found) | {"errors": {"force": relative_error(found.tangential_load[0], force)}}
+    columns = shown(found) | {"errors": {"force": relative_error(found.tangential_load[0], force)}}
     return {"cells": n[0] * n[1], "across": n[0], **columns}
 
 
 def roll_on(meter: Meter, steps: int) -> dict[str, Any]:
-    """CONTACT's way from Cattaneo to Carter, a cell a step, against the steady state of its end."""
+    """Roll from Cattaneo's to Carter's state (a CONTACT example), one cell per step."""
     grid = sc.Grid(33, 33, 0.25, 0.25)
     gap = sc.surfaces.paraboloid(grid, 1 / (2 * 0.002963))
     body, law, load = sc.Material.elastic(2 * 1.28, 0.28), sc.Coulomb(0.4013), 0.4705
@@ -157,7 +163,7 @@ def roll_on(meter: Meter, steps: int) -> dict[str, Any]:
 
     found = meter(march)
     creepage = (found[-1].shift - found[-2].shift)[0] / 0.25
-    # towards -x here: seen from behind, the force has the other sign
+    # rolling is towards -x here, so the force has the opposite sign
     steady = sc.rolling.steady(
         grid, body, body, gap, friction=law, load=load, tangential_load=(0.657 * 0.4013 * load, 0)
     )
@@ -172,13 +178,13 @@ def roll_on(meter: Meter, steps: int) -> dict[str, Any]:
     }
 
 
-def told(found: sc.PartialSlipSolution | sc.RollingSolution) -> dict[str, Any]:
-    """Columns of any solution with shear."""
+def shown(found: sc.PartialSlipSolution | sc.RollingSolution) -> dict[str, Any]:
+    """Return the columns of a solution with shear."""
     return {"errors": {}, **work(found), **shear_work(found)}
 
 
 def softness() -> float:
-    """Sum of (2 - nu)/G of two bodies with E* = 1."""
+    """Return the sum of (2 - nu)/G of two bodies with E* = 1."""
     return 2 * (2 - NU) / (1 - NU)
 
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The two steel balls that several parts use: 15 mm radius each, AISI 52100, one yields."""
+"""Two steel balls used by several parts: 15 mm radius each, AISI 52100, one elastic-plastic."""
 
 from __future__ import annotations
 
 import samcontact as sc
 
-RADIUS = 7.5e-3  # equivalent [m]
+RADIUS = 7.5e-3  # equivalent radius [m]
 LOAD = 1500.0  # N
 HEAVY_LOAD = 11179.0  # N: Hertz pressure 8 GPa
 ELASTIC = sc.Material.elastic(210e9, 0.3)
@@ -13,7 +13,7 @@ STEEL = sc.Material.swift(210e9, 0.3, B=945e6, C=20, n=0.121)
 
 
 def hertz(load: float = LOAD) -> sc.hertz.PointContact:
-    """The elastic contact."""
+    """Return the Hertz contact of the two balls."""
     modulus = sc.hertz.effective_modulus(ELASTIC, STEEL)
     return sc.hertz.point(R=RADIUS, E_star=modulus, load=load)
 
@@ -26,7 +26,7 @@ def balls(
     lower: sc.Material = STEEL,
     **settings: object,
 ) -> sc.Simulation:
-    """A simulation with `across` cells per Hertz radius; half width and depth of the volume in
+    """Return a simulation with `across` cells per Hertz radius; half-width and depth are in
     Hertz radii."""
     d = hertz(load).a / across
     n = 2 * int(width * across) + 1

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Studies: points that are run, records of them that are kept, and a page made of the records.
+"""Studies: points to run, their stored records, and a page generated from the records.
 
 A study is a module of this package, or the module `page` of a folder, with a `STUDY`. Its command
 is `python -m benchmarks.NAME`. A point is a dictionary of arguments, of which `of` names its group;
-a record is its point, what a run of it has found, and `on`, what it was measured on.
+a record contains its point, the results of the run, and `on`, version and processor.
 """
 
 from __future__ import annotations
@@ -36,28 +36,28 @@ class Study:
 
     name: str
     about: str
-    """First line of the help of its command."""
+    """First line of the help text of the command."""
     points: Callable[[bool], Sequence[Record]]
     """Function returning all points; with argument True, few small ones that are not stored."""
     run: Callable[..., Record | list[Record]]
     """Run of one point, given as keyword arguments; returns a record, or one for each row."""
     page: Callable[[list[Record]], str] = lambda records: ""
     draw: Callable[[list[Record]], dict[str, Any]] = lambda records: {}
-    """Figures by the name of their file."""
+    """Functions of the figures by file name."""
     document: str = ""
-    """Name of the page, where it is not that of the study."""
+    """Name of the page, if it differs from the name of the study."""
     fresh: bool = False
-    """Whether each point has a process of its own, whose memory is measured."""
+    """Whether each point runs in a separate process whose memory is measured."""
     lasting: bool = False
-    """Whether measurements take so long that each is kept, and --docs measures nothing."""
+    """Whether measurements are so long that each is stored, and --docs measures nothing."""
     keeps_quick: bool = False
-    """Whether the small points are stored together with the others."""
+    """Whether small points are stored with the others."""
     figures: str = DRAWN
-    """Folder of its figures: docs/figures where no records are stored to draw them from."""
+    """Folder of the figures: docs/figures if no records are stored to draw them from."""
 
     @property
     def file(self) -> Path:
-        """File of the stored records."""
+        """Return the file of the stored records."""
         place = Path(__file__).with_name(self.name)
         return place / "results.json" if place.is_dir() else place.with_suffix(".json")
 
@@ -66,12 +66,12 @@ class Study:
         return ROOT / "docs" / f"{self.document or self.name}.md"
 
     def records(self) -> list[Record]:
-        """Stored records in the order of the points."""
+        """Return the stored records in the order of the points."""
         found: list[Record] = json.loads(self.file.read_text("utf-8")) if self.file.exists() else []
         return found
 
     def keep(self, new: Sequence[Record]) -> None:
-        """Put records in place of those of their points, in the order of these; one a line."""
+        """Replace the stored records of these points, in the order of the points; one per line."""
         every = [*self.points(False), *(self.points(True) if self.keeps_quick else ())]
         names = sorted({name for point in every for name in point})
 
@@ -92,19 +92,19 @@ class Study:
         save(self.draw(records), self.figures)
 
     def solve(self, points: Sequence[Record], processes: int = 1) -> Iterator[list[Record]]:
-        """Records of points, each found in a process that has one thread."""
+        """Return the records of points, each computed in a single-threaded process."""
         os.environ["OMP_NUM_THREADS"] = "1"
         for batch in [[point] for point in points] if self.fresh else [points]:
             with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
                 yield from pool.map(_solved, [self.name] * len(batch), batch)
 
     def main(self) -> None:
-        """The command of the study."""
+        """Run the command of the study."""
         command(self)(prog_name=f"python -m benchmarks.{self.name}")
 
 
 def find(name: str) -> Study:
-    """The study of this name."""
+    """Return the study with this name."""
     folder = Path(__file__).with_name(name)
     module = importlib.import_module(f"benchmarks.{name}" + ".page" * folder.is_dir())
     found: Study = module.STUDY
@@ -112,7 +112,7 @@ def find(name: str) -> Study:
 
 
 def save(figures: dict[str, Any], folder: str = DRAWN) -> None:
-    """Write figures by file name, each atomically, so that no reader sees a part."""
+    """Write figures by file name, each atomically."""
     (ROOT / folder).mkdir(parents=True, exist_ok=True)
     for name, figure in figures.items():
         part = ROOT / folder / f"{name}.{os.getpid()}"
@@ -121,33 +121,33 @@ def save(figures: dict[str, Any], folder: str = DRAWN) -> None:
 
 
 def measured_on() -> str:
-    """Version and processor; studies have one thread."""
+    """Return version and processor; studies use one thread."""
     return f"samcontact {sc.__version__}, {platform.machine()}"
 
 
 def _solved(name: str, point: Record) -> list[Record]:
-    """The records of a point of a study."""
+    """Return the records of one point of a study."""
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # scenes are small, coarse or extreme on purpose
+        warnings.simplefilter("ignore")  # small, coarse or extreme setups are intended
         found = find(name).run(**point)
     rows = found if isinstance(found, list) else [found]
     return [point | row | {"on": measured_on()} for row in rows]
 
 
 def command(study: Study) -> click.Command:
-    """Choose points, run them, keep what they find, and make the page."""
+    """Choose points, run them, store their records, and write the page."""
     groups = list(dict.fromkeys(point["of"] for point in study.points(False)))
     page = study.document_file.relative_to(ROOT)
-    docs = "write" if study.lasting else "keep what is found, and write"
+    docs = "write" if study.lasting else "store the records, and write"
 
     @click.command(help=f"{study.about}\n\nGroups of points: {', '.join(groups)}.")
     @click.argument("names", nargs=-1, metavar="[GROUP]...", type=click.Choice(groups))
-    @click.option("--rows", default="", metavar="TEXT", help="Only points that contain it.")
-    @click.option("--largest", type=int, metavar="K", help="Only the last K of each group.")
-    @click.option("--quick", is_flag=True, help="Few small points.")
-    @click.option("--processes", default=1, help="How many points at once.")
+    @click.option("--rows", default="", metavar="TEXT", help="Only points that contain this text.")
+    @click.option("--largest", type=int, metavar="K", help="Only the last K points of each group.")
+    @click.option("--quick", is_flag=True, help="Only a few small points.")
+    @click.option("--processes", default=1, help="Number of points run in parallel.")
     @click.option("--docs", is_flag=True, help=f"Also {docs} {page}.")
-    @click.option("--page", is_flag=True, help=f"Only write {page}, of what is kept.")
+    @click.option("--page", is_flag=True, help=f"Only write {page}, from stored records.")
     def run(
         names: tuple[str, ...], rows: str, largest: int | None, quick: bool, processes: int,
         docs: bool, page: bool,
@@ -171,7 +171,7 @@ def command(study: Study) -> click.Command:
 def chosen(
     points: Sequence[Record], names: Sequence[str], rows: str = "", largest: int | None = None
 ) -> list[Record]:
-    """Points of groups, that contain a text, and the last ones of each group."""
+    """Return points by group, contained text, and number from the end of each group."""
     found: dict[str, list[Record]] = {}
     for point in points:
         shown = " ".join(str(value) for key, value in point.items() if key != "of")
@@ -185,7 +185,7 @@ def _shown(record: Record) -> str:
 
 
 def by_group(records: Iterable[Record]) -> dict[str, list[Record]]:
-    """Records of each group, in their order."""
+    """Return the records of each group, in order."""
     found: dict[str, list[Record]] = {}
     for record in records:
         found.setdefault(record["of"], []).append(record)
@@ -199,5 +199,5 @@ def table(heading: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 
 
 def table_of(rows: Sequence[dict[str, str]]) -> str:
-    """Markdown of rows with equal keys, which are the heading."""
+    """Return the Markdown table of rows with equal keys; the keys are the heading."""
     return table(list(rows[0]), [list(row.values()) for row in rows])

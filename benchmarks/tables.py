@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rows of measurements as tables: CSV with everything, Markdown to read."""
+"""Tables of measurements: CSV with all columns, Markdown for reading."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ import samcontact as sc
 from . import study
 
 BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
-# Columns in this order, where they have values; errors come after "across", others at the end.
+# Order of columns that have values; errors follow "across", others come at the end.
 FIRST_COLUMNS = ("part", "case", "method", "options", "cells", "across")
 WORK = (
     "time_s",
@@ -26,7 +26,7 @@ WORK = (
     "surface_applications",
     "volume_applications",
 )
-# Columns that are meaningful on one machine only.
+# Columns that are comparable on one machine only.
 TIMES = ("time_s", "us_per_cell_and_application", "ms_per_iteration")
 
 
@@ -40,7 +40,7 @@ def frame(rows: list[dict[str, Any]]) -> pd.DataFrame:
 
 
 def cell(value: Any) -> str:
-    """A number with three digits, a count in full, nothing for what is missing."""
+    """Return a number with three digits, a count in full, and "" for a missing value."""
     if isinstance(value, str):
         return value
     if pd.isna(value):
@@ -51,7 +51,7 @@ def cell(value: Any) -> str:
 
 
 def markdown(table: pd.DataFrame) -> str:
-    """A table without its empty columns."""
+    """Return the Markdown table without its empty columns."""
     kept = table.dropna(axis="columns", how="all")
     return study.table(
         list(kept.columns), [list(map(cell, row)) for row in kept.itertuples(index=False)]
@@ -59,13 +59,14 @@ def markdown(table: pd.DataFrame) -> str:
 
 
 def report(table: pd.DataFrame, parts: list[ModuleType], *, times: bool = True) -> str:
-    """Markdown with a section for each part; without times it fits into the documentation."""
+    """Return Markdown with one section per part; `times` includes machine-dependent columns."""
     sections = []
     for part in parts:
         rows = table[table["part"] == part.NAME]
         if rows.empty:
             continue
-        hidden = ["part", "options", *(() if times else TIMES)]
+        hidden = ["part", "options", *getattr(part, "HIDDEN_COLUMNS", ())]
+        hidden += () if times else TIMES
         lines = [f"### {part.TITLE}", markdown(rows.drop(columns=hidden, errors="ignore"))]
         lines += part.notes(rows.to_dict("records")) if hasattr(part, "notes") else []
         sections.append("\n\n".join(lines))
@@ -73,7 +74,7 @@ def report(table: pd.DataFrame, parts: list[ModuleType], *, times: bool = True) 
 
 
 def rows_of(section: str) -> list[dict[str, Any]]:
-    """Rows of the table of a section: numbers as written, without missing cells."""
+    """Return the rows of the table of a section: numbers as written, without missing cells."""
     lines = [line for line in section.splitlines() if line.startswith("|")]
     head, _, *rest = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
     return [
@@ -95,7 +96,7 @@ def section_of(page: str, part: ModuleType) -> str:
 
 
 def noted(page: str, parts: list[ModuleType]) -> str:
-    """The page with the sentences below its tables made of these, but where they need times."""
+    """Return the page with sentences rewritten from its tables, except sentences on times."""
     for part in parts:
         section = section_of(page, part)
         if section and hasattr(part, "notes") and not getattr(part, "NOTES_NEED_TIMES", False):
@@ -111,9 +112,9 @@ def environment() -> str:
 
 
 def with_sections(old: str, text: str, titles: list[str]) -> str:
-    """Text of the markers with the sections of a new one in place of its own, in order of titles.
+    """Return the text between the markers with new sections in place of old ones, by title.
 
-    What comes before the first section is that of the new text.
+    The part before the first section is that of the new text.
     """
     head, *new = _sections(text)
     kept = dict(map(_titled, _sections(old)[1:])) | dict(map(_titled, new))
@@ -130,12 +131,12 @@ def _titled(section: str) -> tuple[str, str]:
 
 
 def inside_markers(page: str) -> str:
-    """The text between the markers of the measured tables."""
+    """Return the text between the markers of the measured tables."""
     return _split(page)[1]
 
 
 def between_markers(page: str, text: str) -> str:
-    """The page with the text between the markers of the measured tables."""
+    """Return the page with this text between the markers of the measured tables."""
     head, _, tail = _split(page)
     return f"{head}{BEGIN}\n\n{text.strip()}\n\n{END}{tail}"
 
@@ -144,5 +145,5 @@ def _split(page: str) -> tuple[str, str, str]:
     head, _, rest = page.partition(BEGIN)
     text, found, tail = rest.partition(END)
     if not found:
-        raise ValueError(f"the page has no {BEGIN} ... {END}")
+        raise ValueError(f"the page must contain the markers {BEGIN} ... {END}")
     return head, text.strip(), tail

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.theory --docs: compute the tables of numbers in docs/theory again.
+"""python -m benchmarks.theory --docs: recompute the tables of numbers in docs/theory.
 
-Each lies between markers that name the function below that makes it.
+Each table lies between markers that name its function in this module.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def press(gap: np.ndarray, grid: sc.Grid, load: float) -> list[sc.ContactSolutio
 
 
 def contact_counts(rough: Sequence[tuple[int, float]] = ROUGH) -> str:
-    """Steps, exact displacements and work of elastic contacts, by load and by approach."""
+    """Return steps, exact displacements and work of elastic contacts, by load and by approach."""
     grid = sc.Grid(256, 256, 1e-6, 1e-6)
     modulus = sc.hertz.effective_modulus(RIGID, STEEL)
     hertz = sc.hertz.point(10e-3, modulus, approach=(64e-6) ** 2 / 10e-3)
@@ -67,7 +67,7 @@ def contact_counts(rough: Sequence[tuple[int, float]] = ROUGH) -> str:
 
 
 def shakedown_limits(frictions: Sequence[float] = FRICTIONS) -> str:
-    """Limits of shakedown, p₀/k, of contacts that roll with friction."""
+    """Return shakedown limits p₀/k of contacts rolling with friction."""
     limits: dict[str, Callable[[float], shakedown.ShakedownLimit]] = {
         "line, Tresca": lambda mu: shakedown.line(mu, criterion="tresca"),
         "line, von Mises": lambda mu: shakedown.line(mu, criterion="von_mises"),
@@ -82,7 +82,7 @@ def shakedown_limits(frictions: Sequence[float] = FRICTIONS) -> str:
 
 
 def rolling_reach(steps: int = 100) -> str:
-    """Pressure error if the track beyond `reach` is neglected, relative to the largest pressure."""
+    """Return the relative pressure error if the track beyond `reach` is neglected."""
     body = sc.Material.elastic(310e9, 0.29)
     steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
     d, radius, load = 80e-6, 4.7625e-3, 1150.0
@@ -107,7 +107,7 @@ def rolling_reach(steps: int = 100) -> str:
 
 
 def rollers(ratio: float, friction: float, hardening: float) -> tuple[sc.Simulation, list]:
-    """Rollers 6 half-widths apart on cells of b/10, with p0 in multiples of k; and a pass."""
+    """Return rollers 6 half-widths apart on cells of b/10 (p0 in multiples of k), and one pass."""
     shear_limit, width = 50e6, 1e-4
     body = sc.Material.perfect_plastic(210e9, 0.3, math.sqrt(3) * shear_limit)
     if hardening:
@@ -125,7 +125,7 @@ CYCLES = ((3.9, 0.0, 0.0), (4.1, 0.0, 0.0), (3.4, 0.2, 0.0), (4.1, 0.0, 0.05), (
 
 
 def shakedown_cycles(scenes: Sequence[tuple[float, float, float]] = CYCLES) -> str:
-    """Cycles with jumps over others, and all of them one by one."""
+    """Return the table of shakedown results with jumps over cycles and without jumps."""
     rows = []
     for ratio, friction, hardening in scenes:
         name = f"{ratio:g}, " + (f"μ = {friction:g}" if friction else "no friction")
@@ -137,8 +137,10 @@ def shakedown_cycles(scenes: Sequence[tuple[float, float, float]] = CYCLES) -> s
         strains = [f"{1e3 * one.rate / one.yield_strain:.3g}" for one in found]
         cycles = [f"{one.solved} of {one.cycles[-1].number}" for one in found]
         rows.append([name, *dict.fromkeys(one.response for one in found), *cycles, *strains])
-    heading = ["load, friction", "result", "with jumps", "without"]
-    return table([*heading, "strain of the last cycle [10⁻³ σ_y/E]", "without"], rows)
+    ways = ("with jumps", "without jumps")
+    heading = ["load, friction", "result", *(f"cycles solved, {way}" for way in ways)]
+    heading += [f"strain of the last cycle, {way} [10⁻³ σ_y/E]" for way in ways]
+    return table(heading, rows)
 
 
 ERRORS = {
@@ -150,15 +152,15 @@ ERRORS = {
     "max_residual_von_mises_body2": "residual von Mises stress",
     "imprint_depth_body2": "imprint depth",
 }
-CIRCLES = (4, 5, 6, 7, 8, 9, 10, 12, 14, 17, 20, 23, 26)  # cells in the radius
-ELLIPSES = (5.3, 40.0)  # ratios of the radii of curvature; semi-axes of 1:3 and 1:11
+CIRCLES = (4, 5, 6, 7, 8, 9, 10, 12, 14, 17, 20, 23, 26)  # cells per radius
+ELLIPSES = (5.3, 40.0)  # ratios of the radii of curvature, for semi-axes of 1:3 and 1:11
 T1 = (8, 9, 11, 13, 15, 18, 21)
 FINER = 3
 
 
 def pressed(lower: sc.Material, cell: float, reach: tuple[float, float], Ry: float, load: float,
             parts: Sequence[float]) -> sc.GridErrors:  # fmt: skip
-    """A ball pressed on a body in parts of a load; the grid ends at `reach` on either side."""
+    """Press a ball by fractions of a load; the half-width of the grid is `reach`."""
     nx, ny = (2 * math.ceil(half / cell) + 1 for half in reach)
     grid = sc.Grid(nx, ny, cell, cell, dz=cell, nz=math.ceil(1.2 * min(reach) / cell))
     path = [{"load": part * load} for part in parts]
@@ -170,7 +172,7 @@ def pressed(lower: sc.Material, cell: float, reach: tuple[float, float], Ry: flo
 
 
 def compared(found: sc.GridErrors, truth: dict[str, float]) -> dict[str, float]:
-    """Stated over true error of each quantity, where it is largest."""
+    """Return the ratio of stated to true error of each quantity at its maximum."""
     ratios = {}
     for name, true in truth.items():
         at = int(np.nanargmax(np.abs(found.values[name])))
@@ -179,7 +181,7 @@ def compared(found: sc.GridErrors, truth: dict[str, float]) -> dict[str, float]:
 
 
 def hertz_ratios(cells: int, ratio: float) -> dict[str, float]:
-    """Against closed forms; of circles the stress too."""
+    """Return ratios for closed forms; for circular contacts including the stress."""
     modulus = sc.hertz.effective_modulus(STEEL, STEEL)
     exact = sc.hertz.elliptic(7.5e-3, ratio * 7.5e-3, modulus, load=1500.0)
     truth = {"approach": exact.approach, "max_pressure": exact.p0,
@@ -195,7 +197,7 @@ def hertz_ratios(cells: int, ratio: float) -> dict[str, float]:
 def grid_errors(
     circles: Sequence[int] = CIRCLES, ellipses: Sequence[float] = ELLIPSES, t1: Sequence[int] = T1
 ) -> str:
-    """Stated over true errors of `sc.estimate_errors`, against Hertz and much finer grids."""
+    """Return the ratios of stated errors of `sc.estimate_errors` to true errors."""
     found = [hertz_ratios(n, 1.0) for n in circles]
     found += [hertz_ratios(n, ratio) for ratio in ellipses for n in circles[:7:2]]
     a = sc.hertz.point(7.5e-3, sc.hertz.effective_modulus(STEEL, STEEL), load=1500.0).a
@@ -222,7 +224,7 @@ def grid_errors(
 
 
 def increments(few: Sequence[int] = (1, 4, 16), many: int = 64, across: int = 16) -> str:
-    """Errors of two balls loaded to 1500 N in few increments and unloaded in one, against many."""
+    """Return errors of two balls (1500 N, unloaded in one increment) by number of increments."""
 
     def values(count: int) -> np.ndarray:
         simulation = balls(across)
@@ -255,7 +257,7 @@ TABLES: dict[str, Callable[[], str]] = {
 
 
 def page(text: str, made: dict[str, str]) -> str:
-    """The page with these tables in place of its own."""
+    """Return the page with these tables."""
 
     def replaced(match: re.Match[str]) -> str:
         head, name, tail = match.groups()
@@ -266,7 +268,7 @@ def page(text: str, made: dict[str, str]) -> str:
 
 @click.command(help=__doc__)
 @click.argument("names", nargs=-1, metavar="[TABLE]...", type=click.Choice(list(TABLES)))
-@click.option("--docs", is_flag=True, help="Put them into docs/theory.")
+@click.option("--docs", is_flag=True, help="Write the tables into docs/theory.")
 def main(names: tuple[str, ...], docs: bool) -> None:
     made = {name: TABLES[name]() for name in names or TABLES}
     click.echo("\n\n".join(made.values()))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One and two threads: contact, increments and subdomains; sweeps in one and two processes.
 
-Times are those of the clock, so the machine must have two free processors.
+Times are wall-clock times, so the machine must have two free processors.
 """
 
 from __future__ import annotations
@@ -21,6 +21,12 @@ TITLE = "Threads"
 SERIES = ("case", "method")
 AXES = (("cells",), ("time_ratio",))
 BASE = "1 thread"
+HIDDEN_COLUMNS = (
+    "contact_iterations", "surface_applications", "volume_applications", "cells_in_contact", "work",
+    "shear_iterations", "shear_applications", "shear_work", "sticking_cells", "contact_fraction",
+    "plastic_cells",
+)  # fmt: skip
+"""Counts that do not depend on the number of threads; other parts have them."""
 SIZES = {
     "contact": (64, 256, 1024),
     "partial slip": (64, 256, 1024),
@@ -28,7 +34,7 @@ SIZES = {
     "zones": (64, 256, 512),
     "sweep": (4, 16, 64),
 }
-ROUNDS = 3  # of all but sweeps, which take minutes
+ROUNDS = 3  # repetitions of all cases except sweeps, which take minutes
 LARGE_SIZES = {
     "contact": 256**2,
     "partial slip": 256**2,
@@ -47,7 +53,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
         for case, sizes in SIZES.items()
         for n in (sizes[:2] if quick else sizes)
         for threads, method in ((1, BASE), (2, "2 threads"))
-        # a sweep has two processes instead
+        # a sweep uses two processes instead
         for own, rounds in ((1, 1) if case == "sweep" else (threads, ROUNDS),)
     ]
 
@@ -105,8 +111,8 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         both = [row for row in rows if row["case"] == case and row["method"] != BASE]
         large = [efficiency(row) for row in both if row["cells"] >= LARGE_SIZES[case]]
         small = [row["time_ratio"] for row in both if row["cells"] < LARGE_SIZES[case]]
-        told = [f"efficiency of two threads at least {min(large):.2f}"] if large else []
+        stated = [f"efficiency of two threads at least {min(large):.2f}"] if large else []
         if small:
-            told.append(f"small cases take up to {max(small):.2f} times as long as on one")
-        lines += [f"- {case}: {'; '.join(told)}."] if told else []
+            stated.append(f"small cases take up to {max(small):.2f} times as long as on one")
+        lines += [f"- {case}: {'; '.join(stated)}."] if stated else []
     return ["\n".join(lines)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.truth: the best values of cases, which accuracies are held to."""
+"""python -m benchmarks.truth: reference values of cases, for comparison with stated errors."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from samcontact.cases import Case as SectionsOfCase
 from .accuracy_cases import CASES, Case, closed_form
 from .study import Record, Study
 
-MAX_SOLVE_SECONDS = 35.0  # s of a processor
-INCREMENTS = (4, 8, 16, 32)  # of a segment
-INCREMENTS_ON = 3  # the grid of these
+MAX_SOLVE_SECONDS = 35.0  # processor time [s]
+INCREMENTS = (4, 8, 16, 32)  # increments per segment
+INCREMENTS_ON = 3  # number of the grid for these increments
 FINER_INCREMENTS = {
     "F2, 5000 N": (3, (8, 16, 32, 64)),
     "given approach": (3, (16, 32, 64)),
@@ -35,9 +35,9 @@ def finest(
     grid: int = INCREMENTS_ON,
     increments: tuple[int, ...] = INCREMENTS,
 ) -> dict[str, float]:
-    """The best values that can be had in some time, with one order for all; closed forms of some.
+    """Return the best values within a time limit, by one order; closed forms if there are any.
 
-    The fewest increments a segment on all grids, corrected by more of them on one of these.
+    All grids use the fewest increments; one grid with more of them gives a correction.
     """
     scene = RefinableCase(
         SectionsOfCase.model_validate({"title": "truth", "accuracy": 0.1, **case})
@@ -58,9 +58,9 @@ def finest(
 def extrapolated(
     names: list[str], parts: list[int], grids: list[Values], coarse: list[Values]
 ) -> dict[str, float]:
-    """Extrapolate with order 2 in the cells, and orders 1 and 2 in the increments."""
+    """Extrapolate with order 2 in cell size, and orders 1 and 2 in the increments."""
     change = (grids[-1] - grids[-3]) / 3
-    # a thin layer at the surface that no grid shows yet is no largest value
+    # a maximum in a thin surface layer that no grid resolves is disregarded
     values = grids[-1] + np.where(np.abs(change) < 0.05 * np.abs(grids[-1]), change, 0.0)
     if len(coarse) > 1:
         first = [2 * fine - wide for wide, fine in itertools.pairwise(coarse)]
@@ -82,12 +82,12 @@ def points(quick: bool) -> list[Record]:
 
 
 def known() -> dict[str, dict[str, float]]:
-    """Stored records by case and quantity."""
+    """Return the stored records by case and quantity."""
     return {record["of"]: record["values"] for record in STUDY.records()}
 
 
 STUDY = Study(
-    "truth", "The best values of cases, which accuracies are held to.", points, run, lasting=True
+    "truth", "Reference values of cases, to check stated errors.", points, run, lasting=True
 )
 
 if __name__ == "__main__":

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures and stated values of V. Boucly's thesis (INSA Lyon, 2008), computed: docs/gallery."""
+"""Simulations that reproduce figures and values of V. Boucly's thesis (INSA Lyon, 2008)."""

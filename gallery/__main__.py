@@ -13,7 +13,7 @@ OUTPUT = Path(__file__).resolve().parents[1] / "results" / "gallery"
 
 
 def main(given: list[str] | None = None) -> int:
-    """Return 1 if a value differs from the stated one, else 0; bad input ends with exit code 2."""
+    """Return 1 if a computed value differs from the thesis, else 0; invalid input exits with 2."""
     parser = argparse.ArgumentParser(prog="python -m gallery", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="PART | FIGURE", help="default: all parts")
     parser.add_argument("--quick", action="store_true", help="coarse grids")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two elastic-plastic asperities that slide past each other: part 4."""
+"""Two elastic-plastic asperities that slide past each other: Boucly (2008), part 4."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ GPa, pass each other at constant height, without friction and rotation. Forces, 
 interference are divided by their values at the onset of yield (Green 2005). X is the offset of the
 centres, negative before they are aligned, R = 0.5 m. A positive tangential force resists the
 motion; the figures of the thesis show both forces of the first pass. The kinematics are derived
-independently, see [theory](../theory/moving_contacts.md#tugging), because equations (4.2), (4.13)
-and (4.15) of the thesis contain errors.
+independently, because equations (4.2), (4.13) and (4.15) of the thesis contain errors
+([theory](../theory/moving_contacts.md#collision-of-two-asperities)).
 """
 
 STEEL = sc.Material.perfect_plastic(200e9, 0.32, 0.9115e9)
@@ -39,12 +39,12 @@ CRITICAL = sc.critical.green(0.5, sc.hertz.effective_modulus(STEEL, STEEL), 0.32
 @dataclass
 class Results:
     runs: dict[float, CollisionResult]
-    """Results by interference over the critical one."""
+    """Results by interference over the critical interference."""
     elastic: CollisionResult
     again: CollisionResult
     """Three passes."""
     energies: dict[int, float]
-    """Net energy over the critical one at 9 critical interferences, by increments."""
+    """Net energy over the critical energy at 9 critical interferences, by number of increments."""
     mesh: str
 
 
@@ -82,13 +82,13 @@ def critical_values(results: Results) -> list[Number | Statement]:
 
 
 def curve(result: CollisionResult, name: str) -> tuple[np.ndarray, np.ndarray]:
-    """Offset and a force of the first pass."""
+    """Return the offset of the centres and one force component in the first pass."""
     series = result.series.isel({"pass": 0})
     return series["offset"].values, series[name].values
 
 
-def unlike(result: CollisionResult, name: str, sign: float) -> float:
-    """Return the deviation of a curve from its (anti)symmetric image, over its maximum."""
+def asymmetry(result: CollisionResult, name: str, sign: float) -> float:
+    """Return the maximum deviation of a curve from (anti)symmetry, relative to the maximum."""
     x, f = curve(result, name)
     return float(np.abs(f - sign * np.interp(-x, x, f)).max() / np.abs(f).max())
 
@@ -96,8 +96,8 @@ def unlike(result: CollisionResult, name: str, sign: float) -> float:
 def forces(results: Results) -> list[Number | Statement]:
     runs, mesh = results.runs, results.mesh
     name = "ω/ωc = " + each(list(runs))
-    odd = [unlike(run, "force_x", -1.0) for run in runs.values()]
-    even = [unlike(run, "force_z", 1.0) for run in runs.values()]
+    odd = [asymmetry(run, "force_x", -1.0) for run in runs.values()]
+    even = [asymmetry(run, "force_z", 1.0) for run in runs.values()]
     aligned = [float(np.interp(0.0, *curve(run, "force_x"))) for run in runs.values()]
     of_peak = [
         f / curve(r, "force_x")[1].max() for f, r in zip(aligned, runs.values(), strict=True)
@@ -136,7 +136,7 @@ def forces(results: Results) -> list[Number | Statement]:
 
 
 def at_exit(result: CollisionResult) -> float:
-    """Load ratio where the contact ends, by the parabola through the last four increments."""
+    """Extrapolate the load ratio to the end of contact by a parabola fitted to four increments."""
     series = result.series.isel({"pass": 0})
     touching = np.flatnonzero(series["normal_force"].values > 0)[-4:]
     end = result.collision.half_distance

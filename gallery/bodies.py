@@ -24,10 +24,10 @@ def square(
     per_cell: int = 1,
     layer: float | None = None,
 ) -> sc.Grid:
-    """Half as wide as `width` a, as deep as `depth` a (a surface without); a cell in the middle.
+    """Return a square grid of half-width `width` times a and depth `depth` times a (0: no layers).
 
-    cells: in the length a [m]; per_cell: layers in the height of a cell, unless `layer` [m] says
-    how high they are.
+    The centre of one cell lies at the origin. cells: number of cells per length a [m]; per_cell:
+    number of layers per cell size, unless `layer` gives the layer thickness [m].
     """
     n, d = 2 * int(width * cells) + 1, a / cells
     if depth == 0.0:

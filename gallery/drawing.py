@@ -19,7 +19,7 @@ def axes(
     layout: Any = "constrained",
     **shared: Any,
 ) -> tuple[Figure, Any]:
-    """A figure of so many axes; `shared` as of `Figure.subplots`."""
+    """Return a figure with the given number of axes; `shared` is passed to `Figure.subplots`."""
     figure = Figure(figsize=size, layout=layout)
     return figure, figure.subplots(rows, columns, **shared)
 
@@ -32,11 +32,11 @@ def gridded() -> tuple[Figure, Axes]:
 
 
 def finish(ax: Axes, xlabel: str = "", ylabel: str = "", legend: bool = True) -> None:
-    """Labels, grid and legend."""
+    """Add axis labels, grid lines and a legend to axes."""
     ax.set(xlabel=xlabel, ylabel=ylabel)
     ax.grid(True, linewidth=0.4, alpha=0.5)
     if legend:
-        ax.legend(fontsize="small", framealpha=1.0, edgecolor="none")  # lines end beside it
+        ax.legend(fontsize="small", framealpha=1.0, edgecolor="none")  # no line lies there
 
 
 def hertz_curve(
@@ -46,6 +46,6 @@ def hertz_curve(
     reach: float = 1.5,
     label: str = "Hertz",
 ) -> None:
-    """The elastic pressure against x/a, up to `reach`, in `unit` [Pa]."""
+    """Draw the Hertz pressure, in units of `unit` [Pa], against x/a up to `reach`."""
     x = np.linspace(-reach, reach, round(200 * reach) + 1)
     ax.plot(x, contact.pressure(x * contact.a) / unit, "k--", linewidth=1, label=label)

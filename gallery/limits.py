@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Limits of infinitely fine meshes and increments, from a few that are not."""
+"""Limits of infinitely fine meshes and increments, extrapolated from a few finite ones."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from itertools import pairwise
 
 @dataclass(frozen=True)
 class Limit:
-    """An extrapolated value and its error."""
+    """Value extrapolated to infinitely fine cells or increments, and its estimated error."""
 
     value: float
     error: float
     """Difference between the extrapolations from the finer and from the coarser pair."""
     text: str
-    """Values from which the limit is extrapolated."""
+    """Text that lists the values from which the limit is extrapolated."""
 
 
 def first_order(counts: Sequence[float], values: Sequence[float], what: str) -> Limit:
-    """Extrapolate values at three or more increasing counts of cells or increments: v + c/count."""
+    """Extrapolate values at three or more increasing counts (cells, increments) by v + c/count."""
     pairs = list(zip(counts, values, strict=True))
     *_, coarse, fine = ((m * v - n * u) / (m - n) for (n, u), (m, v) in pairwise(pairs))
     listed = (", ".join(f"{x:.4g}" for x in row) for row in (values, counts))

@@ -11,24 +11,26 @@ from typing import Any
 TABLE = Path(__file__).parents[1] / "benchmarks" / "sensitivity.json"
 CHANGES = ("cells", "layers", "increments", "grid size")
 OWN_MESH_NOTE = """\
-Moves: maximum change of the numbers if the cells, layers or increments of the page's mesh are
-halved, or its grid is enlarged ([sensitivity](../sensitivity.md)).
+Sensitivity: maximum change of the numbers if the cells, layers or increments of the page's mesh
+are halved, or its grid is enlarged ([sensitivity of the gallery to the mesh](../sensitivity.md)).
 """
 COARSE_MESH_NOTE = """\
-Moves: maximum change of the numbers if the cells, layers or increments of a mesh about half as
-fine as that of the page are halved, or its grid is enlarged ([sensitivity](../sensitivity.md)).
-This is approximately an upper bound of their error.
+Sensitivity: maximum change of the numbers if the cells, layers or increments of a mesh about half
+as fine as the mesh of the page are halved, or its grid is enlarged
+([sensitivity of the gallery to the mesh](../sensitivity.md)). This is approximately an upper bound
+of the error.
 """
 BOTH_MESHES_NOTE = """\
-Moves: maximum change of the numbers if the cells, layers or increments of the page's mesh are
-halved, or its grid is enlarged ([sensitivity](../sensitivity.md)). Values in brackets are changes
-of a mesh about half as fine and are approximately upper bounds of the error.
+Sensitivity: maximum change of the numbers if the cells, layers or increments of the page's mesh
+are halved, or its grid is enlarged ([sensitivity of the gallery to the mesh](../sensitivity.md)).
+Values in brackets are changes on a mesh about half as fine, and approximately upper bounds of the
+error.
 """
 
 
 @dataclass(frozen=True, order=True)
 class Move:
-    """Change of a value [%], and whether it is on the mesh of the page."""
+    """Change of a value with the mesh [%], and whether the mesh is the mesh of the page."""
 
     percent: float
     own: bool
@@ -36,7 +38,7 @@ class Move:
 
 @dataclass(frozen=True)
 class Moves:
-    """Stated value, its numbers, and their changes by the kind of mesh change."""
+    """Row of a page: quantity, computed numbers, and their change for each kind of mesh change."""
 
     quantity: str
     values: list[float]
@@ -48,18 +50,18 @@ class Moves:
 
 
 def words(quantity: str) -> str:
-    """A quantity without its numbers, of which coarse meshes have fewer."""
+    """Return the text of a quantity without its numbers; coarse meshes have fewer numbers."""
     return "".join(letter for letter in quantity if letter.isalpha())
 
 
 def kept() -> list[dict[str, Any]]:
-    """Records of `python -m benchmarks.sensitivity`."""
+    """Read the stored records of `python -m benchmarks.sensitivity`."""
     found: list[dict[str, Any]] = json.loads(TABLE.read_text(encoding="utf-8"))
     return found
 
 
 def of_part(name: str, records: list[dict[str, Any]]) -> list[Moves]:
-    """Return changes on the mesh of the page, or on the coarse mesh if not computed on it."""
+    """Return the changes on the mesh of the page or, where missing, on the coarse mesh."""
     found: dict[bool, list[Moves]] = {True: [], False: []}
     for record in (record for record in records if record["of"] == name):
         own = record["mesh"] == "page"
@@ -81,7 +83,7 @@ def of_part(name: str, records: list[dict[str, Any]]) -> list[Moves]:
 
 
 def note(table: list[Moves]) -> str:
-    """Return the explanation of the column of a page."""
+    """Return the explanation of the column "moves" of a page."""
     own = {move.own for moves in table for move in moves.by.values()}
     return (
         BOTH_MESHES_NOTE if len(own) == 2 else OWN_MESH_NOTE if own == {True} else COARSE_MESH_NOTE
@@ -89,7 +91,7 @@ def note(table: list[Moves]) -> str:
 
 
 def column(table: list[Moves]) -> dict[str, str]:
-    """The largest move of each quantity, by its `words`; in brackets where `note` says it."""
+    """Return the maximum change of each quantity by its `words`; coarse ones in brackets."""
     mixed = note(table) == BOTH_MESHES_NOTE
     largest: dict[str, Move] = {}
     for moves in table:

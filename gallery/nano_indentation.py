@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Nano-indentation of nitrided steel: figures 2.9, 2.14 and 2.15 of the thesis."""
+"""Nano-indentation of nitrided steel: figures 2.9, 2.14 and 2.15 of Boucly (2008)."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ SHOWN = 4
 
 @dataclass(frozen=True)
 class Results:
-    """States of both runs: loading, then unloading."""
+    """States of both runs, with prescribed load or interference; each run loads and unloads."""
 
     grid: sc.Grid
     by_load: list[sc.State]
@@ -56,15 +56,15 @@ class Results:
 
 
 def hertz(load: float) -> sc.hertz.PointContact:
-    """Elastic contact of tip and steel."""
+    """Return the Hertz contact of the spherical tip and the steel."""
     E_star = sc.hertz.effective_modulus(RIGID, STEEL)
     return sc.hertz.point(R=TIP, E_star=E_star, load=load)
 
 
 def compute(quick: bool) -> Results:
-    """Compute on the mesh and increments of the thesis if quick, else on twice as many of both."""
+    """Solve both runs, on the mesh of the thesis if quick, else with half-size cells and steps."""
     finer = 1 if quick else 2
-    # odd counts along x and y keep a cell on the axis
+    # odd numbers of cells along x and y, so that one cell centre lies on the axis
     nx, ny = ((n - 1) * finer + 1 for n in MESH[:2])
     grid = sc.Grid(nx, ny, 0.6e-6 / finer, 1.2e-6 / finer, MESH[2] * finer, 0.3e-6 / finer)
     gap = sc.surfaces.paraboloid(grid, TIP)
@@ -72,7 +72,7 @@ def compute(quick: bool) -> Results:
     by_load = sc.Simulation(grid, RIGID, STEEL, gap)
     loaded = by_load.run(sc.paths.load_unload(load=LOAD, increments=count), progress=False)
     by_approach = sc.Simulation(grid, RIGID, STEEL, gap)
-    # down to where the bodies part, as by load
+    # unload to the separation of the bodies, as in the load-controlled run
     path = sc.paths.load_unload(
         approach=loaded[count - 1].approach, end=loaded[-1].approach, increments=count
     )
@@ -80,12 +80,12 @@ def compute(quick: bool) -> Results:
 
 
 def curve(states: list[sc.State]) -> tuple[np.ndarray, np.ndarray]:
-    """Interference and load."""
+    """Return interference [m] and load [N] of each state."""
     return np.array([s.approach for s in states]), np.array([s.load for s in states])
 
 
 def difference_of_the_drives(results: Results) -> float:
-    """Largest difference in load between the two runs at the same interference, over the peak."""
+    """Return the maximum load difference of both runs at equal interference, over the peak load."""
     split = results.top + 1
     found = []
     for part in (slice(0, split), slice(split - 1, None)):
@@ -93,7 +93,7 @@ def difference_of_the_drives(results: Results) -> float:
         w_other, other = curve(results.by_approach[part])
         if part.start == 0:
             w, load = np.append(0.0, w), np.append(0.0, load)
-        # both branches are close to a power 3/2 of the distance from first touch
+        # on both branches the load is about a power 3/2 of the distance from first touch
         start = w.min()
         order = np.argsort(w)
         at = np.interp((w_other - start) ** 1.5, (w[order] - start) ** 1.5, load[order])
@@ -102,7 +102,10 @@ def difference_of_the_drives(results: Results) -> float:
 
 
 def prints(states: list[sc.State]) -> np.ndarray:
-    """Imprint depth at the centre [m]; unloading is elastic, so it equals that under load."""
+    """Return the residual imprint depth at the centre [m] after unloading from each load.
+
+    Unloading is elastic, so the depth follows from the plastic strain under load.
+    """
     return np.array([s.residual_displacement().max() for s in states])
 
 
@@ -135,7 +138,7 @@ def stated(results: Results) -> list[Number | Statement]:
 
 
 def figures(results: Results) -> list[Picture]:
-    """Figures 2.9, 2.14 and 2.15."""
+    """Draw figures 2.9, 2.14 and 2.15."""
     return [
         Picture(
             "nano_imprint",
@@ -151,7 +154,7 @@ def figures(results: Results) -> list[Picture]:
         Picture(
             "nano_pressure",
             "Figure 2.15: pressure along x in the plane y = 0 for increasing load up to 0.650 N; "
-            "stated: flattened against Hertz's (dashed), the same by load and by interference.",
+            "thesis: flatter than Hertz's (dashed), equal by load and by interference.",
             pressure_figure(results),
         ),
     ]
@@ -182,9 +185,9 @@ def print_figure(results: Results) -> Figure:
 def load_figure(results: Results) -> Figure:
     figure, ax = gridded()
     w, load = (np.append(0.0, values) for values in curve(results.by_load))
-    ax.plot(w * 1e9, load * 1e3, "-", label="given load")
+    ax.plot(w * 1e9, load * 1e3, "-", label="prescribed load")
     w, load = curve(results.by_approach)
-    ax.plot(w * 1e9, load * 1e3, "o", ms=4, mfc="none", label="given interference")
+    ax.plot(w * 1e9, load * 1e3, "o", ms=4, mfc="none", label="prescribed interference")
     elastic = np.linspace(0, LOAD, 60)
     hertzian = [0.0, *(hertz(value).approach for value in elastic[1:])]
     ax.plot(np.multiply(hertzian, 1e9), elastic * 1e3, "k-", linewidth=0.8, label="elastic (Hertz)")
@@ -213,7 +216,7 @@ def pressure_figure(results: Results) -> Figure:
     top = results.by_approach[results.top]
     ax.plot(
         x, top.pressure[:, row] * 1e-9, "o", ms=4, mfc="none", color=line.get_color(),
-        label=f"given interference, {top.approach * 1e9:.0f} nm",
+        label=f"prescribed interference, {top.approach * 1e9:.0f} nm",
     )  # fmt: skip
     ax.plot([], [], "k--", lw=0.9, label="Hertz, same load")
     ax.set_xlabel("x [µm]")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Protocol of a part of the gallery, and its page.
+"""Protocol of a part of the gallery, and output of its page.
 
 A part is a module with a TITLE, an INTRODUCTION (Markdown), and three functions:
 `compute(quick)` solves its cases, on coarse grids when quick; `stated(results)` lists what the
@@ -26,14 +26,14 @@ _IMAGE: dict[str, Any] = {
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure; its name is that of its file, its caption starts with the thesis's numbers."""
+    """Figure with file name and caption, which starts with the figure number in the thesis."""
 
     name: str
     caption: str
     figure: Figure
 
     def save(self, folder: Path) -> None:
-        """Write NAME.png with a palette: a third of the bytes that all colours take."""
+        """Write NAME.png with a colour palette, which takes a third of the bytes of full colour."""
         drawn = BytesIO()
         self.figure.savefig(drawn, **_IMAGE)
         with Image.open(drawn) as image:
@@ -42,7 +42,7 @@ class Picture:
 
 
 class Part(Protocol):
-    """Module of the gallery; the result of `compute` has a type of its own."""
+    """Module of a gallery part; each part defines the type of its results."""
 
     TITLE: str
     INTRODUCTION: str
@@ -55,14 +55,15 @@ class Part(Protocol):
 
 
 def digits(value: float) -> str:
-    """Four digits, or all those before the point."""
+    """Return a number with four digits, or with all digits before the decimal point if more."""
     return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
 
 
 def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
-    """Markdown table of stated values, and how much they move."""
+    """Return the Markdown table of stated values and of their changes with the mesh."""
     largest = moves.column(moved)
-    heads = ["quantity", "thesis", "samcontact", "difference", "mesh"] + ["moves"] * bool(moved)
+    heads = ["quantity", "thesis", "samcontact", "difference", "mesh"]
+    heads += ["sensitivity"] * bool(moved)
     lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
     remarks = []
     for entry in entries:
@@ -90,7 +91,7 @@ def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
 
 
 def write(name: str, part: Part, results: Any, folder: Path) -> list[Number | Statement]:
-    """Write the page and the figures of a part; returns its stated values."""
+    """Write the page and the figures of a part, and return its stated values."""
     folder.mkdir(parents=True, exist_ok=True)
     entries = part.stated(results)
     text = [

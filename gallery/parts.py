@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The parts of the gallery, the figures of the thesis in each, and how they are made."""
+"""Parts of the gallery, the thesis figures of each part, and their computation."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 
 from . import page
 
-# part: figures of the thesis, single ones or (first, last)
+# by part: numbers of thesis figures, single numbers or (first, last)
 PARTS: dict[str, tuple[str | tuple[str, str], ...]] = {
     "nano_indentation": ("2.9", "2.14", "2.15"),
     "flattening": (("2.10", "2.13"),),
@@ -35,14 +35,14 @@ def _number(figure: str) -> tuple[int, int]:
 
 
 def figures_of(part: str) -> str:
-    """The figures of a part in words, e.g. "2.10 to 2.13"."""
+    """Return the figure numbers of a part as text, e.g. "2.10 to 2.13"."""
     return ", ".join(f if isinstance(f, str) else f"{f[0]} to {f[1]}" for f in PARTS[part])
 
 
 def part_of(name: str) -> str:
-    """The part with this name, or with this figure of the thesis, e.g. "3.12".
+    """Return the part with this name, or with this figure of the thesis, e.g. "3.12".
 
-    Raises ValueError that names what there is.
+    Raises a ValueError that lists the available parts.
     """
     if name in PARTS:
         return name
@@ -60,7 +60,7 @@ def part_of(name: str) -> str:
 
 
 def make(parts: Sequence[str], folder: Path, quick: bool = False) -> int:
-    """Write pages and figures of parts; how many stated values differ."""
+    """Write pages and figures of parts; return the number of stated values that differ."""
     failed = 0
     for name in parts:
         start = time.perf_counter()

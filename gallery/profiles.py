@@ -16,7 +16,7 @@ def von_mises(stress: np.ndarray) -> np.ndarray:
 
 
 def succession(values: np.ndarray, negligible: float) -> list[str]:
-    """Signs of a stress from the surface down, without what is negligible."""
+    """Describe the signs of a stress from the surface down, without negligible values."""
     found: list[str] = []
     for value in values[np.abs(values) > negligible]:
         sign = "tensile" if value > 0 else "compressive"
@@ -26,7 +26,7 @@ def succession(values: np.ndarray, negligible: float) -> list[str]:
 
 
 def top(x: np.ndarray, values: np.ndarray) -> tuple[float, float]:
-    """Largest value and its position, by the parabola through the three largest samples."""
+    """Return the maximum of a profile and its position, by a parabola through three samples."""
     k = int(values.argmax())
     if k in (0, len(values) - 1):
         return float(values[k]), float(x[k])
@@ -36,13 +36,13 @@ def top(x: np.ndarray, values: np.ndarray) -> tuple[float, float]:
 
 
 def largest(plane: np.ndarray, x: np.ndarray, z: np.ndarray) -> tuple[float, float, float]:
-    """Largest value of a field in a plane (x, z), and where it is."""
+    """Return the maximum of a field in a plane (x, z), and its position."""
     i, k = np.unravel_index(int(plane.argmax()), plane.shape)
     return float(plane[i, k]), float(x[i]), float(z[k])
 
 
 def each(values: Iterable[float], form: str = ".3g") -> str:
-    """Numbers of a sentence."""
+    """Return numbers as a comma-separated text."""
     return ", ".join(f"{value:{form}}" for value in values)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loading without and with rolling, one or two elastic-plastic bodies, linear hardening: 3.2.2."""
+"""Indentation and rolling of one or two elastic-plastic bodies: Boucly (2008), section 3.2.2."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Results:
     runs: dict[Key, dict[float, Run]]
     """Results by pair, k and Hertz pressure [GPa]."""
     again: Run
-    """Result of two loadings without rolling."""
+    """Result of two load cycles without rolling."""
     hardening: dict[float, Run]
     mesh: str
     hardening_mesh: str
@@ -77,7 +77,7 @@ def stated(results: Results) -> list[Number | Statement]:
 
 @dataclass(frozen=True)
 class Curves:
-    """Against the Hertz pressure: largest pressure over it, and largest plastic strain."""
+    """Maximum pressure and maximum plastic strain as functions of the Hertz pressure."""
 
     p0: np.ndarray
     pressed: np.ndarray
@@ -184,13 +184,13 @@ def stated_geometry(results: Results, found: dict[Key, Curves]) -> list[Statemen
 
 
 def again(results: Results) -> float:
-    """Relative growth of the plastic strain when pressed once more."""
+    """Return the relative increase of the plastic strain in the second load cycle."""
     first, second = results.again.cycles
     return float(second.gamma.max() / first.gamma.max() - 1)
 
 
 def lean(run: Run) -> tuple[float, float]:
-    """Position of the largest pressure and of the resultant, rolled, over a."""
+    """Return x/a of the maximum pressure and of the resultant force under a rolling ball."""
     p = run.pressure_along[-1]
     return top(run.x, p)[1] / run.a, float(np.sum(p * run.x) / np.sum(p)) / run.a
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Running-in of a rough surface: section 5.2.2, figures 5.12 to 5.15."""
+"""Running-in of a rough surface: Boucly (2008), section 5.2.2, figures 5.12 to 5.15."""
 
 from __future__ import annotations
 
@@ -155,7 +155,9 @@ def panels(moments: tuple[sc.State, sc.State], name: str, caption: str) -> Pictu
 def history(found: sc.wear.WearResult) -> Picture:
     figure, (left, right) = axes(1, 2, (9.0, 3.6))
     wear.wear_rate(found.to_dataset(), left)
-    left.axvline(STATED_CYCLES, color="k", linestyle="--", linewidth=1, label="stated: 7 cycles")
+    left.axvline(
+        STATED_CYCLES, color="k", linestyle="--", linewidth=1, label="Boucly (2008): 7 cycles"
+    )
     finish(left, "cycle", "worn volume per cycle [µm³]")
     left.legend(loc="upper center", fontsize="small", frameon=False)
     numbers = np.arange(1, len(found.cycles) + 1)

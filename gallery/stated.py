@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Values stated in the thesis, one row of `statements.toml` each, and the computed ones.
 
-Fields of a row: `quantity`; `thesis`, a number or words; of numbers `unit`, `tolerance` and
-`converged`; of words `ours`, the form of what was computed, and `contradicted`; `mesh`, where it is
-the same in every run; `remark`. What is a table instead depends on `at`, e.g. a load: such a row
-states many values. Texts have fields of `str.format`, which the part fills.
+Fields of a row: `quantity`; `thesis`, a number or words; for numbers `unit`, `tolerance` and
+`converged`; for words `ours`, the format of the computed values, and `contradicted`; `mesh`, if it
+is equal in every run; `remark`. A table in place of a value gives one value for each condition
+`at`, e.g. a load. Texts contain `str.format` placeholders, which the part fills.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ else:
 
 @dataclass(frozen=True)
 class Number:
-    """A number that the thesis states."""
+    """A number stated in the thesis, and the computed number."""
 
     quantity: str
     thesis: float
@@ -34,7 +34,7 @@ class Number:
     unit: str = ""
     mesh: str = ""
     tolerance: float = 0.05
-    """Largest relative difference."""
+    """Maximum relative difference for which the value holds [-]."""
     remark: str = ""
     """Remark, e.g. the value on a converged mesh if it differs from that of the thesis."""
     converged: float | None = None
@@ -53,7 +53,7 @@ class Number:
 
 @dataclass(frozen=True)
 class Statement:
-    """A trend that the thesis states in words."""
+    """A trend stated in words in the thesis, and the computed values."""
 
     quantity: str
     thesis: str
@@ -62,11 +62,11 @@ class Statement:
     mesh: str = ""
     remark: str = ""
     contradicted: bool = False
-    """Whether a mesh study contradicts the thesis; `holds` is then about what that found."""
+    """Whether a mesh study contradicts the thesis; `holds` then refers to the mesh study."""
 
 
 class Listing(string.Formatter):
-    """Formats of numbers apply to each of a list; three digits where none is given."""
+    """Formatter that applies a number format to each element of a list (default: `.3g`)."""
 
     def format_field(self, value: Any, format_spec: str) -> str:
         if isinstance(value, (list, tuple, np.ndarray)):
@@ -76,33 +76,33 @@ class Listing(string.Formatter):
 
 @cache
 def table() -> dict[str, dict[str, dict[str, Any]]]:
-    """The rows of each part, by name."""
+    """Read the rows of each part, by name."""
     text = Path(__file__).with_name("statements.toml").read_text(encoding="utf-8")
     found: dict[str, dict[str, dict[str, Any]]] = tomllib.loads(text)
     return found
 
 
 class Stated:
-    """The rows of a part; `fields` fill their texts or replace them."""
+    """Rows of a part; `fields` fill the placeholders of their texts, or replace the texts."""
 
     def __init__(self, part: str, **fields: Any) -> None:
         self.part, self.fields = part, fields
 
     def on(self, mesh: str, **fields: Any) -> Stated:
-        """Rows with this mesh where they have none of their own."""
+        """Return these rows with `mesh` as the mesh of rows that state none."""
         return Stated(self.part, **self.fields, mesh=mesh, **fields)
 
     def values(self, name: str) -> dict[Any, Any]:
-        """Stated values of a row that has many, by their conditions."""
+        """Return the stated values of a row with several values, by condition."""
         found: dict[str, Any] = table()[self.part][name]["thesis"]
         return {_key(key): value for key, value in found.items()}
 
     def number(self, name: str, ours: float, **fields: Any) -> Number:
-        """The row of this name, and the number that was computed in its unit."""
+        """Return the row with this name, with the number computed in the unit of the row."""
         return Number(**self._filled(name, (), fields), ours=ours)
 
     def trend(self, name: str, holds: bool, *ours: Any, **fields: Any) -> Statement:
-        """The row of this name, whether it holds, and the values that its `ours` shows."""
+        """Return the trend with this name; `holds`: whether it holds; `ours`: computed values."""
         return Statement(**self._filled(name, ours, fields), holds=bool(holds))
 
     def _filled(self, name: str, ours: tuple[Any, ...], fields: dict[str, Any]) -> dict[str, Any]:

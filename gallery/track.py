@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Common parts on rolling: bodies, ellipses, and a run of loading, rolling and unloading."""
+"""Common parts of the rolling pages: bodies, ellipses, and loading, rolling and unloading."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from .profiles import top
 
 RADIUS = 4.7625e-3
 BALL = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(CERAMIC, STEEL_52100), p0=5.7e9)
-"""The reference: 5.7 GPa."""
+"""Hertz contact of the ball with a maximum pressure of 5.7 GPa, the reference for lengths."""
 
 
 def ellipse(k: float, p0: float = BALL.p0, E_star: float = BALL.E_star) -> sc.hertz.EllipticContact:
-    """Exact contact of ellipticity k: its semi-axis along x is that of the ball, at any p0."""
+    """Return the Hertz contact of ellipticity k whose semi-axis along x equals the ball's."""
     across, reference = 1.0, sc.hertz.point(RADIUS, E_star, p0=p0)
     if k > 1:
 
@@ -37,20 +37,20 @@ def ellipse(k: float, p0: float = BALL.p0, E_star: float = BALL.E_star) -> sc.he
 
 
 def table_ellipse(k: float, load: float) -> sc.hertz.EllipticContact:
-    """Return the contact of tables 3.2 and 3.3: R_x of the ball, R_y / R_x = k^(pi/2), load."""
+    """Return the Hertz contact for the radii and loads of tables 3.2 and 3.3 of Boucly (2008)."""
     return sc.hertz.elliptic(RADIUS, RADIUS * k ** (0.5 * np.pi), BALL.E_star, load=load)
 
 
 @dataclass(frozen=True)
 class Mesh:
-    """Cells per semi-axis, extent of the grid in semi-axes, and how the load comes and rolls."""
+    """Mesh of a rolling contact: cells, grid size in semi-axes, numbers of steps."""
 
     cells: float
     layers: float
-    """Per semi-axis along x."""
+    """Number of cells per semi-axis along x."""
     length: float = 4.0
     width: float = 1.8
-    """Half of the grid, along x in a_x and along y in a_y."""
+    """Half-width of the grid, along x in units of a_x and along y in units of a_y."""
     depth: float = 2.6
     loading: int = 10
 
@@ -78,7 +78,7 @@ class Cycle:
     y: np.ndarray
     z: np.ndarray
     steady: float
-    """Position of the section across [m]."""
+    """Position of the section across the track [m]."""
     along: np.ndarray
     across: np.ndarray
     """Residual normal displacement [m], positive into the body."""
@@ -89,7 +89,7 @@ class Cycle:
     gamma_across: np.ndarray
     von_mises_across: np.ndarray
     hydrostatic_across: np.ndarray
-    """Across the track, (y, z)."""
+    """Field in a section across the track, shape (y, z)."""
     largest_von_mises: float
     """Maximum over all cells of the section across the track."""
 
@@ -103,15 +103,15 @@ class Cycle:
         return float(self.along[self.row])
 
     def profile(self, name: str) -> np.ndarray:
-        """gamma, von_mises or hydrostatic below the middle of the steady track."""
+        """Return gamma, von_mises or hydrostatic below the middle of the steady track."""
         return np.asarray(getattr(self, name)[self.row])
 
     def peak(self, name: str) -> tuple[float, float]:
-        """Largest value of a profile and its depth, by the parabola through three layers."""
+        """Return the maximum of a profile and its depth, by a parabola through three layers."""
         return top(self.z, self.profile(name))
 
     def shoulders(self) -> tuple[float, float, float]:
-        """Heights before the start, beyond the end and at the sides of the steady track [m]."""
+        """Return the heights of the shoulders [m]: at the start, the end and the sides."""
         middle = self.x < self.steady
         return (
             -float(self.along[middle].min()),
@@ -130,7 +130,7 @@ class Cycle:
 
 @dataclass
 class Run:
-    """Loading, rolling and unloading, once or several times."""
+    """Results of loading, rolling and unloading in one or several passes."""
 
     contact: sc.hertz.EllipticContact
     x: np.ndarray
@@ -138,18 +138,19 @@ class Run:
     z: np.ndarray
     way: float
     vertical: Cycle
-    """At the full load, before it rolls."""
+    """State of the lower body at full load, before rolling."""
     vertical_pressure: np.ndarray
+    """Pressure in the plane y = 0 in this state."""
     loading: np.ndarray
-    """Load, largest pressure, largest plastic strain."""
+    """Load, maximum pressure and maximum plastic strain of each loading increment."""
     cycles: list[Cycle] = field(default_factory=list)
     pressure_along: list[np.ndarray] = field(default_factory=list)
     pressure_across: list[np.ndarray] = field(default_factory=list)
-    """At the end of each pass, through the largest and through the centre of the contact."""
+    """Pressure at the end of each pass: along the track, and across it through the maximum."""
     history: list[np.ndarray] = field(default_factory=list)
     """Distance, maximum pressure and maximum plastic strain of each pass."""
     loaded: np.ndarray = field(default_factory=lambda: np.zeros(0))
-    """Von Mises stress under the load at the end of the last pass, (y, z)."""
+    """Von Mises stress under load at the end of the last pass, shape (y, z)."""
     loaded_axis: list[np.ndarray] = field(default_factory=list)
     counters: dict[str, int] = field(default_factory=dict)
     increments: int = 0
@@ -163,7 +164,7 @@ class Run:
         return self.contact.p0
 
     def p_max(self, cycle: int = -1) -> float:
-        """Largest pressure at the end of a pass."""
+        """Return the maximum pressure at the end of a pass."""
         return float(self.pressure_along[cycle].max())
 
     @cached_property
@@ -202,9 +203,9 @@ def roll(
     cycles: int = 1,
     steady: float = 0.6,
 ) -> Run:
-    """Press, roll by the distance `way` towards +x over both bodies, unload, go back, and again.
+    """Load, roll a distance `way` [m] towards +x over both bodies, and unload, `cycles` times.
 
-    steady: where on the way the section across is taken.
+    steady: position of the section across the track, as a fraction of `way`.
     """
     grid = mesh.grid(contact)
     gap = sc.surfaces.paraboloid(grid, contact.Rx, contact.Ry)
@@ -249,8 +250,8 @@ def both_cycles(
     name: str,
     points: Callable[[Run, int], tuple[np.ndarray, np.ndarray]],
 ) -> None:
-    """A curve of each run after one (dashed) and two cycles; `name` has a place for its key."""
+    """Draw one curve per run after one (dashed) and two cycles; `name` is a format for its key."""
     for n, (key, run) in enumerate(runs.items()):
-        for cycle, style in enumerate(("--", "-")):
-            label = name.format(key) if cycle else None
+        for cycle, style in zip(range(len(run.cycles)), ("--", "-"), strict=False):
+            label = name.format(key) if cycle == len(run.cycles) - 1 else None
             ax.plot(*points(run, cycle), f"C{n}{style}", label=label)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two balls of steel 52100, one or both of them inelastic: section 2.3.1.4."""
+"""Two balls of steel 52100, one or both elastic-plastic: Boucly (2008), section 2.3.1.4."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Case:
     hydrostatic: np.ndarray
 
     def at(self, load: float) -> tuple[float, float]:
-        """p_max and plastic strain at a load (interpolated)."""
+        """Return p_max and plastic strain at a load (interpolated)."""
         return (
             float(np.interp(load, self.load, self.p_max)),
             float(np.interp(load, self.load, self.gamma)),
@@ -59,7 +59,7 @@ class Case:
 
     @property
     def critical(self) -> float:
-        """Load at a plastic strain of 0.2 %."""
+        """Return the load at a plastic strain of 0.2 % [N]."""
         return float(np.interp(2e-3, self.gamma, self.load))
 
 
@@ -116,7 +116,7 @@ def compute(quick: bool) -> Results:
         cases[pair] = Case(
             load, p_max, gamma, grid.x, state.pressure[:, middle].copy(), grid.z, hydrostatic
         )
-        if pair == "E_EP":  # unloading is elastic: loading goes on where it ended
+        if pair == "E_EP":  # unloading is elastic and may precede further loading
             beyond = [(peak.p0, float(gamma[-1]))]
             for p0 in (8.12e9, 8.3e9):
                 state = run.step(load=sc.hertz.point(R=RADIUS, E_star=peak.E_star, p0=p0).load)
@@ -128,7 +128,7 @@ def compute(quick: bool) -> Results:
 
 
 def difference(results: Results, other: str) -> tuple[np.ndarray, np.ndarray]:
-    """Loads, and excess of p_max of E_EP over that of a pair [%], (2.168)."""
+    """Return loads, and the excess of p_max of E_EP over p_max of a pair [%], equation (2.168)."""
     one, two = results.cases["E_EP"], results.cases[other]
     return one.load, 100 * np.abs(one.p_max / two.p_max - 1)
 
@@ -164,7 +164,7 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
 
 
 def stated_axis(results: Results) -> list[Number | Statement]:
-    """Residual hydrostatic stress on the axis."""
+    """Return the rows on the residual hydrostatic stress on the axis."""
     one, two = results.cases["E_EP"], results.cases["EP_EP"]
     a, p0, mesh = results.peak.a, results.peak.p0, results.mesh
     (low, depth), (low2, depth2) = (top(c.z / a, -c.hydrostatic / p0) for c in (one, two))
@@ -215,7 +215,9 @@ def fields(results: Results) -> Picture:
         left.plot(case.x / a, case.pressure / p0, color=COLOURS[pair], label=pair)
         right.plot(case.z / a, case.hydrostatic / p0, color=COLOURS[pair], label=pair)
     left.set_xlim(-1.5, 1.5)
-    right.axvline(0.68, color="k", linestyle="--", linewidth=1, label="stated minimum, 0.68")
+    right.axvline(
+        0.68, color="k", linestyle="--", linewidth=1, label="Boucly (2008): minimum, 0.68"
+    )
     right.axvline(0.48, color="k", linestyle=":", linewidth=1, label="Hertz depth, 0.48")
     right.axhline(0, color="k", linewidth=0.6)
     finish(left, "x/a", "pressure / Hertz pressure")
@@ -248,13 +250,13 @@ def loads(results: Results) -> Picture:
     finish(left, "load [kN]", "largest pressure [GPa]")
     right.plot(
         1, 0.95 * hertz(LC["EP_EP"]).p0 / p0, "o", color="k", markerfacecolor="none",
-        label="stated: 5 % below Hertz",
+        label="Boucly (2008): 5 % below Hertz",
     )  # fmt: skip
     finish(right, "$L/L_c$", "largest pressure / 8 GPa")
     return Picture(
         "two_plastic_bodies_load",
         "Figures 2.18 and 2.19: largest pressure and plastic strain against the load. Circles "
-        "on the left: stated L_c at 0.2 %.",
+        "on the left: L_c at 0.2 % in the thesis.",
         figure,
     )
 
@@ -264,8 +266,8 @@ def differences(results: Results) -> Picture:
     for pair, label in (("EP_EP", "identical laws"), ("M50 against 52100", "M50 against 52100")):
         load, percent = difference(results, pair)
         ax.plot(load / LC["EP_EP"], percent, color=COLOURS[pair], label=label)
-    ax.plot([0, 1], [3, 3], "k--", linewidth=1, label="stated: below 3 % for $L < L_c$")
-    ax.plot(PEAK / LC["EP_EP"], 11, "ko", markerfacecolor="none", label="stated: 11 %")
+    ax.plot([0, 1], [3, 3], "k--", linewidth=1, label="Boucly (2008): below 3 % for $L < L_c$")
+    ax.plot(PEAK / LC["EP_EP"], 11, "ko", markerfacecolor="none", label="Boucly (2008): 11 %")
     finish(ax, "$L/L_c$", "$p_{max}$ of E_EP above that of two\nelastic-plastic bodies [%]")
     return Picture(
         "two_plastic_bodies_difference",

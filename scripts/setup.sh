@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sourced by ./run and ./test: system packages, virtual environment, the package itself. Each part
-# is skipped when it is up to date.
+# Sourced by ./run and ./test: installs system packages, the virtual environment and the package.
+# Steps that are up to date are skipped.
 
 samcontact_missing_packages() {
   local package
@@ -39,34 +39,34 @@ samcontact_fingerprint() {
       ! -name '*.pyc' ! -name '*.so' -print0 | sort -z | xargs -0 sha256sum; } | sha256sum
 }
 
-# samcontact_setup EXTRAS: EXTRAS is "" or e.g. "[dev]"; with extras warnings of the core are errors.
+# samcontact_setup EXTRAS: EXTRAS is "" or e.g. "[dev]". With extras, compiler warnings are errors.
 samcontact_setup() {
   samcontact_prepare "$1"
   samcontact_install "$1"
 }
 
-# System packages, and an environment with nothing in it yet but what builds.
+# Installs system packages and creates a virtual environment that contains only build tools.
 samcontact_prepare() {
   local packages=(g++ libeigen3-dev libfftw3-dev)
-  # The browser shows reports to their test; clang brings the sanitizers and the fuzzer; ccache
-  # keeps what was compiled, for each of the builds.
+  # Tests of reports use the browser; clang provides sanitizers and fuzzer; ccache stores compiled
+  # objects for all builds.
   [ "$1" = "" ] ||
     packages+=(doctest-dev valgrind clang libomp-dev ccache $(samcontact_browser_packages))
-  # A Python from elsewhere brings these two itself.
+  # A Python that is not from the distribution may contain venv and headers.
   python3 -c 'import ensurepip' 2> /dev/null || packages+=(python3-venv)
   python3 -c 'import os, sysconfig as s, sys
 sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=(python3-dev)
   samcontact_system_packages "${packages[@]}"
-  # Tests start hundreds of processes, each of which would compile what it imports.
+  # Tests start hundreds of processes, each of which would compile its imports to bytecode.
   [ "$1" = "" ] || unset PYTHONDONTWRITEBYTECODE
   if [ "$1" != "" ] && command -v ccache > /dev/null; then
-    # What one checkout has compiled serves the others.
+    # Compiled objects are shared between checkouts.
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
     export CCACHE_SLOPPINESS=time_macros CCACHE_EXTRAFILES=$PWD/cmake/elsewhere.txt
-    export CXX=${CXX:-g++}  # by one name: to ccache c++ is another compiler
+    export CXX=${CXX:-g++}  # always one name: ccache regards c++ as another compiler
   fi
   [ -x .venv/bin/python ] || python3 -m venv .venv
-  # Headers of an isolated build are in another folder each time, where ccache does not know them.
+  # An isolated build has its headers in a new folder each time, so ccache would not find its objects.
   [ "$1" = "" ] || [ -x .venv/bin/ninja ] || .venv/bin/python -m pip install --quiet \
     --disable-pip-version-check cmake ninja "scikit-build-core>=0.10" "pybind11>=2.12"
   mkdir -p build
@@ -74,7 +74,7 @@ sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=
 
 samcontact_install() {
   local strict=OFF own_headers=OFF state
-  # Precompiled headers hold the folder they were made in, so that ccache would help no other one.
+  # Precompiled headers contain the path of their folder, so ccache could not share them.
   [ "$1" = "" ] || strict=ON own_headers=ON
   state=$(samcontact_fingerprint)
   if [ "$(cat .venv/samcontact-state 2> /dev/null)" != "$state" ] ||

@@ -4,7 +4,7 @@
 
     python scripts/stubs.py
 
-Run it after a change of the bindings, with the module built from them.
+Run this after a change of the bindings and a build of the module.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ HEAD = "# SPDX-License-Identifier: GPL-3.0-or-later\n# Written by: python script
 
 
 def plain(text: str) -> str:
-    """Types of arguments instead of all that is converted to them; attributes without values.
+    """Return stubs with plain types instead of all convertible types, and no attribute values.
 
     Each version of pybind11 has its own union of what it converts to a number. mypy refuses a
     class whose __hash__ is None.
@@ -36,7 +36,7 @@ def plain(text: str) -> str:
 
 
 def generated() -> dict[str, str]:
-    """Names and texts of the stubs, one of each module of the core."""
+    """Return names and texts of the stubs, one for each module of the core."""
     with tempfile.TemporaryDirectory() as folder:
         command = ["pybind11_stubgen", "samcontact._core", "--exit-code", "-o", folder]
         subprocess.run([sys.executable, "-m", *command], check=True)

@@ -1,18 +1,22 @@
 #!/usr/bin/env python
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""clang-tidy over core, bindings and C++ tests; what passed and has not changed since is skipped.
+"""Run clang-tidy on core, bindings and C++ tests; unchanged files that have passed are skipped.
 
-    python scripts/tidy.py [--paths] [PATTERN ...]      e.g. src/contact; all files by default
+    python scripts/tidy.py [--paths] [--since REVISION] [PATTERN ...]      e.g. src/contact
 
---paths: what clang-analyzer finds on the paths through each function, and nothing else; this takes
-two to three times as long.
+All files by default.
 
-A file has passed for as long as every byte that it includes, the checks, and clang-tidy are the
-same, in any checkout; ~/.cache/samcontact-tidy keeps a mark of each.
+--paths: run only the path-sensitive checks of clang-analyzer; this takes two to three times longer.
+--since: check only files that differ from this revision, and files that include one; check all if
+the checks or the build differ, or if the revision does not exist.
+
+A file counts as passed while its included sources, the checks and clang-tidy are unchanged, in any
+checkout; ~/.cache/samcontact-tidy contains a mark for each file that has passed.
 """
 
 from __future__ import annotations
 
+import argparse
 import hashlib
 import json
 import os
@@ -28,7 +32,7 @@ ROOT = Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build" / "tidy"
 CACHE = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
 PASSED = CACHE / "samcontact-tidy"
-# Panels of a quadrature grow with the width, which is what their loops count.
+# Quadrature loops count by floating-point widths, because their panels grow.
 PATHS = "-*,clang-analyzer-*,-clang-analyzer-security.FloatLoopCounter"
 
 
@@ -71,15 +75,44 @@ def check(entry: dict[str, str], checker: str, options: list[str]) -> tuple[str,
     return entry["file"], done.stdout + done.stderr
 
 
-def main(patterns: list[str], paths: bool) -> int:
+def with_includes(file: Path) -> set[Path]:
+    """Return the file and all files of the project that it includes, directly or indirectly."""
+    found, left = set(), [file]
+    while left:
+        file = left.pop()
+        if file not in found:
+            found.add(file)
+            left += included(file)
+    return found
+
+
+@cache
+def included(file: Path) -> list[Path]:
+    names = re.findall(r'^#include "(.+)"', file.read_text(encoding="utf-8"), re.MULTILINE)
+    places = (folder / name for name in names for folder in (file.parent, ROOT / "cpp" / "include"))
+    return [place.resolve() for place in places if place.exists()]
+
+
+def differing(revision: str) -> set[Path] | None:
+    """Return the files that differ from a revision, or None if all files must be checked."""
+    try:
+        names = output("git", "diff", "--name-only", revision, "--").splitlines()
+        names += output("git", "ls-files", "--others", "--exclude-standard").splitlines()
+    except (FileNotFoundError, subprocess.CalledProcessError):
+        return None
+    build = re.compile(r"(.*/)?\.clang-tidy|CMake\w+\.\w+|cmake/.*|scripts/tidy\.py")
+    return None if any(build.fullmatch(name) for name in names) else {ROOT / n for n in names}
+
+
+def main(patterns: list[str], paths: bool, since: str | None) -> int:
     bindings = output(sys.executable, "-m", "pybind11", "--cmakedir").strip()
     output("cmake", "--preset", "tidy", f"-DPython_EXECUTABLE={sys.executable}",
            f"-Dpybind11_DIR={bindings}")  # fmt: skip
     PASSED.mkdir(parents=True, exist_ok=True)
-    # The package clang-tidy has the headers of its own compiler but OpenMP's, which are clang++'s;
-    # they come last, so that nothing else is found there.
+    # The package clang-tidy lacks the headers of OpenMP, which belong to clang++;
+    # their folder is searched last, so that it provides nothing else.
     headers = f"{output('clang++', '-print-resource-dir').strip()}/include"
-    # The standard library uses what it has itself deprecated.
+    # The standard library uses features that it has itself deprecated.
     options = [f"-extra-arg=-idirafter{headers}", "-extra-arg=-Wno-deprecated-declarations"]
     if paths:
         options.append(f"-checks={PATHS}")
@@ -89,7 +122,9 @@ def main(patterns: list[str], paths: bool) -> int:
         for entry in json.loads((BUILD / "compile_commands.json").read_text())
         if not patterns or any(re.search(pattern, entry["file"]) for pattern in patterns)
     ]
-    # the longest first, so that no process is left alone with it at the end
+    if since and (changed := differing(since)) is not None:
+        entries = [entry for entry in entries if with_includes(Path(entry["file"])) & changed]
+    # the longest files first, so that none of them runs alone at the end
     entries.sort(key=lambda entry: (
         "/bindings/" not in entry["file"], -Path(entry["file"]).stat().st_size))  # fmt: skip
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -102,5 +137,9 @@ def main(patterns: list[str], paths: bool) -> int:
 
 
 if __name__ == "__main__":
-    words = sys.argv[1:]
-    sys.exit(main([word for word in words if word != "--paths"], "--paths" in words))
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--paths", action="store_true", help="paths of clang-analyzer alone")
+    parser.add_argument("--since", metavar="REVISION", help="what differs from it")
+    parser.add_argument("patterns", nargs="*", metavar="PATTERN", help="part of a file's path")
+    asked = parser.parse_args()
+    sys.exit(main(asked.patterns, asked.paths, asked.since))

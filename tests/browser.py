@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pages in a real browser: headless Chromium, served by this process."""
+"""Pages in headless Chromium, served by this process."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def _program(*names):
 
 @contextmanager
 def chromium(*more):
-    """A driver of the browser, started with more switches."""
+    """Return a driver of the browser, started with additional switches."""
     options = webdriver.ChromeOptions()
     options.binary_location = _program("chromium", "chromium-browser", "google-chrome")
     for switch in (*SWITCHES, *more):
@@ -53,7 +53,7 @@ def chromium(*more):
 
 @contextmanager
 def served(folder):
-    """Address of a server of the files of a folder, and the list of what it was asked for."""
+    """Serve the files of a folder; yield its address and the list of requested paths."""
     asked = []
 
     class Handler(SimpleHTTPRequestHandler):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files of every kind, as dictionaries: together they have every section and field."""
+"""Case files of all kinds, as dictionaries; together they contain every section and field."""
 
 SWIFT = {
     "law": "swift", "E": 210e9, "nu": 0.3, "B": 945e6, "C": 20.0, "n": 0.121,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Simulations of each law, as checkpoints, journals and copies keep them."""
+"""Simulations with each material law, for tests of checkpoints, journals and copies."""
 
 import numpy as np
 

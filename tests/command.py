@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command `samcontact` in this process, and what it leaves."""
+"""Calls of the command `samcontact` in this process, and checks of its files."""
 
 from pathlib import Path
 
@@ -15,7 +15,7 @@ def invoke(*arguments):
     if outcome.exit_code == 0 and arguments[0] in ("run", "resume"):
         lines = [line for line in outcome.stdout.splitlines() if "/" in line]
         written = [Path(line) for line in lines if Path(line).is_file()]
-        # else a later run would leave it beside results that it does not show
+        # otherwise a later run would leave it next to results that it does not belong to
         assert [file for file in written if not is_own(file)] == []
     return outcome
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Comparisons that several tests need."""
+"""Comparisons shared by several tests."""
 
 import xarray as xr
 

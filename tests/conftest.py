@@ -7,16 +7,16 @@ from pathlib import Path
 import hypothesis
 import pytest
 
-# A shell starts its background jobs with Ctrl-C ignored, and children inherit that: tests that
-# press it would wait for ever.
+# A shell starts background jobs with SIGINT ignored, and children inherit this; tests that send
+# SIGINT would never end.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-# What a test asks for says how much is tried; no clock does.
+# Each test sets its number of examples; no clock does.
 hypothesis.settings.register_profile("project", deadline=None, derandomize=True, database=None)
 hypothesis.settings.load_profile("project")
 
-# The longest files: begun first, so that no process is left alone with one at the end.
+# The longest files start first, so that none of them runs alone at the end.
 LONG_TESTS = (
     "validation/test_gallery.py",
     "structure/test_site.py",
@@ -33,7 +33,7 @@ LONG_TESTS = (
 
 @pytest.fixture
 def undrawn(monkeypatch):
-    """Figures and files are made, but nothing is drawn: that takes long, and has its own tests."""
+    """Create figures and files without drawing, which is slow and has its own tests."""
     from matplotlib.figure import Figure
 
     def savefig(self, target, **options):
@@ -45,7 +45,7 @@ def undrawn(monkeypatch):
 
 @pytest.fixture
 def steps_alone(monkeypatch):
-    """No errors by the increments are estimated, whose steps are those of no path."""
+    """Switch off the estimate of increment errors, which would add steps to those of the path."""
     from samcontact.simulation import increment_errors
 
     monkeypatch.setattr(increment_errors, "estimated", lambda *_, **__: None)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stand-ins for the computed objects, with fields that are known in closed form."""
+"""Stand-ins for computed objects, with fields known in closed form."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def make_grid(nx=11, ny=9, dx=1e-4, dy=1.2e-4, nz=0, dz=None):
 
 
 class FakeState:
-    """Hertz pressure, and volume fields that are the load times simple patterns."""
+    """State with a Hertz pressure, and volume fields equal to the load times simple patterns."""
 
     def __init__(self, grid, load):
         self.grid, self.load, self.time = grid, load, 0.0

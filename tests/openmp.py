@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A script in processes with different numbers of OpenMP threads."""
+"""Runs of a script in processes with different numbers of OpenMP threads."""
 
 import os
 import subprocess
@@ -8,14 +8,14 @@ from pathlib import Path
 
 
 def own(count):
-    """Settings of exactly so many threads."""
+    """Return environment variables for exactly this number of threads."""
     return {"OMP_NUM_THREADS": str(count), "OMP_DYNAMIC": "false"}
 
 
 def told_with(script, *threads):
     """Return the output of a script for each number of threads.
 
-    The number is exact on a busy machine too. The script may import modules shared by tests.
+    The number of threads is exact also on a busy machine. The script may import shared modules.
     """
     paths = [str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")]
     shared = {"PYTHONPATH": os.pathsep.join(filter(None, paths))}

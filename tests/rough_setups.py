@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A rough contact of many plastic spots, and how far two solutions lie apart."""
+"""Rough contact with many plastic spots, and differences of two solutions."""
 
 import numpy as np
 
@@ -41,7 +41,7 @@ WIDE_PERCENT = 4 * PERCENT
 
 
 def rolling(body1, body2, **options):
-    """Body 1 is rough, and rolls or slides with its roughness."""
+    """Return a simulation in which body 1 is rough and rolls or slides with its roughness."""
     heights = -rough_gap(0.0, WIDE_GRID)
     bowl = rough_gap(grid=WIDE_GRID) + heights
     relief = sc.Relief(heights, periodic=True)
@@ -51,7 +51,7 @@ def rolling(body1, body2, **options):
 
 
 def zones_of(sim, body):
-    """The boxes that a body was last solved in, [box][i0, j0, nx, ny, nz]."""
+    """Return the boxes of the last solution of a body, [box][i0, j0, nx, ny, nz]."""
     return sim.engine.snapshot().state.get(f"flow_boxes{body}", np.zeros((0, 5), np.int64))
 
 
@@ -75,13 +75,13 @@ def fields(state, bodies=(2,)):
 
 
 def errors(state, expected, bodies=(2,)):
-    """Differences of the fields over their root mean squares."""
+    """Return the differences of the fields over their rms."""
     wanted = fields(expected, bodies)
     return {name: rms(field, wanted[name]) for name, field in fields(state, bodies).items()}
 
 
 def assert_few_errors(state, expected, bodies, tol):
-    """Displacement along the surface has three times those of the rest."""
+    """Assert small errors; tangential displacement may have three times the errors of the rest."""
     found = errors(state, expected, bodies)
     assert all(error < (3 * tol if "along" in name else tol) for name, error in found.items())
 

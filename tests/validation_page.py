@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers that validation tests measure, how they are stored, and the page made of them.
+"""Numbers measured by validation tests, their storage, and the page generated from them.
 
 ``python tests/validation_page.py`` rewrites the page from the stored numbers, which is enough
 after a change of its text (docs/validation.md.jinja).
@@ -20,6 +20,14 @@ PAGE = DOCS / "validation.md"
 # Processors round differently, and an iteration may end one step earlier: this part of the
 # allowed difference is left to them.
 REPEATS = 0.05
+SYMBOLS = {
+    "sqrt(R ω)": r"$\sqrt{R \omega}$",
+    "ω/ω_c": r"$\omega/\omega_c$",
+    "p_max": r"$p_{\max}$",
+    "u_z": "$u_z$",
+    "Q_f": "$Q_f$",
+}
+"""Symbols in quantities and meshes, as the page typesets them."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -46,7 +54,7 @@ class Row:
 
     @property
     def limit(self) -> float:
-        """Largest difference, in `unit`."""
+        """Return the largest permitted difference, in `unit`."""
         return self.allowed * abs(self.reference) if self.relative else self.allowed
 
     @property
@@ -54,12 +62,12 @@ class Row:
         return abs(self.ours - self.reference) <= self.limit
 
     def repeats(self, stored: Row) -> bool:
-        """Whether the stored row has the same reference and the same number, but for rounding."""
+        """Return whether the stored row has the same reference and number, except for rounding."""
         same = dataclasses.replace(self, ours=stored.ours) == stored
         return same and abs(self.ours - stored.ours) <= REPEATS * self.limit
 
     def cells(self) -> list[str]:
-        """Cells of the row on the page, each value with its unit."""
+        """Return the cells of the row on the page, each value with its unit."""
         unit = f" {self.unit}" if self.unit else ""
         difference, scale = self.ours - self.reference, 1.0
         if self.relative:
@@ -72,8 +80,8 @@ class Row:
             reference += f" ({self.source})"
         measured_by = self.test.partition("::")[2].partition("[")[0]
         return [
-            self.quantity,
-            self.mesh,
+            typeset(self.quantity),
+            typeset(self.mesh),
             ours,
             reference,
             f"{difference:+.2g}{of}",
@@ -119,13 +127,20 @@ class Measured:
         assert not gone, f"on docs/validation.md, but no longer measured: {gone}"
 
 
+def typeset(text: str) -> str:
+    """Text with its symbols as inline mathematics."""
+    for plain, mathematics in SYMBOLS.items():
+        text = text.replace(plain, mathematics)
+    return text
+
+
 def load() -> dict[tuple[str, str, str, str], Row]:
     rows = [Row(**row) for row in json.loads(STORE.read_text(encoding="utf-8"))]
     return {row.key: row for row in rows}
 
 
 def table(rows: list[Row]) -> str:
-    """Markdown; meshes of one quantity stand together."""
+    """Return the Markdown table; meshes of one quantity are adjacent."""
     quantities = list(dict.fromkeys(row.quantity for row in rows))
     rows = sorted(rows, key=lambda row: quantities.index(row.quantity))
     heads = ["quantity", "mesh", "samcontact", "reference", "difference", "allowed", "test"]
@@ -135,7 +150,7 @@ def table(rows: list[Row]) -> str:
 
 
 def page(rows: list[Row]) -> str:
-    """The text around, and each table where the text has it."""
+    """Return the page: the template with its tables."""
     tables: dict[str, list[Row]] = {}
     for row in rows:
         tables.setdefault(row.table, []).append(row)
@@ -153,7 +168,7 @@ def page(rows: list[Row]) -> str:
 
 
 def write(rows: list[Row]) -> None:
-    """Store what was measured, and write the page."""
+    """Store the measured numbers, and write the page."""
     keys = [row.key for row in rows]
     twice = {key for key in keys if keys.count(key) > 1}
     if twice:

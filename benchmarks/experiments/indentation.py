@@ -25,7 +25,7 @@ REPRESENTATIVE = 0.2
 
 
 class Indentation(NamedTuple):
-    """Imprint under load: lengths over the radius of the ball, stresses over E*."""
+    """Imprint under load; lengths relative to the ball radius, stresses relative to E*."""
 
     cells: int
     radius: float
@@ -56,7 +56,7 @@ def press(material: sc.Material, radius: float, mean_pressure: float, cells: int
     simulation = sc.Simulation(grid, sc.Material.rigid(), material, gap)
     load = mean_pressure * math.pi * radius**2
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of first increments over few cells
+        warnings.simplefilter("ignore")  # the first contacts are a few cells wide
         for part in np.linspace(0.0, 1.0, INCREMENTS + 1)[1:]:
             state = simulation.step(load=load * part**2)
     area = np.count_nonzero(state.pressure) * grid.cell_area

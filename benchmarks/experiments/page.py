@@ -39,14 +39,14 @@ METALS = {  # Y [Pa], with the order of magnitude of E*/Y
 }
 HARDNESS = 800  # Vickers, of 64 HRC
 PROJECTED = math.sin(math.radians(68.0))
-"""Projected area of a Vickers imprint over the area of its faces."""
+"""Ratio of the projected area of a Vickers imprint to the area of its faces."""
 VICKERS_STRAIN = 0.08
 
 TEXT = Path(__file__).with_name("template.md")
 
 
 Prints = list[tuple[float, Indentation]]
-"""Imprints, each with its nominal stiffness or its hardening exponent."""
+"""Return the imprints, each with its nominal stiffness or its hardening exponent."""
 
 
 def points(quick: bool) -> list[Record]:
@@ -126,10 +126,10 @@ def curve_table(rows: Prints) -> list[dict[str, Any]]:
         grids = [one for first, one in rows if first == asked]
         last = grids[-1]
         x = last.stiffness
-        grows = x > 3.5  # below, the model of a core has none
+        grows = x > 3.5  # below this value the model has no core
         lines.append(
             {
-                "E\\* a/(Y R)": f"{x:.2f}",
+                "$E^* a/(Y R)$": f"{x:.2f}",
                 "mean pressure / Y": f"{last.constraint:.3f}",
                 "on coarser grids": ", ".join(f"{one.constraint:.3f}" for one in grids[:-1]),
                 "Hertz": f"{hertz(x):.3f}" if x < 5 else "",
@@ -146,10 +146,10 @@ def hardening_table(rows: Prints) -> list[dict[str, Any]]:
         {
             "n": f"{n:g}",
             "a/R": f"{one.radius:.4f}",
-            "E\\* a/(Y R)": f"{one.stiffness:.0f}",
+            "$E^* a/(Y R)$": f"{one.stiffness:.0f}",
             "mean pressure / Y": f"{one.constraint:.3f}",
             "maximum plastic strain": f"{100 * one.max_strain:.1f} %",
-            "power of the load": "" if number % len(RADII) else f"{powers[n]:.2f}",
+            "exponent of the load": "" if number % len(RADII) else f"{powers[n]:.2f}",
         }
         for number, (n, one) in enumerate(rows)
     ]
@@ -185,7 +185,7 @@ def honest_table(curve: list[Indentation]) -> list[dict[str, Any]]:
             {
                 "metal": metal,
                 "Y/E\\*": f"{stress / E_STAR:.4f}",
-                "a/R of 30": f"{radius:.3f}",
+                "a/R at $E^* a/(Y R) = 30$": f"{radius:.3f}",
                 "maximum plastic strain at this radius": f"{100 * radius * edge(curve):.1f} %",
             }
         )

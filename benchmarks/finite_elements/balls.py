@@ -32,14 +32,14 @@ from .tables import (
     times,
 )
 
-ELEMENTS = (5, 10, 20)  # on the Hertz radius
+ELEMENTS = (5, 10, 20)  # per Hertz radius
 CELLS = (8, 16, 32, 64)
 ACCURACIES = (0.05, 0.01, 0.002)
-REFERENCE_SECONDS = 150.0  # s for the reference of the prescribed accuracies
+REFERENCE_SECONDS = 150.0  # time limit [s] of the reference for prescribed accuracies
 FLATTER, SLOPES_ON = (1.0, 4.0), 10
 REPEATS = 3  # runs to a prescribed accuracy; the minimum time counts
 FIGURE = "finite_elements.png"
-WEDGE = 180.0  # two degrees of the circumference are modelled
+WEDGE = 180.0  # the model covers two degrees of the circumference
 QUANTITIES = {
     "load": ("load [N]", 1.0),
     "von_mises": ("maximum von Mises stress [MPa]", 1e-6),
@@ -64,8 +64,8 @@ in {down}:
 - CalculiX, axisymmetric: quadratic elements with reduced integration. The table states the number
   of elements on the contact radius. Elements are uniform to {fine} contact radii in depth and
   width; each further element is {growth} times as large as the previous one, out to {far:.0f}
-  radii. The contact is face to face, with a stiffness that permits 4 nm of interpenetration. Two
-  dimensions are an advantage of this model: samcontact makes no use of the axis.
+  radii. The contact is face to face, with a stiffness that permits 4 nm of interpenetration. Being
+  two-dimensional is an advantage of this model: samcontact does not use the axisymmetry.
 - samcontact, three-dimensional: cubic cells, their number on the contact radius as in the table,
   without `nz` and with default settings; mirror planes are detected.
 - samcontact with a prescribed accuracy of 5, 1 and 0.2 % (`sc.to_accuracy`), which chooses cells
@@ -113,14 +113,14 @@ def solve(across: int) -> dict[str, float]:
 
 
 def finite_elements(folder: Path, across: int, flatter: float | None = None) -> dict[str, float]:
-    """Results of the finite-element model, number of elements and processor time [s].
+    """Return results of the finite-element model, number of elements and processor time [s].
 
-    flatter: as of decks.
+    flatter: as for `balls_deck.write`.
 
     Raises
     ------
     RuntimeError
-        When CalculiX fails.
+        CalculiX fails.
     """
     elements = deck.write(folder / calculix.DECK, across, flatter)
     spent = calculix.run(folder)
@@ -128,7 +128,7 @@ def finite_elements(folder: Path, across: int, flatter: float | None = None) -> 
 
 
 def numbers_of(file: Path) -> dict[str, float]:
-    """Load, stresses, strain and print of what was printed at the ends of both steps."""
+    """Return load, stresses, strain and imprint depth from the output at the end of both steps."""
     tables = calculix.tables_of(file)
     loaded, released = tables["stresses", "AXIAL"]
     strain = tables["equivalent plastic strain", "AXIAL"][0]
@@ -210,7 +210,7 @@ def section(found: dict[str, Runs]) -> str:
 
 
 def ours(found: dict[str, Runs]) -> dict[str, Points]:
-    """Errors and times of samcontact, by how its cells are chosen."""
+    """Draw errors and times of samcontact, by choice of the cells."""
     return {
         "a grid": points(found["samcontact"], QUANTITIES),
         "an accuracy": points_against(found["truth"]["0"], found["an accuracy"], QUANTITIES),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Decks for CalculiX: an elastic paraboloid pressed onto a half-space that yields, and released.
+"""Decks for CalculiX: an elastic paraboloid on an elastic-plastic half-space, loaded and unloaded.
 
 Axisymmetric, quadratic elements with reduced integration, graded towards a far border; face to face
 contact. Millimetres, newtons, megapascals.
@@ -19,30 +19,30 @@ CONTACT = 0.41817  # Hertz radius at 1500 N [mm]
 APPROACH = 23.363e-3  # under about 1500 N [mm]
 LOADING_INCREMENTS, UNLOADING_INCREMENTS = 12, 4  # increments
 OUTER_RADIUS = 4000.0  # Hertz radii to the border
-FINE_RADIUS = 1.4  # radii of the evenly divided part
-GROWTH = 1.3  # of elements beyond it
-HOLE = 1e-3  # radii of a hole on the axis: faces that end in a point lose their contact pressure
-STIFFNESS = 1e9  # of the contact [N/mm^3]: 4 nm of penetration
+FINE_RADIUS = 1.4  # radii; extent of the uniform part
+GROWTH = 1.3  # growth factor of elements beyond the uniform part
+HOLE = 1e-3  # radius of a hole on the axis: faces that end in a point lose their contact pressure
+STIFFNESS = 1e9  # contact stiffness [N/mm^3]: 4 nm of penetration
 
 
 class Block(NamedTuple):
-    """Elements of a body."""
+    """Elements of one body: nodes, corners and faces."""
 
-    nodes: dict[tuple[int, int], int]  # number of a node by its row and column, corners even
+    nodes: dict[tuple[int, int], int]  # node numbers by row and column; corners have even indices
     lines: list[str]
     elements: dict[tuple[int, int], int]
 
     def column(self, i: int) -> list[int]:
-        """Nodes at one radius."""
+        """Return the nodes at one radius."""
         return [number for (a, _), number in self.nodes.items() if a == i]
 
     def row(self, j: int) -> list[int]:
-        """Nodes at one depth."""
+        """Return the nodes at one depth."""
         return [number for (_, b), number in self.nodes.items() if b == j]
 
 
 def ticks(per_radius: int) -> FloatArray:
-    """Corners of elements along r or z [mm]."""
+    """Return the corners of elements along r or z [mm]."""
     step = 1.0 / per_radius
     found = [n * step for n in range(round(FINE_RADIUS * per_radius) + 1)]
     while found[-1] < OUTER_RADIUS:
@@ -88,7 +88,7 @@ def block(
 
 
 def to_approach(approach: float, increments: int) -> list[str]:
-    """A step to an approach, and what is printed at its end."""
+    """Return a step to an approach, with the output at its end."""
     drive = ["*BOUNDARY", f"TOP, 2, 2, {-approach:.10g}"]
     printed = [
         "*NODE PRINT, NSET=TOP, TOTALS=ONLY, FREQUENCY=10000", "RF",
@@ -99,9 +99,9 @@ def to_approach(approach: float, increments: int) -> list[str]:
 
 
 def write(path: Path, per_radius: int, flatter: float | None = None) -> int:
-    """Write the deck with this many elements on the Hertz radius; how many it has in all.
+    """Write the deck with this many elements per Hertz radius; return the number of elements.
 
-    flatter: without flow, a radius so many times as large, and the approach that gives the same
+    flatter: elastic bodies, the radius multiplied by this factor, and the approach of the same
     Hertz contact.
     """
     scale = flatter or 1.0

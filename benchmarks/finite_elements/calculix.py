@@ -18,18 +18,18 @@ ONE_THREAD = {"OMP_NUM_THREADS": "1", "CCX_NPROC_EQUATION_SOLVER": "1"}
 
 
 class NotInstalledError(RuntimeError):
-    """There is no `ccx` on the path."""
+    """The program `ccx` was not found."""
 
 
 def run(folder: Path) -> float:
-    """Solve the deck of a folder; the processor's time [s].
+    """Solve the deck of a folder; return the processor time [s].
 
     Raises
     ------
     NotInstalledError
-        Without CalculiX.
+        CalculiX is not installed.
     RuntimeError
-        When it fails.
+        CalculiX fails.
     """
     program = shutil.which("ccx")
     if program is None:
@@ -57,7 +57,7 @@ def von_mises(printed: FloatArray) -> FloatArray:
 
 
 def tables_of(file: Path) -> dict[tuple[str, str], list[FloatArray]]:
-    """Tables, one for each step, by the beginning of their heading and by their set."""
+    """Return the output tables, one per step, by the start of their heading and by node set."""
     found: dict[tuple[str, str], list[list[list[float]]]] = {}
     kinds = ("stresses", "equivalent plastic strain", "total force", "displacements")
     for line in file.read_text().splitlines():

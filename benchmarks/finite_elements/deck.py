@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import samcontact as sc
 
-RESIDUAL = 5e-4  # relative, where an increment has converged
+RESIDUAL = 5e-4  # relative residual at which an increment is accepted
 
 FloatArray = NDArray[np.float64]
 
@@ -32,7 +32,7 @@ def steel(elastic_only: bool) -> list[str]:
 
 
 def named(kind: str, name: str, numbers: list[int]) -> list[str]:
-    """A set of nodes or elements."""
+    """Return a set of nodes or elements."""
     return [f"*{kind}, {kind}={name}", *(f"{n}," for n in numbers)]
 
 
@@ -42,7 +42,7 @@ def surface(name: str, elements: list[int], side: str) -> list[str]:
 
 
 def contact(stiffness: float) -> list[str]:
-    """Face to face, of the surfaces BELOW and ABOVE; stiffness [N/mm^3]."""
+    """Return the contact of the surfaces BELOW and ABOVE, face to face; stiffness [N/mm^3]."""
     return [
         "*SURFACE INTERACTION, NAME=TOUCH",
         "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR", f"{stiffness:g}, 1e-3",

@@ -12,7 +12,7 @@ from . import balls, wave
 from .tables import Points, Runs, points
 
 SCENES = {"balls": balls, "wave": wave}
-REPEATS = 3  # runs of samcontact; the minimum time counts, because disturbances only add
+REPEATS = 3  # runs of samcontact; the minimum time counts, because disturbances only add time
 LABELS = {"a grid": "samcontact", "an accuracy": "samcontact, prescribed accuracy"}
 TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: OMP_NUM_THREADS=1 python -m benchmarks.finite_elements --docs -->

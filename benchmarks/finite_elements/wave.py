@@ -15,10 +15,10 @@ from . import calculix
 from . import wave_deck as deck
 from .tables import Points, Runs, apart, numbers, points, ratios, time_rows, times
 
-ELEMENTS = (4, 8, 12)  # on half a period
-CELLS = (16, 32, 64, 128)  # on a period
+ELEMENTS = (4, 8, 12)  # per half period
+CELLS = (16, 32, 64, 128)  # per period
 FIGURE = "finite_elements_wave.png"
-RELEASED = 1e-6  # of the load, which may be left after release
+RELEASED = 1e-6  # fraction of the load that may remain after release
 QUANTITIES = {
     "approach": ("approach [µm]", 1e6),
     "von_mises": ("maximum von Mises stress [MPa]", 1e-6),
@@ -67,7 +67,7 @@ def solve(across: int) -> dict[str, float]:
     period, amplitude = 1e-3 * deck.PERIOD, 1e-3 * deck.AMPLITUDE
     cell = period / across
     grid = sc.Grid(across, across, cell, cell, dz=cell, periodic="xy")
-    x = grid.x - grid.x[across // 2]  # the crest in the middle of a cell
+    x = grid.x - grid.x[across // 2]  # the crest lies at a cell centre
     wave = 1.0 - np.cos(2 * np.pi * x / period)
     gap = amplitude * (wave[:, None] + wave[None, :])
     simulation = sc.Simulation(grid, sc.Material.rigid(), STEEL, gap)
@@ -88,12 +88,12 @@ def solve(across: int) -> dict[str, float]:
 
 
 def finite_elements(folder: Path, across: int) -> dict[str, float]:
-    """Results of the finite-element model, number of elements and processor time [s].
+    """Return results of the finite-element model, number of elements and processor time [s].
 
     Raises
     ------
     RuntimeError
-        When CalculiX fails, or keeps a load after release.
+        CalculiX fails, or a load remains after release.
     """
     elements = deck.write(folder / calculix.DECK, across)
     spent = calculix.run(folder)
@@ -101,17 +101,17 @@ def finite_elements(folder: Path, across: int) -> dict[str, float]:
 
 
 def numbers_of(file: Path) -> dict[str, float]:
-    """Approach, stresses, strain and print of what was printed at the ends of both steps.
+    """Return approach, stresses, strain and imprint depth from the output at the end of both steps.
 
     Raises
     ------
     RuntimeError
-        When a load is left after release.
+        A load remains after release.
     """
     tables = calculix.tables_of(file)
     load, left = (force[0, 2] for force in tables["total force", "BOTTOM"])
     if abs(left) > RELEASED * load:
-        raise RuntimeError(f"the load must be gone after release, {left / load:.3g} of it is left")
+        raise RuntimeError(f"load must vanish after release, but {left / load:.3g} of it remains")
     loaded, released = tables["stresses", "ZONE"]
     moved = -float(tables["displacements", "PUSHED"][0][0, 3]) + deck.OVERLAP
     printed = tables["displacements", "TOP"][1][:, 3]
@@ -151,5 +151,5 @@ def section(runs: dict[str, Runs]) -> str:
 
 
 def ours(runs: dict[str, Runs]) -> dict[str, Points]:
-    """Errors and times of samcontact, by how its cells are chosen."""
+    """Draw errors and times of samcontact, by choice of the cells."""
     return {"a grid": points(runs["samcontact"], QUANTITIES)}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Decks for CalculiX: a rigid wavy surface pressed onto a half-space that yields, and lifted.
+"""Decks for CalculiX: a rigid wavy surface pressed onto an elastic-plastic half-space and lifted.
 
 Three-dimensional, a quarter of the period with sides that slide, quadratic elements with reduced
 integration, graded with depth; face to face contact. Millimetres, newtons, megapascals.
@@ -14,16 +14,16 @@ import numpy as np
 
 from .deck import FloatArray, contact, named, steel, step, surface
 
-PERIOD = 1.0  # along x and y [mm]
-AMPLITUDE = 4e-3  # of the wave along x, and of that along y [mm]
-PRESSURE = 1160.0  # mean [MPa]: a fifth of what closes the elastic gap
+PERIOD = 1.0  # period along x and y [mm]
+AMPLITUDE = 4e-3  # amplitude of the wave along x, and of the wave along y [mm]
+PRESSURE = 1160.0  # mean pressure [MPa]: a fifth of the pressure that closes the elastic gap
 LOADING_INCREMENTS, UNLOADING_INCREMENTS = 6, 3  # increments
-FINE_DEPTH = 0.25  # periods of the evenly divided depth
-GROWTH = 1.3  # of elements below it
+FINE_DEPTH = 0.25  # periods; depth of the uniform part
+GROWTH = 1.3  # growth factor of elements below the uniform part
 DEPTH = 1.0  # periods to the bottom
-OVERLAP = 1e-4  # at the start [mm]: without any contact a load has no equilibrium
-LIFT = 1e-4  # in the end, beyond where the crest stood [mm]
-STIFFNESS = 5e8  # of the contact [N/mm^3]: 10 nm of penetration
+OVERLAP = 1e-4  # initial overlap [mm]: without contact a load has no equilibrium
+LIFT = 1e-4  # final lift beyond the initial position of the crest [mm]
+STIFFNESS = 5e8  # contact stiffness [N/mm^3]: 10 nm of penetration
 
 EDGES = (
     (0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7),
@@ -35,23 +35,23 @@ At = tuple[int, int, int]
 
 
 class Block(NamedTuple):
-    """Elements of a body."""
+    """Elements of one body: nodes, corners and faces."""
 
-    nodes: dict[At, int]  # number of a node by its place in x, y, z, corners even
+    nodes: dict[At, int]  # node numbers by position in x, y, z; corners have even indices
     lines: list[str]
     elements: dict[At, int]
 
     def plane(self, axis: int, *places: int) -> list[int]:
-        """Nodes in planes across an axis."""
+        """Return the nodes in planes perpendicular to an axis."""
         return [number for at, number in self.nodes.items() if at[axis] in places]
 
     def layer(self, k: int) -> list[int]:
-        """Elements of one layer."""
+        """Return the elements of one layer."""
         return [number for at, number in self.elements.items() if at[2] == k]
 
 
 def depths(across: int) -> FloatArray:
-    """Corners of elements from the surface to the bottom [mm]."""
+    """Return the corners of elements from the surface to the bottom [mm]."""
     step = 0.5 * PERIOD / across
     fine = round(FINE_DEPTH * PERIOD / step)
     found = [step * n for n in range(fine + 1)]
@@ -83,7 +83,7 @@ def block(
     lines = [f"*NODE, NSET=OF{name}"]
     for at in np.ndindex(len(across), len(across), len(down)):
         if sum(n % 2 for n in at) > 1:
-            continue  # edges have one node, sides and the middle none
+            continue  # edges have one midside node; faces and the interior have none
         nodes[at] = first_node + len(nodes)
         place = across[at[0]], across[at[1]], down[at[2]]
         up = height(*place[:2]) - OVERLAP if wavy else 0.0
@@ -120,11 +120,11 @@ def steps(pushed: int) -> list[str]:
 
 
 def write(path: Path, across: int) -> int:
-    """Write the deck with this many elements on half a period; how many the lower body has."""
+    """Write the deck with this many elements per half period; return those of the lower body."""
     x = np.linspace(0.0, 0.5 * PERIOD, across + 1)
     z = -depths(across)[::-1]
     lower = block("LOWER", x, z, False, 1, 1)
-    beyond = x[1]  # the rigid surface is larger by an element
+    beyond = x[1]  # the rigid surface is one element wider
     wide, thick = np.r_[-beyond, x, x[-1] + beyond], np.array([0.0, beyond])
     upper = block("UPPER", wide, thick, True, len(lower.nodes) + 1, len(lower.elements) + 1)
     layers = len(z) - 1
@@ -142,7 +142,7 @@ def write(path: Path, across: int) -> int:
     lines += surface("ABOVE", upper.layer(0), "S1")
     lines += steel(False) + contact(STIFFNESS)
     for number in upper.nodes.values():
-        if number != pushed:  # all move as this one
+        if number != pushed:  # all nodes move with this one
             lines += ["*EQUATION", "2", f"{number}, 3, 1., {pushed}, 3, -1."]
     lines += ["*BOUNDARY", "OFUPPER, 1, 2", "ACROSSX, 1, 1", "ACROSSY, 2, 2", "BOTTOM, 3, 3"]
     path.write_text("\n".join(lines + steps(pushed)) + "\n")

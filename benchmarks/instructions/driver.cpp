@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Run of one of the hottest kernels on fixed data, whose instructions guard.py counts.
+// Runs one of the hottest kernels on fixed data; guard.py counts its instructions.
 //
 //   samcontact_instructions            names of the kernels
-//   samcontact_instructions KERNEL N   prepares the data of the kernel and runs it N times; the
-//                                      count for N = 0 is that of everything but the kernel
+//   samcontact_instructions KERNEL N   prepares the data of the kernel and runs it N times; with
+//                                      N = 0 only the preparation is counted
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails when a hot kernel needs more instructions than in the previous commit.
+"""Check that no hot kernel needs more instructions than in the previous commit.
 
     python benchmarks/instructions/guard.py [--base REVISION]
 
@@ -32,11 +32,11 @@ ALLOWANCE = re.compile(
 
 
 class Skip(Exception):
-    """There is nothing to compare with."""
+    """No comparison is possible."""
 
 
 def allowances(messages: str) -> dict[str, float]:
-    """Relative growth that commit messages announce, by kernel."""
+    """Return the relative growth announced in commit messages, by kernel."""
     found: dict[str, float] = {}
     for kernel, percent in ALLOWANCE.findall(messages):
         found[kernel] = max(found.get(kernel, 0.0), float(percent) / 100)
@@ -46,7 +46,7 @@ def allowances(messages: str) -> dict[str, float]:
 def compare(
     before: dict[str, int], after: dict[str, int], allowed: dict[str, float]
 ) -> tuple[list[tuple[str, str, str, str, str]], list[str]]:
-    """Rows (kernel, before, after, change, result) and the kernels that grew too much."""
+    """Return rows (kernel, before, after, change, result) and the kernels that grew too much."""
     rows, failed = [], []
     for kernel in sorted(before.keys() | after.keys()):
         old, new = before.get(kernel), after.get(kernel)
@@ -64,7 +64,7 @@ def compare(
 
 
 def table(rows: list[tuple[str, str, str, str, str]]) -> str:
-    """The rows as text, numbers to the right."""
+    """Return the rows as text with right-aligned numbers."""
     lines = [("kernel", "before", "after", "change", ""), *rows]
     widths = [max(len(line[c]) for line in lines) for c in range(5)]
     return "\n".join(
@@ -77,7 +77,7 @@ def table(rows: list[tuple[str, str, str, str, str]]) -> str:
 
 
 def git(*arguments: str) -> str:
-    """Output of git, or Skip when it fails."""
+    """Return the output of git; raise Skip if it fails."""
     try:
         done = subprocess.run(
             ["git", "-C", str(ROOT), *arguments], capture_output=True, text=True, check=True
@@ -90,7 +90,7 @@ def git(*arguments: str) -> str:
 
 
 def find_base(revision: str) -> str:
-    """The commit to compare with; Skip when there is none or nothing that counts has changed."""
+    """Return the commit to compare with; raise Skip if there is none or no source has changed."""
     if Path(git("rev-parse", "--show-toplevel")).resolve() != ROOT:
         raise Skip("this folder is not a git repository of its own")
     try:
@@ -109,13 +109,13 @@ def find_base(revision: str) -> str:
 
 
 class BuildError(Exception):
-    """The output of a failed build."""
+    """A build failed; the message is its output."""
 
 
 def build(source: Path) -> Path:
     """Build the driver of a source tree; returns the program.
 
-    With the flags and at the depth of the package's build, so that ccache knows its objects.
+    Flags and folder depth are those of the package build, so that ccache finds the objects.
     """
     folder = source / "build" / "instructions"
     options = [
@@ -141,7 +141,7 @@ def build(source: Path) -> Path:
 
 
 def run_once(program: Path, kernel: str, runs: int) -> int:
-    """Instructions of one whole run of the driver."""
+    """Return the number of instructions of one run of the driver."""
     done = subprocess.run(
         [*VALGRIND, str(program), kernel, str(runs)],
         capture_output=True,
@@ -155,7 +155,7 @@ def run_once(program: Path, kernel: str, runs: int) -> int:
 
 
 def count(program: Path) -> dict[str, int]:
-    """Instructions of one run of each kernel, without the preparation of its data."""
+    """Return the instructions of one run of each kernel, without the preparation of its data."""
     listed = subprocess.run([str(program)], capture_output=True, text=True, check=True)
     return {
         kernel: run_once(program, kernel, 1) - run_once(program, kernel, 0)
@@ -164,7 +164,7 @@ def count(program: Path) -> dict[str, int]:
 
 
 def compare_with(revision: str) -> int:
-    """Count, print, and return the exit code."""
+    """Count instructions, print the table and return the exit code."""
     base = find_base(revision)
     if not shutil.which("valgrind"):
         raise Skip("valgrind is not installed")

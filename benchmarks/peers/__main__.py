@@ -16,12 +16,12 @@ from .schedule import PROBLEMS, STORED
 
 @click.command(help=__doc__)
 @click.argument("problems", nargs=-1, metavar="[PROBLEM]...", type=click.Choice(PROBLEMS))
-@click.option("--quick", is_flag=True, help="Small grids; the page is left alone.")
-@click.option("--rounds", default=3, help="Measurements of each (3).")
-@click.option("--limit", default=60.0, help="Seconds for one measurement (60).")
-@click.option("--fresh", is_flag=True, help="Forget what is measured already.")
+@click.option("--quick", is_flag=True, help="Small grids; the page is not changed.")
+@click.option("--rounds", default=3, help="Repetitions of each measurement (3).")
+@click.option("--limit", default=60.0, help="Time limit of one measurement in seconds (60).")
+@click.option("--fresh", is_flag=True, help="Discard the stored measurements.")
 @click.option("--page", "only_page", is_flag=True, help="Only write the page and figures.")
-@click.option("--processor-time", is_flag=True, help="Where other work runs beside; no wall clock.")
+@click.option("--processor-time", is_flag=True, help="Measure processor time.")
 @click.option("--folder", type=Path, default=ROOT / "results" / "benchmarks" / "peers")
 def main(
     problems: tuple[str, ...], quick: bool, rounds: int, limit: float, fresh: bool,
@@ -29,7 +29,7 @@ def main(
 ) -> None:  # fmt: skip
     os.environ.update(ONE_THREAD)
     os.environ.setdefault("MPLBACKEND", "Agg")
-    # Only now: the codes read their number of threads when they are imported.
+    # Imported late: the codes read their number of threads at import.
     from . import figures, page
     from .schedule import Results, measure_all
 

@@ -48,7 +48,7 @@ class Contact:
 
 
 class Mixed(Contact):
-    """The contact found in single precision, polished in double."""
+    """Solver in single precision, with a final correction in double precision."""
 
     tolerances = (1e-6, 1e-8, 1e-10)
     settings: ClassVar = {"backend": "fft", "precision": "float_then_double"}

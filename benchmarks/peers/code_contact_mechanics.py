@@ -30,12 +30,12 @@ class Contact:
         self.problem = problem
         self.tol = tol
         size = (problem.side, problem.side)
-        # The engine "serial" is faster here than "fftw".
+        # The engine "serial" is faster than "fftw" here.
         self.substrate = FreeFFTElasticHalfSpace(
             problem.gap.shape, problems.E_STAR, size, fft="serial"
         )
         self.topography = Topography(-problem.gap, size)
-        # Order of magnitude of the displacements: those of the load on a disk of the width.
+        # Order of magnitude of the displacements: the load on a disk as wide as the grid.
         self.displacement = problem.load / (problems.E_STAR * problem.side)
 
     def solve(self) -> Outcome:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""samcontact, as it comes: default settings but for the tolerance."""
+"""samcontact with default settings except the tolerance."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def version() -> str:
 
 
 class Contact:
-    """Elastic contact; the border may be touched, as the peers allow."""
+    """Elastic contact; the contact may reach the grid edge, as in the other codes."""
 
     tolerances = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
 
@@ -65,7 +65,7 @@ class Slip:
 
 
 class Plasticity:
-    """Elastic-plastic contact, the load in equal increments."""
+    """Elastic-plastic contact with equal load increments."""
 
     tolerances = (1e-2, 1e-3, 1e-4, 1e-6)
 
@@ -93,7 +93,7 @@ class Plasticity:
 
 
 class Stress:
-    """Stress at given depths under a given pressure."""
+    """Stress at given depths due to a given pressure."""
 
     tolerances = (0.0,)
 

@@ -42,7 +42,7 @@ def iterations_logged(solve: Callable[[], float]) -> int:
 
 
 class Contact:
-    """The primal variable is the pressure; two applications an iteration."""
+    """Solver with the pressure as primal variable; two operator applications per iteration."""
 
     tolerances = (1e-4, 1e-6, 1e-8, 1e-10)
 
@@ -66,14 +66,14 @@ class Contact:
 
 
 class Plasticity:
-    """Anderson mixing of contact and plastic flow, the latter by DF-SANE in C++."""
+    """Anderson mixing of contact and plastic flow; plastic flow is solved by DF-SANE in C++."""
 
     tolerances = (1e-2, 1e-3, 1e-4, 1e-6)
 
     def __init__(self, problem: problems.Plastic, tol: float) -> None:
         self.problem = problem
         n, side = problem.n, problem.side
-        # Nodes in depth: one more than layers.
+        # The number of nodes in depth is one more than the number of layers.
         size = [problem.depth, side, side]
         kind = tm.model_type.volume_2d
         self.model = tm.ModelFactory.createModel(kind, size, [problem.layers + 1, n, n])
@@ -92,7 +92,7 @@ class Plasticity:
     def solve(self) -> Outcome:
         problem = self.problem
         for k in range(1, problems.INCREMENTS + 1):
-            # solve() also updates the state of the material
+            # solve() also updates the state of the material.
             self.solver.solve(problem.load * k / problems.INCREMENTS / problem.side**2)
         pressure = np.array(self.model.traction)[..., 2]
         strain = np.array(self.model["cumulated_plastic_strain"])
@@ -101,7 +101,7 @@ class Plasticity:
 
 
 class Stress:
-    """Gradient of Boussinesq's displacements, then Hooke's law."""
+    """Stress by the gradient of Boussinesq's displacements and Hooke's law."""
 
     tolerances = (0.0,)
 

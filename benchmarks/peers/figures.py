@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of docs/peers.md: error against relative time, and the ratio of times over the size."""
+"""Figures of docs/peers.md: error against relative time, and ratio of times against size."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def figure(data: dict[str, Any], problem: str) -> Figure | None:
     drawn = Figure(figsize=(9, 3.4 * len(by_case) + 0.5), layout="constrained")
     grid = drawn.subplots(len(by_case), 2, squeeze=False)
     for (left, right), (case, places) in zip(grid, by_case.items(), strict=True):
-        # The largest size that most codes have solved.
+        # The largest size solved by most codes.
         most = max(len(codes) for codes in places.values())
         n = max(n for n, codes in places.items() if len(codes) == most)
         draw_precision(left, places[n], problem)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tables of docs/peers.md from stored measurements: ratios at equal error, no times."""
+"""Tables of docs/peers.md from stored measurements: ratios of times at equal error."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .running import MAX_CELLS, tight
 
 PAGE = ROOT / "docs" / "peers.md"
 OURS = "samcontact"
-# The error that is made equal, and at which values.
+# The errors at which times are compared.
 ELASTIC = ("hertz", "rough", "periodic")
 MEASURE = dict.fromkeys(ELASTIC, "pressure") | dict.fromkeys(PLASTIC, "plastic strain")
 MEASURE["slip"] = "shear"
@@ -47,7 +47,7 @@ TIMES = {"with_setup_s": "with set-up", "without_setup_s": "without"}
 
 Place = tuple[str, str, int]
 Ladder = dict[float, list[dict[str, Any]]]
-"""Successful rounds of a code on one problem, by tolerance."""
+"""Successful rounds of one code on one problem, by tolerance."""
 
 
 def by_place(data: dict[str, Any]) -> dict[Place, dict[str, Ladder]]:
@@ -64,12 +64,12 @@ def by_place(data: dict[str, Any]) -> dict[Place, dict[str, Ladder]]:
 
 
 def row_counts(problem: str, tol: float) -> bool:
-    """Whether the row is not a reference, whose error relative to itself is zero."""
+    """Return whether the row is no reference; the error of a reference is zero."""
     return tol not in tight(problem).values()
 
 
 def points(ladder: Ladder, measure: str, time: str) -> list[tuple[float, float]]:
-    """(error, least time of the rounds) from the loosest tolerance to the tightest."""
+    """Return (error, minimum time of the rounds) from the loosest tolerance to the tightest."""
     return [
         (rounds[0]["errors"][measure], min(row[time] for row in rounds))
         for _, rounds in sorted(ladder.items(), reverse=True)
@@ -78,8 +78,8 @@ def points(ladder: Ladder, measure: str, time: str) -> list[tuple[float, float]]
 
 
 def time_at(curve: list[tuple[float, float]], error: float) -> float | None:
-    """Time to reach the error: interpolated between the tolerances on both sides of it, in
-    logarithms; that of the loosest where it is good enough; None where it is never reached."""
+    """Return the time to reach an error, interpolated in logarithms between the tolerances
+    on both sides; that of the loosest if it is sufficient; None if it is never reached."""
     reached = [i for i, (found, _) in enumerate(curve) if found <= error]
     if not reached:
         return None
@@ -108,13 +108,13 @@ def row_at(ladder: Ladder, measure: str, error: float) -> dict[str, Any] | None:
 
 
 def table(lines: list[dict[str, Any]]) -> str:
-    """Markdown of rows with equal keys."""
+    """Return the Markdown table of rows with equal keys."""
     return table_of([{name: "" if value is None else cell(value) for name, value in line.items()}
                      for line in lines])  # fmt: skip
 
 
 def where(place: Place, codes: dict[str, Ladder]) -> str:
-    """Name of a problem in a table, with the part in contact where there are several."""
+    """Return the name of a problem in a table, with its contact fraction if there are several."""
     _, case, _ = place
     row = next(iter(codes[OURS].values()))[0]
     return f"{case}, {100 * row['contact_fraction']:.2g} %" if case else "one"
@@ -134,7 +134,7 @@ def solver_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any]]
                 for error in TARGETS[problem]
             }
             if not any(ratios.values()):
-                continue  # the code, or samcontact, has not come that far
+                continue  # the code, or samcontact, does not reach this error
             line: dict[str, Any] = {"in contact": where(place, codes), "cells": f"{place[2]}²"}
             if not place[1]:
                 del line["in contact"]
@@ -147,14 +147,14 @@ def solver_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any]]
 
 
 def times_of(problem: str) -> dict[str, str]:
-    """Return the kinds of time; a plastic body cannot be solved twice, so set-up is included."""
+    """Return the kinds of time; plastic bodies have one time, because they are not solved twice."""
     return {"with_setup_s": "with set-up"} if problem in PLASTIC else TIMES
 
 
 def converged(
     wanted: str, data: dict[str, Any], case: str = ""
 ) -> Iterator[tuple[int, str, dict[str, Any]]]:
-    """Cells across, code and row of the tightly converged contacts of a problem."""
+    """Return cells across, code and row of the tightly converged contacts of a problem."""
     for key, rounds in data["rows"].items():
         problem, of, n, code, tol = key.split("|")
         worked = rounds and "failed" not in rounds[0]
@@ -185,7 +185,7 @@ def grid_lines(problem: str, data: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 Grids = dict[str, dict[int, tuple[float, float | None]]]
-"""Error of the grid and minimum time to a tenth of it, by code and cells across."""
+"""Return the grid error and the minimum time to a tenth of it, by code and cells across."""
 
 
 def grids_of(problem: str, case: str, data: dict[str, Any]) -> Grids:
@@ -242,7 +242,7 @@ def without_empty(lines: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 MAX_SETUP_BOUND_CELLS = (
-    256  # cells across below which the set-up decides the ratios of elastic contact
+    256  # cells across; below this the set-up determines the ratios of elastic contact
 )
 
 

@@ -17,19 +17,19 @@ RADIUS = 7.5e-3  # m
 HERTZ_LOAD = 1500.0  # N
 ROUGH_SIDE = 1e-3  # m
 ROUGH_RMS = 1e-6  # m
-# Crown [m], load [N]: a few per cent of the surface in contact, and about a quarter of it.
+# Crown [m], load [N]: contact fractions of a few per cent and of about a quarter.
 ROUGH_CASES = {"light": (0.02, 15.0), "heavy": (0.02, 600.0)}
 YIELD_STRESS = 0.01 * E_STAR
 HARDENING = 0.1 * E
 # Width of the (possibly periodic) cell and its depth, in elastic contact radii.
 PLASTIC_SIDE, STRESS_SIDE, DEPTH = 6.0, 12.0, 2.0
 INCREMENTS = 2
-# Of the rough surface that repeats itself: its shortest wave is this part of the side. Loads [N]:
-# about a tenth, half and almost all of it in contact.
+# Shortest wave of the periodic rough surface as a fraction of its side. Loads [N] for
+# contact fractions of about a tenth, a half and almost one.
 WAVES = 32
 PERIODIC_CASES = {"light": 165.0, "half": 1060.0, "nearly full": 4500.0}
 PLASTIC = ("plastic", "periodic_plastic")
-FRICTION, PULL = 0.3, 0.5  # coefficient, and the part of the largest force
+FRICTION, PULL = 0.3, 0.5  # friction coefficient, and fraction of the friction limit
 PULLED = ("force given", "shift given")
 
 
@@ -93,7 +93,7 @@ def hertz_theory() -> sc.hertz.PointContact:
 
 
 def hertz(n: int) -> Elastic:
-    """The contact covers four fifths of the width."""
+    """Return the ball whose contact covers four fifths of the width."""
     side = 2 * hertz_theory().a / 0.8
     grid = sc.Grid(n, n, side / n, side / n)
     return Elastic(sc.surfaces.paraboloid(grid, RADIUS), side, HERTZ_LOAD)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measurements in processes of their own: `python -m benchmarks.peers.running CODE`."""
+"""Measurements in separate processes: `python -m benchmarks.peers.running CODE`."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ ONE_THREAD = {
     )
 }
 TIMEOUT_MARK = "more than"
-REPEAT_FOR = 0.5  # s of solves with the set-up done
+REPEAT_FOR = 0.5  # total time [s] of repeated solves after set-up
 REPEATS = 20
 # Tolerances of the references: of one code where all solve the same discrete problem, else of each.
 REFERENCE_TOL = {"samcontact": 1e-12}
@@ -59,7 +59,7 @@ PACKAGES = {"tamaas": "tamaas", "ContactMechanics": "ContactMechanics", "ASPHER"
 
 @dataclass
 class Outcome:
-    """Results of a code."""
+    """Results of one code for one problem."""
 
     pressure: np.ndarray
     counts: dict[str, float]
@@ -68,12 +68,12 @@ class Outcome:
     stress: np.ndarray | None = None
     shear: np.ndarray | None = None
     setup_share: float = 0.0
-    """Part of the time of the solve that the code reports as its set-up."""
+    """Fraction of the solve time that the code reports as set-up [-]."""
 
 
 @dataclass(frozen=True)
 class Task:
-    """Measurement of a code on a problem of n cells across, with its own tolerance."""
+    """Measurement of one code on a problem with n cells across; each code has its own tolerance."""
 
     problem: str
     case: str
@@ -91,7 +91,7 @@ class Task:
 
 
 def code_class(code: str, problem: str) -> Any:
-    """The class of a code for a problem; raises ImportError where the code is missing."""
+    """Return the class of a code for a problem; raise ImportError if the code is missing."""
     module, contact = CODES[code]
     kinds = dict.fromkeys(problems.PLASTIC, "Plasticity") | {"stress": "Stress", "slip": "Slip"}
     return getattr(
@@ -100,7 +100,7 @@ def code_class(code: str, problem: str) -> Any:
 
 
 def tight(problem: str) -> dict[str, float]:
-    """Tolerance of the reference by code."""
+    """Return the tolerance of the reference, by code."""
     if problem in problems.PLASTIC:
         return REFERENCE_TOL_PLASTIC
     if problem == "slip":
@@ -114,7 +114,7 @@ def reference_file(task: Task, code: str = "samcontact") -> Path:
 
 
 def fine_errors(task: Task, found: Outcome) -> dict[str, float]:
-    """Against the finest grid, at the points that it shares with this one."""
+    """Return errors relative to the finest grid at the common points."""
     file = reference_file(replace(task, n=MAX_CELLS.get(task.problem, 0)))
     if "periodic" not in task.problem or not file.exists():
         return {}
@@ -123,7 +123,7 @@ def fine_errors(task: Task, found: Outcome) -> dict[str, float]:
     step = fine.shape[0] // task.n
     if step < MIN_REFINEMENT:
         return {}
-    # The points of the rough surface begin at 0, the others are centres of cells.
+    # Points of the rough surface start at 0; the other points are cell centres.
     shared = slice(0 if task.problem == "periodic" else step // 2, None, step)
     area = relative_error(np.mean(found.pressure > 0), np.mean(fine > 0))
     return {
@@ -133,7 +133,7 @@ def fine_errors(task: Task, found: Outcome) -> dict[str, float]:
 
 
 def elastic_errors(task: Task, problem: problems.Elastic, found: Outcome) -> dict[str, float]:
-    """Against the tightly converged solution of the grid, and the exact one where there is one."""
+    """Return errors relative to the tightly converged and, if there is one, the exact solution."""
     code = task.code if task.code in tight(task.problem) else "samcontact"
     file = reference_file(task, code)
     errors = fine_errors(task, found)
@@ -153,7 +153,7 @@ def elastic_errors(task: Task, problem: problems.Elastic, found: Outcome) -> dic
 
 
 def prepare(task: Task) -> tuple[Any, tuple[Any, ...]]:
-    """The problem, and the arguments of the class of the code."""
+    """Return the problem and the arguments of the class of the code."""
     if task.problem in problems.PLASTIC:
         periodic = "xy" if task.problem == "periodic_plastic" else ""
         plastic = problems.plastic(task.n, periodic=periodic)
@@ -168,7 +168,7 @@ def prepare(task: Task) -> tuple[Any, tuple[Any, ...]]:
 
 
 def depths(problem: problems.Plastic) -> np.ndarray:
-    """The planes between layers, the surface first."""
+    """Return the depths of the planes between layers, starting with the surface."""
     return np.linspace(0.0, problem.depth, problem.layers + 1)
 
 
@@ -188,7 +188,7 @@ def stress_errors(problem: problems.Plastic, found: Outcome) -> dict[str, float]
 
 
 def plastic_errors(task: Task, found: Outcome) -> dict[str, float]:
-    """Against the code's own tightly converged solution of the grid."""
+    """Return errors relative to the tightly converged solution of the same code and grid."""
     file = reference_file(task, task.code)
     errors = fine_errors(task, found)
     if not file.exists():
@@ -209,7 +209,7 @@ def errors_of(task: Task, problem: Any, found: Outcome) -> dict[str, float]:
 
 
 def run_here(task: Task) -> dict[str, Any]:
-    """Set up and solve once, then solve again with the set-up done, while that is short."""
+    """Set up and solve once; repeat the solve without set-up if it is short."""
     warnings.simplefilter("ignore")
     kind = code_class(task.code, task.problem)
     problem, arguments = prepare(task)
@@ -221,7 +221,7 @@ def run_here(task: Task) -> dict[str, Any]:
     found = code.solve()
     first = clock() - start
     memory = peak_memory()
-    # A plastic body keeps its strain: no second solve of the same.
+    # A plastic body keeps its strain, so the solve cannot be repeated.
     again = [] if task.problem in problems.PLASTIC else solve_again(code, first, clock)
     if task.tol == tight(task.problem).get(task.code):
         fields = {"pressure": found.pressure, "plastic_strain": found.plastic_strain}
@@ -248,14 +248,14 @@ def run_here(task: Task) -> dict[str, Any]:
 
 
 def typical(times: list[float], clock: str) -> float:
-    """The least; of the processor's clock the mean, as it may tick only once in several solves."""
+    """Return the minimum time; for processor time the mean, because its clock may be coarse."""
     if not times:
         return 0.0
     return min(times) if clock == "perf_counter" else sum(times) / len(times)
 
 
 def solve_again(code: Any, first: float, clock: Callable[[], float]) -> list[float]:
-    """Times of solves without set-up: some, or for about half a second; few where that is long."""
+    """Return times of solves without set-up, repeated for about half a second in total."""
     times: list[float] = []
     least = 4 if first < 2.0 else 1 if first < 20.0 else 0
     while len(times) < least or (first < REPEAT_FOR > sum(times) and len(times) < REPEATS):
@@ -266,7 +266,7 @@ def solve_again(code: Any, first: float, clock: Callable[[], float]) -> list[flo
 
 
 class Server:
-    """A process that imports one code and forks for each measurement: a fresh process without the
+    """Process that imports one code and forks for each measurement, which avoids the
     seconds of the imports."""
 
     def __init__(self, code: str) -> None:
@@ -278,7 +278,7 @@ class Server:
         )
 
     def run(self, task: Task, limit: float) -> dict[str, Any]:
-        """The measurement; a failure or too long a run becomes a message."""
+        """Run the measurement; a failure or a timeout becomes a message."""
         assert self.process.stdin
         assert self.process.stdout
         self.process.stdin.write(json.dumps([task.__dict__, limit]) + "\n")
@@ -290,7 +290,7 @@ class Server:
         return row
 
     def close(self) -> None:
-        with self.process:  # closes both pipes; the process ends with the first
+        with self.process:  # closes both pipes; the process ends when the first one closes
             pass
 
 
@@ -311,12 +311,12 @@ def own_memory() -> None:
             pagemap.seek(8 * (first // page))
             entries = np.frombuffer(pagemap.read(8 * ((end - first) // page)), np.uint64)
             memory = (ctypes.c_char * (end - first)).from_address(first)
-            for at in np.flatnonzero(entries >> np.uint64(63)) * page:  # those that are there
+            for at in np.flatnonzero(entries >> np.uint64(63)) * page:  # pages in memory
                 memory[at] = memory[at]
 
 
 def measured_in_a_fork(task: Task, limit: float) -> dict[str, Any]:
-    """Fork, measure, and wait for the row."""
+    """Fork a process, measure in it, and wait for the row."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
@@ -338,14 +338,14 @@ def measured_in_a_fork(task: Task, limit: float) -> dict[str, Any]:
     if text:
         answer: dict[str, Any] = json.loads(text)
         return answer
-    # The kernel ends what is beyond its limit by one of these.
+    # The kernel ends a process beyond its limits by one of these signals.
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL):
         return {"failed": f"{TIMEOUT_MARK} {limit:g} s"}
     return {"failed": f"exit status {status}"}
 
 
 def serve(code: str) -> None:
-    """Measure the tasks that come as lines until there are no more."""
+    """Measure tasks read as lines from standard input until its end."""
     importlib.import_module(f"benchmarks.peers.{CODES[code][0]}")
     for line in sys.stdin:
         task, limit = json.loads(line)

@@ -24,14 +24,14 @@ SIZES = {
     "periodic_plastic": (24, 40),
     "slip": (32, 64, 128),
 }
-LARGER = {("rough", "light"): (4096,)}  # within the memory of a desktop
+LARGER = {("rough", "light"): (4096,)}  # within the memory of a desktop computer
 QUICK_SIZES = {"hertz": (64, 128), "rough": (64, 128), "plastic": (12,), "stress": (48,)}
 QUICK_SIZES |= {"periodic": (128,), "periodic_plastic": (12,), "slip": (32,)}
 PROBLEMS = tuple(SIZES)
 STORED = Path(__file__).with_name("results.json")
-BOTH = ("samcontact", "tamaas")  # where there is a volume, or a period
-MAX_REPEATED_SECONDS = 3.0  # s: what takes longer is measured once
-GROWTH = 4.0  # least factor of time from a size to the next
+BOTH = ("samcontact", "tamaas")  # for problems with a volume or a period
+MAX_REPEATED_SECONDS = 3.0  # s; longer runs are measured once
+GROWTH = 4.0  # minimum factor of time from one size to the next
 
 
 def cases(problem: str) -> tuple[str, ...]:
@@ -47,7 +47,7 @@ def sizes(problem: str, case: str, *, quick: bool = False) -> tuple[int, ...]:
 
 
 def installed(codes: tuple[str, ...] = tuple(CODES)) -> dict[str, str]:
-    """Versions of the codes that can be imported."""
+    """Return the versions of the codes that can be imported."""
     found = {}
     for code in codes:
         try:
@@ -59,7 +59,7 @@ def installed(codes: tuple[str, ...] = tuple(CODES)) -> dict[str, str]:
 
 
 def codes_for(problem: str, available: dict[str, str]) -> list[str]:
-    """Hierarchical matrices are for large rough contacts, the others for free boundaries."""
+    """Return the available codes that are measured on a problem."""
     wanted = tuple(CODES) if problem in ("hertz", "rough") else BOTH
     if problem == "slip":
         wanted = ("samcontact", "ASPHER")
@@ -69,7 +69,7 @@ def codes_for(problem: str, available: dict[str, str]) -> list[str]:
 
 
 def references(problem: str, case: str, n: int, available: dict[str, str]) -> list[Task]:
-    """Tightly converged solutions that the errors are taken against."""
+    """Return the tasks of the tightly converged reference solutions."""
     if problem == "stress":
         return []
     codes = [code for code in tight(problem) if code in available]
@@ -77,7 +77,7 @@ def references(problem: str, case: str, n: int, available: dict[str, str]) -> li
 
 
 def alternating(problem: str, case: str, n: int, available: dict[str, str]) -> Iterator[Task]:
-    """The tolerances of the codes in turn, from the loosest on."""
+    """Yield the tasks of all codes in turn, from the loosest tolerance on."""
     codes = codes_for(problem, available)
     ladders = {code: code_class(code, problem).tolerances for code in codes}
     for step in range(max(map(len, ladders.values()))):
@@ -87,7 +87,7 @@ def alternating(problem: str, case: str, n: int, available: dict[str, str]) -> I
 
 
 class Results:
-    """Rows by task and round, kept in a file after each measurement."""
+    """Rows by task and round, stored in a file after each measurement."""
 
     def __init__(self, file: Path) -> None:
         self.file = file
@@ -100,7 +100,7 @@ class Results:
         return rows
 
     def forget_shorter(self, limit: float, chosen: Sequence[str] = PROBLEMS) -> None:
-        """Forget what failed for want of time, where there is more now."""
+        """Discard rows that exceeded a time limit shorter than the present one."""
         for key, rounds in self.data["rows"].items():
             if key.split("|")[0] not in chosen:
                 continue
@@ -117,7 +117,7 @@ class Results:
 
 
 def rounded_json(data: Any) -> str:
-    """Numbers with five digits: nothing measured here has more; a row a line."""
+    """Return JSON with one row per line; five digits are more than any measurement has."""
 
     def short(value: Any) -> Any:
         if isinstance(value, float):
@@ -134,7 +134,7 @@ def rounded_json(data: Any) -> str:
 
 
 def too_long(task: Task, results: Results, limit: float) -> bool:
-    """Whether the code took so long on the size before that this one is hopeless."""
+    """Return whether the time on the previous size makes a timeout certain."""
     every = sizes(task.problem, task.case) + sizes(task.problem, task.case, quick=True)
     last = max((n for n in every if n < task.n), default=None)
     if last is None:
@@ -159,7 +159,7 @@ def measure_all(
     clock: str,
     report: Callable[[str], None],
 ) -> None:
-    """Measure what the file does not have yet."""
+    """Measure all tasks that are not in the file yet."""
     available = installed()
     versions = {name: available[name] for name in ("samcontact", *PACKAGES) if name in available}
     results.data["versions"].update(versions)

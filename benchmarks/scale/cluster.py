@@ -12,9 +12,9 @@ from typing import Any, NamedTuple
 
 SIDE = 65_536  # cells
 RANKS = (64, 512, 4096)
-RATE = 10e9  # bytes/s that a process sends and receives; a network of 100 Gbit/s has 12.5e9
+RATE = 10e9  # bytes/s sent and received by a process; a network of 100 Gbit/s provides 12.5e9
 COMPLEX = 16  # bytes
-STRAINS, STRESSES = 5, 6  # components of a plastic strain, and of its stress
+STRAINS, STRESSES = 5, 6  # number of components of plastic strain and of its stress
 PERIODIC = ("rough", "zones")  # jobs
 # Bands of zones that reach over all of the surface: nodes of 2 x 2 cells, and of 8 x 8 on a plane
 # twice as wide of which the empty rows are not sent; in units of a plane of all cells.

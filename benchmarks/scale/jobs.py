@@ -21,14 +21,14 @@ from ..rolling import CERAMIC, CONTACT_RADIUS, LOAD, RADIUS
 from ..steel import ELASTIC, STEEL, balls
 from ..steel import LOAD as OF_BALLS
 
-CELL = 1e-6  # m, of rough surfaces
-ELASTIC_PRESSURE = 1.7e8  # Pa, mean: about a twentieth of the surface is in contact
+CELL = 1e-6  # m; cell size of rough surfaces
+ELASTIC_PRESSURE = 1.7e8  # Pa; mean pressure for a contact fraction of about 1/20
 PLASTIC_PRESSURE = 0.05 * HARDNESS
 STEPS = 8
 
 
 MAX_EXPONENT = 1.15
-"""Exponent of the time over all sizes below which a job shall stay."""
+"""Upper limit of the exponent of time over all sizes."""
 
 
 class Job(NamedTuple):
@@ -76,7 +76,7 @@ def finer(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def rough(meter: Meter, n: int) -> dict[str, Any]:
-    """Elastic, pressed from nothing to the default tolerance."""
+    """Solve elastic contact from zero pressure to the default tolerance."""
     grid, gap = surface(n)
     load = ELASTIC_PRESSURE * (n * CELL) ** 2
     found = meter(lambda: sc.ContactSolver(grid, ELASTIC, ELASTIC).solve(gap, load=load))
@@ -101,7 +101,7 @@ def zones(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def slipping(meter: Meter, n: int, method: str = "tol 1e-4") -> dict[str, Any]:
-    """A ball pressed and pulled by half of the friction."""
+    """Press a ball, then load it tangentially by half of the friction limit."""
     found = slip.solve(meter, n, 0.5, method)
     return {"cells": n * n, "transforms": found["work"] + found["shear_work"]}
 
@@ -112,7 +112,7 @@ def slipping_fine(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def ball(meter: Meter, n: int) -> dict[str, Any]:
-    """1500 N in three increments and back, `n` cells on the Hertz radius."""
+    """Load two balls to 1500 N in three increments and unload, with `n` cells per Hertz radius."""
 
     def press() -> sc.Simulation:
         simulation = balls(n)
@@ -164,7 +164,7 @@ def coated(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def measure(meter: Meter, job: str, n: int) -> dict[str, Any]:
-    """Any of them by its function's name, after the smallest, which loads what is loaded once."""
+    """Run a job by function name, after its smallest size, which loads all libraries."""
     function = globals()[job]
     (smallest,) = (known.sizes[0] for known in JOBS if known.function == job)
     function(Meter(), smallest)

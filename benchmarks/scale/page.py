@@ -78,7 +78,7 @@ def sizes(rows: Rows) -> str:
     return table(["job", "n", "cells", "time [s]", "µs per cell", "memory [MB]"], lines)
 
 
-# The other jobs are not surfaces, or their growth beyond the measured sizes is uncertain.
+# Other jobs are not surface problems, or their growth beyond measured sizes is uncertain.
 LARGE_SURFACE_JOBS = [job for job in JOBS if job.unit == "surface" and job.exponent < 1.2]
 
 
@@ -155,7 +155,9 @@ def above(rows: Rows) -> str:
     found = [(job, overall(of(rows, job))) for job in JOBS]
     beyond = [f"{job.name} (exponent {value:.2f})" for job, value in found if value > MAX_EXPONENT]
     said = f"above {MAX_EXPONENT:g} over all sizes"
-    return f"{said[0].upper()}{said[1:]}: {'; '.join(beyond)}." if beyond else f"None is {said}."
+    if beyond:
+        return f"{said[0].upper()}{said[1:]}: {'; '.join(beyond)}."
+    return f"No exponent is {said}."
 
 
 def fits(memories: dict[str, float]) -> str:
@@ -165,8 +167,8 @@ def fits(memories: dict[str, float]) -> str:
         return f"None fits into {MACHINE / 1e12:g} TB, the memory of one large machine."
     others = " The others do not." if len(inside) < len(memories) else ""
     return (
-        f"Into {MACHINE / 1e12:g} TB, the memory of one large machine, whose threads share it, "
-        f"fit: {'; '.join(inside)}.{others}"
+        f"Jobs that fit into {MACHINE / 1e12:g} TB, the memory of one large machine: "
+        f"{'; '.join(inside)}.{others}"
     )
 
 

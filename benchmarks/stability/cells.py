@@ -13,7 +13,7 @@ from .materials import MU, RADIUS, STEEL, YIELD, E, slip_error
 from .table import COUNT, VALUE, Column, Table, trace
 
 ASPECT_RATIOS = ("1:1", "2:1", "4:1", "8:1", "16:1", "1:16")
-ACROSS = 24  # cells of the coarser direction
+ACROSS = 24  # number of cells along the coarser direction
 SOFT = sc.Material.linear_hardening(E, 0.3, YIELD, 0.1 * E)
 EXACT = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(STEEL, STEEL), p0=2.4e9)
 FLAT = {
@@ -22,11 +22,11 @@ FLAT = {
     "dx:dz = 4:1": (15, 15, 40), "dx:dz = 16:1": (13, 13, 128),
     "dx:dz = 1:4": (51, 51, 8), "dx:dz = 1:16": (103, 103, 4),
 }  # fmt: skip
-"""Cells along x, y and z."""
+"""Number of cells along x, y and z."""
 
 
 def long_cells(row: str) -> dict[str, Any]:
-    """Elastic contact on long cells, without friction and under half the friction limit."""
+    """Solve elastic contact on long cells, without friction and at half the friction limit."""
     x, y = map(int, row.split(":"))
     nx, ny = ACROSS * y, ACROSS * x
     grid = sc.Grid(nx, ny, 2.6 * EXACT.a / nx, 2.6 * EXACT.a / ny)
@@ -50,7 +50,7 @@ def long_cells(row: str) -> dict[str, Any]:
 
 
 def dent(cells: tuple[int, int, int]) -> tuple[sc.State, np.ndarray]:
-    """Loaded state; peak pressure [Pa], imprint depth [m], integral of the plastic strain [m³]."""
+    """Return the loaded state, maximum pressure [Pa], imprint depth [m], plastic volume [m³]."""
     nx, ny, nz = cells
     grid = sc.Grid(nx, ny, 3.2 * EXACT.a / nx, 3.2 * EXACT.a / ny, nz, 2 * EXACT.a / nz)
     simulation = sc.Simulation(grid, STEEL, SOFT, sc.surfaces.paraboloid(grid, RADIUS))
@@ -61,7 +61,7 @@ def dent(cells: tuple[int, int, int]) -> tuple[sc.State, np.ndarray]:
 
 
 def flat_cells(row: str) -> dict[str, Any]:
-    """Differences from fine square cells."""
+    """Return the differences from fine square cells."""
     state, values = dent(FLAT[row])
     pressure, depth, volume = np.abs(values / dent(FLAT["square, fine"])[1] - 1)
     return {

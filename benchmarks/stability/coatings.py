@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Coatings from a fiftieth to fifty times as stiff as the body, of a tenth to 300 cells."""
+"""Coatings 1/50 to 50 times as stiff as the body, 0.1 to 300 cells thick."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ HARDLY = 1e-14
 SEPARATOR = ", "
 
 
-def ratio(told: str) -> float:
-    part, _, by = told.partition("/")
+def ratio(stated: str) -> float:
+    part, _, by = stated.partition("/")
     return float(part) / float(by or 1)
 
 
@@ -41,10 +41,10 @@ def pressed(body: sc.Material | sc.Layered) -> sc.ContactSolution:
 
 
 def elastic(row: str) -> dict[str, Any]:
-    """Differences from uncoated bodies, and from two half-thickness layers under its pressure."""
+    """Return differences from uncoated bodies and from two layers of half the thickness."""
     stiffness, cells = row.split(SEPARATOR)
     coating, thickness = sc.Material.elastic(ratio(stiffness) * E, 0.3), float(cells) * SIZE
-    # Equal materials become one layer: those that hardly differ are solved as two.
+    # Equal materials would be merged into one layer, so these differ slightly.
     almost = sc.Material.elastic(coating.E * (1 + HARDLY), 0.3)
     coated = sc.Layered([(coating, thickness)], STEEL)
     halves = sc.Layered([(coating, thickness / 2), (almost, thickness / 2)], STEEL)
@@ -66,7 +66,7 @@ def elastic(row: str) -> dict[str, Any]:
 
 
 def yielding(row: str) -> dict[str, Any]:
-    """Coating and substrate yield at a two-hundredth of their moduli."""
+    """Solve a coating and a substrate with yield stresses of 1/200 of their moduli."""
     stiffness, cells = row.split(SEPARATOR)
 
     def law(modulus: float) -> sc.Material:

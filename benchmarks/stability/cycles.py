@@ -33,7 +33,7 @@ def ball() -> tuple[sc.Grid, Any, float]:
 
 
 def asperities() -> tuple[sc.Grid, Any, float]:
-    """Four asperities of different height, each with its own plastic zone."""
+    """Return four asperities of different height, each with its own plastic zone."""
     x, y, away = ZONES.x[:, None], ZONES.y, 22 * SIZE
     corners = itertools.product((-away, away), repeat=2)
     spheres = [np.hypot(x - a, y - b) ** 2 / 60e-6 + n * 1e-8 for n, (a, b) in enumerate(corners)]
@@ -41,7 +41,7 @@ def asperities() -> tuple[sc.Grid, Any, float]:
 
 
 def rough() -> tuple[sc.Grid, Any, float]:
-    """A surface that repeats itself: spots of few cells."""
+    """Return a periodic rough surface with contact spots of few cells."""
     grid = sc.Grid(64, 64, SIZE, SIZE, 5, SIZE, periodic="xy")
     heights = sc.surfaces.rough_self_affine(
         grid, 1e-7, 0.8, wavelength_min=8 * SIZE, roll_off=16 * SIZE, seed=7
@@ -54,7 +54,7 @@ ROWS = tuple(f"{scene}, {law}" for scene in SCENES for law in LAWS)
 
 
 def cycled(row: str, cycles: int = CYCLES, settled: int = SETTLED) -> dict[str, Any]:
-    """Loaded and let go."""
+    """Load and unload repeatedly; return the changes of the state."""
     scene, _, law = row.partition(", ")
     grid, gap, load = SCENES[scene]()
     zones = "one" if scene == "ball" else "auto"

@@ -24,7 +24,7 @@ FRICTIONS = ("0", "0.1", "0.3", "1", "2", "5", "10", "∞")
 
 
 def scene(bodies: str, width: float, cells: int) -> tuple[Any, sc.Grid, Any, float]:
-    """Bodies, grid, gap and Hertz's radius."""
+    """Return bodies, grid, gap and Hertz contact radius."""
     pair = BODIES[bodies]
     radius = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(*pair), load=LOAD).a
     grid = sc.Grid(cells, cells, width * radius / cells, width * radius / cells)
@@ -32,7 +32,7 @@ def scene(bodies: str, width: float, cells: int) -> tuple[Any, sc.Grid, Any, flo
 
 
 def sliding(row: str) -> dict[str, Any]:
-    """Iterations, and what is left of the conditions of contact with the shear in them."""
+    """Return iterations and residuals of the contact conditions, including the shear."""
     found: dict[str, Any] = {}
     for name in BODIES:
         pair, grid, gap, _ = scene(name, 7.2, 45)
@@ -56,12 +56,12 @@ def slipping(row: str) -> dict[str, Any]:
 
     A solution that does not converge has no number.
     """
-    name, _, told = row.rpartition(", ")
-    mu = math.inf if told == "∞" else float(told)
+    name, _, stated = row.rpartition(", ")
+    mu = math.inf if stated == "∞" else float(stated)
     pair, grid, gap, radius = scene(name, 3.2, 25)
     law, most = sc.Coulomb(mu), min(mu, 2.0) * LOAD
     solver = sc.ContactSolver(grid, *pair, law)
-    reach = min(mu, 1.0) * LOAD / (E * radius)  # of the order of the shift at which all slips
+    reach = min(mu, 1.0) * LOAD / (E * radius)  # about the shift at full sliding
     creepage = (0.3 * reach / radius, 0.2 * reach / radius)
     drives: dict[str, dict[str, Any]] = {
         "pressed": {},
@@ -91,7 +91,7 @@ def slipping(row: str) -> dict[str, Any]:
 
 
 def backward(state: Any) -> float:
-    """Work of the shear against the slip, of its largest cell over all work."""
+    """Return the largest negative friction work of a cell, relative to the total friction work."""
     work = (state.shear * state.slip).sum(axis=0)
     return max(0.0, -float(work.min())) / (float(np.abs(work).sum()) or 1.0)
 

@@ -19,7 +19,7 @@ SHARES = ("0", "1e-6", "1e-3", "0.01", "0.1", "0.3", "0.5", "0.7", "0.9")
 
 
 def contact(body: sc.Material, cells: int, p0: float) -> tuple[sc.hertz.PointContact, sc.Grid]:
-    """Hertz's of two such bodies, and a grid across it."""
+    """Return the Hertz contact of two such bodies, and a grid that contains it."""
     exact = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(body, body), p0=p0)
     size = 3.2 * exact.a / cells
     return exact, sc.Grid(cells, cells, size, size)
@@ -32,7 +32,7 @@ def flow(
     part: float = 0.7,
     **settings: Any,
 ) -> tuple[sc.Simulation, sc.State]:
-    """A ball that yields, in one increment."""
+    """Load an elastic-plastic body by a ball in one increment."""
     exact, flat = contact(STEEL, 15, 2.4e9)
     grid = sc.Grid(15, 15, flat.dx, flat.dy, 10, 0.2 * exact.a)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -53,7 +53,9 @@ def poisson(row: str) -> dict[str, Any]:
     slipped = sc.ContactSolver(grid, body, body, sc.Coulomb(MU)).solve(gap, **pull)
     softness = 2 * (2 - nu) * (1 + nu) / E  # of both, (2 - nu)/G each
     moved = 3 * MU * exact.load * softness * 2 / (16 * exact.a) * (1 - 0.5 ** (2 / 3))
-    unlike = sc.ContactSolver(grid, sc.Material.rigid(), body, sc.Coulomb(MU)).solve(gap, **pull)
+    dissimilar = sc.ContactSolver(grid, sc.Material.rigid(), body, sc.Coulomb(MU)).solve(
+        gap, **pull
+    )
     return {
         "iterations": found.iterations,
         "approach": abs(found.approach / exact.approach - 1),
@@ -63,8 +65,8 @@ def poisson(row: str) -> dict[str, Any]:
         "trace": trace(state.plastic_strain()),
         "shear": slipped.tangential_iterations,
         "shift": abs(slipped.shift[0] / moved - 1),
-        "unlike": unlike.tangential_iterations,
-        "law": slip_error(unlike, MU),
+        "unlike": dissimilar.tangential_iterations,
+        "law": slip_error(dissimilar, MU),
     }
 
 

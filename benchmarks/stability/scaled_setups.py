@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cases with partial slip, layers, periodicity and fatigue, in any system of units."""
+"""Cases of partial slip, layers, periodicity and fatigue, in any system of units."""
 
 import itertools
 
@@ -7,7 +7,7 @@ import numpy as np
 
 import samcontact as sc
 
-# Values of a metre, a newton, a second and a kelvin in the other system.
+# Values of one metre, newton, second and kelvin in the other system.
 UNITS = {
     "millimetre, newton, megapascal": (1e3, 1.0, 1.0, 1.0),
     "micrometre, millinewton, millisecond": (1e6, 1e3, 1e3, 1.0),
@@ -21,7 +21,7 @@ TIGHT_SETTINGS = {"tol": 1e-11, "on_border": "warn"}
 
 
 class Units:
-    """Values of a metre, a newton, a second and a kelvin in a system of units."""
+    """System of units: values of one metre, newton, second and kelvin in it."""
 
     def __init__(self, metre=1.0, newton=1.0, second=1.0, kelvin=1.0):
         self.m, self.N, self.s, self.K = metre, newton, second, kelvin
@@ -40,8 +40,8 @@ class Units:
     def soft(self, E=210e9):
         return sc.Material.linear_hardening(E * self.Pa, 0.3, 1e9 * self.Pa, 20e9 * self.Pa)
 
-    def told(self, state, bodies=(2,)):
-        """Fields of a state without units."""
+    def stated(self, state, bodies=(2,)):
+        """Return the dimensionless fields of a state."""
         found = {"pressure": state.pressure / self.Pa, "shear": state.shear / self.Pa}
         found |= {"gap": state.gap / self.m, "approach": state.approach / self.m}
         for body in bodies:
@@ -51,7 +51,7 @@ class Units:
         return found
 
     def slipped(self, state):
-        """Fields of partial slip only."""
+        """Return the dimensionless fields of partial slip."""
         return {
             "slip": state.slip / self.m,
             "shift": state.shift / self.m,
@@ -62,7 +62,7 @@ class Units:
 
 
 def fretting(unit, body1, body2, *, heat=None, mu=0.3):
-    """Normal load, tangential load, rotation and partial unloading."""
+    """Solve normal load, tangential load, rotation and partial unloading."""
     grid = unit.grid(dz=45e-6 * unit.m)
     gap = unit.ball(grid)
     friction = sc.Coulomb(mu)
@@ -72,7 +72,7 @@ def fretting(unit, body1, body2, *, heat=None, mu=0.3):
     pull = min(mu, 1.0) * load
     sim.step(load=load, tangential_load=(0.2 * pull, 0.5 * pull), **more)
     state = sim.step(load=0.8 * load, shift=(2e-7 * unit.m, 0.0), twist=1e-3, **more)
-    return unit.told(state) | unit.slipped(state), state
+    return unit.stated(state) | unit.slipped(state), state
 
 
 def plastic_fretting(unit):
@@ -96,7 +96,7 @@ def heat_of_slip(unit):
 
 
 def coated(unit):
-    """Partial slip on a stiff coating."""
+    """Solve partial slip on a stiff coating."""
     body = sc.Layered([(unit.elastic(400e9, 0.25), 90e-6 * unit.m)], unit.elastic())
     return fretting(unit, unit.elastic(300e9, 0.2), body)[0]
 
@@ -107,17 +107,17 @@ def pressed(unit, body, load, **step):
     sim.step(load=load * unit.N)
     state = sim.step(load=0.0, **step)
     assert state.max_equivalent_plastic_strain() > 1e-4
-    return unit.told(state)
+    return unit.stated(state)
 
 
 def coated_steel(unit):
-    """A coating with growth stress on steel that yields."""
+    """Solve a coating with growth stress on elastic-plastic steel."""
     grown = unit.elastic(400e9, 0.25).with_residual_stress([0.0], [-1e9 * unit.Pa])
     return pressed(unit, sc.Layered([(grown, 90e-6 * unit.m)], unit.soft()), 400)
 
 
 def graded(unit):
-    """Yield stress and given stress that change with depth."""
+    """Solve a body whose yield stress and initial residual stress vary with depth."""
     m, Pa = unit.m, unit.Pa
     z = [0.0, 100e-6 * m, 300e-6 * m]
     steel = sc.Material.tabulated(
@@ -129,7 +129,7 @@ def graded(unit):
 
 
 def rolling(unit):
-    """Some increments with creepage, and the steady state."""
+    """Solve some rolling increments with creepage, and the steady state."""
     grid, steel = unit.grid(), unit.elastic()
     gap, load, way = unit.ball(grid), 60 * unit.N, 45e-6 * unit.m
     sim = sc.Simulation(grid, steel, steel, gap, sc.Coulomb(0.3), **TIGHT_SETTINGS)
@@ -143,22 +143,22 @@ def rolling(unit):
         "steady shear": steady.shear / unit.Pa,
         "work": steady.friction_work_per_distance / unit.N,
     }
-    return unit.told(state, ()) | unit.slipped(state) | steadily
+    return unit.stated(state, ()) | unit.slipped(state) | steadily
 
 
 def periodic(unit):
-    """A rough surface without ends that yields."""
+    """Solve an elastic-plastic periodic rough surface."""
     grid = unit.grid(dz=45e-6 * unit.m, periodic="xy")
     rough = sc.surfaces.rough_self_affine(grid, 0.5e-6 * unit.m, 0.8, seed=3)
     sim = sc.Simulation(grid, unit.elastic(), unit.soft(), rough, **TIGHT_SETTINGS)
     sim.step(load=300 * unit.N)
     state = sim.step(load=10 * unit.N)
     assert state.max_equivalent_plastic_strain() > 1e-4
-    return unit.told(state)
+    return unit.stated(state)
 
 
 def zones(unit):
-    """Small plastic zones of asperities, whose bounds must be the same ones."""
+    """Solve small plastic zones of asperities; their boxes must be equal in all units."""
     size = 1e-6 * unit.m
     grid = sc.Grid(64, 64, size, size, 8, size)
     x, y, away = grid.x[:, None], grid.y, 16 * size
@@ -171,11 +171,11 @@ def zones(unit):
     sim.step(load=0.1 * unit.N)
     state = sim.step(load=0.03 * unit.N)
     assert len(state.zones(2)) > 1
-    return unit.told(state)
+    return unit.stated(state)
 
 
 def periodic_zones(unit):
-    """A rough surface without ends, whose spots yield in zones of their own."""
+    """Solve a periodic rough surface whose contact spots yield in separate subdomains."""
     size = 1e-6 * unit.m
     grid = sc.Grid(64, 64, size, size, 5, size, periodic="xy")
     rough = sc.surfaces.rough_self_affine(
@@ -187,11 +187,11 @@ def periodic_zones(unit):
     sim.step(load=0.1 * unit.N)
     state = sim.step(load=0.03 * unit.N)
     assert len(state.zones(2)) > 1
-    return unit.told(state)
+    return unit.stated(state)
 
 
 def yielding_layers(unit):
-    """Coating and substrate that both yield."""
+    """Solve an elastic-plastic coating on an elastic-plastic substrate."""
     hard = sc.Material.linear_hardening(400e9 * unit.Pa, 0.25, 1.5e9 * unit.Pa, 20e9 * unit.Pa)
     return pressed(unit, sc.Layered([(hard, 90e-6 * unit.m)], unit.soft()), 400)
 
@@ -210,14 +210,14 @@ def to_accuracy(unit):
         0.2, quantities=["max_pressure", "imprint_depth_body2"], progress=False,
     )  # fmt: skip
     scale = {"max_pressure": unit.Pa, "imprint_depth_body2": m}
-    # An error is the difference of values, and has the digits of these.
+    # An error is a difference of values and has their absolute precision.
     return {"grid": np.array([n[:3] for n in found.runs])} | {
         name: np.array([found.values[name], found.errors[name]]) / by for name, by in scale.items()
     }
 
 
 def cycles(unit):
-    """Cycles to shakedown, and fatigue over the last."""
+    """Repeat cycles to shakedown and evaluate fatigue in the last one."""
     grid = unit.grid(cells=10, dz=45e-6 * unit.m)
     soft = sc.Material.perfect_plastic(210e9 * unit.Pa, 0.3, 1e9 * unit.Pa)
     soft = soft.with_kinematic_hardening(20e9 * unit.Pa)
@@ -225,7 +225,7 @@ def cycles(unit):
     load = 300 * unit.N
     found = sc.shakedown.run(sim, [{"load": load}, {"load": 0.0}], cycles=3, progress=False)
     states = [sim.state, sim.step(load=load)]
-    return unit.told(sim.state) | {
+    return unit.stated(sim.state) | {
         "flow": found.cycles[0].flow,
         "Dang Van": sc.fatigue.dang_van(states, 2, 0.3).values / unit.Pa,
         "Findley": sc.fatigue.findley(states, 2, 0.3).values / unit.Pa,
@@ -234,7 +234,7 @@ def cycles(unit):
 
 
 def worn(unit):
-    """Wear by slip."""
+    """Simulate fretting wear."""
     grid, steel, load = unit.grid(), unit.elastic(), 200 * unit.N
     pulls = [{"load": load, "tangential_load": (q * load, 0.0)} for q in (0.0, 0.2, -0.2, 0.2)]
     found = sc.wear.fretting(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic contact, sliding, heat and laws of hardening, in any system of units."""
+"""Cases of elastic contact, sliding, heat and hardening laws, in any system of units."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ HISTORY = {"tol": 1e-11, "on_border": "warn"}
 
 
 class Setup:
-    """One ball on a flat body, in some units."""
+    """One ball on a flat body, in one system of units."""
 
     def __init__(self, unit):
         metre, newton, second, kelvin = unit.m, unit.N, unit.s, unit.K

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A table of the page: its rows, how one is solved, and what each column keeps below."""
+"""Table of the page: its rows, the function that solves a row, and the limits of columns."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Column(NamedTuple):
         return f"{value:.0f}" if self.kind == COUNT else f"{value:.1e}"
 
     def agree(self, value: float | None, stored: float | None) -> bool:
-        """Whether a repeated run, perhaps on another machine, reproduces the stored number."""
+        """Return whether a run, possibly on another machine, reproduces the stored number."""
         if value is None or stored is None:
             return value is stored
         if self.kind == COUNT:
@@ -33,14 +33,14 @@ class Column(NamedTuple):
 
 
 class Table(NamedTuple):
-    """`solve` takes the name of a row; `anew` is the one that a test solves."""
+    """Table of a stability page; `solve` takes a row name; a test solves `retested_row` again."""
 
     name: str
     head: str
     rows: tuple[str, ...]
     solve: Callable[[str], dict[str, Any]]
     columns: tuple[Column, ...]
-    anew: str
+    retested_row: str
 
 
 def largest(field: Any) -> float:
@@ -48,11 +48,11 @@ def largest(field: Any) -> float:
 
 
 def apart(found: Any, expected: Any) -> float:
-    """Largest difference over the largest value."""
+    """Return the largest difference over the largest value."""
     difference = largest(np.asarray(found) - np.asarray(expected))
     return difference / largest(expected) if difference else 0.0
 
 
 def trace(strain: Any) -> float:
-    """Change of volume of plastic strain over its largest component."""
+    """Return the largest trace of the plastic strain over its largest component."""
     return largest(strain[:3].sum(axis=0)) / largest(strain) if np.any(strain) else 0.0

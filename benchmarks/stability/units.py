@@ -21,7 +21,7 @@ SCENES = SLIDING | scaled_setups.SCENES
 
 
 def differences(name: str) -> dict[str, float]:
-    """Largest differences of all fields of a case from those in SI units, for each system."""
+    """Return the largest difference of all fields from those in SI units, for each system."""
     expected = SCENES[name](Units())
 
     def worst(system: tuple[float, ...]) -> float:

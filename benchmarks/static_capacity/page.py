@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which load leaves 1e-4 of the diameter: points, page and figure."""
+"""Load for a permanent deformation of 1e-4 of the ball diameter: points, page and figure."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .setups import (
     reaches,
 )
 
-FINE_CELLS = 20  # cells on a semi-axis of the finer grid
+FINE_CELLS = 20  # cells per semi-axis on the finer grid
 GROOVE = "deep groove, inner race"
 
 TEXT = Path(__file__).with_name("template.md")
@@ -55,7 +55,7 @@ def run(of: str, name: str, pressure: float) -> Record:
 
 
 def pressed(records: list[Record]) -> tuple[Rows, Rows, Rows]:
-    """Return results of contacts, of steels and on finer grids, by name."""
+    """Return results for contacts, for steels and on finer grids, by name."""
     found: dict[str, Rows] = {"contacts": {}, "steels": {}, "fine": {}}
     for record in records:
         rows = found[record["of"]].setdefault(record["name"], [])
@@ -138,8 +138,8 @@ def contact_row(name: str, rows: list[Pressed], iso: Pressed) -> dict[str, str]:
         "model [1e-4 D]": f"{1e4 * iso.deformation:.2f}",
         "Palmgren [1e-4 D]": "" if line else f"{1e4 * iso.palmgren:.2f}",
         "maximum plastic strain": f"{100 * iso.strain:.2f} %",
-        "p₀ of 1e-4 D, model [GPa]": f"{1e-9 * by_model(rows):.2f}",
-        "p₀ of 1e-4 D, Palmgren [GPa]": "" if line else f"{1e-9 * formula:.2f}",
+        "p₀ for 1e-4 D, model [GPa]": f"{1e-9 * by_model(rows):.2f}",
+        "p₀ for 1e-4 D, Palmgren [GPa]": "" if line else f"{1e-9 * formula:.2f}",
     }
 
 
@@ -149,7 +149,7 @@ def steel_row(name: str, rows: list[Pressed]) -> dict[str, str]:
     return {
         "steel": name,
         "at 4.2 GPa [1e-4 D]": f"{1e4 * deformation:.2f}",
-        "p₀ of 1e-4 D [GPa]": f"{1e-9 * reached:.2f}" if reached > 0 else "above these pressures",
+        "p₀ for 1e-4 D [GPa]": f"{1e-9 * reached:.2f}" if reached > 0 else "above these pressures",
         "maximum plastic strain at 4.2 GPa": f"{100 * at(rows, 4.2e9).strain:.2f} %",
     }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contacts of rolling bearings, loaded once and unloaded: sum of both imprint depths."""
+"""Rolling-bearing contacts, loaded once and unloaded: sum of both imprint depths."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ import samcontact as sc
 from samcontact import bearings, hertz
 
 ALLOWED = 1e-4
-"""Permanent deformation over the diameter."""
+"""Permissible permanent deformation over the ball diameter."""
 FLAT = "ball on a flat"
 INCREMENTS = 12
 PRESSURES = (3.0e9, 3.4e9, 3.8e9, 4.2e9, 4.6e9, 5.0e9, 5.5e9, 6.0e9)
-LENGTH = 1e-3  # of a straight roller [m]: a slice
+LENGTH = 1e-3  # length of a slice of a straight roller [m]
 
 BALL, PITCH, BALLS = 12.7e-3, 65e-3, 9  # a deep groove bearing 209
 SELF_ALIGNING, ITS_PITCH = 9.525e-3, 48e-3
@@ -62,9 +62,9 @@ def _steels() -> dict[str, sc.Material]:
         "M50": swift(1280e6, 4.0, 0.095),
         "52100, all stresses 10 % lower": swift(0.9 * 945e6, 20.0, 0.121),
         "52100, all stresses 10 % higher": swift(1.1 * 945e6, 20.0, 0.121),
-        "52100, half its exponent": swift(first / 20.0**0.0605, 20.0, 0.0605),
-        "perfectly plastic, its first yield": sc.Material.perfect_plastic(210e9, 0.3, first),
-        "perfectly plastic, its 0.2 % stress": sc.Material.perfect_plastic(
+        "52100, half the exponent n": swift(first / 20.0**0.0605, 20.0, 0.0605),
+        "perfectly plastic, stress at first yield": sc.Material.perfect_plastic(210e9, 0.3, first),
+        "perfectly plastic, 0.2 % proof stress": sc.Material.perfect_plastic(
             210e9, 0.3, conventional
         ),
     }
@@ -83,11 +83,11 @@ class Pressed(NamedTuple):
     deformation: float
     strain: float
     palmgren: float
-    """Deformation by Palmgren over the diameter [-]; NaN for line contacts."""
+    """Return Palmgren's permanent deformation over the diameter [-]; NaN for line contacts."""
 
 
 def press(contact: Contact, steel: sc.Material, pressure: float, cells: int = 12) -> Pressed:
-    """Load and unload two bodies of this steel, with `cells` cells on a semi-axis."""
+    """Load and unload two bodies of this steel, with `cells` cells per semi-axis."""
     race, half = contact.race, int(1.25 * cells)
     line = math.isinf(race.Ry)
     if line:
@@ -104,7 +104,7 @@ def press(contact: Contact, steel: sc.Material, pressure: float, cells: int = 12
     )
     path = sc.paths.load_unload(load=load, increments=INCREMENTS, unload_increments=1)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # strain beside the grid, which counts all the same
+        warnings.simplefilter("ignore")  # strain outside the grid is included
         last = simulation.run(path, progress=False)[-1]
     prints = sum(float(last.residual_displacement(body).max()) for body in (1, 2))
     strain = max(last.max_equivalent_plastic_strain(body) for body in (1, 2))
@@ -117,7 +117,7 @@ def press(contact: Contact, steel: sc.Material, pressure: float, cells: int = 12
 
 
 def reaches(rows: list[Pressed], values: list[float]) -> float:
-    """Return the pressure at which `values` reach the permissible one [Pa]; NaN beyond them."""
+    """Return the pressure [Pa] at which `values` reach the permissible one; NaN if they do not."""
     logs = np.log(np.maximum(values, 1e-12))
     if not values[0] < ALLOWED < values[-1]:
         return math.nan

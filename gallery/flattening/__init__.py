@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rigid sphere on an elastic, perfectly plastic half-space: figures 2.10 to 2.13 of the thesis."""
+"""Rigid sphere on an elastic, perfectly plastic half-space: Boucly (2008), section 2.3.1.2."""
 
 from .pictures import figures
 from .setups import compute

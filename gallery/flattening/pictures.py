@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures 2.10 to 2.13, and both empirical models."""
+"""Figures 2.10 to 2.13 of Boucly (2008), and a figure of two empirical models."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ SMALL_INTERFERENCES, LARGE_INTERFERENCES = (
 
 
 def figures(results: Results) -> list[Picture]:
-    """Figures 2.10 to 2.13, and load, area and mean pressure against both models."""
+    """Draw figures 2.10 to 2.13, and load, area and mean pressure with both empirical models."""
     return [
         Picture(
             "flattening_zone_small",
             "Figure 2.10: outlines of the plastic zone in the plane y = 0, for 2 to 11 critical "
-            "interferences. Stated: elastic core at the surface at 2, zone at the surface at 6.",
+            "interferences. Thesis: elastic core at the surface at 2, zone at the surface at 6.",
             zones(results, SMALL_INTERFERENCES, zoom=True),
         ),
         Picture(
@@ -44,7 +44,7 @@ def figures(results: Results) -> list[Picture]:
         ),
         Picture(
             "flattening_friction",
-            "Figure 2.13: interference at which the plastic zone reaches the surface. Stated: 6 "
+            "Figure 2.13: interference at which the plastic zone reaches the surface. Thesis: 6 "
             "without friction, less with friction, below 1 for high friction.",
             friction_figure(results),
         ),
@@ -81,7 +81,7 @@ def zones(results: Results, ratios: tuple[float, ...], zoom: bool) -> Figure:
 
 def outline(ax: Axes, at: Point, colour: np.ndarray) -> None:
     x, z, g = at.outline
-    # up to the surface, with the strain of the first layer
+    # extended to the surface with the strain of the first layer
     z, g = np.append(0.0, z), np.column_stack([g[:, :1], g])
     ax.contour(x, z, g.T, levels=[1e-2], colors=[colour], linewidths=1.4)
     ax.plot([], [], color=colour, label=rf"$\omega/\omega_c$ = {at.ratio:g}")
@@ -89,7 +89,7 @@ def outline(ax: Axes, at: Point, colour: np.ndarray) -> None:
 
 
 def surface(ax: Axes, reached: float) -> None:
-    """The part of the first figure near the surface, with what the thesis states about it."""
+    """Draw the plastic zones near the surface, with the values that the thesis states."""
     ax.set_title("near the surface", fontsize=10)
     ax.set_xlim(0, 4.4)
     ax.set_ylim(1.0, 0)
@@ -159,7 +159,7 @@ def model_figure(results: Results) -> Figure:
         for value in (2, 30):
             ax.axvline(value, color="k", linestyle="--", linewidth=0.8)
     for (name, model), style in zip(models().items(), ("C1-", "C2-"), strict=True):
-        # loads over w^(5/4), or three decades would hide the differences
+        # loads over w^(5/4): the range of three decades would hide the differences
         relative = np.asarray(model.load) / CRITICAL.load
         area_ratio = np.asarray(model.area) / (np.pi * CRITICAL.a**2)
         panels[0].plot(w, relative / w**1.25, style, label=name)

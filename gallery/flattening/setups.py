@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact of a rigid sphere and a half-space, by interference."""
+"""Simulations of a rigid sphere that flattens a half-space, for a range of interferences."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ E, NU, RADIUS = 210e9, 0.3, 10e-3
 YIELD = 1e-4 * E
 E_STAR = E / (1.0 - NU**2)
 CRITICAL = sc.critical.kogut_etsion(RADIUS, E_STAR, NU, YIELD)
-# steps of 10 to 15 %, through all interferences that are shown or compared
+# steps of 10 to 15 %, including all interferences shown or compared
 RATIOS = np.array(
     [1.2, 1.35, 1.5, 1.75, 2, 2.3, 2.6, 3, 3.5, 4, 4.5, 5, 5.5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 18,
      20, 23, 26, 28, 30, 34, 40, 46, 52, 60, 70, 80, 95, 110]
@@ -27,26 +27,26 @@ FRICTION = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5)
 
 @dataclass(frozen=True)
 class Point:
-    """Results at an interference: relative to critical values, strain relative to Y/E."""
+    """Results at one interference, relative to the critical values; strain relative to Y/E."""
 
     ratio: float
     load: float
     area: float
     strain: float
     cells: float
-    """Cells on the contact radius."""
+    """Number of cells per contact radius."""
     substeps: int
     core: float
     """Area in the plane y = 0, x >= 0, over a_c^2, that is elastic between surface and zone."""
     top: tuple[float, float]
-    """Depths over a_c between which the axis has yielded."""
+    """Depths over a_c of the upper and lower end of the plastic zone on the axis."""
     outline: tuple[np.ndarray, np.ndarray, np.ndarray]
     """x, z over a_c, strain in the plane y = 0, x >= 0."""
 
 
 @dataclass(frozen=True)
 class Surface:
-    """When the zone reaches the surface."""
+    """Interference at which the plastic zone reaches the surface."""
 
     friction: float
     cells: int
@@ -55,7 +55,7 @@ class Surface:
 
     @property
     def ratio(self) -> float:
-        """At the surface, extrapolated linearly."""
+        """Interference ratio at which the surface yields (extrapolated linearly)."""
         return 1.5 * self.layers[0] - 0.5 * self.layers[1]
 
 
@@ -63,7 +63,7 @@ class Surface:
 class Results:
     points: list[Point]
     surface: list[Surface]
-    """Results by coefficient of friction."""
+    """Results by friction coefficient."""
     study: list[Surface]
     """Results without friction on other meshes."""
     cells: int
@@ -73,7 +73,7 @@ class Results:
 
 
 def compute(quick: bool) -> Results:
-    """Coarse grids when quick."""
+    """Solve all cases of the page, on coarse grids if quick."""
     cells, per_critical, study = (14, 6, ()) if quick else (28, 12, (6, 9, 16))
     points = []
     for above, top in pairwise(RANGES):
@@ -89,7 +89,7 @@ def compute(quick: bool) -> Results:
 def simulation(
     spacing: float, half_width: float, depth: float, friction: float = 0.0
 ) -> sc.Simulation:
-    """Cubic cells; all lengths over the critical contact radius."""
+    """Return a simulation on cubic cells; lengths are relative to the critical contact radius."""
     n, nz = 2 * round(half_width / spacing) + 1, round(depth / spacing)
     d = spacing * CRITICAL.a
     grid = sc.Grid(n, n, d, d, nz, d)
@@ -99,7 +99,10 @@ def simulation(
 
 
 def flatten(above: float, top: float, cells: int, parts: int) -> list[Point]:
-    """Points of one range: a contact radius of `cells` at its top, each step in `parts`."""
+    """Solve one range of interferences, with `cells` cells per contact radius at its top.
+
+    Each step between `RATIOS` is divided into `parts` increments.
+    """
     model = sc.flattening.kogut_etsion(top * CRITICAL.interference, RADIUS, E_STAR, NU, YIELD)
     radius = float(np.sqrt(model.area_ratio))
     wide = np.interp(np.log(top), np.log([12, 110]), [1.35, 1.75])
@@ -120,7 +123,7 @@ def point(ratio: float, state: sc.State) -> Point:
     middle = grid.ny // 2
     g = state.equivalent_plastic_strain()[grid.nx // 2 :, middle, :] / (YIELD / E)
     flows = g > 0
-    # depth of the first cell that flows, in each column under the contact
+    # depth of the first plastic cell in each column below the contact
     under = flows.any(axis=1) & (state.pressure[grid.nx // 2 :, middle] > 0)
     core = flows.argmax(axis=1)[under].sum() * (grid.dx / CRITICAL.a) ** 2
     axis = grid.z[flows[0]] / CRITICAL.a
@@ -139,13 +142,16 @@ def point(ratio: float, state: sc.State) -> Point:
 
 
 def reach_surface(friction: float, cells: int, limit: float = 6.0) -> Surface:
-    """Interference at which the first layers yield, with `cells` per critical contact radius."""
+    """Return the interferences at which the first and the second layer of cells yield.
+
+    cells: number of cells per critical contact radius.
+    """
     solver = simulation(1.0 / cells, 1.15 * limit**0.5 + 0.4, 1.9 * limit**0.5, friction)
     reached: dict[int, float] = {}
     before: list[tuple[float, np.ndarray]] = []
     for ratio in np.geomspace(0.3, limit, 80):
         state = solver.step(approach=ratio * CRITICAL.interference)
-        # von Mises over yield stress, largest of a layer: extrapolated where it would pass 1
+        # maximum of von Mises over yield stress in each layer; 1 is reached by extrapolation
         mises = state.von_mises()[:, :, :2].max(axis=(0, 1)) / YIELD
         for layer in range(2):
             if layer not in reached and mises[layer] >= 1 - 1e-5:
@@ -159,7 +165,7 @@ def reach_surface(friction: float, cells: int, limit: float = 6.0) -> Surface:
 
 
 def models() -> dict[str, sc.flattening.Flattening]:
-    """Both empirical models on a fine range of interference."""
+    """Evaluate both empirical models at closely spaced interferences."""
     w = np.geomspace(1.0, 110.0, 300) * CRITICAL.interference
     return {
         "Kogut-Etsion": sc.flattening.kogut_etsion(w, RADIUS, E_STAR, NU, YIELD),

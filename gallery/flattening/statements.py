@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Statements of the thesis on flattening."""
+"""Statements of Boucly (2008) on flattening, compared with the computed values."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def strain_limit(results: Results, mesh: str) -> Statement:
 
 
 def against(name: str, results: Results, mesh: str) -> Statement:
-    """Load against a model: at most 7 % up to 30 critical interferences."""
+    """Compare the load with a model: at most 7 % difference up to 30 critical interferences."""
     model = getattr(sc.flattening, name.lower().replace("-", "_"))
     differences: dict[str, list[float]] = {"load": [], "area": [], "pressure": []}
     for ratio in COMPARED:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A ball that slides over a half-space of steel M50: section 2.3.3."""
+"""A ball that slides over a half-space of steel M50: Boucly (2008), section 2.3.3."""
 
 from .pictures import figures
 from .setups import compute

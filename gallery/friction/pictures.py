@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures 2.35 to 2.59."""
+"""Figures 2.35 to 2.59 of Boucly (2008): sliding contacts of a ball."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def rigid_elastic(results: Results) -> Picture:
         lower.plot(case.z / a, case.von_mises * 1e-9, color="C0", label="samcontact")
         finish(upper, "x/a", "pressure [GPa]" if mu == 0 else "", legend=mu == 0)
         finish(lower, "depth z/a", "von Mises stress [GPa]" if mu == 0 else "", legend=mu == 0)
-    rows[0, 0].plot(0, 4.35, "ko", markerfacecolor="none", label="stated: 4.35 GPa")
+    rows[0, 0].plot(0, 4.35, "ko", markerfacecolor="none", label="Boucly (2008): 4.35 GPa")
     rows[0, 0].legend(frameon=False, fontsize="small")
     rows[0, 0].set_ylim(0, 1.12 * p0 * 1e-9)
     return Picture(
@@ -100,7 +100,9 @@ def onset_and_strain(results: Results) -> Picture:
     left.plot(mu, [f.load / found[0].load for f in found], "C0", label="critical load")
     left.plot(mu, [f.interference / found[0].interference for f in found], "C3",
               label="critical interference")  # fmt: skip
-    left.axvline(0.3, color="k", linestyle="--", linewidth=1, label="stated: surface above 0.3")
+    left.axvline(
+        0.3, color="k", linestyle="--", linewidth=1, label="Boucly (2008): at the surface above 0.3"
+    )
     left.set_ylim(0, 1.1)
     finish(left, "µ", "over that for µ = 0")
     for k, friction in enumerate(SHOWN):
@@ -111,9 +113,10 @@ def onset_and_strain(results: Results) -> Picture:
             pressure[positive], 100 * case.gamma_max[positive], color=f"C{k}",
             label=f"µ = {friction:g}",
         )  # fmt: skip
-    end, told = ball.p0 / MICRO_YIELD, [0.34, 5.34]
-    (marks,) = right.plot([end, end], told, "ko", markerfacecolor="none")
-    stated = right.legend([marks], ["stated: 0.34 and 5.34 %"], loc="lower right", fontsize="small",
+    end, stated = ball.p0 / MICRO_YIELD, [0.34, 5.34]
+    (marks,) = right.plot([end, end], stated, "ko", markerfacecolor="none")
+    stated = right.legend([marks], ["Boucly (2008): 0.34 and 5.34 %"],
+                          loc="lower right", fontsize="small",
                           frameon=False)  # fmt: skip
     right.add_artist(stated)
     right.set_ylim(1e-3, 20)
@@ -127,7 +130,7 @@ def onset_and_strain(results: Results) -> Picture:
 
 
 def by_friction(ax: Axes, results: Results, name: str, scale: float, position: str = "z") -> None:
-    """A profile of each sliding contact of the elastic ball."""
+    """Draw one profile of each sliding contact of the elastic ball."""
     for k, mu in enumerate(SHOWN):
         case = results.sliding[mu]
         x = getattr(case, position) / results.ball.a
@@ -186,7 +189,13 @@ def maximum(results: Results) -> Picture:
     right.plot(mus, found[:, 1] / a, "o-", markersize=3, color="C0", label="x/a")
     right.plot(mus, found[:, 2] / a, "s-", markersize=3, color="C3", label="z/a")
     for ax in (left, right):
-        ax.axvline(0.32, color="k", linestyle="--", linewidth=1, label="stated: surface above 0.32")
+        ax.axvline(
+            0.32,
+            color="k",
+            linestyle="--",
+            linewidth=1,
+            label="Boucly (2008): at the surface above 0.32",
+        )
     finish(left, "µ", "largest von Mises stress [GPa]")
     finish(right, "µ", "its position")
     return Picture(
@@ -245,7 +254,7 @@ def first_layer(results: Results) -> Picture:
     ax.plot(depth, 100 * gamma, "o-", color="C0", label="maximum plastic strain")
     least = bound(0.5, float(results.sliding[0.5].pressure.max()))
     ax.axhline(100 * least, color="C3", linestyle=":", label="required by the shear at z = 0")
-    ax.axhline(5.34, color="k", linestyle="--", linewidth=1, label="stated: 5.34 %")
+    ax.axhline(5.34, color="k", linestyle="--", linewidth=1, label="Boucly (2008): 5.34 %")
     ax.set(xlim=(0, 1.1 * depth.max()), ylim=(0, 14))
     finish(ax, "depth of the first layer z/a", "plastic strain [%]")
     return Picture(

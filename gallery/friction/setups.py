@@ -19,7 +19,8 @@ F1_LOAD, F2_LOAD = 800.0, 5000.0
 F1_FRICTION = (0.0, 0.2, 0.4)
 SHOWN = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
 MORE = (0.15, 0.25, 0.31, 0.32, 0.33, 0.35, 0.45)
-LAYERS = 1.85  # depth of the volume over a
+MORE_QUICK = (0.15, 0.25, 0.35)
+LAYERS = 1.85  # depth of the volume grid over a
 HERTZ_DEPTH = 0.48
 
 
@@ -36,7 +37,7 @@ class Elastic:
 
 @dataclass
 class Plastic:
-    """Results at a friction coefficient: at the largest load, after unloading, at each load."""
+    """Results for one coefficient of friction: at each load, the largest load and unloaded."""
 
     x: np.ndarray
     z: np.ndarray
@@ -45,10 +46,10 @@ class Plastic:
     gamma: np.ndarray
     residual: np.ndarray
     hydrostatic: np.ndarray
-    """Profiles on x = y = 0; residual and hydrostatic after unloading."""
+    """Profiles on x = y = 0; residual von Mises and hydrostatic stress are after unloading."""
     loads: np.ndarray
     gamma_max: np.ndarray
-    """Largest plastic strain at each load."""
+    """Maximum plastic strain at each load."""
     gamma_at: tuple[float, float]
     """x, z of the largest plastic strain."""
     von_mises_at: tuple[float, float, float]
@@ -69,7 +70,7 @@ class Results:
     by_load: dict[float, np.ndarray]
     """Residual hydrostatic stress on the axis for µ = 0, per load."""
     layers: list[tuple[float, float]]
-    """First depth over a and largest plastic strain, µ = 0.5."""
+    """Depth of the first layer over a, and maximum plastic strain, for µ = 0.5."""
     mesh: dict[str, str]
 
 
@@ -95,7 +96,7 @@ def plastic_case(
     simulation = sc.Simulation(grid, body1, STEEL_M50, gap, friction)
     loads, gamma_max = load * np.arange(1, increments + 1) / increments, []
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of strains above 5 %: they are the subject here
+        warnings.simplefilter("ignore")  # strains above 5 % are intended here
         for value in loads:
             state = simulation.step(load=float(value))
             gamma_max.append(float(state.equivalent_plastic_strain().max()))
@@ -126,34 +127,35 @@ def plastic_case(
 
 
 def residual_by_load(grid: sc.Grid, increments: int) -> dict[float, np.ndarray]:
-    """Residual hydrostatic stress on the axis after 1000, 2000, ... 5000 N, µ = 0."""
+    """Return the residual hydrostatic stress on the axis after 1000, 2000, ... 5000 N, µ = 0."""
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     simulation = sc.Simulation(grid, ELASTIC, STEEL_M50, gap)
     middle, found = grid.nx // 2, {}
     for k in range(1, increments + 1):
         load = F2_LOAD * k / increments
         simulation.step(load=load)
-        if load % 1000.0 == 0.0:  # unloading is elastic: loading goes on where it ended
+        if load % 1000.0 == 0.0:  # unloading is elastic and may precede further loading
             found[load] = simulation.step(load=0.0).hydrostatic()[middle, middle].copy()
     return found
 
 
 def compute(quick: bool) -> Results:
     rigid, ball = hertz(RIGID, F1_LOAD), hertz(ELASTIC, F2_LOAD)
-    cells, per_cell, increments = (10, 2, 10) if quick else (16, 4, 20)
+    cells, per_cell, increments = (10, 2, 5) if quick else (16, 4, 20)
     small_cells, small_layers = (16, 1) if quick else (24, 2)
     small = square(rigid.a, small_cells, 1.4, 1.6, small_layers)
     elastic = {mu: elastic_case(rigid, mu, small_cells) for mu in F1_FRICTION}
     plastic = {mu: plastic_case(RIGID, small, mu, F1_LOAD, increments) for mu in F1_FRICTION}
     grid = square(ball.a, cells, 2.0, LAYERS, per_cell)
     sliding = {
-        mu: plastic_case(ELASTIC, grid, mu, F2_LOAD, increments) for mu in sorted(SHOWN + MORE)
+        mu: plastic_case(ELASTIC, grid, mu, F2_LOAD, increments)
+        for mu in sorted(SHOWN + (MORE_QUICK if quick else MORE))
     }
     by_load = residual_by_load(grid, increments)
     layers = []
     for count in (1, 2, 4) if quick else (1, 2, 4, 8):
         thin = square(ball.a, 12, 2.0, LAYERS, count)
-        found = plastic_case(ELASTIC, thin, 0.5, F2_LOAD, 10)
+        found = plastic_case(ELASTIC, thin, 0.5, F2_LOAD, 5 if quick else 10)
         layers.append((float(thin.z[0]) / ball.a, float(found.gamma_max[-1])))
     return Results(
         rigid,

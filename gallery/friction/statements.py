@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Statements of the thesis on friction."""
+"""Statements of Boucly (2008) on friction, compared with the computed values."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ def peak_position(x: np.ndarray, pressure: np.ndarray) -> float:
 
 
 def contact_radius(x: np.ndarray, pressure: np.ndarray) -> float:
-    """Return the contact radius: squared pressure is linear in the squared distance."""
+    """Return the contact radius; the squared pressure is linear in the squared distance."""
     rim = (x > 0.75) & (x < 0.95)
     slope, at_centre = np.polyfit(x[rim] ** 2, pressure[rim] ** 2, 1)
     return float(np.sqrt(-at_centre / slope))
 
 
 def crossing(mu: list[float], difference: list[float]) -> float:
-    """First µ at which a difference turns from negative to positive (linear between values)."""
+    """Interpolate the first µ at which a difference changes from negative to positive."""
     for k in range(1, len(mu)):
         if difference[k - 1] < 0 <= difference[k]:
             share = difference[k - 1] / (difference[k - 1] - difference[k])
@@ -42,7 +42,7 @@ def crossing(mu: list[float], difference: list[float]) -> float:
 
 
 def surface_jump() -> float:
-    """Friction above which a sliding Hertz contact yields first at its surface, ν = 0.3."""
+    """Return the friction coefficient above which a Hertz contact yields first at the surface."""
     low, high = 0.2, 0.4
     while high - low > 1e-6:
         mu = 0.5 * (low + high)
@@ -89,7 +89,7 @@ def stated_rigid(results: Results) -> list[Number | Statement]:
 
 
 def without_friction(results: Results) -> list[Number | Statement]:
-    """The rigid ball compared with the elastic contact and finite elements."""
+    """Compare the rigid ball with the elastic contact and with finite elements."""
     a, mesh = results.rigid.a, results.mesh["rigid ball"]
     both: tuple[Elastic, Plastic] = (results.elastic[0.0], results.plastic[0.0])
     top = [float(case.pressure.max()) * 1e-9 for case in both]
@@ -122,7 +122,7 @@ def without_friction(results: Results) -> list[Number | Statement]:
 
 
 def apart(x: np.ndarray, ours: np.ndarray, at: np.ndarray, theirs: np.ndarray) -> float:
-    """Root mean square of the difference of two profiles over the largest of the second."""
+    """Return the rms difference of two profiles, relative to the maximum of the second profile."""
     return float(np.sqrt(np.mean((ours - np.interp(x, at, theirs)) ** 2)) / theirs.max())
 
 
@@ -131,7 +131,7 @@ def by_friction(values: dict[float, float], form: str = ".2f") -> str:
 
 
 def bound(mu: float, pressure: float) -> float:
-    """Least plastic strain at a surface point with this pressure and the shear µp.
+    """Return the minimum plastic strain at a surface point with this pressure and the shear µp.
 
     The von Mises stress is at least sqrt(3) µp there, and must not exceed the yield stress.
     """
@@ -203,7 +203,7 @@ def stated_depths(results: Results) -> list[Statement]:
 
 
 def rivals(case: Plastic, a: float) -> tuple[float, float]:
-    """Largest von Mises stress close to the surface (z < 0.2 a), and below."""
+    """Return the maximum von Mises stress above and below the depth z = 0.2 a."""
     near = case.z < 0.2 * a
     return float(case.largest_by_depth[near].max()), float(case.largest_by_depth[~near].max())
 
@@ -307,6 +307,6 @@ def at_hertz_depth(case: Plastic, a: float) -> float:
 
 
 def quiescent(case: Plastic, a: float) -> float:
-    """Largest hydrostatic residual stress between the surface and the Hertz depth."""
+    """Return the maximum hydrostatic residual stress between the surface and the Hertz depth."""
     between = (case.z > 0.04 * a) & (case.z < 0.4 * a)
     return float(case.hydrostatic[between].max())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A heated contact of two balls, one of them of steel 52100: section 2.3.2."""
+"""Contact of two balls, one of steel 52100, with frictional heat: Boucly (2008), section 2.3.2."""
 
 from .pictures import figures
 from .setups import compute

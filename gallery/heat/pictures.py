@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures 2.21 to 2.34."""
+"""Figures 2.21 to 2.34 of Boucly (2008): contacts with frictional heat."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def pressures(results: Results) -> Picture:
         finish(ax, "x/a", "pressure [GPa]")
     return Picture(
         "heat_pressure",
-        "Figure 2.21: pressure in the plane y = 0. Stated: the heat raises the largest pressure, "
+        "Figure 2.21: pressure in the plane y = 0. Thesis: the heat raises the largest pressure, "
         "in a smaller contact.",
         figure,
     )
@@ -52,7 +52,7 @@ def strain(results: Results) -> Picture:
     figure, ax = axes(1, 1, (5.0, 3.6))
     p0, gamma = results.strain
     ax.plot(p0 / YIELD, 100 * gamma, "o-", markersize=3, label="samcontact")
-    ax.plot(5.5, 2.0, "ko", markerfacecolor="none", label="stated: 2 % at 5.5")
+    ax.plot(5.5, 2.0, "ko", markerfacecolor="none", label="Boucly (2008): 2 % at 5.5")
     ax.set_ylim(0, None)
     finish(ax, "Hertz pressure / micro-yield stress", "largest plastic strain [%]")
     return Picture(
@@ -67,9 +67,9 @@ def onset_figure(results: Results) -> Picture:
     figure, (left, middle, right) = axes(1, 3, (10.0, 3.4))
     left.plot(curve.factor, curve.p0 / YIELD, "C0")
     top = 1.38 * curve.p0[0] / YIELD
-    left.plot(0.075, top, "ko", markerfacecolor="none", label="stated: +38 % at 0.075")
+    left.plot(0.075, top, "ko", markerfacecolor="none", label="Boucly (2008): +38 % at 0.075")
     loads = [hertz(load).p0 / YIELD for load in STATED.values("onset load").values()]
-    left.plot(FACTORS, loads, "k+", label="stated loads of Table 2.2")
+    left.plot(FACTORS, loads, "k+", label="Boucly (2008), Table 2.2")
     middle.plot(curve.factor, curve.depth, "C0")
     right.plot(curve.factor, curve.radius, "C0")
     for ax in (left, middle, right):
@@ -78,7 +78,7 @@ def onset_figure(results: Results) -> Picture:
         ax.set_xlim(0, 0.3)
     left.set_ylim(0, 3.2)
     middle.set_ylim(0.6, -0.02)
-    left.plot([], [], "k--", linewidth=0.8, label="stated: 0.075 and 0.152 m/s")
+    left.plot([], [], "k--", linewidth=0.8, label="Boucly (2008): 0.075 and 0.152 m/s")
     finish(left, "heat factor $Q_f$ [m/s]", "Hertz pressure / micro-yield stress")
     finish(middle, "heat factor $Q_f$ [m/s]", "depth z/a", legend=False)
     finish(right, "heat factor $Q_f$ [m/s]", "radius r/a", legend=False)
@@ -103,14 +103,14 @@ def small_load(results: Results) -> Picture:
     finish(ax, "x/a", "pressure [GPa]")
     return Picture(
         "heat_small_load",
-        "Figure 2.26: pressure at 140 N, elastic-plastic with heat. Stated: the pressure rises "
+        "Figure 2.26: pressure at 140 N, elastic-plastic with heat. Thesis: the pressure rises "
         "and the area falls with the heat; for no heat it is that of Hertz.",
         figure,
     )
 
 
 def sections(results: Results) -> list[Picture]:
-    """Von Mises stress in the plane y = 0: two pages of four."""
+    """Draw the von Mises stress in the plane y = 0, in two figures with four panels each."""
     pictures = []
     for name, numbers, cases, row in (
         ("elastic", "2.27, 2.29 to 2.31", results.elastic, "elastic stress"),
@@ -157,7 +157,7 @@ def residual_figure(results: Results) -> Picture:
                     label="elastic unloading")  # fmt: skip
         stated = STATED.values("residual stress")[factor]
         ax.plot(0, stated, "ko", markerfacecolor="none", clip_on=False, zorder=4,
-                label=f"stated: {stated:.0f} MPa")  # fmt: skip
+                label=f"Boucly (2008): {stated:.0f} MPa")  # fmt: skip
         ax.set_xlim(0, 60)
         ax.set_ylim(0, None)
         ax.set_title(f"$Q_f$ = {factor:g} m/s", fontsize="medium")

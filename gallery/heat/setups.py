@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contacts heated by the flux Q_f p, elastic and elastic-plastic."""
+"""Simulations of elastic and elastic-plastic contacts heated by the flux Q_f p."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ SMALL_LOAD_FACTORS = (0.0, 0.075, 0.15, 0.225, 0.3)
 
 @dataclass
 class Elastic:
-    """Thermo-elastic contact."""
+    """Results of a thermo-elastic contact."""
 
     x: np.ndarray
     pressure: np.ndarray
@@ -36,12 +36,12 @@ class Elastic:
     plane: np.ndarray
     """Von Mises stress in the plane y = 0, the surface included."""
     largest: tuple[float, float]
-    """Von Mises stress, and its depth."""
+    """Maximum von Mises stress and its depth."""
 
 
 @dataclass
 class Plastic:
-    """Thermo-elastic-plastic contact, under load and after unloading."""
+    """Results of a thermo-elastic-plastic contact, under load and after unloading."""
 
     x: np.ndarray
     z: np.ndarray
@@ -49,21 +49,21 @@ class Plastic:
     area: float
     plane: np.ndarray
     largest: tuple[float, float]
-    """Von Mises stress under load, and its depth."""
+    """Maximum von Mises stress under load and its depth."""
     distance: float
     """Distance of the largest von Mises stress from the axis."""
     gamma: float
     residual: np.ndarray
     """Residual von Mises stress on the axis."""
     residual_largest: tuple[float, float]
-    """Residual von Mises stress, and its depth."""
+    """Maximum residual von Mises stress and its depth."""
     elastic_unloading: np.ndarray
-    """Residual stress without yielding during unloading."""
+    """Residual von Mises stress that would remain after elastic unloading."""
 
 
 @dataclass
 class Onset:
-    """Onset of yield against the heat factor."""
+    """Hertz pressure and position of first yield, as functions of the heat factor."""
 
     factor: np.ndarray
     p0: np.ndarray
@@ -87,14 +87,14 @@ class Onset:
 class Results:
     elastic: dict[float, Elastic]
     plastic: dict[float, list[Plastic]]
-    """Results by heat factor, on increasingly thin layers; the last is used."""
+    """Results by heat factor on increasingly thin layers; the last one of each list is used."""
     onset: Onset
     curves: dict[str, tuple[float, list[tuple[str, np.ndarray, np.ndarray]]]]
-    """Figure 2.21: heat factor, and name, x and pressure."""
+    """Curves of figure 2.21: heat factor, name, x and pressure."""
     strain: tuple[np.ndarray, np.ndarray]
-    """Figure 2.22: Hertz pressure and largest plastic strain."""
+    """Points of figure 2.22: Hertz pressure and maximum plastic strain."""
     small: dict[float, Plastic]
-    """Figure 2.26, per heat factor."""
+    """Results for figure 2.26 by heat factor."""
     mesh: dict[str, str] = field(default_factory=dict)
 
     def last(self, factor: float) -> Plastic:
@@ -123,9 +123,9 @@ def plastic_case(
     width: float,
     layer: float,
     depth: float,
-    increments: int = 10,
+    increments: int,
 ) -> Plastic:
-    """`width` and `depth` of the grid over a, `layer` [m]."""
+    """Solve the elastic-plastic contact; width, depth: half-width and depth of the grid over a."""
     grid = square(hertz(load).a, cells, width, depth, layer=layer)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, heat=sc.Heat(factor))
@@ -154,11 +154,12 @@ def plastic_case(
 
 
 def onset(cells: int, factors: np.ndarray) -> Onset:
-    """Onset of yield, from the case of 1500 N by similarity.
+    """Return the onset of yield, derived by similarity from contacts at 1500 N.
 
-    With lengths over a and stresses over p0, a thermo-elastic contact depends on Q_f a only, and a
-    is proportional to p0. Where the largest von Mises stress of a contact with p0 is s, one with
-    p0 Y/s yields first, at the same place over a, with the heat factor Q_f s/Y.
+    With lengths relative to a and stresses relative to p0, a thermo-elastic contact depends on
+    Q_f a only, and a is proportional to p0. If the maximum von Mises stress of a contact with p0
+    and Q_f is s, a contact with the Hertz pressure p0 Y/s and the heat factor Q_f s/Y is at the
+    onset of yield, at an equal position relative to a.
     """
     grid = square(HERTZ.a, cells, 1.15)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -178,9 +179,9 @@ def onset(cells: int, factors: np.ndarray) -> Onset:
 
 
 def pressure_curves(
-    plastic: dict[float, list[Plastic]], cells: int, plastic_cells: int
+    plastic: dict[float, list[Plastic]], cells: int, plastic_cells: int, increments: int
 ) -> dict[str, tuple[float, list[tuple[str, np.ndarray, np.ndarray]]]]:
-    """Curves of figure 2.21, from the computed cases of 1500 N and additional ones."""
+    """Return the pressure curves of figure 2.21: the cases of 1500 N and additional cases."""
     depths = np.linspace(0.0, 1.6, 65) * HERTZ.a
     curves = {}
     for load, factor, width, depth in ((LOAD, 0.20, 4.0, 1.6), (LARGE_LOAD, 0.05, 3.0, 1.6)):
@@ -193,14 +194,14 @@ def pressure_curves(
                 plastic_ = plastic[factor][0]
             else:
                 deep = 2.6 if load > LOAD else depth
-                plastic_ = plastic_case(load, heat, plastic_cells, width, a / 20, deep)
+                plastic_ = plastic_case(load, heat, plastic_cells, width, a / 20, deep, increments)
             found.append((f"{name}elastic-plastic", plastic_.x, plastic_.pressure))
         curves[f"{load:.0f} N, Q_f = {factor:g} m/s"] = (load, found)
     return curves
 
 
 def strain_curve(cells: int, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Figure 2.22: `count` Hertz pressures, and largest plastic strains."""
+    """Return the points of figure 2.22: `count` Hertz pressures, and maximum plastic strains."""
     p0, gamma = [], []
     largest = sc.hertz.point(R=RADIUS, E_star=E_STAR, p0=8.12e9)
     grid = square(largest.a, cells, 1.9, 2.6, layer=largest.a / 20)
@@ -218,16 +219,19 @@ def compute(quick: bool) -> Results:
     cells = 16 if quick else 32
     elastic = {factor: elastic_case(LOAD, factor, cells, fine_depths) for factor in FACTORS}
 
+    increments = 5 if quick else 10
     small_cells = 12 if quick else 24
     plastic = {
-        factor: [plastic_case(LOAD, factor, small_cells, 1.6, 10e-6, 1.7)] for factor in (0.0, 0.05)
+        factor: [plastic_case(LOAD, factor, small_cells, 1.6, 10e-6, 1.7, increments)]
+        for factor in (0.0, 0.05)
     }
-    # the heat alone makes the material flow far outside the contact
-    large_cells = 8 if quick else 12
+    # heat alone causes plastic flow far outside the contact
+    large_cells = 6 if quick else 12
     layers = (10e-6, 5e-6) if quick else (20e-6, 10e-6, 5e-6, 2.5e-6)
     for factor, width, depth in ((0.12, 2.6, 1.25), (0.20, 4.0, 1.6)):
         plastic[factor] = [
-            plastic_case(LOAD, factor, large_cells, width, layer, depth) for layer in layers
+            plastic_case(LOAD, factor, large_cells, width, layer, depth, increments)
+            for layer in layers
         ]
 
     steps = np.linspace(0.0, 0.14, 29 if quick else 57)
@@ -235,9 +239,10 @@ def compute(quick: bool) -> Results:
     fine_cells = 24 if quick else 48
     curve = onset(fine_cells, np.unique(np.concatenate([steps, *near]).round(6)))
 
+    small_layer = hertz(SMALL_LOAD).a / 20
     small = {
         factor: plastic_case(
-            SMALL_LOAD, factor, 8 if quick else 16, 3.0, hertz(SMALL_LOAD).a / 20, 1.7
+            SMALL_LOAD, factor, 8 if quick else 16, 3.0, small_layer, 1.7, increments
         )
         for factor in SMALL_LOAD_FACTORS
     }
@@ -245,7 +250,7 @@ def compute(quick: bool) -> Results:
         elastic,
         plastic,
         curve,
-        pressure_curves(plastic, cells, large_cells),
+        pressure_curves(plastic, cells, large_cells, increments),
         strain_curve(small_cells, 9 if quick else 25),
         small,
         {
@@ -259,5 +264,5 @@ def compute(quick: bool) -> Results:
 
 
 def at_surface(profile: np.ndarray) -> float:
-    """Extrapolated to z = 0 from the first two layers."""
+    """Extrapolate a profile over the depth to z = 0 from the first two layers."""
     return float(1.5 * profile[0] - 0.5 * profile[1])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Statements of the thesis on frictional heat."""
+"""Statements of Boucly (2008) on frictional heat, compared with the computed values."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def mesh_of(results: Results, factor: float) -> str:
 
 
 def largest_residual(case: Plastic) -> tuple[float, float]:
-    """Return maximum and depth; a maximum in the first layer is replaced by the surface value."""
+    """Return the maximum residual stress and its depth; near the surface, extrapolated to z = 0."""
     if case.residual_largest[1] > case.z[0]:
         return case.residual_largest
     return at_surface(case.residual), 0.0
@@ -87,7 +87,7 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
 
 
 def slope(curve: Onset, low: float, high: float) -> tuple[float, float]:
-    """Return the slope of a line through a part of the curve [MPa s/m], and the deviation."""
+    """Return the slope of a line fitted to part of a curve [MPa s/m], and the deviation from it."""
     part = (curve.factor >= low) & (curve.factor <= high)
     fit = np.polyfit(curve.factor[part], curve.p0[part], 1)
     deviation = np.abs(np.polyval(fit, curve.factor[part]) / curve.p0[part] - 1)
@@ -306,7 +306,7 @@ def reversed_flow(results: Results) -> str:
 
 
 def study(results: Results, factor: float) -> str:
-    """Return the influence of the layers on the residual stress on the axis."""
+    """Describe how the residual stress on the axis depends on the thickness of the layers."""
     rows = [
         f"{(case.z[1] - case.z[0]) * 1e6:g} µm: {case.residual[0] * 1e-6:.0f}, "
         f"{at_surface(case.residual) * 1e-6:.0f}"

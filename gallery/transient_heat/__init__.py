@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A tool that heats a flat of steel 52100, at rest or moving over it: section 3.2.3."""
+"""A hot tool at rest on or moving over a flat of steel 52100: Boucly (2008), section 3.2.3."""
 
 from .pictures import figures
 from .setups import compute

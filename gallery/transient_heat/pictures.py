@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures 3.34 to 3.36."""
+"""Figures 3.34 to 3.36 of Boucly (2008): temperature and stress under a hot tool."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ def flash(results: Results) -> Picture:
             left.plot(case.x / HERTZ.a, case.flash, color=colour, label=label)
         right.plot(case.x / HERTZ.a, case.pressure * 1e-9, color=colour, label=label,
                    linestyle="--" if kind == "no heat" else "-")  # fmt: skip
-    right.plot(0, 6.5, "ko", markerfacecolor="none", label="stated: 6.5 GPa")
+    right.plot(0, 6.5, "ko", markerfacecolor="none", label="Boucly (2008): 6.5 GPa")
     right.plot([-332 / HERTZ.a / 1e6, 332 / HERTZ.a / 1e6], [0, 0], "k|", markersize=12,
-               label="stated: ±332 µm")  # fmt: skip
+               label="Boucly (2008): ±332 µm")  # fmt: skip
     left.set_ylim(-200, 6500)
     left.annotate("tool moves", xy=(1.7, 4200), xytext=(0.75, 4200), fontsize="small",
                   va="center", arrowprops={"arrowstyle": "->"})  # fmt: skip
@@ -116,10 +116,10 @@ def approach(results: Results) -> Picture:
               linewidth=1, label="point source, long times")  # fmt: skip
     ax.axvline(TIME, color="k", linestyle=":", linewidth=1, label="23 ms")
     ax.set_ylim(1e-9, 3)
-    finish(ax, "time of heating [s]", "missing of the steady largest value")
+    finish(ax, "time of heating [s]", "relative difference from steady maximum [-]")
     return Picture(
         "transient_heat_steady",
-        "Not in the thesis: how (i) becomes (ii). What the largest temperature and pressure lack "
-        "of their steady values.",
+        "Not in the thesis: approach of case (i) to case (ii). Relative differences of the maximum "
+        "temperature rise and the maximum pressure from their steady values.",
         figure,
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact of a tool that heats the flat, at rest and moving."""
+"""Simulations of a tool that heats a flat, at rest and in motion."""
 
 from __future__ import annotations
 
@@ -38,16 +38,16 @@ class Elastic:
     x: np.ndarray
     z: np.ndarray
     pressure: np.ndarray
-    """Field in the plane y = 0, like the other fields."""
+    """Pressure in the plane y = 0; the following fields are also in this plane."""
     flash: np.ndarray
     temperature: np.ndarray
     von_mises: np.ndarray
     largest: tuple[float, float, float]
-    """Von Mises stress, its x and z."""
+    """Maximum von Mises stress, and its x and z."""
 
     @property
     def hottest(self) -> tuple[float, float]:
-        """Temperature rise and x."""
+        """Maximum temperature rise [K], and its x position [m]."""
         k = int(self.flash.argmax())
         return float(self.flash[k]), float(self.x[k])
 
@@ -61,7 +61,7 @@ class Plastic:
     gamma: float
     pressure: float
     residual: float
-    """Largest residual stress, at mid-depth of a layer or, on the axis, at the surface."""
+    """Maximum residual stress, at mid-depth of a layer or, on the axis, at the surface."""
 
 
 @dataclass
@@ -69,12 +69,12 @@ class Results:
     elastic: dict[str, Elastic]
     plastic: dict[str, Plastic]
     steady: Elastic
-    """(iii) in its steady state."""
+    """Results of case (iii) in its steady state."""
     times: np.ndarray
     rises: np.ndarray
-    """Largest temperature rise of a source at rest at these times."""
+    """Maximum temperature rise of a source at rest at these times [K]."""
     pressures: np.ndarray
-    """Largest pressure at these times."""
+    """Maximum pressure at these times [Pa]."""
     mesh: dict[str, str]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Statements of the thesis on transient heat."""
+"""Statements of Boucly (2008) on transient heat, compared with the computed values."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ STATED = Stated("transient_heat")
 
 
 def still_missing(time: float) -> float:
-    """Difference of a stationary source from its steady temperature after a long time [K].
+    """Return the difference from the steady temperature of a stationary source at long times [K].
 
     A point source has Q/(2 pi k r) erfc(r/sqrt(4 kappa t)): Carslaw & Jaeger (1959), section 10.4.
     """
@@ -35,7 +35,7 @@ def still_missing(time: float) -> float:
 
 
 def moving_source() -> float:
-    """Largest rise below a parabolic source that moves [K], Tian & Kennedy (1994)."""
+    """Return the maximum temperature rise of a moving parabolic source [K], Tian & Kennedy 1994."""
     flux = FACTOR * LOAD / (math.pi * HERTZ.a**2)
     peclet = SPEED * HERTZ.a / (2 * DIFFUSIVITY)
     return 2.32 * flux * HERTZ.a / (CONDUCTIVITY * math.sqrt(math.pi * (1.273 + peclet)))
@@ -46,7 +46,7 @@ def stated(results: Results) -> list[Number | Statement]:
 
 
 def tops(results: Results) -> dict[str, float]:
-    """Largest elastic pressures [GPa]."""
+    """Return the maximum elastic pressure of each case [GPa]."""
     return {kind: float(case.pressure.max()) * 1e-9 for kind, case in results.elastic.items()}
 
 

@@ -4,7 +4,7 @@
 from importlib import import_module as _import_module
 from typing import TYPE_CHECKING
 
-from ._util import silent_interrupt  # noqa: F401  (while all else is loaded)
+from ._util import silent_interrupt  # noqa: F401  (active while the package is loaded)
 
 # isort: split
 from ._util import load_core  # noqa: F401  (before anything that needs the core)
@@ -135,7 +135,7 @@ if TYPE_CHECKING:
     from . import results as results
 else:
     _ON_DEMAND = ("cases", "plotting", "report", "results")
-    # these import libraries for files and figures, not needed for a solution
+    # loaded on first use: they import file and figure libraries, not needed for a solution
 
     def __getattr__(name):
         if name in _ON_DEMAND:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Dents, furrows and bumps on the surface of a body, which move with it.
 
-Positions are relative to the body; 0 is the initial position of the contact.
+Positions are measured on the body; 0 is the initial position of the contact.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ __all__ = ["furrow", "spherical"]
 
 
 def _cap(r: FloatArray, depth: float, width: str, radius: float) -> FloatArray:
-    """Heights of a circular arc of a given depth between -radius and radius; 0 beyond."""
+    """Return heights of a circular arc of the given depth for -radius < r < radius; 0 outside."""
     d, a = finite("depth", depth), positive(width, radius)
     if d == 0.0 or abs(d) > a:
         raise ValueError(f"depth must be nonzero, of magnitude <= {width} = {a!r}, got {d!r}")
@@ -39,7 +39,7 @@ def spherical(
     grid : Grid
         Grid of the simulation.
     depth : float
-        Depth at the centre [m], not 0, at most the radius; negative: a bump.
+        Depth at the centre [m], nonzero, magnitude at most the radius; negative: a bump.
     radius : float
         Radius of the rim, where the dent meets the flat surface [m], > 0.
     x, y : float, optional
@@ -48,7 +48,7 @@ def spherical(
     Returns
     -------
     Relief
-        Argument `relief1` or `relief2` of a `Simulation`.
+        Surface topography, for the argument `relief1` or `relief2` of a `Simulation`.
 
     Raises
     ------
@@ -72,7 +72,7 @@ def furrow(
     grid : Grid
         Grid of the simulation.
     depth : float
-        Depth in the middle [m], not 0, at most the half-width; negative: a ridge.
+        Depth in the middle [m], nonzero, magnitude at most the half-width; negative: a ridge.
     half_width : float
         Half-width at the level of the flat surface [m], > 0.
     along : {"y", "x"}
@@ -83,7 +83,7 @@ def furrow(
     Returns
     -------
     Relief
-        Argument `relief1` or `relief2` of a `Simulation`.
+        Surface topography, for the argument `relief1` or `relief2` of a `Simulation`.
 
     Raises
     ------

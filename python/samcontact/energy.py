@@ -31,16 +31,16 @@ def _cell_volume(track: Track) -> float:
 
 
 def _product(a: FloatArray, b: FloatArray) -> float:
-    """Sum of a:b over all cells; tensor components are the first axis."""
+    """Return the sum of a:b over all cells; the first axis contains the tensor components."""
     return float(np.sum(a[:3] * b[:3]) + 2.0 * np.sum(a[3:] * b[3:]))
 
 
 def plastic_work(material: Body, after: Track, before: Track | None = None) -> float:
     """Plastic work of a body, the integral of sigma : d eps^p [J].
 
-    Isotropic hardening is integrated in closed form and depends on the state alone. The
-    backstresses of kinematic hardening are averaged between the two states, which is of second
-    order in the increment; with kinematic hardening, sum the work of all increments.
+    The work of the isotropic yield stress is integrated in closed form and depends only on the two
+    states. The work of the backstress is computed with the mean backstress of the two states. Its
+    error is of second order in the size of the increment, so add up the work of all increments.
 
     Parameters
     ----------
@@ -54,13 +54,13 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
     Returns
     -------
     float
-        Plastic work [J], >= 0 up to the error of the backstress. The work of the backstress can
-        partly be recovered later.
+        Plastic work [J], >= 0 except for the error due to the mean backstress. Work of the
+        backstress is partly recoverable.
 
     Raises
     ------
     ValueError
-        The material has thermal softening, whose yield stress is not known from the state.
+        The material has thermal softening: the yield stress does not follow from the state alone.
     """
     if not isinstance(material, Body):
         raise TypeError(
@@ -70,7 +70,9 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
     for name, track in (("after", after), ("before", after if before is None else before)):
         require_type(name, track, Track)
     if material.softening is not None:
-        raise ValueError("plastic_work does not support thermal softening")
+        raise ValueError(
+            "material must have no thermal softening: pass a material without softening"
+        )
     if not material.is_plastic:
         return 0.0
     total = _isotropic_work(material, after)
@@ -82,7 +84,7 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
 
 
 def _isotropic_work(body: Body, track: Track) -> float:
-    """Work of the yield stress, summed over cells."""
+    """Return the work of the isotropic yield stress, summed over cells [J/m^3]."""
     factor, strain = track.yield_factor(), track.equivalent_plastic_strain()
     return sum(
         float(np.sum(factor[..., there] * material.plastic_work(strain[..., there])))
@@ -91,7 +93,7 @@ def _isotropic_work(body: Body, track: Track) -> float:
 
 
 def _work_of_backstress(after: Track, before: Track | None) -> float:
-    """Work of the mean backstress on the strain increment, summed over cells."""
+    """Return the work of the mean backstress on the strain increment, summed over cells [J/m^3]."""
     if before is None:
         return 0.5 * _product(after.backstress().sum(axis=0), after.plastic_strain())
     old, new = on_common_cells(before, after, "backstress")
@@ -102,13 +104,14 @@ def _work_of_backstress(after: Track, before: Track | None) -> float:
 def residual_energy(track: Track) -> float:
     """Elastic energy of the residual stress of a body [J], -1/2 of the integral of sigma : eps^p.
 
-    The residual stress is in equilibrium without tractions. Its work on the total strain therefore
-    vanishes, and in the integral its elastic strain can be replaced by minus the plastic strain. It
-    can be released again, but not by contact alone. Mura, *Micromechanics of Defects in Solids*
-    (1987), eq. (13.4).
+    The residual stress is in equilibrium without tractions. The work of this stress on the total
+    strain therefore vanishes, and in the integral of the elastic energy the elastic strain can be
+    replaced by minus the plastic strain. This energy can be released, but not by contact alone.
+    Mura, *Micromechanics of Defects in Solids* (1987), eq. (13.4).
 
-    For a body with initial stress or eigenstrain, this is the change of its energy, which plastic
-    strain may reduce: that stress is in equilibrium as well, and counts twice.
+    For a body with initial stress or eigenstrain, the result is the change of its elastic energy
+    due to plastic strain, which may be negative. The work of the initial stress on the plastic
+    strain enters without the factor 1/2.
     """
     require_type("track", track, Track)
     stress = track.residual_stress() + track.initial_stress() + track.eigenstress()
@@ -118,8 +121,9 @@ def residual_energy(track: Track) -> float:
 def eigenstrain_energy(track: Track) -> float:
     """Elastic energy of the eigenstrain of a body alone [J], >= 0.
 
-    -1/2 of the integral of its stress times the eigenstrain, as in `residual_energy`. Tractions do
-    not change it, because their stress is practically orthogonal to that of the eigenstrain.
+    It is -1/2 of the integral of the stress due to the eigenstrain times the eigenstrain, as in
+    `residual_energy`. Tractions do not change this energy, because the stress due to tractions does
+    practically no work on the elastic strain due to the eigenstrain.
     """
     require_type("track", track, Track)
     return -0.5 * _product(track.eigenstress(), track.eigenstrain()) * _cell_volume(track)
@@ -127,14 +131,14 @@ def eigenstrain_energy(track: Track) -> float:
 
 @dataclass(frozen=True)
 class EnergyBalance(HtmlTable):
-    """Energy balance of two bodies: external work and its distribution.
+    """Energy balance of two bodies: external work, stored energies and dissipation.
 
     Attributes
     ----------
     work_input : float
         Work input: sum over the increments with positive work [J].
     net_external_work : float
-        Net external work: work input minus the work recovered in other increments [J].
+        Net external work: work input minus the work recovered in increments with negative work [J].
     elastic_energy : float
         Elastic energy due to the current tractions [J].
     residual_energy : float
@@ -155,7 +159,7 @@ class EnergyBalance(HtmlTable):
 
     @property
     def imbalance(self) -> float:
-        """Unaccounted part of the net external work, relative to the work input [-]."""
+        """Net external work that no energy accounts for, relative to the work input [-]."""
         found = self.elastic_energy + self.residual_energy + self.friction_work + self.plastic_work
         return (self.net_external_work - found) / self.work_input if self.work_input > 0 else 0.0
 
@@ -170,12 +174,12 @@ class EnergyBalance(HtmlTable):
 
 
 def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
-    """Energy balance of bodies with partial slip in a contact that does not roll.
+    """Return the energy balance of a contact with partial slip and without rolling.
 
-    The work between two increments is that of the mean force on the motion. The mean load assumes
-    a load proportional to the power 3/2 of the approach, which is exact for elastic balls under
-    normal load. The unaccounted part decreases with the size of the increments. The energy of the
-    first state counts as work input.
+    The work of an increment is the mean force times the motion. The mean load is computed for a
+    load proportional to the power 3/2 of the approach, which is exact for elastic balls under
+    normal load. `EnergyBalance.imbalance` decreases with the size of the increments. The energy of
+    the first state is part of the work input.
 
     Parameters
     ----------
@@ -191,8 +195,9 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     Raises
     ------
     ValueError
-        Friction is a number; bodies have moved, soften or are heated; tractions are prescribed;
-        there are no states.
+        The friction is given as a number (full sliding); the contact rolls, is heated or is
+        adhesive; a body has thermal softening; the eigenstrain changes; tractions are prescribed;
+        or there are no states.
     """
     from .simulation.simulation import Simulation
     from .solutions.state import State
@@ -202,15 +207,15 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     why = no_balance(simulation, states)
     if why:
         raise ValueError(why)
-    first, last = (_found(simulation, states[:n]) for n in (1, len(states)))
+    first, last = (_energies(simulation, states[:n]) for n in (1, len(states)))
     before, work = sum(first.values()) - first["eigenstrain_energy"], _work(states)
     given_back = float(work[work < 0].sum())
     net = before + float(work.sum())
     return EnergyBalance(work_input=net - given_back, net_external_work=net, **last)
 
 
-def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
-    """Energies of the last state, by the names of `EnergyBalance`."""
+def _energies(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
+    """Return the energies of the last state, by their names in `EnergyBalance`."""
     residual = plastic = given = 0.0
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if states[-1].has_eigenstrain(number):
@@ -231,7 +236,7 @@ def _found(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
 
 
 def _plastic_work_of(material: Body, body: int, states: Sequence[State]) -> float:
-    """Plastic work in the last state; with backstresses, summed over all increments with flow."""
+    """Return the plastic work up to the last state [J]; with backstress, summed over increments."""
     if backstresses_of(material) == 0:
         return plastic_work(material, states[-1].track(body, margin=0))
     before = states[0].track(body, margin=0)
@@ -245,30 +250,33 @@ def _plastic_work_of(material: Body, body: int, states: Sequence[State]) -> floa
 
 
 def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
-    """Reason why there is no energy balance; empty if there is one."""
+    """Return the reason why there is no energy balance; empty if there is one."""
     if not states:
         return "states must contain at least one state, got none"
     if not friction_law(simulation.friction).sticks:
         return (
             f"friction must be samcontact.Coulomb(mu), got {simulation.friction!r}: full sliding "
-            "has no tangential motion"
+            "leaves the tangential motion undefined"
         )
     if simulation.contact_law.attracts:
         return (
-            "contact_law must not attract, because attraction stores energy too, got "
-            f"{simulation.contact_law!r}"
+            f"contact_law must not attract, got {simulation.contact_law!r}: the energy stored by "
+            "attraction is not included in the balance"
         )
     if any(any(state.travel) for state in states):
         return "states must have no travel: the energy balance does not support rolling"
     if not all(_have_equal_eigenstrain(states[0], state) for state in states):
-        return "states must have equal eigenstrain: adding eigenstrain does work too"
+        return (
+            "states must have equal eigenstrain: the work of adding eigenstrain is not included in "
+            "the balance"
+        )
     if not all(np.isfinite(state.approach) for state in states):
         return "states must be from load or approach control, got prescribed tractions"
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if body.thermal is not None and any(np.any(s.surface_temperature(number)) for s in states):
             return (
-                f"states must have no heating, but body {number} is heated: thermal expansion does "
-                "work too"
+                f"states must have no heating, but body {number} is heated: the work of thermal "
+                "expansion is not included in the balance"
             )
         if body.softening is not None:
             return f"bodies must have no thermal softening, got {body!r}"
@@ -286,7 +294,7 @@ def _have_equal_eigenstrain(one: State, other: State) -> bool:
 
 
 def _work(states: Sequence[State]) -> FloatArray:
-    """Work of loads and motions in each increment after the first [J]."""
+    """Return the work of forces and moments in each increment after the first [J]."""
     rows = [(s.load, s.approach, *s.tangential_load, s.torque, *s.shift, s.twist) for s in states]
     values = np.array(rows)
     load, approach = values[:, 0], values[:, 1]
@@ -297,7 +305,7 @@ def _work(states: Sequence[State]) -> FloatArray:
 
 
 def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
-    """Mean load over the approach, with load^(2/3) linear in the approach between two states."""
+    """Return the mean load between two states [N], with load^(2/3) linear in the approach."""
     a, b = (np.maximum(load, 0.0) ** (2 / 3) for load in (first, second))
     alike = np.abs(b - a) <= 1e-3 * np.maximum(a, b)
     change = np.where(alike, 1.0, b - a)
@@ -305,7 +313,7 @@ def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
 
 
 def _elastic_energy(simulation: Simulation, state: State) -> float:
-    """Elastic energy due to tractions: half their work on the displacement they cause [J]."""
+    """Return half the work of the tractions on the displacement that they cause [J]."""
     bodies = simulation.body1, simulation.body2
     solver = ContactSolver(state.grid, *bodies, simulation.friction, on_border="warn")
     pressure, shear = state.pressure, state.shear

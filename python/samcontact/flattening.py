@@ -22,7 +22,7 @@ from .critical import CriticalSphere
 __all__ = ["Flattening", "jackson_green", "kogut_etsion"]
 
 KOGUT_ETSION_LIMIT = 110.0
-"""Maximum interference of the fit, in critical interferences."""
+"""Maximum interference of the fit, relative to the critical interference."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -36,11 +36,11 @@ class Flattening(ShortRepr):
     area : float or ndarray
         Contact area [m2].
     mean_pressure : float or ndarray
-        Load over area [Pa]; 0 without contact.
+        Load divided by contact area [Pa]; 0 without contact.
     critical : CriticalSphere
-        Critical values at the onset of yield used by the model.
+        Critical interference, load and area at the onset of yield in this model.
     interference_ratio, load_ratio, area_ratio : float or ndarray
-        Interference, load and area over those at the onset of yield [-].
+        Interference, load and area, each relative to its value at the onset of yield [-].
     """
 
     load: float | FloatArray
@@ -55,7 +55,7 @@ class Flattening(ShortRepr):
 def kogut_etsion(
     interference: ArrayLike, R: float, E_star: float, nu: float, yield_stress: float
 ) -> Flattening:
-    """Model of Kogut and Etsion (2002), for up to 110 critical interferences.
+    """Model of Kogut and Etsion (2002), up to 110 times the critical interference.
 
     Parameters
     ----------
@@ -66,22 +66,23 @@ def kogut_etsion(
     E_star : float
         Contact modulus of the pair [Pa].
     nu : float
-        Poisson's ratio of the yielding body, in [0, 0.5] [-].
+        Poisson's ratio of the body that yields, in [0, 0.5] [-].
     yield_stress : float
-        Uniaxial yield stress of the yielding body [Pa].
+        Uniaxial yield stress of the body that yields [Pa].
 
     Returns
     -------
     Flattening
-        Hertz up to the critical interference of `critical.kogut_etsion`, above it two power laws
-        that meet at 6 critical interferences. As published, the load jumps by 3 % at 1 and 1.7 % at
-        6 critical interferences, the area by -7 % and 2.9 %. Kogut and Etsion, J. Appl. Mech. 69
-        (2002) 657-662, doi:10.1115/1.1490373.
+        Hertz theory up to the critical interference of `critical.kogut_etsion`; above it, two power
+        laws that meet at 6 times the critical interference. As published, load and area are
+        discontinuous: they jump by 3 % and -7 % at the critical interference, and by 1.7 % and 2.9
+        % at 6 times this value. Kogut and Etsion, J. Appl. Mech. 69 (2002) 657-662,
+        doi:10.1115/1.1490373.
 
     Raises
     ------
     ValueError
-        An argument is outside its range, or the interference exceeds 110 critical ones.
+        An argument is outside its range, or the interference exceeds 110 times its critical value.
     """
     onset = critical.kogut_etsion(R, E_star, nu, yield_stress)
     w = _interference(interference)
@@ -90,7 +91,7 @@ def kogut_etsion(
     if above.any():
         raise ValueError(
             f"interference must be <= {KOGUT_ETSION_LIMIT * onset.interference!r} "
-            f"({KOGUT_ETSION_LIMIT:g} times critical), got {float(w[above].flat[0])!r}"
+            f"({KOGUT_ETSION_LIMIT:g} times the critical value), got {float(w[above].flat[0])!r}"
         )
     stages = [ratio <= 1.0, ratio <= 6.0]
     load = np.select(stages, [ratio**1.5, 1.03 * ratio**1.425], 1.40 * ratio**1.263)
@@ -106,14 +107,15 @@ def jackson_green(
     Parameters
     ----------
     interference, R, E_star, nu, yield_stress
-        As for `kogut_etsion`, but without upper limit of the interference; the finite element
-        results of the fit extend to a contact radius of about 0.4 R.
+        As for `kogut_etsion`, but `interference` has no upper limit. The fitted finite element
+        results extend to a contact radius of about 0.4 R.
 
     Returns
     -------
     Flattening
-        Hertz up to 1.9 critical interferences of `critical.jackson_green`, where the load jumps by
-        less than 1 %. Jackson and Green, J. Tribol. 127 (2005) 343-354, doi:10.1115/1.1866166.
+        Hertz theory up to 1.9 times the critical interference of `critical.jackson_green`, where
+        the load jumps by less than 1 %. Jackson and Green, J. Tribol. 127 (2005) 343-354,
+        doi:10.1115/1.1866166.
 
     Raises
     ------

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Yield stress of steel from its hardness, e.g. for a hardness profile over depth.
+"""Yield stress of steel from its hardness, e.g. for a profile of hardness over depth.
 
     material.with_yield_profile(depth, hardness.yield_from_vickers(HV) / yield_stress)
 
-Both relations are estimates for bulk hardness, not measurements. For nitrided and carburised steel
-no profile is provided, because its shape depends on the treatment: measure it.
+Both relations are estimates from the bulk hardness. Hardness profiles of nitrided and carburised
+steel are not provided, because they depend on the treatment: use measured profiles.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ __all__ = ["HardnessRangeWarning", "flow_stress_from_vickers", "yield_from_vicke
 STANDARD_GRAVITY = 9.80665
 """Standard gravity [m/s^2], to convert Vickers numbers in kgf/mm^2."""
 FITTED_RANGE = (129.0, 632.0)
-"""Range of Vickers numbers of the steels in the regression of the yield stress."""
+"""Range of Vickers numbers of the steels to which the yield stress was fitted."""
 PLAUSIBLE_RANGE = (20.0, 3000.0)
-"""Range for metals, up to hard carbides; a hardness in MPa or GPa is outside it."""
+"""Range of Vickers numbers of metals and hard carbides; numbers in MPa or GPa are outside."""
 
 
 class HardnessRangeWarning(UserWarning):
-    """Warning that a hardness is outside the data of the relation."""
+    """Warning that a hardness is outside the range of the data to which the relation was fitted."""
 
 
 def _vickers(HV: ArrayLike) -> FloatArray:
@@ -36,13 +36,13 @@ def _vickers(HV: ArrayLike) -> FloatArray:
     if wrong.size:
         raise ValueError(
             f"HV must be Vickers numbers (kgf/mm^2) from {PLAUSIBLE_RANGE[0]:g} to "
-            f"{PLAUSIBLE_RANGE[1]:g}, got {wrong.flat[0]:g}; 7 GPa is 714"
+            f"{PLAUSIBLE_RANGE[1]:g}, got {wrong.flat[0]:g}: convert GPa, e.g. 7 GPa is HV 714"
         )
     return hardness
 
 
 def yield_from_vickers(HV: ArrayLike) -> FloatArray:
-    """Yield stress of steel, -90.7 MPa + 2.876 MPa HV.
+    """Yield stress of steel [Pa], -90.7 MPa + 2.876 MPa HV.
 
     Regression over 165 non-austenitic, hypoeutectoid steels of HV 129 to 632, with a standard
     error of 102 MPa: E. J. Pavlina, C. J. Van Tyne, J. Mater. Eng. Perform. 17 (2008) 888-893,
@@ -56,7 +56,7 @@ def yield_from_vickers(HV: ArrayLike) -> FloatArray:
     Returns
     -------
     ndarray
-        0.2 % yield stress [Pa], of the same shape.
+        0.2 % yield stress [Pa], in the shape of `HV`.
 
     Raises
     ------
@@ -66,14 +66,14 @@ def yield_from_vickers(HV: ArrayLike) -> FloatArray:
     Warns
     -----
     HardnessRangeWarning
-        A hardness is outside the data; the linear relation is extrapolated.
+        A hardness is outside the range of the data; the linear relation is extrapolated.
     """
     hardness = _vickers(HV)
     beyond = hardness[(hardness < FITTED_RANGE[0]) | (hardness > FITTED_RANGE[1])]
     if beyond.size:
         warnings.warn(
-            f"HV = {beyond.flat[0]:g} is outside the data of the relation, {FITTED_RANGE[0]:g} to "
-            f"{FITTED_RANGE[1]:g}: extrapolated linearly",
+            f"HV = {beyond.flat[0]:g} is outside the range of the data, {FITTED_RANGE[0]:g} to "
+            f"{FITTED_RANGE[1]:g}: the linear relation is extrapolated",
             HardnessRangeWarning,
             stacklevel=2,
         )
@@ -81,10 +81,10 @@ def yield_from_vickers(HV: ArrayLike) -> FloatArray:
 
 
 def flow_stress_from_vickers(HV: ArrayLike) -> FloatArray:
-    """Flow stress at about 8 % plastic strain, a third of the hardness.
+    """Flow stress at about 8 % plastic strain [Pa], a third of the hardness.
 
     For metals with little further hardening: D. Tabor, *The Hardness of Metals* (1951), chapter 7.
-    It is a point on the hardening curve, not the yield stress.
+    This stress is a point on the hardening curve, not the yield stress.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def flow_stress_from_vickers(HV: ArrayLike) -> FloatArray:
     Returns
     -------
     ndarray
-        Flow stress [Pa], of the same shape.
+        Flow stress [Pa], in the shape of `HV`.
 
     Raises
     ------

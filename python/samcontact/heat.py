@@ -2,9 +2,10 @@
 """Frictional heat: flux into each body, and its partition between the bodies.
 
 The heat flux into a body is its heat factor times the pressure, q = Q_f p with Q_f = beta mu V,
-where beta is the fraction of heat that enters this body, mu the coefficient of friction and V the
-sliding speed (Boucly 2008, section 2.1.3). With partial slip it is a fraction of the frictional
-power, q = beta s . w/t, with the slip w of an increment of duration t.
+where beta is the fraction of the heat that enters this body, mu the coefficient of friction and V
+the sliding speed (Boucly 2008, section 2.1.3). With partial slip, the flux is a fraction of the
+frictional power, q = beta s . w/t, with the shear traction s and the slip w in an increment of
+duration t.
 """
 
 from __future__ import annotations
@@ -48,23 +49,25 @@ class Heat:
         Q_f >= 0 [m/s]: heat flux per unit pressure into body 2, or into bodies 1 and 2; see
         `factors`. Heated bodies must have thermal constants. Default: 0, no heating.
     velocity : array_like, shape (2,) or (2, 2), optional
-        Velocity (V_x, V_y) of body 2, or of bodies 1 and 2, relative to the contact and hence to
-        the heat source [m/s]. Default: at rest.
+        Velocity (V_x, V_y) of body 2, or velocities of bodies 1 and 2, relative to the contact and
+        thus to the heat source [m/s]. Default: at rest.
     time : float, optional
         Duration for which the current heat flux has acted [s], > 0. Default: infinite (steady
         state).
     history : pair of floats, optional
-        (shortest, longest) [s], 0 < shortest <= longest, instead of `time`, for a `Simulation`:
-        transient heating with load history, in time steps of at least `shortest`, with heat
-        followed for `longest`. Each step then requires its `duration`.
+        Pair (shortest, longest) [s], 0 < shortest <= longest, for transient heating with load
+        history in a `Simulation`, instead of `time`. Time steps are at least `shortest` long. The
+        heat of earlier steps is taken into account for the time `longest`. Each step then requires
+        a `duration`.
     reference : float, optional
-        Distance [m] at which a steady point source at rest causes no displacement; the displacement
-        has no limit far away. It affects only the approach, and is required under approach control;
-        otherwise 1 m.
+        Distance [m] at which the displacement due to a steady point source at rest is defined as
+        zero; a definition is needed because this displacement has no limit far away. It affects
+        only the approach. Required under approach control; default under load control: 1 m.
     partition : float, optional
-        With `Coulomb` friction in a `Simulation`, instead of `factor`: fraction beta of the
-        frictional power that enters body 2, in [0, 1]; the rest enters body 1. See the function
-        `partition`. Each step then requires its `duration`; the heat flux is the mean over it.
+        Fraction beta of the frictional power that enters body 2, in [0, 1]; the rest enters body 1.
+        See the function `partition`. Only with `Coulomb` friction in a `Simulation`, instead of
+        `factor`. Each step then requires a `duration`; the heat flux is the mean over this
+        duration.
 
     Raises
     ------
@@ -89,11 +92,11 @@ class Heat:
         partition: float | None = None,
     ) -> None:
         if history is not None and time is not None:
-            raise ValueError("history and time cannot be combined")
+            raise ValueError("history and time cannot be combined: set one of them to None")
         if partition is not None and history is not None:
             raise ValueError(
-                f"history must be None with partition, got {in_short(history)}: heating by slip is "
-                "steady or of a given duration; use time"
+                f"history must be None with partition, got {in_short(history)}: with "
+                "partition, heating is steady or has a given duration, so use time instead"
             )
         factors = of_bodies("factor", factor)
         checked = {
@@ -114,7 +117,7 @@ class Heat:
 
     @property
     def shares(self) -> Pair:
-        """Heat factors of both bodies, or their fractions of the frictional power."""
+        """Heat factors of both bodies [m/s], or fractions of the frictional power [-]."""
         return self.factor if self.partition is None else (1.0 - self.partition, self.partition)
 
     def __repr__(self) -> str:
@@ -135,7 +138,7 @@ def _share(name: str, value: float) -> float:
 
 
 def _velocities(velocity: ArrayLike | None) -> tuple[Pair, Pair]:
-    """Velocities (Vx, Vy) of both bodies; a single one is that of body 2."""
+    """Return the velocities (Vx, Vy) of both bodies [m/s]; a single velocity is that of body 2."""
     if velocity is None:
         return _AT_REST
     if real_array("velocity", velocity).ndim == 1:
@@ -158,7 +161,7 @@ def _history(history: Sequence[float]) -> Pair:
 
 
 def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[float, float]:
-    """Heat flux per unit pressure, Q_f, of both bodies: the argument `factor` of `Heat`.
+    """Return the heat flux per unit pressure, Q_f, into each body: the argument `factor` of `Heat`.
 
     Parameters
     ----------
@@ -172,7 +175,7 @@ def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[floa
     Returns
     -------
     tuple of float
-        (1 - beta) mu V and beta mu V [m/s], body 1 first.
+        Heat factors [m/s]: (1 - beta) mu V of body 1 and beta mu V of body 2.
 
     Raises
     ------
@@ -189,7 +192,7 @@ def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[floa
 def partition(
     body1: Material, body2: Material, radius: float, velocity1: float = 0.0, velocity2: float = 0.0
 ) -> float:
-    """Heat partition coefficient for equal maximum temperatures: fraction that enters body 2.
+    """Return the fraction of heat that enters body 2 for equal maximum temperatures [-].
 
     Parameters
     ----------
@@ -203,9 +206,11 @@ def partition(
     Returns
     -------
     float
-        beta in (0, 1). The maximum temperature of a parabolic source is taken as proportional to
-        1/(k sqrt(1.273 + Pe)), Pe = V a/(2 kappa): X. Tian, F. E. Kennedy, J. Tribol. 116 (1994)
-        167-174, doi:10.1115/1.2927035. Without motion it is Charron's k2/(k1 + k2).
+        Heat partition coefficient beta, in (0, 1). The maximum temperature under a parabolic source
+        of radius a is taken as proportional to 1/(k sqrt(1.273 + Pe)), with the conductivity k, the
+        diffusivity kappa and the Peclet number Pe = V a/(2 kappa): X. Tian, F. E. Kennedy, J.
+        Tribol. 116 (1994) 167-174, doi:10.1115/1.2927035. Without motion, beta is k2/(k1 + k2), as
+        proposed by Charron.
 
     Raises
     ------

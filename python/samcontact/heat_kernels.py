@@ -5,17 +5,17 @@ The flux flows into the body; the rest of the surface is insulated. All results 
 q [W/m^2]. Heat causes a temperature rise and, by thermal expansion of the free half-space, stress
 and displacement (quasi-static, uncoupled).
 
-x, y (X, Y) are field point minus centre of the rectangle, whose HALF sizes are a and b [m]; they
-are fixed to the source. z >= 0 [m] is into the body. The `velocity` (Vx, Vy) [m/s] is that of the
-body relative to the source: the hot wake lies downstream. Stress is positive in tension,
-components xx, yy, zz, yz, xz, xy; u_z is positive into the body, so heated surfaces bulge to
-negative u_z.
+x, y (X, Y) [m] are the coordinates of the field point relative to the centre of the rectangle,
+whose HALF sizes are a and b [m]. The axes are fixed to the source; z >= 0 [m] points into the body.
+The `velocity` (Vx, Vy) [m/s] is the velocity of the body relative to the source: the hot wake lies
+downstream. Stress is positive in tension, components xx, yy, zz, yz, xz, xy; u_z is positive into
+the body, so heated surfaces bulge to negative u_z.
 
 conductivity k [W/(m K)], diffusivity kappa [m^2/s], expansion alpha [1/K], Young's modulus E [Pa].
 
 The functions `steady_...` are closed forms for a steady source at rest, at arbitrary points; arrays
-broadcast. The others tabulate all pairs of x and y. They sum Gaussians of all widths,
-f_a(x) f_b(y), so that a table costs little more than its points (docs/theory/heat.md).
+broadcast. The other functions tabulate all pairs of x and y: each table is a sum of products
+f_a(x) f_b(y), which is fast to evaluate (docs/theory/heat.md).
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ Velocity = tuple[float, float]
 def steady_temperature(
     X: ArrayLike, Y: ArrayLike, z: ArrayLike, a: float, b: float, *, conductivity: float
 ) -> FloatArray:
-    """Temperature rise [K m^2/W] in the steady state, source at rest; shape of X.
+    """Return the temperature rise [K m^2/W] in the steady state, source at rest; shape of X.
 
     Raises ValueError for non-finite points, z < 0, sizes or conductivity <= 0. Carslaw & Jaeger
     (1959), section 10.5.
@@ -69,10 +69,11 @@ def steady_stress(
     expansion: float,
     conductivity: float,
 ) -> FloatArray:
-    """Stress [Pa m^2/W] in the steady state, source at rest, shape (6, ...).
+    """Return the stress [Pa m^2/W] in the steady state, source at rest, shape (6, ...).
 
-    Plane stress: zz, yz and xz vanish everywhere, and xx + yy = -E alpha T. Poisson's ratio has no
-    influence. Raises ValueError like `steady_temperature`. Sternberg & McDowell (1957).
+    The state is plane stress: zz, yz and xz vanish everywhere, and xx + yy = -E alpha T. Poisson's
+    ratio has no influence. Raises ValueError like `steady_temperature`. Sternberg & McDowell
+    (1957).
     """
     (x, y, depth), shape = _points(X, Y, z)
     a, b = _sizes(a=a, b=b)
@@ -94,12 +95,13 @@ def steady_displacement(
     conductivity: float,
     r0: float,
 ) -> FloatArray:
-    """Surface displacement u_z [m^3/W] in the steady state, source at rest; shape of X.
+    """Return the surface displacement u_z [m^3/W], steady state, source at rest; shape of X.
 
-    It grows with the logarithm of the distance, so only differences are meaningful; `r0` [m] is the
-    distance at which the displacement of a point source is defined as zero. Near a source that has
-    been on for a time t, r0 = 4 exp(-(1 + gamma)/2) sqrt(kappa t) = 1.818 sqrt(kappa t) (gamma:
-    Euler's constant). Johnson (1985), section 12.2; Boucly (2008), eqs (2.53)-(2.60).
+    The displacement grows with the logarithm of the distance, so only differences are meaningful;
+    `r0` [m] is the distance at which the displacement due to a point source is defined as zero.
+    Near a source that has been on for a time t, r0 = 4 exp(-(1 + gamma)/2) sqrt(kappa t) = 1.818
+    sqrt(kappa t) (gamma: Euler's constant). Johnson (1985), section 12.2; Boucly (2008), eqs
+    (2.53)-(2.60).
     """
     (x, y), shape = _points(X, Y)
     a, b = _sizes(a=a, b=b)
@@ -120,30 +122,30 @@ def temperature(
     velocity: Velocity = (0.0, 0.0),
     tol: float = 1e-6,
 ) -> FloatArray:
-    """Temperature rise [K m^2/W] at one depth, table (len(x), len(y)).
+    """Return the temperature rise [K m^2/W] at one depth, shape (len(x), len(y)).
 
     Parameters
     ----------
     x, y : array_like, shapes (nx,), (ny,)
-        Offsets [m] in any order. The result is even in x if velocity[0] is 0, in y if velocity[1]
-        is 0: offsets >= 0 then suffice.
+        Coordinates of the field points [m] in any order. The result is even in x if velocity[0] is
+        0, and even in y if velocity[1] is 0; coordinates >= 0 then suffice.
     z : float
         Depth [m], >= 0.
     a, b : float
         Half-sides of the uniformly heated rectangle along x and y [m].
     time : float
-        Time since the source was switched on [s]; inf, the default, is the steady state.
+        Time since the source was switched on [s]; default inf, the steady state.
     tol : float
         Tolerance relative to the maximum of the table, in [1e-12, 1e-2]; the error is usually far
-        below it. Values far away are accurate to several digits of their own.
+        smaller. Small values far from the source are still accurate to several digits.
 
     Raises
     ------
     ValueError
         Times or depths are negative, sizes, conductivity or diffusivity are <= 0, numbers are not
         finite, or the speed is so high that the body crosses the extent L of the table in less than
-        1e-7 of its diffusion time L^2/kappa. The work is proportional to V L/kappa; near the limit
-        a table of displacements takes seconds.
+        1e-7 of its diffusion time L^2/kappa. The computing time is proportional to V L/kappa; near
+        the limit a table of displacements takes seconds.
 
     Notes
     -----
@@ -172,14 +174,14 @@ def displacement(
     velocity: Velocity = (0.0, 0.0),
     tol: float = 1e-6,
 ) -> FloatArray:
-    """Surface displacement u_z [m^3/W], table (len(x), len(y)), zero far away.
+    """Return the surface displacement u_z [m^3/W], shape (len(x), len(y)), zero far away.
 
     Parameters and symmetry as in `temperature`. Also raises ValueError for a source at rest with
     time = inf, whose displacement has no limit far away; see `steady_displacement`.
 
     Notes
     -----
-    By reciprocity with the normal point force; Boucly (2008), eq. (2.45), corrected.
+    Derived by reciprocity with the normal point force; Boucly (2008), eq. (2.45), corrected.
     """
     table = _Table(x, y, a, b, diffusivity, time, velocity, tol)
     scale = _distortion(nu, expansion, conductivity)
@@ -209,11 +211,11 @@ def stress(
     velocity: Velocity = (0.0, 0.0),
     tol: float = 1e-6,
 ) -> FloatArray:
-    """Stress [Pa m^2/W] at one depth, table (6, len(x), len(y)).
+    """Return the stress [Pa m^2/W] at one depth, shape (6, len(x), len(y)).
 
     Parameters and errors as in `temperature`, with the tolerance relative to the largest component
-    in the table. zz, yz and xz vanish at the surface and for a steady source at rest. Where the
-    temperature is even, xz is odd in x, yz odd in y, and xy odd in both.
+    in the table. zz, yz and xz vanish at the surface and for a steady source at rest. If the
+    temperature is even in x, xz and xy are odd in x; if it is even in y, yz and xy are odd in y.
 
     Notes
     -----
@@ -229,7 +231,7 @@ def stress(
 
 
 def _distortion(nu: float, expansion: float, conductivity: float) -> float:
-    """Distortion alpha (1 + nu)/k [m/W]."""
+    """Return the thermal distortion coefficient alpha (1 + nu)/k [m/W]."""
     nu = _constants(1.0, nu)[1]
     return finite("expansion", expansion) * (1 + nu) / positive("conductivity", conductivity)
 
@@ -279,10 +281,17 @@ class _Table:
     def _check_range(self, kappa: float) -> None:
         unit = 2 * self.a
         if math.isfinite(self.time) and kappa * self.time > 1e59 * unit**2:
-            raise ValueError(f"time must be <= 1e60 a^2/diffusivity or inf, got {self.time!r}")
+            raise ValueError(
+                "time must be inf or <= 1e60 a^2/diffusivity (a: half-length "
+                f"of the source along x), got {self.time!r} s"
+            )
         speed = math.hypot(*self.speed)
         if 0.0 < speed * unit < 1e-59:
-            raise ValueError(f"velocity must be 0 or >= 1e-59 diffusivity/a, got {speed * kappa!r}")
+            raise ValueError(
+                "velocity must be 0 or have a magnitude >= 1e-59 "
+                "diffusivity/a (a: half-length of the source along x), got "
+                f"{speed * kappa!r} m/s"
+            )
         extent = max(self.a, self.b, float(np.abs(self.x).max()), float(np.abs(self.y).max()))
         if not speed * extent < 1e7:
             raise ValueError(
@@ -291,6 +300,6 @@ class _Table:
             )
 
     def expand(self, values: FloatArray) -> FloatArray:
-        """Return the table in the order of the user's offsets."""
+        """Return the table for the coordinates x and y as given by the user."""
         expanded: FloatArray = values[:, self._rows[:, None], self._columns]
         return expanded

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Influence coefficients of one rectangle or cuboid, in closed form.
 
-X, Y are field point minus centre of the source; a, b, c are HALF sizes; z is into the body. Arrays
-broadcast. Components: xx, yy, zz, yz, xz, xy, tensor (not engineering) shear strains.
+X, Y [m] are the coordinates of the field point relative to the centre of the source; a, b, c are
+HALF sizes; z points into the body. Arrays broadcast. Components: xx, yy, zz, yz, xz, xy, tensor
+(not engineering) shear strains.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ __all__ = [
     "shear_stress",
 ]
 
-_PRESSURE = 2  # tractions are named by the axis they act along
+_PRESSURE = 2  # tractions are numbered by the axis along which they act
 
 
 def _shear(along: str) -> int:
@@ -62,10 +63,10 @@ def _displacement(
 def pressure_displacement(
     X: ArrayLike, Y: ArrayLike, a: float, b: float, E: float, nu: float, *, axis: str = "z"
 ) -> FloatArray:
-    """Displacement of the surface [m] per unit pressure [Pa] on a rectangle; shape of X.
+    """Return the surface displacement [m] per unit pressure on a rectangle; shape of X.
 
-    Along `axis`: "z", into the body (Love 1929), "x" or "y", towards the rectangle (Boussinesq's
-    point force, Johnson 1985, section 3.2, integrated).
+    The displacement is along `axis`: "z", positive into the body (Love 1929), "x" or "y", directed
+    towards the rectangle (Boussinesq's point force, Johnson 1985, section 3.2, integrated).
     """
     return _displacement(_PRESSURE, axis, X, Y, a, b, E, nu)
 
@@ -81,7 +82,7 @@ def shear_displacement(
     along: str = "x",
     axis: str = "z",
 ) -> FloatArray:
-    """Displacement of the surface [m] per unit shear [Pa] on a rectangle; shape of X.
+    """Return the surface displacement [m] per unit shear traction on a rectangle; shape of X.
 
     The shear acts on the body along +x or +y, given by `along`; the displacement is along
     `axis`: "x", "y" or "z". Cerruti (1882); Johnson (1985), section 3.6, integrated.
@@ -102,7 +103,7 @@ def _stress(
 def pressure_stress(
     X: ArrayLike, Y: ArrayLike, z: ArrayLike, a: float, b: float, nu: float
 ) -> FloatArray:
-    """Stress [-] per unit pressure on a rectangle, shape (6, ...). Boucly (2008), (2.81)-(2.86)."""
+    """Return the stress [-] per unit pressure, (6, ...). Boucly (2008), eqs (2.81)-(2.86)."""
     return _stress(_PRESSURE, X, Y, z, a, b, nu)
 
 
@@ -116,9 +117,9 @@ def shear_stress(
     *,
     along: str = "x",
 ) -> FloatArray:
-    """Stress [-] per unit shear, `along` +x or +y, on a rectangle, shape (6, ...).
+    """Return the stress [-] per unit shear traction on a rectangle, shape (6, ...).
 
-    Boucly (2008), eqs (2.88)-(2.93), with L_22 corrected.
+    The traction acts `along` +x or +y. Boucly (2008), eqs (2.88)-(2.93), with L_22 corrected.
     """
     return _stress(_shear(along), X, Y, z, a, b, nu)
 
@@ -134,12 +135,13 @@ def eigenstrain_displacement(
     *,
     axis: str = "z",
 ) -> FloatArray:
-    """Displacement of the surface [m] per unit eigenstrain component of a cuboid, shape (6, ...).
+    """Return the surface displacement [m] per unit eigenstrain component of a cuboid, (6, ...).
 
-    Along `axis`: "z", into the body, "x" or "y". zc is the depth of the cuboid's centre; a shear
-    component counts once (with its transpose). Raises ValueError if the cuboid extends beyond the
-    half-space. u_z: Boucly (2008), eqs (2.64)-(2.71), corrected, with the term of the trace; u_x
-    and u_y by reciprocity, docs/theory/half_space.md.
+    The displacement is along `axis`: "x", "y" or "z", with z into the body. zc is the depth of the
+    centre of the cuboid. A unit shear component means that the transposed component is 1 too.
+    Raises ValueError if the cuboid extends beyond the half-space. u_z follows from Boucly (2008),
+    eqs (2.64)-(2.71), corrected, with an added term for the trace; u_x and u_y follow by
+    reciprocity, see docs/theory/half_space.md.
     """
     number = axis_number(axis)
     (x, y), shape = _points(X, Y)
@@ -160,10 +162,10 @@ def eigenstrain_stress(
     E: float,
     nu: float,
 ) -> FloatArray:
-    """Stress [Pa] per unit eigenstrain of a cuboid, shape (6, 6, ...): [stress, strain] component.
+    """Return the stress [Pa] per unit eigenstrain of a cuboid, (6, 6, ...): [stress, strain].
 
-    Inside the cuboid the stress of the eigenstrain itself is subtracted. Mindlin's half-space
-    solution integrated in closed form; docs/theory/half_space.md.
+    Inside the cuboid, the stress follows from the elastic strain: total strain minus eigenstrain.
+    Mindlin's half-space solution integrated in closed form; docs/theory/half_space.md.
     """
     (x, y, depth), shape = _points(X, Y, z)
     a, b, c = _sizes(a=a, b=b, c=c)

@@ -42,7 +42,7 @@ def surface_displacement(
     *,
     axis: str = "z",
 ) -> FloatArray:
-    """Displacement of the surface along an axis [m], shape (nx, ny); u_z is positive into the body.
+    """Return the surface displacement along an axis [m], shape (nx, ny); u_z points into the body.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def surface_displacement(
 def surface_stress(
     grid: Grid, pressure: ArrayLike, z: ArrayLike, nu: float, shear: ArrayLike | None = None
 ) -> FloatArray:
-    """Stress [Pa] due to surface tractions at depths z, shape (6, nx, ny, len(z)).
+    """Return the stress [Pa] due to surface tractions at depths z, shape (6, nx, ny, len(z)).
 
     Parameters
     ----------
@@ -115,23 +115,24 @@ def residual_stress(
     method: str = "exact",
     image_tol: float = Settings.image_tol,
 ) -> FloatArray:
-    """Stress [Pa] due to an eigenstrain (plastic strain) field, shape (6, nx, ny, nz).
+    """Return the stress [Pa] due to an eigenstrain (plastic strain) field, (6, nx, ny, nz).
 
     Parameters
     ----------
     grid : Grid
         Grid with layers (dz).
     strain : array_like, shape (6, nx, ny, nz)
-        Any symmetric strain, tensor components xx, yy, zz, yz, xz, xy, uniform in each cell.
+        Eigenstrain [-], uniform in each cell; tensor components xx, yy, zz, yz, xz, xy.
     E, nu : float
     method : {"exact", "fast"}, optional
-        "exact": influence coefficients of cuboids in a half-space (Mindlin's solution integrated
-        in closed form), at the cell centres. "fast": the strain is band-limited in the plane and
-        uniform in each layer, the stress is averaged over each layer; for smooth fields, with time
-        and memory proportional to the cells. docs/theory/residual_stress.md describes both.
+        "exact": influence coefficients of cuboids in a half-space (Mindlin's solution integrated in
+        closed form), at the cell centres. "fast": the strain is taken as band-limited in the plane
+        and uniform in each layer, and the stress is averaged over each layer. This method is for
+        smooth fields; time and memory are proportional to the number of cells.
+        docs/theory/residual_stress.md describes both.
     image_tol : float, optional
-        With "fast": error due to the periodicity of the transforms, relative to the maximum
-        stress; in [1e-6, 0.1].
+        Only with "fast": limit of the error due to the periodicity of the transforms, relative to
+        the maximum stress, in [1e-6, 0.1].
     """
     _require_volume(grid)
     elastic = _core.Elastic.isotropic(number("E", E), number("nu", nu))
@@ -149,7 +150,7 @@ def residual_stress(
 def residual_displacement(
     grid: Grid, strain: ArrayLike, nu: float, *, axis: str = "z"
 ) -> FloatArray:
-    """Surface displacement [m] due to an eigenstrain field, shape (nx, ny).
+    """Return the surface displacement [m] due to an eigenstrain field, shape (nx, ny).
 
     Parameters
     ----------
@@ -159,12 +160,12 @@ def residual_displacement(
         As in `residual_stress`.
     nu : float
     axis : {"x", "y", "z"}, optional
-        Axis; u_z is positive into the body. Periodic surfaces: relative to the body far below.
+        Axis of the displacement; u_z is positive into the body. On periodic grids, the displacement
+        is relative to the body far below the surface.
 
-    Notes
-    -----
-    u_z: Boucly (2008), eqs (2.62)-(2.71), corrected and completed by the term of the trace. u_x and
-    u_y by reciprocity with the stress of surface shear; docs/theory/half_space.md.
+    Notes ----- u_z follows from Boucly (2008), eqs (2.62)-(2.71), corrected and completed by a term
+    for the trace; u_x and u_y follow by reciprocity from the stress due to surface shear, see
+    docs/theory/half_space.md.
     """
     number_of_axis = axis_number(axis)
     _require_volume(grid)

@@ -44,18 +44,20 @@ def steady(
 ) -> RollingSolution:
     """Solve the contact in steady rolling towards +x.
 
-    To the tolerance, it is the limit of a sequence of `ContactSolver.solve` with
-    advance = -d (1, 1) and the slip d (xi - phi y, eta + phi x) per step d of one cell.
+    To within the tolerance, the solution is the limit of a sequence of `ContactSolver.solve` calls.
+    In each call, both bodies advance by -d, where d is the cell length, with a rigid slip of d (xi
+    - phi y, eta + phi x); xi, eta and phi are the creepages and the spin.
 
     Parameters
     ----------
     grid : Grid
-        Grid not periodic along x. `periodic="y"`: rollers in plane strain; without it, one row of
-        cells is a strip of width dy.
+        Grid that is not periodic along x. `periodic="y"` models rollers in plane strain; without
+        it, a single row of cells is a strip of width dy.
     body1, body2 : Material
         Upper and lower body; at most one is rigid. Plastic materials are treated as elastic.
     gap : array_like, shape (nx, ny), or callable
-        Initial separation [m], or a function of a grid that returns it, as in `ContactSolver`.
+        Initial separation [m], or a function of a grid that returns this array, as in
+        `ContactSolver`.
     load : float
         Normal load [N], >= 0.
     approach : float
@@ -67,16 +69,17 @@ def steady(
         `None` for a component, or for both, leaves that direction to `tangential_load`.
     spin : float, optional
         phi: rotation of body 1 relative to body 2 about z at the origin, per distance rolled
-        [1/m]. Not on a periodic grid. Mutually exclusive with `torque`.
+        [1/m]. Not on a periodic grid. Cannot be combined with `torque`.
     tangential_load : pair of float, optional
         Force on body 2 along x and y [N], smaller than mu times the load.
     torque : float, optional
-        Moment about z on body 2 [N m]. A direction without prescribed value has no creepage.
+        Moment about z on body 2 [N m]. A direction without a prescribed creepage, spin, force or
+        torque has zero creepage.
     start : RollingSolution, optional
-        Solution for similar creepages or forces, as initial guess of the iteration.
+        Solution for similar creepages or forces, used as initial guess of the iteration.
     tol, on_border, on_stall, max_iterations
-        As in `ContactSolver`; tol also bounds the error of the shear, and that of prescribed forces
-        relative to the maximum forces.
+        As in `ContactSolver`; `tol` is also a bound of the error of the shear traction, and of the
+        error of prescribed forces relative to their maximum possible values.
 
     Returns
     -------
@@ -87,12 +90,11 @@ def steady(
     ValueError, TypeError
         Invalid arguments or forces above the friction limit, as for `ContactSolver.solve`.
     ConvergenceError
-        With .iterations and .residual.
+        No convergence; the error has the attributes `iterations` and `residual`.
 
-    Notes
-    -----
-    J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, with steps of one
-    cell: the error is proportional to the cell size. See the theory page for the iteration.
+    Notes ----- J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, The steps
+    are one cell long, so the error is proportional to the cell size. The page on rolling describes
+    the iteration.
     """
     require_type("grid", grid, Grid)
     sticking_law(friction)
@@ -119,7 +121,7 @@ def steady(
 
 
 def _require_rolling(grid: Grid, spin: float | None, torque: float | None) -> None:
-    """Raise ValueError if the grid does not allow steady rolling along x, or rotation about z."""
+    """Raise ValueError if the grid does not allow steady rolling along x, or the rotation."""
     if grid.along_x:
         raise ValueError(
             f"grid.periodic must be '' or 'y' (plane strain), got {grid.periodic!r}: steady "
@@ -135,7 +137,7 @@ def _require_rolling(grid: Grid, spin: float | None, torque: float | None) -> No
 
 @dataclass(frozen=True)
 class _Rolling:
-    """Drive of a contact in steady rolling."""
+    """Solver of a contact in steady rolling under given creepages, spin, forces or torque."""
 
     given: TangentialInput
     friction: FrictionLaw
@@ -149,7 +151,7 @@ class _Rolling:
         start: FloatArray | None,
         settings: Settings,
     ) -> tuple[ContactSolution, str]:
-        """Return the solution and a message about the edge of the grid."""
+        """Return the solution, and a message if the contact reaches the edge of the grid."""
         shear, creepage = None, (0.0, 0.0, 0.0)
         if self.previous is not None:
             start, shear, *_ = before_on(self.previous, grid, "start")
@@ -163,7 +165,7 @@ class _Rolling:
         *creepage, spin = found.pop("motion")
         *force, torque = found.pop("force")
         del found["fallbacks"], found["energy_gap"]
-        told = {
+        fields = {
             "creepage": np.array(creepage),
             "spin": spin,
             "friction": self.friction,
@@ -171,4 +173,4 @@ class _Rolling:
             "tangential_load": np.array(force),
             "torque": torque,
         }
-        return RollingSolution(grid=grid, **told, **found), complaint
+        return RollingSolution(grid=grid, **fields, **found), complaint

@@ -17,7 +17,7 @@ __all__ = ["JohnsonCook"]
 class JohnsonCook:
     """Johnson-Cook factor 1 - ((T - reference)/(melting - reference))^m on the yield stress.
 
-    T is the ambient temperature plus the temperature rise; below the reference the factor is 1.
+    T is the ambient temperature plus the temperature rise [K]. Below `reference` the factor is 1.
     G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics (1983) 541-547.
 
     Parameters
@@ -31,7 +31,7 @@ class JohnsonCook:
     ambient : float, optional
         Temperature of the unheated bodies [K].
     floor : float, optional
-        Minimum factor, in (0, 1], kept at and above the melting temperature.
+        Minimum factor [-], in (0, 1], which is used at and above the melting temperature.
 
     Raises
     ------

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Initial gaps between two undeformed surfaces, shape (nx, ny), in metres.
 
-Every function takes a grid (any object with nx, ny, dx, dy, x, y). Contributions add up: a rough
-ball is ``paraboloid(grid, R) + sinusoidal(grid, ...)``.
+Every function takes a grid (any object with nx, ny, dx, dy, x, y). The gap of a composite surface
+is the sum of its parts: a rough ball is ``paraboloid(grid, R) + sinusoidal(grid, ...)``.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ __all__ = [
 
 
 class SurfaceGrid(Protocol):
-    """Surface attributes of `samcontact.Grid`."""
+    """Attributes of a grid that describe the surface cells; `samcontact.Grid` has them."""
 
     @property
     def nx(self) -> int: ...
@@ -46,7 +46,7 @@ class SurfaceGrid(Protocol):
 
 
 def require_surface(grid: SurfaceGrid) -> None:
-    """Raise TypeError for an object without surface cells."""
+    """Raise TypeError for an object that has no attributes of surface cells."""
     if not all(hasattr(grid, name) for name in ("nx", "ny", "dx", "dy", "x", "y")):
         raise TypeError(f"grid must be a samcontact.Grid, got {in_short(grid)}")
 
@@ -70,7 +70,7 @@ def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatAr
     grid : Grid
         Grid on which the gap is evaluated.
     Rx, Ry : float
-        Radii of curvature in the planes y = 0 and x = 0 [m]; inf: straight. Default of Ry: Rx.
+        Radii of curvature in the planes y = 0 and x = 0 [m]; inf: no curvature. Default of Ry: Rx.
 
     Returns
     -------
@@ -95,7 +95,7 @@ def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatAr
 
 
 def _circular(r2: FloatArray, R: float) -> FloatArray:
-    """Evaluate R - sqrt(R^2 - r^2) without cancellation."""
+    """Return R - sqrt(R^2 - r^2), evaluated without cancellation."""
     if R > 1e150:
         raise ValueError(f"R must be <= 1e150 m, or inf for a paraboloid, got {R!r}")
     if np.max(r2) > R**2:
@@ -172,7 +172,7 @@ def sinusoidal(
     Returns
     -------
     ndarray, shape (nx, ny)
-        Contribution to the gap [m], both signs.
+        Contribution to the gap [m], positive or negative.
 
     Raises
     ------
@@ -218,7 +218,7 @@ def from_heights(
     Raises
     ------
     ValueError
-        Wrong shape, NaN or an infinity of the wrong sign, or no cell that belongs to both bodies.
+        Wrong shape, NaN, an infinity of the wrong sign, or no cell in which both bodies exist.
     """
     require_surface(grid)
     shape = (grid.nx, grid.ny)
@@ -270,9 +270,9 @@ def rough_self_affine(
     Raises
     ------
     ValueError
-        An argument is outside its range, or no wave of the grid lies between the cut-offs.
+        An argument is outside its range, or no Fourier mode of the grid lies between the cut-offs.
     MemoryError
-        The grid requires more memory than is available. This applies to all surfaces.
+        The grid requires more memory than is available. The other surfaces also raise it.
     """
     rms_height = non_negative("rms_height", rms_height)
     if not 0.0 <= number("hurst", hurst) <= 1.0:
@@ -288,8 +288,8 @@ def rough_self_affine(
         raise ValueError(f"wavelength_min must be >= {shortest!r} (two cells), got {low!r}")
     if not low <= middle <= high:
         raise ValueError(
-            "roll_off must be between wavelength_min and wavelength_max, "
-            f"got {low!r}, {middle!r}, {high!r} (min, roll-off, max)"
+            f"roll_off must be between wavelength_min ({low!r} m) and wavelength_max "
+            f"({high!r} m), got {middle!r} m"
         )
 
     _require_memory(grid)
@@ -299,8 +299,9 @@ def rough_self_affine(
     inside = (q >= (1.0 - 1e-9) / high) & (q <= (1.0 + 1e-9) / low) & (q > 0.0)
     if not inside.any():
         raise ValueError(
-            f"wavelength_min = {low!r} and wavelength_max = {high!r} must enclose at least one "
-            "Fourier mode of the grid"
+            "wavelength_min and wavelength_max must have at least one Fourier mode of the "
+            f"grid between them, got {low!r} and {high!r} m: widen the range, or enlarge "
+            "the grid"
         )
     filter_ = np.zeros_like(q)
     filter_[inside] = np.maximum(q[inside] * middle, 1.0) ** -(1.0 + float(hurst))

@@ -35,7 +35,7 @@ def _registry() -> Any:
 
 
 def from_text(text: str, unit: str) -> float:
-    """Return the number of a text such as "25 um" in a unit.
+    """Convert a text such as "25 um" to a number in the given unit.
 
     Raises ValueError with a message that begins with "must be".
     """
@@ -102,7 +102,7 @@ def si(value: Any, unit: str) -> Any:
     if hasattr(value, "to") and hasattr(value, "magnitude"):
         try:
             value = value.to(unit).magnitude
-        except Exception as error:  # errors of a pint of another registry
+        except Exception as error:  # errors of a foreign pint registry
             raise ValueError(
                 f"value must have a unit that converts to {unit}, got {in_short(value)}"
             ) from error

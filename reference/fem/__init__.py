@@ -20,12 +20,12 @@ class FemCase:
 
     name: str
     parameters: dict[str, Any]
-    """Everything of case.json outside its summary: E_Pa, nu, material, load, mesh, comparisons."""
+    """Contents of case.json except its summary: E_Pa, nu, material, load, mesh, comparisons."""
     summary: dict[str, Any]
     axis_loaded: np.ndarray
     """z_m, srr_Pa, szz_Pa, stt_Pa, vonMises_Pa, hydrostatic_Pa, gamma_p; r = 0, largest load."""
     axis_unloaded: np.ndarray
-    """The same after unloading."""
+    """Columns as in the previous table, after unloading."""
     surface_uz: np.ndarray
     """r_m, uz_loaded_m, uz_residual_m."""
     pressure_r: np.ndarray

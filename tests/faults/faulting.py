@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shared tools of the fault tests: number of trials, and processes to disturb."""
+"""Shared tools of the fault tests: number of trials, and processes to be disturbed."""
 
 import contextlib
 import os
@@ -28,14 +28,14 @@ TRIALS = {
 
 
 def tried(name):
-    """Runs a test with `count` trials, and as a slow one with more."""
+    """Run a test with `count` trials, and as a slow test with more."""
     few, many = TRIALS[name]
     slow = pytest.param(many, marks=pytest.mark.slow, id="many")
     return pytest.mark.parametrize("count", [pytest.param(few, id="few"), slow])
 
 
 def start(script, *arguments, **options):
-    """A Python process of one thread."""
+    """Start a single-threaded Python process."""
     return subprocess.Popen(
         [sys.executable, "-c", script, *map(str, arguments)],
         env=os.environ | {"OMP_NUM_THREADS": "1"},
@@ -46,7 +46,7 @@ def start(script, *arguments, **options):
 
 
 def finished(script, *arguments):
-    """Output of a process that must end well."""
+    """Return the output of a process, which must end without an error."""
     process = start(script, *arguments)
     output, errors = process.communicate()
     assert process.returncode == 0, errors
@@ -75,23 +75,23 @@ for line in sys.stdin:
 
 
 class Nursery:
-    """A process that has imported all, and forks to call `computed(argument)` of a script."""
+    """Process with all imports done, which forks to call `computed(argument)` of a script."""
 
     def __init__(self, script):
-        # A pipe that nobody reads is full after many interrupts, and who writes there waits.
+        # An unread pipe is full after many interrupts, and would block its writer.
         self.errors = tempfile.TemporaryFile("w+")  # noqa: SIM115
         self.process = start(script + NURSERY, stdin=subprocess.PIPE, stderr=self.errors)
 
     def run(self, argument, seconds=None, number=None):
-        """The result and how long it took; after these seconds the child gets a signal."""
+        """Return the result and its time; after these seconds the child gets a signal."""
         self.process.stdin.write(f"{argument}\n")
         self.process.stdin.flush()
         word, child = self._line()
-        assert word == "child", self.told()
+        assert word == "child", self.message()
         begun, result = time.perf_counter(), None
         if seconds is not None:
             time.sleep(seconds)
-            with contextlib.suppress(ProcessLookupError):  # it was faster
+            with contextlib.suppress(ProcessLookupError):  # the child has already ended
                 os.kill(int(child), number)
         while (line := self._line())[0] != "ended":
             result = line[1]
@@ -101,8 +101,8 @@ class Nursery:
         word, _, rest = self.process.stdout.readline().strip().partition(" ")
         return word, rest
 
-    def told(self):
-        """The end of what was written to the standard error."""
+    def message(self):
+        """Return the end of the standard error output."""
         self.errors.seek(0)
         return self.errors.read()[-4000:]
 

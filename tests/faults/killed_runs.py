@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scripts of runs that are killed: each has `computed(folder)`, a digest of all that came out."""
+"""Scripts of runs to be killed; `computed(folder)` of each returns a digest of all results."""
 
 from pathlib import Path
 
@@ -158,29 +158,29 @@ def computed(argument):
 
 def poor(run, folder, there):
     require, asked = _memory.require, [0.0]
-    def told(what, needed, *more):
+    def report(what, needed, *more):
         asked.append(needed)
         with mock.patch.object(_memory, "available", lambda: there):
             require(what, needed, *more)
-    _memory._MAX_UNCHECKED_BYTES, _memory.require = 0.0, told
+    _memory._MAX_UNCHECKED_BYTES, _memory.require = 0.0, report
     try:
         return f"{{run(folder)}} {{max(asked)}}"
     except (MemoryError, ValueError) as error:
         return str(error)
 
 def refused(run, folder):
-    taken, told = lock._take, []
+    taken, messages = lock._take, []
     def take(*arguments):
         handle = taken(*arguments)
-        if not told:
-            told.append("")
+        if not messages:
+            messages.append("")
             try:
                 run(folder)
             except OSError as error:
-                told.append(str(error))
+                messages.append(str(error))
         return handle
     lock._take = take
-    return run(folder) + " " + told[-1]
+    return run(folder) + " " + messages[-1]
 """
 )
 """Script for a run of any kind: `computed("kind|way|folder")`. The way is empty, or one of

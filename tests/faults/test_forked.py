@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A child that was forked after the core was used: OpenMP's threads do not survive a fork."""
+"""Processes forked after use of the core, in which OpenMP threads do not survive."""
 
 import os
 import subprocess
@@ -20,7 +20,7 @@ def made():
     simulation.step(load=300.0)
     return simulation
 
-def told(simulation):
+def digest(simulation):
     state = simulation.step(load=500.0)
     return hashlib.sha256(state.pressure.tobytes() + state.stress().tobytes()).hexdigest()
 
@@ -29,15 +29,15 @@ simulation = made()
 FORK = """
 pid = os.fork()
 if pid == 0:
-    print(told(simulation), flush=True)
+    print(digest(simulation), flush=True)
     os._exit(0)
 assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 0
-print(told(simulation))
+print(digest(simulation))
 """
 POOL = """
 with multiprocessing.get_context("fork").Pool(2) as pool:
-    print(*pool.map(told, [simulation, made()]), sep="\\n")
-print(told(simulation))
+    print(*pool.map(digest, [simulation, made()]), sep="\\n")
+print(digest(simulation))
 """
 WHILE_OTHERS_WORK = """
 # Another thread makes plans and allocates at any moment of the forks.
@@ -55,7 +55,7 @@ thread.start()
 for _ in range(10):
     pid = os.fork()
     if pid == 0:
-        told(made())
+        digest(made())
         os._exit(0)
     assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 0
 going = False
@@ -79,12 +79,12 @@ def printed(script, threads):
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="forks")
 @pytest.mark.parametrize("script", [FORK, POOL], ids=["os.fork", "multiprocessing"])
 @pytest.mark.parametrize("threads", [1, 2])
-def test_a_forked_child_computes_the_same_digits(script, threads):
+def test_a_forked_child_computes_equal_digits(script, threads):
     digests = printed(script, threads)
     assert len(digests) >= 2
     assert len(set(digests)) == 1
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="forks")
-def test_a_fork_in_the_middle_of_another_thread_leaves_no_lock():
+def test_a_fork_during_work_of_another_thread_leaves_no_lock():
     assert printed(WHILE_OTHERS_WORK, 1) == ["done"]

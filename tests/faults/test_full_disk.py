@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A disk that fills up while a file is written: the old file stays, and nothing else does.
+"""A disk that fills up during a write: only the old file is kept.
 
-The limit on the size of files makes the same system calls fail, at the byte that is wanted, for any
-user; in a process of its own, which would also show a crash at its end.
+A limit on the file size makes the same system calls fail at a chosen byte, for any
+user; in a separate process, which would also reveal a crash at its end.
 """
 
 import pytest
@@ -55,7 +55,7 @@ print("survived", failed)
 
 @tried("full disk")
 @pytest.mark.parametrize("kind", ["checkpoint", "results", "report"])
-def test_the_old_file_stays(tmp_path, count, kind):
+def test_a_failed_write_keeps_the_old_file(tmp_path, count, kind):
     with start(SCRIPT, tmp_path, kind, count) as process:
         output, errors = process.communicate()
     assert (process.returncode, errors) == (0, "")
@@ -95,7 +95,7 @@ print("survived")
 """
 
 
-def test_a_run_goes_on_when_there_is_room_again(tmp_path):
+def test_a_run_resumes_when_disk_space_is_available_again(tmp_path):
     with start(JOURNAL, tmp_path / "kept") as process:
         output, errors = process.communicate()
     assert (process.returncode, errors, output) == (0, "", "survived\n")

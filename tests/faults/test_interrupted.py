@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ctrl-C at any time is obeyed, and only the current increment is lost."""
+"""Ctrl-C takes effect at any time, and only the current increment is lost."""
 
 import random
 import signal
@@ -100,7 +100,7 @@ print("interrupted")
 
 
 def moments(name, count):
-    """Parts of the time that it takes, spread over all of it."""
+    """Return times spread over the whole duration of a run."""
     times = random.Random(name)
     return [(trial + times.random()) / count * 0.9 for trial in range(count)]
 
@@ -140,7 +140,7 @@ print("whole")
 """
 
 
-def test_a_file_is_written_to_its_end(tmp_path):
+def test_an_interrupt_does_not_truncate_a_file(tmp_path):
     with start(WRITING, tmp_path / "state.h5") as process:
         output, errors = process.communicate()
     assert (process.returncode, output, errors) == (0, "whole\n", "")

@@ -12,6 +12,7 @@ from faulting import Nursery, start, tried
 BEGIN = """
 import hashlib, sys, warnings
 import numpy as np
+import h5netcdf, scipy.ndimage, scipy.optimize, scipy.special, xarray, samcontact.cases  # once
 import samcontact as sc
 warnings.simplefilter("ignore")
 elastic = sc.Material.elastic(210e9, 0.3)
@@ -86,7 +87,7 @@ SCRIPTS = {"run": RUN, "wear": WEAR, "asperities": ASPERITIES, "sweep": SWEEP}
 
 
 def check(kind, count, tmp_path):
-    """Kill at times spread over the run, twice in the same folder, and then let it be."""
+    """Kill at times spread over the run, twice in the same folder, then let the run finish."""
     times = random.Random(f"killed {kind}")
     with contextlib.closing(Nursery(SCRIPTS[kind])) as nursery:
         expected, whole = nursery.run(tmp_path / "whole")
@@ -96,7 +97,7 @@ def check(kind, count, tmp_path):
             moments = [(trial + times.random()) / count * whole for _ in range(2)]
             while nursery.run(folder, moments[0], signal.SIGKILL)[0] is not None:
                 shutil.rmtree(folder, ignore_errors=True)
-                moments[0] /= 2  # it was through before
+                moments[0] /= 2  # the run had already ended
             nursery.run(folder, moments[1], signal.SIGKILL)
             assert nursery.run(folder)[0] == expected
             shutil.rmtree(folder, ignore_errors=True)
@@ -122,7 +123,7 @@ def test_sweep(count, tmp_path):
     check("sweep", count, tmp_path)
 
 
-# Killed by itself at one of the system calls of writing, which a random time seldom meets.
+# The process kills itself at a system call of a write, which a random time rarely hits.
 WRITING = """
 import os, signal, sys
 from samcontact.files import atomic as _atomic

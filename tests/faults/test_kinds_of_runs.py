@@ -20,11 +20,11 @@ def nursery():
 
 @pytest.fixture(scope="module", params=BODIES)
 def whole(request, nursery, tmp_path_factory):
-    """A kind, its digest, the time that it takes, its largest file, the most memory it asks for."""
+    """Return a kind of run, its digest, its duration, its largest file and its maximum memory."""
     folder = tmp_path_factory.mktemp("whole")
-    told, _ = nursery.run(f"{request.param}|memory inf|{folder / 'first'}")
-    assert told is not None, nursery.told()
-    digest, most = told.split()
+    message, _ = nursery.run(f"{request.param}|memory inf|{folder / 'first'}")
+    assert message is not None, nursery.message()
+    digest, most = message.split()
     again, seconds = nursery.run(f"{request.param}||{folder / 'run'}")
     assert digest == again
     assert len(digest) == 64
@@ -42,7 +42,7 @@ def test_killed_and_interrupted(whole, nursery, tmp_path, count):
         for number in times.sample([signal.SIGKILL, signal.SIGINT, signal.SIGTERM], 3):
             moment = (trial + times.random()) / count * seconds
             nursery.run(argument, moment, number)
-        assert nursery.run(argument)[0] == digest, nursery.told()
+        assert nursery.run(argument)[0] == digest, nursery.message()
         shutil.rmtree(folder)
 
 
@@ -54,12 +54,12 @@ def test_full_disk(whole, nursery, tmp_path):
 
 
 def test_not_enough_memory(whole, nursery, tmp_path):
-    """The folder is reported before it is used; its contents resume with bit-identical results."""
+    """The folder with results is reported, and its run resumes with bit-identical results."""
     kind, digest, *_, most = whole
-    # A search goes around loads whose runs do not fit, and tells it when none does.
+    # A search skips loads whose runs do not fit, and reports if none fits.
     there = 0.0 if kind == "found load" else 0.99 * most
-    told, _ = nursery.run(f"{kind}|memory {there}|{tmp_path / 'run'}")
-    assert re.search(r"requires about [\d.e+-]+ GB of memory, [\d.e+-]+ GB available", told)
+    message, _ = nursery.run(f"{kind}|memory {there}|{tmp_path / 'run'}")
+    assert re.search(r"requires about [\d.e+-]+ GB of memory, [\d.e+-]+ GB available", message)
     assert nursery.run(f"{kind}||{tmp_path / 'run'}")[0] == digest
 
 

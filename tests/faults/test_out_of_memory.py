@@ -141,13 +141,13 @@ assert len(SCENES) == TRIALS["memory: estimates"][0]
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
-def test_estimates_are_those_measured():
+def test_memory_estimates_agree_with_measurements():
     with contextlib.closing(Nursery(MEASURED)) as nursery:
         ratios = {}
         for scene in SCENES:
             result, _ = nursery.run(scene)
             measured, asked = map(float, result.strip("()").split(","))
-            assert measured > 15e6, scene  # else it would tell nothing
+            assert measured > 15e6, scene  # otherwise the test proves nothing
             ratios[scene] = asked / measured
     assert {scene: r for scene, r in ratios.items() if not 0.7 < r < 1.5} == {}
 
@@ -166,8 +166,8 @@ REFUSED = {
 @pytest.mark.parametrize("name", REFUSED)
 def test_huge_grids_are_refused(name, monkeypatch):
     monkeypatch.setattr(memory, "available", lambda: 16e9)
-    told = r"ny = 60000, nz = 1000 requires about [\d.e+]+ GB of memory, 16 GB available"
-    with pytest.raises(MemoryError, match=told):
+    message = r"ny = 60000, nz = 1000 requires about [\d.e+]+ GB of memory, 16 GB available"
+    with pytest.raises(MemoryError, match=message):
         REFUSED[name]()
 
 
@@ -193,14 +193,14 @@ assert len(REFUSED) + len(FIELDS) + 1 == TRIALS["memory: refusals"][0]
 
 
 @pytest.mark.parametrize("name", FIELDS)
-def test_fields_are_refused(name, monkeypatch):
+def test_fields_beyond_the_memory_are_refused(name, monkeypatch):
     monkeypatch.setattr(memory, "available", lambda: 60e6)
     with pytest.raises(MemoryError, match=r"requires about \d\.\d+ GB of memory, 0\.06 GB"):
         FIELDS[name]()
 
 
-def test_a_plastic_zone_is_refused_and_the_state_stays(monkeypatch):
-    """Its size is known only during the solve; the core checks before allocation."""
+def test_a_plastic_zone_beyond_the_memory_is_refused_and_the_state_is_kept(monkeypatch):
+    """The size of the zone is known only during the solve; the core checks before allocation."""
 
     def scene():
         grid = sc.Grid(81, 81, 18e-6, 18e-6, 60, 18e-6)
@@ -213,8 +213,8 @@ def test_a_plastic_zone_is_refused_and_the_state_stays(monkeypatch):
     with monkeypatch.context() as patch:
         patch.setattr(memory, "_MAX_UNCHECKED_BYTES", 0.0)
         patch.setattr(memory, "available", lambda: 20e6)
-        told = r"the plastic zone, \d+ x \d+ x \d+ cells, requires about"
-        with pytest.raises(MemoryError, match=told):
+        message = r"the plastic zone, \d+ x \d+ x \d+ cells, requires about"
+        with pytest.raises(MemoryError, match=message):
             simulation.step(load=1500.0)
     np.testing.assert_array_equal(simulation.state.pressure, before)
     other = scene()
@@ -224,13 +224,13 @@ def test_a_plastic_zone_is_refused_and_the_state_stays(monkeypatch):
     )
 
 
-def test_what_is_available_is_known():
+def test_available_memory_is_read_correctly():
     there = memory.available()
     assert there is not None
     assert 1e8 < there < 1e15
 
 
-def test_a_limit_of_the_process_counts():
+def test_a_memory_limit_of_the_process_is_respected():
     script = """
 import resource
 from samcontact._util import memory
@@ -243,7 +243,7 @@ def computed(_):
         assert 3e8 < float(nursery.run("")[0]) < 5.1e8
 
 
-def test_the_command_tells_it(tmp_path, monkeypatch):
+def test_the_command_reports_missing_memory(tmp_path, monkeypatch):
     from click.testing import CliRunner
 
     from samcontact.commands.main import main
@@ -274,7 +274,7 @@ path = [{load = 600.0, increments = 3}, {load = 0.0, increments = 1}]
 
 @pytest.mark.skipif(sys.platform != "linux", reason="limits the address space")
 @pytest.mark.parametrize("megabytes", [300, 480])
-def test_a_run_in_little_address_space_is_refused_at_once(megabytes, tmp_path):
+def test_a_run_in_a_small_address_space_is_refused_immediately(megabytes, tmp_path):
     """OpenBLAS loaded after the solve requested memory without end; HDF5 crashed."""
     (tmp_path / "case.toml").write_text(SMALL_CASE)
     limited = (
@@ -297,7 +297,7 @@ def test_a_run_in_little_address_space_is_refused_at_once(megabytes, tmp_path):
 
 @pytest.mark.skipif(sys.platform != "linux", reason="limits the address space")
 @pytest.mark.parametrize("use", ["scipy.special.erf(0.0)", "simulation.save('there.h5')"])
-def test_libraries_that_do_not_survive_little_memory_are_not_asked(use, tmp_path):
+def test_libraries_that_crash_without_memory_are_not_called(use, tmp_path):
     script = f"""
 import resource
 import samcontact as sc

@@ -97,7 +97,7 @@ def nursery():
 
 
 class Stopped:
-    """Commands of one case in one folder, which get a signal at a place."""
+    """Commands of one case in one folder, which get a signal at a given point."""
 
     def __init__(self, nursery, kind, folder):
         text, self.spare = KINDS[kind]
@@ -109,7 +109,7 @@ class Stopped:
         )
 
     def run(self, place="", number=0):
-        """Exit code, standard output and error; calls of step, and of what comes after the last."""
+        """Return exit code, standard output and error, and numbers of calls of step and output."""
         if self.searches:
             words = [
                 "find",
@@ -122,15 +122,15 @@ class Stopped:
             words = ["resume", self.out, "--no-figures"]
         else:
             words = ["run", self.case, "--output", self.out, "--no-figures"]
-        told, _ = self.nursery.run("|".join(map(str, [place, number, *words, "--quiet"])))
-        return json.loads(told)
+        message, _ = self.nursery.run("|".join(map(str, [place, number, *words, "--quiet"])))
+        return json.loads(message)
 
     def left(self):
-        """Names of all files; of a search none."""
+        """Return the names of all files; empty for a load search."""
         return sorted(str(file.relative_to(self.out)) for file in self.out.rglob("*"))
 
     def contents(self):
-        """Digests of the numbers that are left."""
+        """Return digests of the stored numbers."""
         found = {}
         for file in sorted(self.out.glob("*.nc")):
             with xr.open_dataset(file) as data:
@@ -141,7 +141,7 @@ class Stopped:
 
 @tried("stop: command")
 @pytest.mark.parametrize("kind", KINDS)
-def test_goes_on_to_the_same_bits(kind, nursery, tmp_path, count):
+def test_a_stopped_command_resumes_with_identical_bits(kind, nursery, tmp_path, count):
     whole = Stopped(nursery, kind, tmp_path / "whole")
     code, output, errors, steps, ends = whole.run()
     assert code == 0, errors
@@ -149,15 +149,17 @@ def test_goes_on_to_the_same_bits(kind, nursery, tmp_path, count):
     for trial in range(count):
         stopped = Stopped(nursery, kind, tmp_path / f"trial{trial}")
         signals = places.sample([signal.SIGTERM, signal.SIGINT], 2)
-        # first as late as can be
+        # the latest place first
         step, end = (places.randint(2, steps), places.randint(1, ends)) if trial else (steps, ends)
         moments = f"step {step}", f"end {end}"
         done = 0
         for place, number in zip(moments, signals, strict=True):
             code, _, errors, made, _ = stopped.run(place, int(number))
             assert code == 128 + number, errors
-            told = "progress saved in" if stopped.searches else f"samcontact resume {stopped.out}"
-            assert told in errors
+            message = (
+                "progress saved in" if stopped.searches else f"samcontact resume {stopped.out}"
+            )
+            assert message in errors
             done += made
         code, last, errors, again, _ = stopped.run()
         assert code == 0, errors

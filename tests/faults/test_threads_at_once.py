@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Simulations, contacts and files in several threads at once give the digits of each alone."""
+"""Simulations, contacts and files in parallel threads give the digits of separate runs."""
 
 import hashlib
 from concurrent.futures import ThreadPoolExecutor
@@ -15,7 +15,7 @@ GAP = sc.surfaces.paraboloid(GRID, 7.5e-3)
 
 
 def solve(folder, number):
-    """One problem in three kinds of runs, whose files are read and written meanwhile."""
+    """Solve one problem in three kinds of runs, whose files are read and written meanwhile."""
     load = 700.0 + 50.0 * number
     sim = sc.Simulation(GRID, ELASTIC, STEEL, GAP, residual_stress=("fast", "exact")[number % 2])
     sim.step(load=load)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Conditions on any increment of any problem: finite, in balance, within the laws."""
+"""Conditions on any increment: finite fields, force and energy balance, contact and flow laws."""
 
 import math
 
@@ -14,7 +14,7 @@ def assert_finite(**fields):
 
 
 def assert_increment(simulation, before, state, step):
-    """One increment against the laws of contact and friction, from its public fields."""
+    """Check one increment against the laws of contact and friction, from its public fields."""
     tol = simulation.tol
     assert state.converged
     assert state.substeps >= 1
@@ -36,7 +36,7 @@ def assert_increment(simulation, before, state, step):
 
 
 def assert_contact(state, tol):
-    """No overlap, and no gap under pressure."""
+    """Assert that there is no overlap, and no gap under pressure."""
     p, gap = state.pressure, state.gap
     if p.max() == 0:
         assert gap.min() >= -1e-9 * np.abs(gap).max()
@@ -57,7 +57,7 @@ def assert_friction(simulation, before, state, step):
     assert_finite(slip=state.slip, shift=state.shift, twist=state.twist, torque=state.torque)
     slipped = np.hypot(*state.slip)
     if math.isinf(mu):
-        # no slip at all, but for the tolerance
+        # no slip, except for the tolerance
         assert (slipped[state.sticking] == 0).all()
     else:
         most = mu * p.max() + 1e-300
@@ -101,7 +101,7 @@ def assert_body(simulation, before, state, body, material):
 
 
 def assert_planes_in_balance(state, body, stress):
-    """Over a whole period each plane carries the surface tractions."""
+    """Assert that each horizontal plane of a period carries the surface tractions."""
     p = state.pressure
     mean, scale = stress.mean(axis=(1, 2)), p.mean() + np.abs(stress).max()
     pull = (-1 if body == 1 else 1) * state.shear.mean(axis=(1, 2))
@@ -112,8 +112,8 @@ def assert_planes_in_balance(state, body, stress):
 
 
 def assert_energy(simulation, states):
-    """No part of the balance is negative, where there is one; the share that is missing, which
-    falls with the increments, or None."""
+    """Assert that no part of the energy balance is negative; return the imbalance, which
+    decreases with the increments, or None without a balance."""
     bodies = simulation.body1, simulation.body2
     moved = any(any(state.travel) for state in states)
     if not isinstance(simulation.friction, sc.Coulomb) or moved or simulation.heat.partition:
@@ -127,7 +127,7 @@ def assert_energy(simulation, states):
     )
     for name in ("elastic_energy", "friction_work"):
         assert getattr(energy, name) >= -1e-6 * scale, name
-    # without slip edges that open let go what they hold; surfaces without ends may touch everywhere
+    # infinite friction: opening edges release energy; periodic surfaces may be in full contact
     if math.isfinite(simulation.friction.coefficient) and not simulation.grid.periodic:
         return abs(energy.imbalance)
     return None

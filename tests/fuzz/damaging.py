@@ -10,7 +10,7 @@ from samcontact.files.checksum import seal
 
 @st.composite
 def damage(draw):
-    """A function of the bytes of a file; where it hurts is a fraction of their number."""
+    """Draw a function that damages the bytes of a file at a fraction of its length."""
     kind = draw(st.sampled_from(["flip", "flip", "flip", "cut", "zero", "drop", "swap", "append"]))
     place = draw(st.floats(0, 1, exclude_max=True))
     bit, length = draw(st.integers(0, 7)), draw(st.sampled_from([1, 4, 64, 512, 4096]))
@@ -49,7 +49,7 @@ wild_values = st.one_of(
 
 @st.composite
 def edit(draw):
-    """A function that changes one part of an open HDF5 file, found by a number."""
+    """Draw a function that changes one part of an open HDF5 file, chosen by a number."""
     what = draw(st.sampled_from(["attribute", "attribute", "array", "array", "array", "remove"]))
     number, value = draw(st.integers(0, 10_000)), draw(wild_values)
     how = draw(st.sampled_from(["value", "slice", "type", "transpose", "replace", "grow"]))
@@ -77,7 +77,7 @@ def edit(draw):
 
 @st.composite
 def change_boxes(draw, name):
-    """A function that changes boxes, [box][i0, j0, nx, ny, nz], of an open HDF5 file."""
+    """Draw a function that changes boxes, [box][i0, j0, nx, ny, nz], of an open HDF5 file."""
     how = draw(st.sampled_from(["shift", "shift", "value", "repeat", "remove", "turn", "split"]))
     box, part = draw(st.integers(0, 100)), draw(st.integers(0, 4))
     far = st.sampled_from([-(2**31), 2**31 - 1, 2**32, -(2**63), 2**63 - 1, 10**6, -(10**6)])
@@ -138,7 +138,7 @@ def change_array(array, how, number, value):
 
 
 def write_edited(source, target, change, sealed=True):
-    """A copy with the change, and with a digest of its own: only its content is wrong."""
+    """Write a changed copy with a matching digest, so that only its content is wrong."""
     target.write_bytes(source)
     with h5py.File(target, "a") as file:
         change(file)

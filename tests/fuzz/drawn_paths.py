@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Paths, contact and heat of drawn cases: everything that moves."""
+"""Path, contact and heat sections of random cases."""
 
 import math
 
@@ -7,7 +7,7 @@ from drawn_setups import Setup, chance, power, uniform
 
 
 def contact(scene):
-    """The section [contact]."""
+    """Return the section [contact]."""
     draw = scene.draw
     found = {"on_border": "warn"} if chance(draw, 0.7) else {}
     if scene.sticks:
@@ -29,7 +29,7 @@ def contact(scene):
 
 
 class Driven:
-    """Segments of a path, and the heat that goes with how they move."""
+    """Segments of a path, and heat consistent with their motion."""
 
     def __init__(self, scene: Setup, mu: float):
         self.scene, self.draw, self.mu = scene, scene.draw, min(mu, 1.0)
@@ -70,7 +70,7 @@ class Driven:
         return {"load": float(load), "increments": many} | self.timing()
 
     def along(self, load):
-        """A shift, a force, or a turn under the load that was reached."""
+        """Return a tangential displacement, a force or a rotation under the current load."""
         draw, scene = self.draw, self.scene
         small = self.mu * scene.a**2 / scene.R
         step = {"load": float(load), "increments": int(draw.integers(1, 3))} | self.timing()
@@ -113,7 +113,7 @@ class Driven:
         return segment | {"roll": over}
 
     def still(self):
-        """Whether heat knows of no motion, so that nothing may move."""
+        """Return whether heat excludes motion, so that no segment may move."""
         return self.heat is not None
 
     def segments(self):
@@ -137,7 +137,7 @@ class Driven:
 
 
 def drawn_case(seed):
-    """A case file as a dictionary, of any kind that solves one contact."""
+    """Return a random case file, as a dictionary, that solves one contact."""
     scene = Setup(seed)
     draw = scene.draw
     case = {"title": f"drawn {seed}", "estimate_error": chance(draw, 0.1)}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cases drawn from a seed, of all that a case file can say, at sizes that make sense together."""
+"""Random cases drawn from a seed, with all features of case files and consistent sizes."""
 
 import math
 
@@ -13,7 +13,7 @@ def uniform(draw, low, high):
 
 
 def power(draw, low, high):
-    """A number that is evenly spread over its logarithm."""
+    """Draw a number with a uniform logarithm."""
     return float(10 ** draw.uniform(math.log10(low), math.log10(high)))
 
 
@@ -22,7 +22,7 @@ def chance(draw, share):
 
 
 class Setup:
-    """Sizes from which the parts of a case are drawn: radius, contact spot, cells."""
+    """Sizes on which all sections of a random case are based: radius, contact spot, cells."""
 
     def __init__(self, seed):
         self.draw = draw = np.random.default_rng(seed)
@@ -50,7 +50,7 @@ class Setup:
         }
 
     def inelastic(self):
-        """Yields at a part of the pressure, or not at all."""
+        """Draw a body that yields at a fraction of the pressure, or not at all."""
         draw, body = self.draw, self.elastic()
         limit = self.p0 * power(draw, 0.15, 1.5)
         laws = {
@@ -97,7 +97,7 @@ class Setup:
         return body
 
     def layer(self, inelastic):
-        """Layers from 1/50 to 50 times as stiff; whole cells thick if they yield."""
+        """Draw layers 1/50 to 50 times as stiff; a whole number of cells thick if they yield."""
         draw = self.draw
         layer = self.elastic()
         if inelastic and chance(draw, 0.5):
@@ -106,7 +106,7 @@ class Setup:
         return layer | {"thickness": self.size * int(draw.integers(1, 5))}
 
     def thermal(self):
-        """Such that the largest heat of a path strains the bodies less than the pressure does."""
+        """Draw thermal constants for which the heat of a path strains less than the pressure."""
         self.expansion = float(self.draw.choice([1e-6, 1e-5]))
         self.conductivity = power(self.draw, 1, 200)
         return {

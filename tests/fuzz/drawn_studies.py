@@ -14,7 +14,7 @@ from samcontact.cases import Case
 
 
 def drawn_ball(seed, inelastic=False):
-    """A ball of random size on a grid that contains its contact; bodies may be identical."""
+    """Draw a ball on a grid that contains its contact; the bodies may be identical."""
     scene = Setup(seed)
     cells = int(scene.draw.integers(9, 14))
     layers = {"dz": scene.size} if inelastic else {}
@@ -29,7 +29,7 @@ def drawn_ball(seed, inelastic=False):
 
 
 def rolls(seed):
-    """Steady rolling with creepage, or under a force."""
+    """Check steady rolling with a creepage or a force."""
     scene, grid, body1, body2, gap = drawn_ball(seed)
     draw = scene.draw
     mu = float(draw.choice([0.05, 0.3, 1.0, math.inf]))
@@ -55,7 +55,7 @@ def rolls(seed):
 
 
 def wears(seed):
-    """Wear by slip: the lost volume is the friction work times the coefficient of each body."""
+    """Check fretting wear: worn volume is friction work times the coefficient of each body."""
     scene, grid, body1, body2, gap = drawn_ball(seed)
     draw = scene.draw
     mu, load = uniform(draw, 0.1, 1.0), scene.load * uniform(draw, 0.2, 0.8)
@@ -75,7 +75,7 @@ def wears(seed):
 
 
 def repeats(seed):
-    """Load cycles until a response is established, or a warning that none is."""
+    """Check load cycles: a response is established, or a warning states that there is none."""
     scene, grid, body1, body2, gap = drawn_ball(seed, inelastic=True)
     simulation = sc.Simulation(grid, body1, body2, gap, on_border="warn")
     load = scene.load * uniform(scene.draw, 0.2, 0.8)
@@ -87,7 +87,7 @@ def repeats(seed):
 
 
 def tires(seed):
-    """Criteria of fatigue of a drawn case: no stress amplitude is negative, none is no number."""
+    """Check fatigue criteria of a random case: amplitudes are finite and not negative."""
     simulation, path = Case.model_validate(drawn_case(seed)).build()
     if not simulation.grid.has_volume or len(path) < 2:
         return
@@ -103,7 +103,7 @@ def tires(seed):
 
 
 def asks(seed):
-    """Values to an accuracy: as near as was asked for to those of one four times as tight."""
+    """Check a run to an accuracy against a run to an accuracy four times as tight."""
     scene = Setup(seed)
     draw = scene.draw
     scene.heated, scene.periodic = False, ""

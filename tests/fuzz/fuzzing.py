@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shared tools of the fuzz tests: number of inputs, and how they are tried."""
+"""Shared tools of the fuzz tests: number of inputs, and calls with them."""
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -7,8 +7,8 @@ from hypothesis import HealthCheck, given, settings
 # Inputs tried: in every run of the tests, and with the marker `slow`.
 INPUTS = {
     "texts of case files": (150, 6000),
-    "cases with wild values": (200, 8000),
-    "cases built": (30, 1200),
+    "cases with extreme values": (200, 8000),
+    "construction of simulations from cases": (30, 1200),
     "flipped or cut bytes of checkpoints": (150, 6000),
     "flipped or cut bytes of wear checkpoints": (75, 3000),
     "flipped or cut bytes of a journal": (30, 1200),
@@ -35,7 +35,7 @@ def tried(name):
 
 
 def try_all(check, count, **strategies):
-    """Call a check with that many inputs; the same ones in every run."""
+    """Call a check with `count` random inputs, equal in every run."""
 
     def tried(**drawn):
         check(**drawn)  # what it returns is for other callers

@@ -23,7 +23,7 @@ OUTCOMES = ("solved", "border", "convergence", "unbounded flow", "parts", "heat 
 
 
 def laws(case):
-    """Materials of both bodies and their layers."""
+    """Return the material laws of both bodies and their layers."""
     bodies = [case["body1"], case["body2"]]
     return {part["law"] for body in bodies for part in (body, *body.get("layers", []))}
 
@@ -54,7 +54,7 @@ KINDS = {
 
 
 def outcomes(lines):
-    """Outcome of each problem by its number, from the lines of logs."""
+    """Read the outcome of each problem, by its number, from the lines of logs."""
     found = {}
     for line in lines:
         number, _, outcome = line.strip().partition(" ")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Any text as a case file: it is read, or refused with a CaseError that names the file."""
+"""Arbitrary texts as case files are read, or refused with a CaseError that names the file."""
 
 import re
 from functools import partial
@@ -46,7 +46,7 @@ scraps = st.one_of(
 
 
 def read(text):
-    """The case, or None if it is refused correctly."""
+    """Return the case, or None if it is refused correctly."""
     case = unless_refused(lambda: parse_case(text, "scene.toml"), CaseError, "scene.toml: ")
     assert case is None or isinstance(case, (Case, AsperityCase))
     return case
@@ -54,7 +54,7 @@ def read(text):
 
 @st.composite
 def mangled(draw):
-    """An example case after a few changes in any place."""
+    """Draw an example case with a few changes anywhere in its text."""
     text = draw(st.sampled_from(sorted(CASES.values())))
     for _ in range(draw(st.integers(1, 4))):
         begin = draw(st.integers(0, len(text)))
@@ -68,7 +68,7 @@ def times_power(kind, number, power):
 
 
 def scaled(value):
-    """The number times a power of ten; an integer stays an integer."""
+    """Draw the number times a power of ten; an integer remains an integer."""
     for kind in (int, float):
         try:
             number = kind(value)
@@ -81,7 +81,7 @@ def scaled(value):
 
 @st.composite
 def wild(draw):
-    """An example case with other values at some of its fields."""
+    """Draw an example case with other values in some of its fields."""
     text = draw(st.sampled_from(sorted(CASES.values())))
     for _ in range(draw(st.integers(1, 3))):
         places = [*ASSIGNMENT.finditer(text), *INLINE.finditer(text)]
@@ -96,7 +96,7 @@ def test_any_text(count):
     try_all(read, count, text=st.one_of(mangled(), mangled(), st.text(max_size=200)))
 
 
-@tried("cases with wild values")
+@tried("cases with extreme values")
 def test_wild_values(count):
     def check(text):
         case = read(text)
@@ -106,7 +106,7 @@ def test_wild_values(count):
     try_all(check, count, text=wild())
 
 
-@tried("cases built")
+@tried("construction of simulations from cases")
 def test_wild_cases_are_built_or_refused(count):
     """Cases with small grids; large grids are covered by the memory tests."""
 
@@ -124,7 +124,7 @@ def test_wild_cases_are_built_or_refused(count):
 
 
 @pytest.mark.parametrize("content", [b"\xff\xfe\x00", b"\x00" * 100, b"title = '\xc3('"])
-def test_no_text_at_all(tmp_path, content):
+def test_an_empty_text(tmp_path, content):
     path = tmp_path / "scene.toml"
     path.write_bytes(content)
     with pytest.raises(CaseError, match=r"scene\.toml: "):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Damaged checkpoints are refused with a reason, or give the very state that was written."""
+"""Damaged checkpoints are refused with a reason, or give exactly the written state."""
 
 import hashlib
 import warnings
@@ -35,7 +35,7 @@ def scene():
 
 
 def digest(simulation):
-    """Digest of everything that the next step starts from."""
+    """Return a digest of all data that the next step starts from."""
     state, total = simulation.state, hashlib.sha256()
     fields = [state.pressure, state.gap, state.shear, simulation.initial_gap]
     for body in (1, 2):
@@ -50,7 +50,7 @@ def digest(simulation):
 
 @pytest.fixture(scope="module")
 def saved(tmp_path_factory):
-    """Bytes of a checkpoint with most parts that there are, and what it holds."""
+    """Return the bytes of a checkpoint with most kinds of parts, and the digest of its state."""
     simulation = scene()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sc.ResolutionWarning)
@@ -130,7 +130,7 @@ def test_changed_boxes(tmp_path, count):
 @tried("flipped or cut bytes of a journal")
 @pytest.mark.filterwarnings("ignore:.*is damaged")
 def test_damaged_journal(tmp_path, count):
-    """A run ends with the same bits, whatever increment is damaged, or is of another run."""
+    """A run ends with the same bits if an increment is damaged or belongs to another run."""
     folder = tmp_path / "journal"
     elastic = sc.Material.elastic(210e9, 0.3)
 
@@ -155,7 +155,7 @@ def test_damaged_journal(tmp_path, count):
 
 @pytest.fixture(scope="module")
 def worn(tmp_path_factory):
-    """Bytes of a wear checkpoint, its setup and its state."""
+    """Return the bytes of a wear checkpoint, its setup and its state."""
     file = tmp_path_factory.mktemp("worn") / "cycle.h5"
     kept = []
     latest = wear_checkpoint.latest
@@ -227,6 +227,6 @@ def test_edited_wear(worn, tmp_path, count):
     try_all(check, count, change=edit())
 
 
-def test_what_the_libraries_raise_is_refused():
+def test_errors_of_libraries_become_refusals():
     """READ_ERRORS contain CheckpointError, so that a refusal in a helper remains a refusal."""
     assert issubclass(CheckpointError, READ_ERRORS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Any arguments: the core computes, or refuses with the error that is documented.
+"""Arbitrary arguments: the core computes, or raises a documented error.
 
 The bindings are called through the public functions and classes; a crash would end the process.
 """
@@ -41,7 +41,7 @@ OTHER_TYPES = ("f4", "i4", "U", "O", ">f8")
 
 @st.composite
 def arrays(draw, *shapes):
-    """Mostly of one of these shapes, smooth or constant or noise, of any layout and type."""
+    """Draw an array, mostly of one of these shapes, of any values, layout and type."""
     shape = draw(st.sampled_from(shapes))
     if draw(st.integers(0, 7)) == 0:
         shape = draw(st.lists(st.integers(0, 4), max_size=4).map(tuple))
@@ -187,7 +187,7 @@ def test_contacts(count):
 
 @tried("arguments of steps")
 def test_steps(count):
-    """After a refusal, the simulation makes the step that a new one makes."""
+    """After a refused step the simulation continues like a new one."""
     grid = sc.Grid(7, 7, 1e-4, 1e-4, 5, 1e-4)
     gap = surfaces.paraboloid(grid, 7.5e-3)
 

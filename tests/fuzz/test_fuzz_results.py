@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Damaged results are refused by whatever reads them; files of heights are read or refused."""
+"""Damaged results are refused by all readers; damaged files of heights are read or refused."""
 
 import numpy as np
 import pytest
@@ -33,7 +33,7 @@ increments = 2
 
 @pytest.fixture(scope="module")
 def saved(tmp_path_factory):
-    """Bytes of a results file, and its dataset."""
+    """Return the bytes of a results file, and its dataset."""
     case = parse_case(CASE)
     simulation, path = case.build()
     dataset = results.to_dataset(simulation, simulation.run(path, progress=False), case)
@@ -59,7 +59,7 @@ def test_damaged_bytes(saved, tmp_path, count):
 
 @tried("edited parts of results")
 def test_edited_parts(saved, tmp_path, count, monkeypatch):
-    """Files as another program might leave them: a report is made, or refused."""
+    """Files edited by another program give a report, or are refused."""
     file = tmp_path / "results.nc"
     # figures take a second, and read the same fields as the tables
     monkeypatch.setattr("samcontact.report.contact.contact_figures", lambda *_: [])
@@ -97,7 +97,7 @@ def npy(parts):
 
 
 def plain(values, suffix):
-    """A file that is in order, to be damaged."""
+    """Return an undamaged file."""
     if suffix == ".csv":
         return "\n".join(",".join(map(repr, row)) for row in values.tolist()).encode()
     return "\n".join(" ".join(map(repr, row)) for row in values.tolist()).encode()
@@ -138,7 +138,7 @@ def test_files_of_heights(tmp_path, count):
     )
 
 
-def test_a_whole_file_of_heights_is_read(tmp_path):
+def test_an_undamaged_file_of_heights_is_read(tmp_path):
     whole = np.round(np.sin(np.arange(20.0)).reshape(4, 5), 3)
     for suffix in (".txt", ".csv"):
         file = tmp_path / f"heights{suffix}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Thousands of drawn cases: solved within the laws and in balance, or refused with a reason.
+"""Thousands of random cases are solved within the laws and in balance, or refused with a reason.
 
 `python tests/fuzz/test_fuzz_setups.py 2000 3000` solves the cases with these numbers and prints the
 outcome of each, which `setup_counts.py` counts.
@@ -68,7 +68,7 @@ def solve(seed):
     """Outcome of all increments of a problem, or AssertionError."""
     came_to, missing = followed(drawn_case(seed))
     if missing is not None and missing >= MUCH_MISSING:
-        # The work of a whole segment in one increment is that of its mean force.
+        # The work of a segment solved in one increment is that of its mean force.
         case = drawn_case(seed)
         for segment in case["path"]:
             segment["increments"] *= 2
@@ -110,18 +110,18 @@ def outcomes(seeds, solve=solve):
 
 
 @pytest.mark.parametrize(("number", "outcome"), FOUND.items())
-def test_scenes_that_failed_once(number, outcome):
+def test_problems_that_once_failed_are_solved(number, outcome):
     assert outcomes([number]) == {outcome: 1}
 
 
-def test_scenes_are_solved_in_balance():
+def test_random_problems_are_solved_in_balance():
     count = outcomes(range(MIN_SETUPS))
     assert count["solved"] >= 0.8 * MIN_SETUPS
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("first", range(MIN_SETUPS, MAX_SETUPS + MIN_SETUPS, SETUPS_PER_PART))
-def test_ten_thousand_scenes(first):
+def test_ten_thousand_random_problems(first):
     count = outcomes(range(first, first + SETUPS_PER_PART))
     assert count["solved"] >= 0.8 * SETUPS_PER_PART
     assert count["convergence"] <= 0.1 * SETUPS_PER_PART
@@ -129,7 +129,7 @@ def test_ten_thousand_scenes(first):
 
 @tried("studies")
 @pytest.mark.parametrize("name", STUDIES)
-def test_studies_are_solved_in_balance(name, count):
+def test_random_studies_are_solved_in_balance(name, count):
     found = outcomes(range(count), partial(study, name))
     assert found["solved"] >= 0.8 * count
 

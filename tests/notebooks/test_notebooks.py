@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The notebooks: they run without a warning, show figures, and are stored without outputs."""
+"""Notebooks run without a warning, show figures, and are stored without outputs."""
 
 import re
 from pathlib import Path
@@ -49,8 +49,8 @@ def test_stored_without_outputs(path):
 
 
 @notebooks
-def test_cells_have_names(path):
-    """Names instead of random ids: a change of one cell is a change of that cell alone."""
+def test_cells_have_named_ids(path):
+    """Cell ids are names, not random, so that a change affects only the changed cell in git."""
     names = [cell.id for cell in read(path).cells]
     assert len(set(names)) == len(names)
     assert [name for name in names if not re.fullmatch(r"[a-z]+(-[a-z]+)*", name)] == []
@@ -66,7 +66,7 @@ def test_uses_the_public_interface_only(path):
 
 
 @notebooks
-def test_links_lead_somewhere(path):
+def test_link_targets_exist(path):
     for target in re.findall(r"\]\(([^)\s]+)\)", text(read(path), "markdown")):
         assert target.startswith("https://") or (path.parent / target).exists(), target
 

@@ -21,7 +21,7 @@ PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 
 
 class Jet:
-    """A value (n,) with its derivatives (3, n) by the field point's coordinates."""
+    """Values (n,) with their derivatives (3, n) with respect to the field point."""
 
     __slots__ = ("grad", "value")
     __array_ufunc__ = None
@@ -87,7 +87,7 @@ def mindlin(x, y, z, depth, above, nu):
 
 
 def _faces(X, Y, z, zc, a, b, c):
-    """Nodes on each face: normal axis, its sign, source minus field in x, y, z, and weights."""
+    """Yield nodes on each face: normal axis, its sign, source minus field in x, y, z, weights."""
     low, high = (-a - X, -b - Y, zc - c - z), (a - X, b - Y, zc + c - z)
     for axis in range(3):
         p, q = [i for i in range(3) if i != axis]
@@ -99,7 +99,7 @@ def _faces(X, Y, z, zc, a, b, c):
 
 
 def _elasticity(E, nu):
-    """Isotropic stiffness C_ijkl [Pa]."""
+    """Return the isotropic stiffness C_ijkl [Pa]."""
     mu, one = E / (2.0 * (1.0 + nu)), np.eye(3)
     lam = 2.0 * mu * nu / (1.0 - 2.0 * nu)
     return lam * np.einsum("ij,kl->ijkl", one, one) + mu * (

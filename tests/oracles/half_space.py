@@ -66,7 +66,7 @@ def point_tangential_stress(x, y, z, nu):
 
 
 def swap_xy(stress):
-    """Components of a stress after x and y were exchanged."""
+    """Return the components of a stress after an exchange of x and y."""
     return stress[[1, 0, 2, 4, 3, 5]]
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Layers on a substrate: their waves by integrating the equations of elasticity through the depth.
+"""Layers on a substrate: Fourier modes by integration of the elasticity equations over depth.
 
-Unknowns of a wave exp(i q x), z into the body, all real: U = i u_x, W = u_z, T = i s_xz, N = s_zz.
+Unknowns of a mode exp(i q x), z into the body, all real: U = i u_x, W = u_z, T = i s_xz, N = s_zz.
 """
 
 import numpy as np

@@ -18,7 +18,7 @@ ROOT = Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 
 
-def test_the_conda_recipe_is_of_this_version_and_its_dependencies():
+def test_the_conda_recipe_has_the_version_and_dependencies_of_the_project():
     recipe = (ROOT / "packaging" / "conda" / "meta.yaml").read_text()
     assert f'version = "{PROJECT["project"]["version"]}"' in recipe
     run = recipe.partition("  run:\n")[2].partition("\ntest:")[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The C++ library as it is installed without Python, and a program of its own that uses it."""
+"""The C++ library installed without Python, and a separate program that uses it."""
 
 import re
 import subprocess
@@ -16,7 +16,7 @@ else:
 ROOT = Path(__file__).parents[2]
 VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
 EXAMPLE = ROOT / "cpp" / "examples" / "hertz"
-# Kept between runs, for what has not changed; compiled as by `cmake --preset core`, for ccache.
+# Kept between runs; compiled as by `cmake --preset core`, so that ccache finds the objects.
 BUILD = ROOT / "build" / "library"
 CORE = {
     "SAMCONTACT_PYTHON": "OFF",
@@ -39,7 +39,7 @@ def configure(source, build, **cache):
 
 @pytest.fixture(scope="module")
 def prefix(tmp_path_factory):
-    """Folder with the installed library."""
+    """Install the library; return its folder."""
     folder = tmp_path_factory.mktemp("prefix")
     configure(ROOT, BUILD, CMAKE_INSTALL_LIBDIR="lib", **CORE)
     call("cmake", "--build", BUILD, "--target", "samcontact")
@@ -64,12 +64,12 @@ def test_library_headers_and_cmake_package_are_installed(prefix):
     }
 
 
-def test_its_package_names_no_folder_of_the_build(prefix):
+def test_the_cmake_package_contains_no_build_path(prefix):
     for file in (prefix / "lib" / "cmake").rglob("*.cmake"):
         assert str(ROOT) not in file.read_text(), file
 
 
-def test_the_example_finds_it_and_agrees_with_hertz(prefix, tmp_path):
+def test_the_example_program_finds_the_library_and_agrees_with_hertz(prefix, tmp_path):
     configure(EXAMPLE, tmp_path, CMAKE_PREFIX_PATH=prefix)
     call("cmake", "--build", tmp_path)
     assert f"samcontact_DIR:PATH={prefix}" in (tmp_path / "CMakeCache.txt").read_text()
@@ -79,7 +79,7 @@ def test_the_example_finds_it_and_agrees_with_hertz(prefix, tmp_path):
     assert max(errors) < 0.01
 
 
-def test_its_version_is_that_of_the_project(prefix, tmp_path):
+def test_the_library_version_is_the_project_version(prefix, tmp_path):
     wanted = {VERSION: "1", "0.99": "0", "1.0": "0"}
     lines = ["cmake_minimum_required(VERSION 3.22)", "project(user LANGUAGES CXX)"]
     for version in wanted:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wheels as `scripts/wheels.py` makes them, here of what is installed: nothing is compiled."""
+"""Wheels of `scripts/wheels.py`, made from the installed package without compilation."""
 
 import importlib.util
 import os
@@ -23,7 +23,7 @@ if DISTRIBUTION is None:
 
 @pytest.fixture(scope="module")
 def wheels():
-    """The script, as a module."""
+    """Return the script as a module."""
     spec = importlib.util.spec_from_file_location("wheels", ROOT / "scripts" / "wheels.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -32,7 +32,7 @@ def wheels():
 
 @pytest.fixture(scope="module")
 def wheel(wheels, tmp_path_factory):
-    """The installed files as a wheel, with the libraries that they need inside."""
+    """Pack the installed files into a wheel that includes their libraries."""
     wheels.require_tools([sys.executable])
     folder = tmp_path_factory.mktemp("wheel")
     tag = re.search(r"^Tag: (\S+)$", DISTRIBUTION.read_text("WHEEL"), re.MULTILINE)[1]
@@ -47,7 +47,7 @@ def wheel(wheels, tmp_path_factory):
     return wheels.repaired(raw, folder / "repaired")
 
 
-def test_it_holds_its_libraries_and_its_tag_says_for_which_systems(wheel):
+def test_the_wheel_contains_its_libraries_and_has_the_right_tag(wheel):
     names = zipfile.ZipFile(wheel).namelist()
     held = [name.removeprefix("samcontact.libs/") for name in names if "samcontact.libs/" in name]
     assert {name.partition("-")[0] for name in held} >= {"libfftw3", "libgomp"}
@@ -55,7 +55,7 @@ def test_it_holds_its_libraries_and_its_tag_says_for_which_systems(wheel):
     assert re.search(rf"-{python}-{python}-manylinux_\d+_\d+_\w+\.whl$", wheel.name)
 
 
-def test_it_computes_with_the_libraries_that_it_holds(wheels, wheel, tmp_path):
+def test_the_wheel_computes_with_its_own_libraries(wheels, wheel, tmp_path):
     with zipfile.ZipFile(wheel) as file:
         file.extractall(tmp_path)
     folder = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
@@ -70,7 +70,7 @@ def test_it_computes_with_the_libraries_that_it_holds(wheels, wheel, tmp_path):
     assert samcontact.__version__ in wheels.call("/bin/sh", "-c", command, **settings)
 
 
-def test_the_quick_tests_are_those_of_the_inner_loop(wheels):
+def test_quick_tests_of_wheels_are_those_of_test_quick(wheels):
     chosen = wheels.quick_tests()
     left_out = [word.partition("=")[2] for word in chosen if word.startswith("--ignore-glob=")]
     assert len(left_out) > 10
@@ -80,7 +80,7 @@ def test_the_quick_tests_are_those_of_the_inner_loop(wheels):
     assert 'quick) lint && python_tests -q tests/unit "${LONG[@]' in script
 
 
-def test_what_is_missing_is_named_before_anything_is_compiled(wheels):
+def test_missing_tools_are_named_before_compilation(wheels):
     with pytest.raises(SystemExit, match="missing: no-such-python"):
         wheels.require_tools(["no-such-python"])
     command = [sys.executable, str(ROOT / "scripts" / "wheels.py"), "no-such-python"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hosted tests and builds do what the repository has, on the Pythons that it supports."""
+"""Hosted workflows run existing files on all supported Python versions."""
 
 import re
 import shlex
@@ -24,13 +24,13 @@ STEPS = [
     for name, job in content["jobs"].items()
     for number, step in enumerate(job["steps"])
 ]
-# Programs of the hosted machine; modules that a step before has installed.
+# Programs of the hosted machine, and modules installed by an earlier step.
 PROGRAMS = {"sudo", "cd", "samcontact", "python"}
 MODULES = {"pip", "build", "cibuildwheel"}
 
 
 def versions():
-    """Python versions that the project claims."""
+    """Return the Python versions that the project supports."""
     named = [name.rpartition(" :: ")[2] for name in PROJECT["project"]["classifiers"]]
     return [name for name in named if re.fullmatch(r"3\.\d+", name)]
 
@@ -61,7 +61,7 @@ def test_jobs_are_limited_and_start_by_events(workflow):
 
 
 @pytest.mark.parametrize(("job", "step"), STEPS)
-def test_steps_run_what_there_is(job, step):
+def test_steps_run_existing_files(job, step):
     assert len({"uses", "run"} & set(step)) == 1
     if "uses" in step:
         assert re.fullmatch(r"actions/[\w-]+@v\d+", step["uses"])
@@ -83,14 +83,14 @@ def test_steps_run_what_there_is(job, step):
 
 
 def installed(job, module):
-    """Whether a step of the job installs a module by pip."""
+    """Return whether a step of the job installs a module by pip."""
     return any(
         re.search(rf'pip install "?{module}\b', step.get("run", "")) for step in job["steps"]
     )
 
 
 @pytest.mark.parametrize(("job", "step"), STEPS)
-def test_expressions_name_what_is_defined(job, step):
+def test_expressions_use_defined_names(job, step):
     matrix = job.get("strategy", {}).get("matrix", {})
     defined = {key for entry in matrix.get("include", [matrix]) for key in entry}
     used = re.findall(r"\$\{\{ matrix\.(\w+) \}\}", f"{job['runs-on']} {job['name']} {step}")
@@ -100,7 +100,7 @@ def test_expressions_name_what_is_defined(job, step):
         assert version == "${{ matrix.python }}" or version in versions()
 
 
-def test_only_artifacts_that_a_step_makes_are_passed_on():
+def test_only_artifacts_made_by_a_step_are_uploaded():
     for job in WORKFLOWS["wheels"]["jobs"].values():
         folder = job["steps"][-1]["with"]["path"].split("/")[0]
         assert any(

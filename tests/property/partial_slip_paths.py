@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random contacts with partial slip, and increments of them."""
+"""Random contacts with partial slip, and random increments."""
 
 import math
 
@@ -16,15 +16,15 @@ class Path:
         cells = self.draw.integers(10, 25, 2)
         sides = 3.0 / cells * self.draw.uniform(0.8, 1.3, 2)
         self.grid = sc.Grid(int(cells[0]), int(cells[1]), *sides.tolist())
-        unlike = self.draw.random() < 0.5
-        nu = self.draw.uniform(0, 0.49, 2 if unlike else 1)
+        different_bodies = self.draw.random() < 0.5
+        nu = self.draw.uniform(0, 0.49, 2 if different_bodies else 1)
         moduli = 10 ** self.draw.uniform(-0.7, 0.7, nu.size)
         bodies = [sc.Material.elastic(E, v) for E, v in zip(moduli, nu, strict=True)]
-        if unlike and self.draw.random() < 0.3:
+        if different_bodies and self.draw.random() < 0.3:
             bodies[0] = sc.Material.rigid()
         self.bodies = bodies[0], bodies[-1]
         self.mu = float(self.draw.choice([0.01, 0.1, 0.3, 0.6, 1.0, math.inf]))
-        if unlike:
+        if different_bodies:
             self.mu = min(self.mu, 1.0)
         self.modulus = sc.hertz.effective_modulus(*self.bodies)
         self.gap = sc.surfaces.paraboloid(self.grid, 1.0)
@@ -32,7 +32,7 @@ class Path:
         self.gap = self.gap + rough * self.draw.random(self.grid.surface_shape)
 
     def step(self):
-        """Arguments of an increment: of each direction and the turn a force, a motion, or none."""
+        """Draw an increment: a force, a motion or neither for each direction and the rotation."""
         load = 4 / 3 * self.modulus * 10 ** self.draw.uniform(-2, -0.3)
         most = 0.7 * min(self.mu, 1.0) * load  # along one, with the other within the bound
         shift, force = [None, None], [None, None]

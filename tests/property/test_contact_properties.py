@@ -51,7 +51,7 @@ class Scene:
         )
 
     def displacement(self, pressure):
-        """u_z of both bodies added, from the operators of one half-space [m]."""
+        """Return the sum of u_z of both bodies, from the operators of one half-space [m]."""
         total = np.zeros(self.grid.surface_shape)
         for body, sign in zip(self.bodies, (-1.0, 1.0), strict=True):
             if not body.is_rigid:
@@ -93,7 +93,7 @@ def test_complementarity_and_equilibrium(given_scene, load, by_approach):
 @few
 @given(given_scene=scenes, load=loads, factor=st.floats(1e-6, 1e6))
 def test_scaling_laws(given_scene, load, factor):
-    """Pressures go with the modulus; gap and load together; everything with the length."""
+    """Pressure scales with the modulus, gap with the load, and all lengths with the length unit."""
     scene = Scene(**given_scene)
     found = scene.solver().solve(scene.gap, load=load)
     higher = scene.solver().solve(factor * scene.gap, load=factor * load)
@@ -112,8 +112,8 @@ def test_scaling_laws(given_scene, load, factor):
 @border
 @few
 @given(given_scene=scenes, load=loads)
-def test_mirrors(given_scene, load):
-    """Reversed along y nothing else changes; along x when the bodies change places as well."""
+def test_mirror_symmetry(given_scene, load):
+    """Solutions are mirrored with the gap: along y, and along x if the bodies are swapped too."""
     scene = Scene(**given_scene)
     found = scene.solver().solve(scene.gap, load=load)
     along_y = scene.solver().solve(scene.gap[:, ::-1], load=load)
@@ -125,7 +125,7 @@ def test_mirrors(given_scene, load):
 @border
 @few
 @given(given_scene=scenes, load=loads, seed=seeds)
-def test_the_start_does_not_matter(given_scene, load, seed):
+def test_the_initial_pressure_does_not_matter(given_scene, load, seed):
     scene = Scene(**given_scene)
     solver = scene.solver()
     found = solver.solve(scene.gap, load=load)
@@ -138,7 +138,7 @@ def test_the_start_does_not_matter(given_scene, load, seed):
 @border
 @few
 @given(given_scene=scenes, load=loads, more=st.floats(1.01, 100.0))
-def test_more_load_goes_deeper(given_scene, load, more):
+def test_approach_grows_with_load(given_scene, load, more):
     """Monotone: (P2 - P1)(d2 - d1) > 0 and, for a convex energy, its slope is the approach."""
     scene = Scene(**{**given_scene, "friction": 0.0})
     one, other = (scene.solver().solve(scene.gap, load=part) for part in (load, more * load))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Conditions that any friction law meets along random paths of random contacts."""
+"""Conditions of any friction law along random paths of random contacts."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ BOUNDED = [law for law in LAWS.values() if law.sticks]
 
 
 def drawn(kind, path, pressure):
-    """A law whose parameters are such that both its parts count: of pressures, and pure numbers."""
+    """Draw a law whose limits both matter: a coefficient [-] and a shear stress [Pa]."""
     scales = {"": 1.0, "Pa": 0.3 * pressure.max()}
     return kind(
         *(scales[c.unit] * 10 ** path.draw.uniform(-1.5, 0.0) for c in kind.constants.values())
@@ -26,7 +26,7 @@ def drawn(kind, path, pressure):
 
 
 def follow(kind, seed):
-    """Solved and unsolved increments of identical and dissimilar bodies."""
+    """Follow a path; count solved and unsolved increments of identical and dissimilar bodies."""
     path, solved, failed = Path(seed), 0, 0
     alike = path.bodies[0] == path.bodies[1]
     rests = sc.ContactSolver(path.grid, *path.bodies, tol=TOL, on_border="warn")
@@ -42,7 +42,8 @@ def follow(kind, seed):
             failed += 1
             continue
         except ValueError as error:
-            assert "friction limit" in str(error)  # noqa: PT017 (most forces are held)
+            if "friction limit" not in str(error):  # most forces are below it
+                raise
             continue
         require_law(law, now, before)
         before, solved = now, solved + 1
@@ -50,7 +51,7 @@ def follow(kind, seed):
 
 
 def require_law(law, now, before):
-    """Shear within the bound; on it, and along the slip, where cells slip; work that is done."""
+    """Assert shear within its bound (at it, along the slip, in slip zones) and work >= 0."""
     bound, length, slip = law.bound(now.pressure), np.hypot(*now.shear), np.hypot(*now.slip)
     most = bound.max()
     assert (length <= bound * (1 + 1e-9)).all()
@@ -65,11 +66,11 @@ def require_law(law, now, before):
 
 
 @pytest.mark.parametrize("kind", BOUNDED, ids=lambda kind: kind.law)
-def test_random_contacts_keep_to_the_law(kind):
+def test_random_contacts_satisfy_the_friction_law(kind):
     """All contacts have a solution, except where the shear bound jumps at the contact edge of
     dissimilar materials: a cell there may neither close, because of its shear, nor open."""
-    solved, alike, unlike = np.sum([follow(kind, seed) for seed in range(40)], axis=0)
+    solved, alike, different_bodies = np.sum([follow(kind, seed) for seed in range(40)], axis=0)
     assert alike == 0
     jumps = np.isinf(kind(*(1.0 for _ in kind.constants)).ratio(0.0))
-    assert unlike <= (0.03 * solved if jumps else 0)
+    assert different_bodies <= (0.03 * solved if jumps else 0)
     assert solved > 0.7 * 5 * 40

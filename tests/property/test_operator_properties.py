@@ -52,7 +52,7 @@ def test_pressures_are_reciprocal(nx, ny, ratio, nu, seed):
     axis=st.sampled_from("xyz"),
 )
 def test_tractions_and_plastic_strain_are_reciprocal(cuboid, cover, rect, X, Y, nu, axis):
-    """Work of a traction on a rectangle through u_r(eps) = that of eps : sigma over the cuboid.
+    """The work of a traction through u_r(eps) equals that of eps : sigma over the cuboid.
 
     The equality is exact. Singularities stay one unit off 24-point Gauss rules on sides of at
     most four: Bernstein ellipse 0.5 + sqrt(1.25), error about 1.618**-48 = 1e-10.
@@ -185,7 +185,7 @@ def test_superposition(shape, factor, seed):
     seed=seeds,
 )
 def test_superposition_of_shear_and_of_sweeps(shape, factor, nu, seed):
-    """Linearity for tractions in both directions and for residual stress by layer sweeps."""
+    """Superposition holds for both shear tractions and for residual stress by layer sweeps."""
     grid = sc.Grid(*shape[:2], 1e-5, 2e-5, shape[2], 1.5e-5)
     s, t = random(seed, 2, 2, *shape[:2])
     e, f = random(seed + 1, 2, 6, *shape)
@@ -213,7 +213,7 @@ def test_superposition_of_shear_and_of_sweeps(shape, factor, nu, seed):
     seed=seeds,
 )
 def test_scaling_laws(shape, length, modulus, nu, seed):
-    """u goes with the length and against the modulus; stress with the modulus of an eigenstrain."""
+    """u scales with length over modulus; stress of an eigenstrain scales with the modulus."""
     p, shear = random(seed, *shape[:2]), random(seed + 1, 2, *shape[:2])
     strain = random(seed, 6, *shape)
     fields = []
@@ -305,7 +305,7 @@ HOT = sc.Material.elastic(E, 0.3).with_thermal(50.0, 12e-6, 1.4e-5)
     seed=seeds,
 )
 def test_heat_is_reciprocal_and_linear(shape, velocity, factor, seed):
-    """q1 heats where q2 flows as q2 does where q1 flows, against the motion."""
+    """Reciprocity: q2 times the temperature of q1 equals q1 times that of q2 in reversed motion."""
     grid = sc.Grid(*shape, 1e-5, 2e-5)
     q1, q2 = random(seed, 2, *shape)
 

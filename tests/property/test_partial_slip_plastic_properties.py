@@ -27,7 +27,7 @@ def any_body(draw, least):
 
 
 def any_step(draw, mu, cell):
-    """A load with a shift, a force, a turn, or some cells of rolling with creepage."""
+    """Draw a load with a shift, a force, a rotation, or some cells of rolling with creepage."""
     load, kind = float(draw.uniform(20, 400)), draw.integers(4)
     if kind == 0:
         return {"load": load, "shift": (draw.normal(size=2) * 2e-6 * mu).tolist()}
@@ -66,11 +66,11 @@ def follow(seed):
 
 
 @pytest.mark.parametrize("seed", QUICK_SEEDS)
-def test_a_path_with_flow_keeps_to_the_law(seed):
+def test_a_path_with_plastic_flow_satisfies_coulombs_law(seed):
     follow(seed)
 
 
 @pytest.mark.slow
-def test_hundreds_of_paths_with_flow_keep_to_the_law():
+def test_hundreds_of_paths_with_plastic_flow_satisfy_coulombs_law():
     for seed in ALL:
         follow(seed)

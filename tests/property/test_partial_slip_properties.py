@@ -18,7 +18,7 @@ pytestmark = [
 
 
 def follow(seed):
-    """Walks a path; how many increments were solved, and how many ended in a ConvergenceError."""
+    """Follow a path; count solved increments and increments with a ConvergenceError."""
     path, solved, failed = Path(seed), 0, 0
     solver = sc.ContactSolver(
         path.grid, *path.bodies, sc.Coulomb(path.mu), tol=TOL, on_border="warn"
@@ -59,11 +59,11 @@ def walk(seeds):
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-def test_paths_keep_to_the_law():
+def test_paths_satisfy_coulombs_law():
     walk(QUICK_SEEDS)
 
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-def test_a_thousand_paths_keep_to_the_law():
+def test_a_thousand_paths_satisfy_coulombs_law():
     walk(ALL)

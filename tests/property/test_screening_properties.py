@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cheap checks that come first miss no warning of the full checks."""
+"""Quick preliminary checks miss no warning of the full checks."""
 
 import math
 import warnings
@@ -19,7 +19,7 @@ SHAPES = st.tuples(st.integers(1, 14), st.integers(1, 14))
 
 
 def spots(seed, shape):
-    """A pressure of spots and single cells, or of noise."""
+    """Draw a pressure of spots and single cells, or of noise."""
     rng = np.random.default_rng(seed)
     noise = rng.random(shape)
     if seed % 3 == 0:
@@ -35,7 +35,7 @@ def spots(seed, shape):
 
 @settings(max_examples=300)
 @given(st.integers(0, 10**6), SHAPES, PERIODIC)
-def test_the_outline_is_that_of_all_sides(seed, shape, periodic):
+def test_the_outline_count_includes_all_sides(seed, shape, periodic):
     pressure = spots(seed, shape)
     inside = pressure > 0
     found = outline.outline_of(pressure, periodic)
@@ -55,7 +55,7 @@ def test_the_outline_is_that_of_all_sides(seed, shape, periodic):
 
 @settings(max_examples=200)
 @given(st.integers(0, 10**6), SHAPES, PERIODIC)
-def test_a_gap_without_steps_has_none_beside_any_cell(seed, shape, periodic):
+def test_a_gap_without_steps_has_no_step_next_to_any_cell(seed, shape, periodic):
     rng = np.random.default_rng(seed)
     i, j = np.indices(shape)
     gap = (0.01 * (i - rng.random() * shape[0])) ** 2 + (0.01 * j) ** 2 * rng.random()
@@ -79,7 +79,7 @@ def test_smooth_gaps_have_no_steps():
 
 @settings(max_examples=300)
 @given(st.integers(0, 10**6), SHAPES, PERIODIC, st.sampled_from([4, 8]))
-def test_a_contact_that_reaches_far_is_not_coarse(seed, shape, periodic, few):
+def test_a_wide_contact_is_not_reported_as_coarse(seed, shape, periodic, few):
     pressure = spots(seed, shape)
     even = [
         n + n % 2 if name in periodic and n > 1 else n for n, name in zip(shape, "xy", strict=True)
@@ -106,7 +106,9 @@ def test_a_contact_that_reaches_far_is_not_coarse(seed, shape, periodic, few):
     st.floats(-2.5, 0.5), st.floats(0.3, 3.0), st.floats(-7, 0), st.floats(4, 13),
     st.sampled_from([None, 1e-9, 1e-5]), st.booleans(), st.booleans(),
 )  # fmt: skip
-def test_loads_that_pass_have_no_doubts(radius, ratio, cell, modulus, dz, yields, heated):
+def test_loads_accepted_by_the_quick_check_pass_the_full_check(
+    radius, ratio, cell, modulus, dz, yields, heated
+):
     """Spheres and ellipsoids under loads over twelve decades, and their approaches."""
     grid = sc.Grid(17, 21, 10**cell, 1.3 * 10**cell, dz=dz)
     E = 10**modulus

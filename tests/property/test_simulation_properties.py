@@ -48,7 +48,7 @@ def test_load_balance_flow_rule_and_dissipation(law, load):
         g = state.equivalent_plastic_strain()
         assert (g >= before).all()  # dissipation is never negative
         before = g
-        # Plastic strain keeps the volume, and nothing is beyond yield.
+        # Plastic strain is isochoric, and no stress is above the yield stress.
         strain = state.plastic_strain()
         assert np.abs(strain[:3].sum(axis=0)).max() <= 1e-12 * max(np.abs(strain).max(), 1e-30)
         yielded = state.von_mises() / simulation.body2.yield_stress(g) - 1
@@ -62,8 +62,8 @@ def test_load_balance_flow_rule_and_dissipation(law, load):
     length=st.sampled_from([1e3, 1 / 60e-6, 0.37]),
     stress=st.sampled_from([1e-6, 1 / 210e9, 12.3]),
 )
-def test_units_do_not_matter(law, length, stress):
-    """Metres and pascals, millimetres and megapascals, or dimensionless: the same digits."""
+def test_results_are_independent_of_units(law, length, stress):
+    """SI units, millimetres and megapascals, and dimensionless numbers give equal digits."""
     reference = scene(hardening(law), tol=1e-10).step(load=700.0)
     scaled = scene(
         hardening(law, stress=stress),
@@ -71,8 +71,8 @@ def test_units_do_not_matter(law, length, stress):
         length=length,
         tol=1e-10,
     ).step(load=700.0 * length**2 * stress)
-    # Rounding grows along the iteration until its tolerance stops it. The tolerance is one of the
-    # residual; the error is up to a hundred times that where hardening is weak.
+    # Rounding differences grow until the tolerance ends the iteration. The tolerance bounds the
+    # residual; the error is up to a hundred times larger for weak hardening.
     g, p = reference.equivalent_plastic_strain(), reference.pressure
     assert np.abs(scaled.equivalent_plastic_strain() - g).max() < 1e-8 * g.max()
     assert np.abs(scaled.pressure / stress - p).max() < 1e-9 * p.max()
@@ -98,7 +98,7 @@ def test_exchange_of_x_and_y(law, seed):
 
 @few
 @given(law=laws, friction=st.floats(0.0, 0.4))
-def test_a_scene_symmetric_in_y_stays_symmetric(law, friction):
+def test_symmetry_in_y_is_kept(law, friction):
     state = scene(hardening(law), friction=friction).step(load=500.0)
     g = state.equivalent_plastic_strain()
     assert np.abs(g - g[:, ::-1]).max() < 1e-7 * max(g.max(), 1e-12)
@@ -120,7 +120,7 @@ def test_equilibrium_and_complementarity_with_friction(law, friction, path):
         assert not state.shear[1].any()
         if load == 0:
             continue
-        # the gap from what the bodies do, not from the solver
+        # the gap from the bodies' displacement, not from the solver
         u = sum(state.surface_displacement(body) for body in (1, 2))
         g = simulation.initial_gap + u - state.approach
         scale = np.abs(u).max()
@@ -132,7 +132,7 @@ def test_equilibrium_and_complementarity_with_friction(law, friction, path):
 @few
 @given(law=laws, path=paths)
 def test_dissipation_is_never_negative(law, path):
-    """Each increment dissipates; the energy of a closed path is what it dissipated and stored."""
+    """Dissipation is not negative; the work of a closed path is dissipated or stored."""
     material = hardening(law)
     simulation = scene(material, tol=1e-8, on_border="warn")
     before, done, external = simulation.state, 0.0, 0.0
@@ -157,7 +157,7 @@ def test_dissipation_is_never_negative(law, path):
     law=laws, load=st.floats(300.0, 900.0), shift=st.tuples(st.integers(0, 4), st.integers(0, 4))
 )
 def test_translation_by_whole_cells(law, load, shift):
-    """A ball elsewhere in the grid leaves the same, elsewhere."""
+    """A shifted ball gives shifted fields."""
     i, j = shift
     base = sc.surfaces.paraboloid(sc.Grid(21, 19, 60e-6, 65e-6), RADIUS)
     fields = []

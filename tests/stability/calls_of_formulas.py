@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A valid call of every public closed form, with all of its arguments."""
+"""A valid call of every public closed form, with all arguments."""
 
 import math
 

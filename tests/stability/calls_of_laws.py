@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A valid call of every friction law and contact law, with all of its arguments."""
+"""A valid call of every friction law and contact law, with all arguments."""
 
 from dataclasses import asdict
 

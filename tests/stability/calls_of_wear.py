@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A valid call of every public function of wear, with all of its arguments."""
+"""A valid call of every public function of wear, with all arguments."""
 
 from calls_of_contact import BODIES, GAP, LOAD, NOTHING, STRAIN
 from calls_of_formulas import STEEL
@@ -10,7 +10,7 @@ RUBBED = {**BODIES, "body2": STEEL}
 
 
 def last_wear():
-    """One cycle of wear that removes nothing."""
+    """Compute one cycle of wear that removes nothing."""
     return sc.wear.run(
         **BODIES, gap=GAP, cycle=[{"load": LOAD}, {"load": 0.0}], threshold=0.04, cycles=1,
         window=1, order=0, progress=False, tol=1e-4,
@@ -18,7 +18,7 @@ def last_wear():
 
 
 def last_scar():
-    """One cycle of fretting that wears next to nothing."""
+    """Compute one cycle of fretting with negligible wear."""
     return sc.wear.fretting(
         **RUBBED, gap=GAP, cycle=SCAR, friction=sc.Coulomb(0.3), energy=1e-20, cycles=1,
         progress=False, tol=1e-4,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A valid call of everything public, and the names by which errors may call its arguments."""
+"""A valid call of all public functions, and permitted names of their arguments in errors."""
 
 import re
 
@@ -18,7 +18,7 @@ PARTS = {
 
 
 def names_in(name, value):
-    """Names by which an error may refer to an argument: its own, or that of a part."""
+    """Return the permitted names of an argument in errors: its own name or that of a part."""
     found = {name} | PARTS.get(name, set())
     for item in value if isinstance(value, (list, tuple)) else [value]:
         found |= set(item) if isinstance(item, dict) else set()
@@ -26,6 +26,6 @@ def names_in(name, value):
 
 
 def is_named(name, text):
-    """A single letter may be a word of the sentence anywhere but at its beginning."""
+    """Return whether a message names an argument; single letters count only at its start."""
     where = "^" if len(name) == 1 else r"(?<!\w)"
     return re.search(rf"{where}{re.escape(name)}(?!\w)", text) is not None

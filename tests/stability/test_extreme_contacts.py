@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One cell, every cell, two contacts far apart, sharp edges; friction up to one."""
+"""Contact of one cell and of all cells, distant contacts, sharp edges, friction up to one."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def assert_solved(solver, gap, found, tol):
             u += sc.operators.surface_displacement(grid, p, body.E, body.nu, shear)
     g = gap + u - found.approach
     assert p.min() >= 0
-    # what the rounding of u adds
+    # rounding of u
     assert np.abs(np.minimum(p / p.max(), g / np.abs(u).max())).max() <= tol + 1e-13
     assert p.sum() * grid.cell_area == pytest.approx(found.load, rel=1e-12)
 
@@ -33,7 +33,7 @@ def assert_solved(solver, gap, found, tol):
 @pytest.mark.parametrize("load", [10.0**n for n in range(-20, 1, 4)])
 @pytest.mark.parametrize("friction", [0.0, 1.0])
 def test_one_cell(load, friction):
-    """One loaded cell moves by its own influence, and the approach gives the load back."""
+    """One loaded cell is displaced by its own coefficient; the approach reproduces the load."""
     grid = sc.Grid(9, 9, 1e-4, 1e-4)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     solver = sc.ContactSolver(grid, RIGID, STEEL, friction)
@@ -59,7 +59,7 @@ def conforming(grid):
 
 
 def step(grid):
-    """Half of the surface 10 nm lower."""
+    """Return a gap that is 10 nm larger in half of the surface."""
     return np.where(grid.x[:, None] > 0, 1e-8, 0.0) + flat(grid)
 
 
@@ -97,7 +97,7 @@ def test_every_cell_of_large_surfaces_loaded(side):
 
 @pytest.mark.parametrize("cells", [60, 100, 300])
 def test_two_asperities_far_apart(cells):
-    """Each carries half, and sinks by what the other moves it: P/(pi E* d), Boussinesq."""
+    """Each carries half the load and is displaced by the other: P/(pi E* d), Boussinesq."""
     size, distance = 5e-6, cells * 5e-6
     one_grid, grid = sc.Grid(41, 41, size, size), sc.Grid(cells + 41, 41, size, size)
     x, y = grid.x[:, None], grid.y
@@ -116,7 +116,7 @@ def test_two_asperities_far_apart(cells):
 
 
 def test_unequal_asperities_share_the_load():
-    """Hertz for each at the common approach, less what the other one moves it."""
+    """Each follows Hertz at the common approach less the displacement due to the other."""
     size, distance, high = 5e-6, 2e-3, 3e-8
     grid = sc.Grid(441, 41, size, size)
     x, y = grid.x[:, None], grid.y
@@ -153,7 +153,7 @@ def test_sharp_edge(cells):
 @pytest.mark.parametrize("friction", [0.0, 1.0])
 @pytest.mark.parametrize("height", [1e-12, 1e-9, 1e-7, 1e-6, 1e-4])
 def test_step_in_a_ball(height, friction):
-    """A step of any height across the contact: both sides carry, or one alone."""
+    """Across a step in the contact of any height, both sides or one side carry the load."""
     grid = sc.Grid(41, 40, 1.4e-5, 1.4e-5)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     gap = gap + np.where(grid.x[:, None] > 0, height, 0.0)
@@ -181,15 +181,15 @@ def test_friction_up_to_one(pair, friction):
     if friction == 0 or pair == (STEEL, STEEL):
         assert abs(lean) < 1e-7
     else:
-        # shear towards +x lifts what is behind it (Cerruti); on body 1 it is reversed
+        # shear towards +x raises the surface behind it (Cerruti); on body 1 it is reversed
         sign = 1 if pair == (CORK, RIGID) else -1
         assert sign * lean > (0.02 if STEEL in pair else 0.05) * friction
 
 
 @border
 @pytest.mark.parametrize(("seed", "load"), [(20, 1e70), (40, 1e-3), (53, 1.0)])
-def test_an_error_beyond_numbers_ends(seed, load):
-    """The complementarity error of such gaps is infinite, and does not become less."""
+def test_an_infinite_complementarity_error_ends_the_iteration(seed, load):
+    """The complementarity error of these gaps is infinite and does not decrease."""
     rng = np.random.default_rng(seed)
     gap = np.zeros((7, 6))
     count = rng.integers(1, 42)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Poisson's ratio at its ends, long and flat cells, prime and unequal numbers of cells."""
+"""Extreme Poisson's ratios, long and flat cells, prime and unequal numbers of cells."""
 
 import math
 
@@ -18,7 +18,7 @@ def hertz(body1, body2, load=LOAD):
 
 
 def ball(nx, ny, body1=STEEL, body2=STEEL, friction=0.0, width=2.6):
-    """Elastic contact on cells that divide a square around the Hertz contact, and Hertz's."""
+    """Solve elastic contact on a square around the Hertz contact; return solution and Hertz."""
     exact = hertz(body1, body2)
     grid = sc.Grid(nx, ny, width * exact.a / nx, width * exact.a / ny)
     solver = sc.ContactSolver(grid, body1, body2, friction)
@@ -38,7 +38,7 @@ def test_hertz_at_any_poisson_ratio(nu1, nu2):
 @pytest.mark.parametrize("nu1", RATIOS)
 @pytest.mark.parametrize("nu2", RATIOS)
 def test_coupled_friction_of_one_at_any_poisson_ratio(nu1, nu2):
-    """Mirrored in x when the bodies change places; symmetric when they are equal."""
+    """The pressure is mirrored in x if the bodies are swapped, symmetric if they are identical."""
     bodies = [sc.Material.elastic(E, nu) for nu in (nu1, nu2)]
     found = [ball(25, 24, *pair, friction=1.0)[1] for pair in (bodies, bodies[::-1])]
     assert all(solution.error <= 1e-8 for solution in found)
@@ -70,8 +70,8 @@ def test_prime_numbers_of_cells(nx, ny):
 
 
 @pytest.mark.parametrize("shape", [(1, 1), (1, 13), (13, 1), (2, 2), (2, 5), (3, 2)])
-def test_hardly_any_cells(shape):
-    """Whatever their number, the gap of the loaded cells is closed."""
+def test_grids_of_few_cells(shape):
+    """The gap of loaded cells is zero for any number of cells."""
     grid = sc.Grid(*shape, 5e-5, 7e-5)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     with pytest.warns(sc.GridTooSmallWarning):
@@ -87,7 +87,7 @@ WIDTH, DEPTH = 3.2 * EXACT.a, 2.0 * EXACT.a
 
 
 def dent(nx, ny, nz, nu=0.3, **settings):
-    """Peak pressure, imprint depth and volume integral of the plastic strain for a ball."""
+    """Return maximum pressure, imprint depth and volume integral of plastic strain for a ball."""
     soft = sc.Material.linear_hardening(E, nu, 1e9, 0.1 * E)
     grid = sc.Grid(nx, ny, WIDTH / nx, WIDTH / ny, nz, DEPTH / nz)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -125,7 +125,7 @@ def test_plastic_flow_in_long_and_flat_cells(name, method, regular):
 
 @pytest.mark.parametrize("nu", [0.0, 0.499])
 def test_plastic_flow_at_the_ends_of_poisson_ratio(nu):
-    """Agreement with cells half as large, as close as at nu = 0.3."""
+    """Agreement with half the cell size is as close as at nu = 0.3."""
     coarse, fine = dent(17, 17, 10, nu), dent(33, 33, 20, nu)
     assert coarse == pytest.approx(fine, rel=0.03)
 
@@ -133,7 +133,7 @@ def test_plastic_flow_at_the_ends_of_poisson_ratio(nu):
 @pytest.mark.parametrize("flatness", [1 / 16, 1 / 8, 8.0, 16.0])
 @pytest.mark.parametrize("nu", [0.0, 0.499])
 def test_influence_of_flat_cuboids(flatness, nu):
-    """Far away a cuboid acts as its parts do: closed forms must not cancel."""
+    """The far field of a cuboid equals the sum over its parts, without cancellation."""
     half, depth, parts = 1.0, 20.0 * max(1.0, flatness), 4
     c = half * flatness
     X = np.array([0.0, 3.0, 30.0, 300.0]) * max(1.0, flatness)
@@ -144,7 +144,7 @@ def test_influence_of_flat_cuboids(flatness, nu):
         summed = summed + sc.kernels.eigenstrain_stress(
             X, 0.3 * X, depth, centre, half, half, c / parts, E, nu
         )
-    if flatness < 1:  # inside a part its own strain is subtracted once, on a face it is not unique
+    if flatness < 1:  # inside a part its strain is subtracted once; on a face it is not unique
         whole, summed = whole[..., 1:], summed[..., 1:]
     else:
         whole, summed = whole[..., 2:], summed[..., 2:]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hardening from none to 0.9 E, yield that begins at the surface, friction up to one."""
+"""Hardening from zero to 0.9 E, yield starting at the surface, friction up to one."""
 
 import itertools
 
@@ -17,7 +17,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning"
 
 
 def law(share, yield_stress=1e9):
-    """Tangent modulus over E; kinematic hardening added to perfect plasticity."""
+    """Return a law by tangent modulus over E; kinematic: added to perfect plasticity."""
     if share == 0:
         return sc.Material.perfect_plastic(E, NU, yield_stress)
     return sc.Material.linear_hardening(E, NU, yield_stress, share * E)
@@ -49,7 +49,7 @@ def assert_at_yield(simulation, state):
 
 @pytest.mark.parametrize("friction", [0.0, 0.5])
 @pytest.mark.parametrize("make", [law, kinematic])
-def test_flow_falls_with_the_hardening(make, friction):
+def test_plastic_flow_decreases_with_hardening(make, friction):
     """Hardening from zero to 0.9 E: less flow and more pressure at each step, without a jump."""
     flows, peaks = [], []
     for share in HARDENING if make is law else HARDENING[1:]:
@@ -65,8 +65,8 @@ def test_flow_falls_with_the_hardening(make, friction):
     assert 0 < flows[-1] < 0.1 * flows[0]
 
 
-def test_almost_no_hardening_is_none():
-    """The limit is reached as the modulus: 1e-6 E is within 1e-4 of perfect plasticity."""
+def test_vanishing_hardening_tends_to_perfect_plasticity():
+    """The difference is proportional to the modulus: 1e-6 E agrees within 1e-4."""
     perfect, almost = (simulate(law(s)).step(load=0.7 * EXACT.load) for s in (0.0, 1e-6))
     strain = perfect.plastic_strain()
     difference = np.abs(almost.plastic_strain() - strain).max()
@@ -74,7 +74,7 @@ def test_almost_no_hardening_is_none():
 
 
 def test_the_stiffest_hardening_is_nearly_elastic():
-    """At 0.99 E the pressure is that of Hertz on these cells, to the effect of yield."""
+    """At 0.99 E the pressure is that of Hertz on these cells, except for the effect of yield."""
     elastic = simulate(STEEL).step(load=EXACT.load)
     state = simulate(law(0.99)).step(load=EXACT.load)
     assert state.max_equivalent_plastic_strain() > 0
@@ -84,7 +84,7 @@ def test_the_stiffest_hardening_is_nearly_elastic():
 @pytest.mark.parametrize("share", [0.0, 0.1, 0.9])
 @pytest.mark.parametrize("friction", [0.5, 0.7, 1.0])
 def test_yield_begins_at_the_surface(friction, share):
-    """Beyond mu = 0.3 the first layer yields first; onset where the closed form has it."""
+    """Above mu = 0.3 the first layer yields first, at the onset of the closed form."""
     body = law(share)
     onset = sc.critical.onset_sliding(RADIUS, EXACT.E_star, NU, 1e9, friction)
     assert onset.z == 0.0
@@ -110,7 +110,7 @@ def test_yield_begins_at_the_surface(friction, share):
 @pytest.mark.parametrize("friction", [0.0, 0.3, 0.6, 1.0])
 @pytest.mark.parametrize("share", [0.0, 0.1])
 @pytest.mark.parametrize("nu", [0.0, 0.499])
-def test_friction_up_to_one_between_unlike_bodies(nu, share, friction):
+def test_friction_up_to_one_between_dissimilar_bodies(nu, share, friction):
     """Contacts with normal-tangential coupling, with hardening and perfectly plastic."""
     simulation = simulate(law(share), friction, body1=sc.Material.elastic(E, nu))
     for load in (0.1, 0.2, 0.05):
@@ -168,8 +168,8 @@ def test_sharp_edges_and_full_contact_flow(gap, peak, friction, share):
 
 
 @pytest.mark.parametrize("yield_stress", [1.0, 1e3, 1e6])
-def test_a_body_hardly_stronger_than_nothing(yield_stress):
-    """Self-similar in the stress: a soft body in a soft world is as hard to solve as steel."""
+def test_a_body_of_vanishing_strength(yield_stress):
+    """Problems are self-similar in stress: soft bodies need as many iterations as steel."""
     scale = yield_stress / 1e9
     soft = sc.Material.linear_hardening(E * scale, NU, yield_stress, 0.1 * E * scale)
     scaled = simulate(soft, body1=sc.Material.elastic(E * scale, NU))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""NaN and infinity in every number of every public call: an error that names the argument."""
+"""NaN and infinity in any number of any public call raise an error that names the argument."""
 
 import inspect
 import math
@@ -86,7 +86,7 @@ def spoiled(value, bad):
 
 
 def hostile_calls(meant):
-    """(function, arguments, allowed names) of each call with one number replaced."""
+    """Return (function, arguments, allowed names) of each call with one number replaced."""
     found = []
     for number, (name, function, arguments) in enumerate(CALLS):
         for argument, value in arguments.items():
@@ -105,12 +105,12 @@ VALID = [pytest.param(f, a, id=f"{name}-{n}") for n, (name, f, a) in enumerate(C
 
 
 @pytest.mark.parametrize(("function", "arguments"), VALID)
-def test_the_call_itself_is_valid(function, arguments):
+def test_each_listed_call_is_valid(function, arguments):
     function(**arguments)
 
 
 @pytest.mark.parametrize(("function", "arguments", "names"), hostile_calls(meant=False))
-def test_is_refused_by_name(function, arguments, names):
+def test_a_bad_argument_is_refused_by_name(function, arguments, names):
     with pytest.raises((ValueError, TypeError)) as error:
         function(**arguments)
     text = str(error.value)
@@ -118,12 +118,12 @@ def test_is_refused_by_name(function, arguments, names):
 
 
 @pytest.mark.parametrize(("function", "arguments", "names"), hostile_calls(meant=True))
-def test_what_is_meant_is_taken(function, arguments, names):
+def test_values_with_a_meaning_are_accepted(function, arguments, names):
     function(**arguments)
 
 
 def public_calls():
-    """Every public function, class and method, by name."""
+    """Return every public function, class and method, by name."""
     for name in sc.__all__:
         thing = getattr(sc, name)
         members = {name: thing}

@@ -14,10 +14,10 @@ DECADES = [n for n in range(-4, 5) if n != 0]
 
 
 def self_similar(decade, body2, length_power, friction=0.3):
-    """Contact and stress of a load 10^decade times as large, in its own length and pressure."""
+    """Solve a contact with 10^decade times the load, in units of its own length and pressure."""
     length = 10.0 ** (decade * length_power)
     pressure = 10.0**decade / length**2
-    # a ball keeps its radius where the pressure grows with the contact, and grows with it otherwise
+    # constant radius if the pressure grows with the contact; otherwise the radius grows with it
     radius = RADIUS * (length / pressure)
     grid = sc.Grid(21, 19, 4e-5 * length, 4.5e-5 * length, 8, 6e-5 * length)
     gap = sc.surfaces.paraboloid(grid, radius)
@@ -39,14 +39,14 @@ def assert_same(found, expected, tolerance):
 
 @pytest.mark.parametrize("decade", DECADES)
 def test_elastic_contact_is_self_similar(decade):
-    """One ball under all loads: lengths go as P^(1/3), pressures as well (Hertz)."""
+    """Lengths and pressures of one ball scale as P^(1/3) (Hertz)."""
     elastic = self_similar(0, STEEL, 1 / 3)
     assert_same(self_similar(decade, STEEL, 1 / 3), elastic, 1e-12)
 
 
 @pytest.mark.parametrize("decade", DECADES)
 def test_plastic_contact_is_self_similar(decade):
-    """Balls in proportion to the contact, P^(1/2): the same pressures, strains and flow."""
+    """Balls scaled with the contact, P^(1/2), have equal pressure, strain and flow."""
     plastic = self_similar(0, SOFT, 1 / 2)
     assert plastic["strain"].max() > 1e-3
     assert_same(self_similar(decade, SOFT, 1 / 2), plastic, 1e-12)
@@ -54,7 +54,7 @@ def test_plastic_contact_is_self_similar(decade):
 
 @pytest.fixture(scope="module")
 def fixed_grid():
-    """One to sixty cells across the contact; each load from the start."""
+    """Solve loads with one to sixty cells across the contact, each from the start."""
     grid = sc.Grid(127, 127, 4e-6, 4e-6)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     solver = sc.ContactSolver(grid, STEEL, STEEL)
@@ -76,7 +76,7 @@ def test_sixteen_decades_of_load_on_one_grid(fixed_grid):
 
 
 def test_hertz_on_one_grid(fixed_grid):
-    """The error of the approach falls with the cells across the contact, to 1e-4 at sixty."""
+    """The approach error decreases with the cells across the contact, to 1e-4 at sixty."""
     grid, loads, found = fixed_grid
     for load, solution in zip(loads, found, strict=True):
         exact = sc.hertz.point(RADIUS, E_STAR, load=load)
@@ -89,7 +89,7 @@ EXACT = sc.hertz.point(RADIUS, E_STAR, p0=2.4e9)
 
 
 def loaded(count, law=SOFT, friction=0.0, **settings):
-    """The state at full load after this many increments."""
+    """Return the state at full load after this many increments."""
     size = 3.2 * EXACT.a / 11
     grid = sc.Grid(11, 11, size, size, 7, 0.28 * EXACT.a)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -100,7 +100,7 @@ def loaded(count, law=SOFT, friction=0.0, **settings):
 
 
 def differences(counts, reference, **scene):
-    """Error of the plastic strain, relative to its maximum."""
+    """Return the errors of the plastic strain, relative to its maximum."""
     found = []
     for count in counts:
         strain = loaded(count, **scene).plastic_strain() - reference
@@ -118,7 +118,7 @@ LAWS = {
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 @pytest.mark.parametrize("law", LAWS)
 def test_smaller_increments_converge(law, friction):
-    """Backward Euler: of first order in the increments; 128 of them are the reference."""
+    """Backward Euler converges with first order; 128 increments are the reference."""
     scene = {"law": LAWS[law], "friction": friction, "on_border": "warn"}
     reference = loaded(128, **scene).plastic_strain()
     one, four, sixteen = differences((1, 4, 16), reference, **scene)
@@ -127,7 +127,7 @@ def test_smaller_increments_converge(law, friction):
     assert sixteen < 0.35 * four
 
 
-def test_one_divided_increment_is_as_good_as_many():
+def test_automatic_subincrements_are_as_accurate_as_many_increments():
     reference = loaded(256).equivalent_plastic_strain()
     for tol in (1e-2, 1e-3):
         strain = loaded(1, increment_tol=tol).equivalent_plastic_strain()
@@ -135,7 +135,7 @@ def test_one_divided_increment_is_as_good_as_many():
 
 
 def test_a_ten_thousandth_of_the_load():
-    """Tiny increments follow the slope between larger ones, up and down, without drift."""
+    """Very small increments follow the slope between larger ones without drift."""
     size = 3.2 * EXACT.a / 11
     grid = sc.Grid(11, 11, size, size, 7, 0.28 * EXACT.a)
     simulation = sc.Simulation(grid, STEEL, SOFT, sc.surfaces.paraboloid(grid, RADIUS), tol=1e-9)
@@ -160,7 +160,7 @@ def test_a_ten_thousandth_of_the_load():
 
 @pytest.mark.slow
 def test_ten_thousand_increments():
-    """Nothing adds up in 10 000 increments of 1e-4: 40 times closer to them than 256 are."""
+    """10 000 increments of 1e-4 accumulate no error."""
     finest = loaded(10_000).plastic_strain()
     errors = differences((64, 256, 1024), finest)
     for error, count in zip(errors, (64, 256, 1024), strict=True):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A thousand cycles do not drift: after a few the state repeats to the last bits."""
+"""A thousand cycles do not drift: after a few cycles the state repeats to the last bits."""
 
 import itertools
 
@@ -47,7 +47,7 @@ def largest(field):
 @pytest.mark.parametrize(("law", "friction", "cycles", "method"), SCENES)
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 def test_shakedown_to_the_last_bits(law, friction, cycles, method):
-    """Elastic shakedown: the first reloading differs by tol, later ones by nothing at all."""
+    """Elastic shakedown: the first reloading differs by tol, later reloadings not at all."""
     simulation = sc.Simulation(
         GRID, STEEL, LAWS[law], GAP, friction, on_border="warn", residual_stress=method
     )
@@ -65,12 +65,12 @@ def test_shakedown_to_the_last_bits(law, friction, cycles, method):
     assert largest(state.pressure - settled.pressure) <= 100 * same * settled.pressure.max()
     residual = bare.residual_stress()
     assert largest(unloaded.residual_stress() - residual) <= same * largest(residual)
-    # what the cycles changed in all is of the order of tol = 1e-6
+    # the total change by all cycles is of the order of tol = 1e-6
     strain = first.plastic_strain()
     assert largest(state.plastic_strain() - strain) < 1e-5 * largest(strain)
 
 
-def test_alternating_flow_settles():
+def test_alternating_plastic_flow_becomes_periodic():
     """Alternating shear causes flow in every cycle: loops close, are equal and do not drift.
 
     Pressure and shear are prescribed, kinematic hardening is linear. Neighbouring cells adapt to

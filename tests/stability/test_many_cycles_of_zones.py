@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A thousand cycles of many plastic zones do not drift: they settle, or change ever less."""
+"""A thousand cycles of many plastic subdomains do not drift: changes vanish or decrease."""
 
 import itertools
 
@@ -32,7 +32,7 @@ def long(*scenes):
 
 
 def asperities():
-    """Four, of heights that differ."""
+    """Return four asperities of different heights."""
     x, y, away = GRID.x[:, None], GRID.y, 22 * SIZE
     corners = itertools.product((-away, away), repeat=2)
     spheres = [
@@ -72,7 +72,7 @@ def test_asperities_shake_down(law, friction, cycles):
     assert largest(state.pressure - settled.pressure) <= 100 * REPEATED * largest(state.pressure)
     print_, early = (moment.residual_displacement() for moment in (unloaded, bare))
     assert largest(print_ - early) <= REPEATED * largest(early)
-    # what all cycles changed is of the order of tol = 1e-6
+    # the total change by all cycles is of the order of tol = 1e-6
     strain = first.plastic_strain()
     assert largest(state.plastic_strain() - strain) < 1e-5 * largest(strain)
 
@@ -80,7 +80,7 @@ def test_asperities_shake_down(law, friction, cycles):
 @pytest.mark.parametrize(
     ("friction", "cycles"), [(0.0, 20), *long(*((friction,) for friction in FRICTIONS))]
 )
-def test_zones_that_flow_to_and_fro_settle(friction, cycles):
+def test_subdomains_with_alternating_flow_become_periodic(friction, cycles):
     """Sharp spots yield again on unloading; the change per cycle decreases as 1/cycles."""
     bodies = simulation(ELASTIC, LAWS["kinematic"], friction=friction)
     before = bodies.step(load=PERCENT).plastic_strain()
@@ -96,7 +96,7 @@ def test_zones_that_flow_to_and_fro_settle(friction, cycles):
     assert len(state.zones(2)) > 2
     assert_balanced(state, PERCENT)
     assert all(late < max(0.6 * early, 1e-8) for early, late in itertools.pairwise(changes))
-    assert np.diff(grown).min() > 1e-3  # what flows each time flows for ever
+    assert np.diff(grown).min() > 1e-3  # cells that yield in each cycle continue to do so
     widths = np.diff(grown)[cycles // 2 :]
     assert widths == pytest.approx(widths[-1], rel=0.05)
     assert largest(strain) < 0.1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random balls that roll or slide over materials with little hardening are all solved."""
+"""Random rolling and sliding contacts of materials with little hardening are all solved."""
 
 import math
 
@@ -12,7 +12,7 @@ E, NU = 210e9, 0.3
 
 
 def draw(seed):
-    """Bodies and a problem of 2000 to 8192 cells; p0 is 1.8 to 6 times the yield stress."""
+    """Draw bodies and a problem of 2000 to 8192 cells; p0 is 1.8 to 6 times the yield stress."""
     draws = np.random.default_rng(seed)
     yield_stress = draws.uniform(0.4e9, 2e9)
     law = draws.choice(["perfect", "weak", "kinematic"])
@@ -27,7 +27,7 @@ def draw(seed):
     p0 = draws.uniform(1.8, 6.0) * yield_stress
     radius, modulus = 1e-2, sc.hertz.effective_modulus(other, body)
     half = math.pi * p0 * radius / (2 * modulus)
-    # the contact spreads to what the load takes at 2.8 times the yield stress
+    # the contact area is about the load over 2.8 times the yield stress
     reach = half * max(1.0, math.sqrt(2 / 3 * p0 / (2.8 * yield_stress)))
     cell = reach / draws.uniform(4.0, 6.0)
     nx, ny = (2 * math.ceil(draws.uniform(1.9, 2.3) * reach / cell) + 1 for _ in range(2))
@@ -48,7 +48,7 @@ def draw(seed):
 @pytest.mark.filterwarnings(
     "ignore::samcontact.PlasticStrainWarning", "ignore::samcontact.GridTooSmallWarning"
 )
-def test_every_scene_is_solved(seeds):
+def test_random_moving_contacts_are_solved(seeds):
     for seed in seeds:
         body, other, grid, radius, load, way = draw(seed)
         gap = sc.surfaces.paraboloid(grid, radius)

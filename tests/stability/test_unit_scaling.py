@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Equal digits in other units: no constant contains a hidden length or stress."""
+"""Results have equal digits in other units: no constant contains a hidden length or stress."""
 
 import itertools
 from functools import cache

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values of a wrong kind for every argument of every public call: it is named, in plain words."""
+"""Values of a wrong type for any argument of any public call are refused by name."""
 
 import datetime
 import re
@@ -64,7 +64,7 @@ def check(name, function, arguments, argument):
                 function(**{**arguments, argument: wrong})
         except (ValueError, TypeError) as error:
             text = str(error)
-            # a number of the right kind may be wrong beside another argument
+            # a number of the right type may be incompatible with another argument
             names = arguments if kind == "float" else names_in(argument, arguments[argument])
             names = {*names, "heat.factor"} if argument == "heat_factor" else names
             shared = re.match(r"(?:\w, )+\w(?= must)", text)  # by coordinates
@@ -80,7 +80,7 @@ def check(name, function, arguments, argument):
     ("name", "function", "arguments"),
     [pytest.param(*call, id=f"{call[0]}-{n}") for n, call in enumerate(CALLS)],
 )
-def test_is_refused_by_name(name, function, arguments, tmp_path, monkeypatch):
+def test_a_bad_argument_is_refused_by_name(name, function, arguments, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # texts are names of files
     found = [text for one in arguments for text in check(name, function, arguments, one)]
     assert found == [], "\n".join(found)
@@ -94,7 +94,7 @@ FLAGS = ("no", "false", "", 1, 0, 1.0, None, np.array(1), [])
     ("name", "function", "arguments"),
     [pytest.param(*call, id=f"{call[0]}-{n}") for n, call in enumerate(CALLS)],
 )
-def test_numbers_and_truth_values_are_not_each_other(name, function, arguments):
+def test_numbers_and_booleans_are_not_interchangeable(name, function, arguments):
     taken = []
     for argument, value in arguments.items():
         kinds = FLAGS if isinstance(value, bool) else NUMBERS

@@ -9,7 +9,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 MAX_METHODS = 20
-# More where a class is what a user has in hand, and each method is a line or two.
+# Larger limits for classes used directly by users, whose methods are a line or two.
 FACADES = {
     "python/samcontact/bodies/material.py: Material": 21,  # makers of each hardening law, E, nu
     "python/samcontact/solutions/state.py: State": 43,  # one for each quantity of a moment
@@ -19,14 +19,14 @@ LABEL = r"(?:\s*(?:public|private|protected)\s*:)*\s*"
 
 
 def stripped(text):
-    """C++ without comments, texts and lines of the preprocessor."""
+    """Return C++ code without comments, texts and preprocessor lines."""
     text = re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.DOTALL)
     text = re.sub(r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', '""', text)
     return re.sub(r"^\s*#[^\n]*(?:\\\n[^\n]*)*$", "", text, flags=re.MULTILINE)
 
 
 def without_blocks(text):
-    """The text from a brace on to where it closes, with {} for each block in it."""
+    """Return the text from a brace to its end, with {} for each inner block."""
     depth, kept = 0, []
     for letter in text:
         depth += (letter == "{") - (letter == "}")
@@ -40,7 +40,7 @@ def without_blocks(text):
 
 
 def declarations(body):
-    """Members of a class, one after the other: they end at a semicolon or with a block."""
+    """Yield the members of a class; each ends at a semicolon or with a block."""
     ends_here = r"(?<=\{\})(?=\s*(?:[\w\[~]|$))"
     for part in body.split(";"):
         for one in re.split(ends_here, part):
@@ -50,7 +50,7 @@ def declarations(body):
 
 
 def cpp_methods(name, body):
-    """Names of methods, without constructors, destructors and operators."""
+    """Return the names of methods, without constructors, destructors and operators."""
     found = set()
     for text in declarations(body):
         before = text
@@ -131,5 +131,5 @@ def test_classes_have_few_methods():
 
 
 @pytest.mark.parametrize("name", FACADES)
-def test_facades_are_there_and_need_it(name):
+def test_classes_with_many_methods_are_listed_and_need_it(name):
     assert MAX_METHODS < len(dict(classes())[name]) <= FACADES[name]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests and their guards look at no clock: a busy machine makes none of them fail."""
+"""Tests use no clock, so that none fails on a busy machine."""
 
 import re
 from pathlib import Path
@@ -27,25 +27,25 @@ CLOCK = re.compile(
     r"|sleep_for|sleep_until|wait_for\w*|setitimer|signal\.alarm|ITIMER_\w+|faulthandler"
     r"|WebDriverWait|implicitly_wait|deadline|\w*timeouts?|max_total_time|TIMEOUT)\b"
 )
-# What a line may have: the condition waited for ends the wait, never the time.
+# Permitted lines: the wait ends by its condition, not by the time.
 NO_LIMIT = re.compile(
     r"timeout=(?:None|NEVER|0\b)|deadline=None|TIMEOUT 0\b|client_config\.timeout = None"
     r"|options\.timeouts = .*NEVER.*NEVER|wait_for_workers\(\d\)"
 )
-# Lines that look at a clock though nothing depends on what it says.
+# Lines that read a clock without an effect on the result of a test.
 EXCEPTIONS = {
-    "tests/faults/faulting.py": "moments to kill a process at; one too late is tried again earlier",
-    "tests/faults/test_interrupted.py": "moments of Ctrl-C; one too late is tried again earlier",
-    "tests/unit/simulation/test_interrupt.py": "looks now and then whether the step has begun",
-    "tests/unit/fatigue/test_fatigue_threads.py": "the signal comes while the call computes",
+    "tests/faults/faulting.py": "times of a kill; one too late is repeated earlier",
+    "tests/faults/test_interrupted.py": "times of Ctrl-C; one too late is repeated earlier",
+    "tests/unit/simulation/test_interrupt.py": "polls until the step has begun",
+    "tests/unit/fatigue/test_fatigue_threads.py": "the signal arrives during the call",
     "tests/unit/heat_kernels/test_heat_kernels_limits.py": "the call takes hours",
-    "tests/packaging/test_workflows.py": "names the key of a workflow; nothing waits",
-    "tests/unit/sweeps/test_sweep_cli.py": "looks now and then whether a case is done",
+    "tests/packaging/test_workflows.py": "key of a workflow; nothing waits",
+    "tests/unit/sweeps/test_sweep_cli.py": "polls until a case is done",
 }
 
 
 def looks(path):
-    """Lines of a file that have a clock."""
+    """Return the lines of a file that use a clock."""
     found = []
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         if CLOCK.search(NO_LIMIT.sub("", line)):
@@ -65,10 +65,10 @@ def test_clocks_are_found(line, tmp_path, monkeypatch):
     assert len(looks(tmp_path / "file.py")) == 1
 
 
-def test_no_test_looks_at_a_clock():
+def test_no_test_uses_a_clock():
     others = [f for f in FILES if f != Path(__file__)]
     assert len(others) > 100
     found = {str(path.relative_to(ROOT)): looks(path) for path in others}
     wrong = [line for name, lines in found.items() if name not in EXCEPTIONS for line in lines]
     assert wrong == []
-    assert [name for name in EXCEPTIONS if not found[name]] == []  # none that needs it no more
+    assert [name for name in EXCEPTIONS if not found[name]] == []  # no obsolete exceptions

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether a cell is in contact is asked in one place: the contact law, in Python and in C++."""
+"""Whether a cell is in contact is decided only by the contact law, in Python and in C++."""
 
 import ast
 import re
@@ -24,7 +24,7 @@ IN_CPP = re.compile(
 
 
 def field_of(node):
-    """The field that an expression is of: itself, some of its cells, or its largest value."""
+    """Return the field of an expression: itself, some of its cells, or its maximum."""
     while True:
         if isinstance(node, ast.Subscript):
             node = node.value
@@ -43,7 +43,7 @@ def is_zero(node):
 
 
 def questions_in(text):
-    """Lines that compare a field of pressure with zero, or count its cells that are not."""
+    """Return lines that compare a pressure field with zero, or count its non-zero cells."""
     for node in ast.walk(ast.parse(text)):
         asked = None
         if isinstance(node, ast.Compare) and isinstance(node.ops[0], (ast.Gt, ast.LtE)):
@@ -64,18 +64,18 @@ def questions_in(text):
         "a = np.count_nonzero(state.pressure)",
     ],
 )
-def test_a_question_is_found(text):
+def test_a_comparison_with_zero_pressure_is_found(text):
     assert list(questions_in(text)) == [1]
 
 
 @pytest.mark.parametrize(
     "text", ["if (p[i] > 0) {", "return pressure[at] > 0 || x;", "p_[i] <= 0;"]
 )
-def test_a_question_is_found_in_the_core(text):
+def test_a_comparison_with_zero_pressure_is_found_in_the_core(text):
     assert IN_CPP.search(text)
 
 
-def test_python_asks_the_contact_law():
+def test_python_uses_the_contact_law():
     found = [
         f"{file.relative_to(ROOT)}:{line}" for file in MODULES
         for line in questions_in(file.read_text())
@@ -83,7 +83,7 @@ def test_python_asks_the_contact_law():
     assert not found, f"use problem.contact_law.in_contact, or in_contact of a state: {found}"
 
 
-def test_the_core_asks_the_contact_law():
+def test_the_core_uses_the_contact_law():
     found = [
         f"{file.relative_to(ROOT)}:{number}" for file in CORE
         for number, line in enumerate(file.read_text().splitlines(), 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The documentation: its examples run, what it names exists, its links lead somewhere."""
+"""Documentation: examples run, named objects and link targets exist."""
 
 import importlib
 import re
@@ -32,7 +32,7 @@ INDEXES = [f"docs/{folder}/index.md" for folder in ("guides", "theory", "develop
 
 
 def prose(page):
-    """The page without its fenced blocks."""
+    """Return the page without its fenced blocks."""
     return FENCE.sub("", TEXTS[page])
 
 
@@ -61,7 +61,7 @@ def test_paths_exist(page):
 
 
 def resolve(name):
-    """The object a dotted name in the package stands for."""
+    """Return the object of a dotted name in the package."""
     first, *rest = name.split(".")
     # modules such as `results` are not attributes of the package before they are imported
     target = getattr(sc, first, None) or importlib.import_module(f"samcontact.{first}")
@@ -94,7 +94,7 @@ def anchors(page):
 
 
 @pages
-def test_links_lead_somewhere(page):
+def test_link_targets_exist(page):
     for target in re.findall(r"\]\(([^)\s]+)\)", prose(page)):
         if target.startswith(("https://", "http://", "../build/")):  # the last are the site's
             continue
@@ -106,7 +106,7 @@ def test_links_lead_somewhere(page):
 
 
 def toctrees(page):
-    """Pages in the tables of contents of a page, in their order."""
+    """Return the pages in the tables of contents of a page, in order."""
     folder = page.rpartition("/")[0]
     for kind, block in BLOCKS.findall(TEXTS[page]):
         for name in block.split("\n") if kind == "{toctree}" else ():
@@ -162,13 +162,13 @@ def test_newest_change_is_this_version():
     assert re.fullmatch(r"\d{4}-\d\d-\d\d", date)
 
 
-def test_every_version_tells_whether_numbers_changed():
+def test_every_version_states_whether_numbers_changed():
     for release in re.split(r"^## \[", TEXTS["CHANGELOG.md"], flags=re.MULTILINE)[1:]:
         assert "### Numerical results changed" in release
 
 
 def pages_below(index):
-    """Pages in the order of the table of contents of an index page."""
+    """Return the pages in the order of the table of contents of an index page."""
     return list(toctrees(index))
 
 
@@ -216,7 +216,7 @@ def test_every_field_of_a_case_file_has_a_meaning_and_no_other(monkeypatch):
     assert unused == set()
 
 
-def test_every_error_and_warning_is_on_the_page_of_troubles():
+def test_every_error_and_warning_is_on_the_troubleshooting_page():
     classes = {name for name in sc.__all__ if name.endswith(("Error", "Warning", "Interrupted"))}
     assert len(classes) > 8
     text = TEXTS["docs/troubles.md"]
@@ -232,7 +232,7 @@ def test_words_that_users_search_for_lead_to_a_guide(word, page):
     assert re.search(rf"\b{word}", TEXTS[f"docs/guides/{page}.md"], re.IGNORECASE)
 
 
-# Bodies that move differently, and by parts of a cell, have the most to tell.
+# Bodies with different motions by fractions of a cell have the most variables.
 PASS = {"distance": 4e-4, "step": 2e-4, "slide_to_roll": -0.3}
 
 
@@ -258,7 +258,7 @@ def test_every_variable_of_a_results_file_is_documented():
 
 
 def test_the_tutorial_states_what_its_examples_compute(capsys):
-    """Numbers in its sentences are those that its first examples make, rounded."""
+    """Numbers in the text of the tutorial are the rounded results of its first examples."""
     page = "docs/tutorial.md"
     first, second = (block for language, block in FENCE.findall(TEXTS[page])[:2])
     made: dict[str, object] = {}
@@ -277,7 +277,7 @@ def test_the_tutorial_states_what_its_examples_compute(capsys):
     imprint = made["unloaded"].residual_displacement(body=2).max()
     assert f"an imprint {imprint * 1e6:.2f} µm deep" in text
     assert law.yield_stress(0.0) == steel.yield_stress(0.0)  # the same steel
-    # every number with a unit in these sentences is one of those above, or what is given
+    # every number with a unit in these sentences is one of those above, or is given
     stated = set(re.findall(r"[\d.]+ (?:GPa|MPa|N|mm|µm)\b", text))
     given, pressures = {"15 mm", "1500 N"}, {"4.10 GPa", "2.54 GPa", "1.36 GPa", "3.98 GPa"}
     assert stated == given | pressures | {"0.20 mm", "0.29 µm"}

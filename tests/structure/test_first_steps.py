@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A new user's way: the tutorial's case file, then one's own ball and load, as other processes."""
+"""First steps of a new user: the case file of the tutorial, then another ball and load."""
 
 import re
 import subprocess
@@ -38,7 +38,7 @@ def command(folder, *words):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Folder after runs of the case of the tutorial, and of one with another ball and load."""
+    """Run the case of the tutorial and one with another ball and load; return the folder."""
     folder = tmp_path_factory.mktemp("user")
     (folder / "ball.toml").write_text(CASE)
     own = CASE.replace("Rx = 7.5e-3", 'Rx = "6.35 mm"').replace("load = 1500.0", 'load = "1.2 kN"')
@@ -59,10 +59,10 @@ def test_another_ball_and_load_give_other_numbers_and_figures(folder):
         results.open_results(folder / "results" / "own" / "results.nc") as second,
     ):
         assert float(second["load"].max()) == pytest.approx(1200.0, rel=1e-12)
-        # elastic pressure grows with (load/radius^2)^(1/3), by 4 %; hardening takes some of it
+        # elastic pressure grows by 4 %, as (load/radius^2)^(1/3); plastic flow reduces the increase
         ratio = float(second["max_pressure"].max() / first["max_pressure"].max())
         assert 1.005 < ratio < 1.04
-        # the load of the onset falls with the radius squared: more of it is plastic
+        # the load at first yield falls with the radius squared, so plastic strain increases
         strain = "max_equivalent_plastic_strain_body2"
         assert float(second[strain].max()) > float(first[strain].max())
     for name in FIGURES:
@@ -70,7 +70,7 @@ def test_another_ball_and_load_give_other_numbers_and_figures(folder):
         assert images[0] != images[1], name
 
 
-def test_the_report_of_it(folder):
+def test_the_report_has_the_values_of_the_run(folder):
     outcome = command(folder, "report", "results/own")
     assert (outcome.returncode, outcome.stderr) == (0, "")
     page = (folder / "results" / "own" / "report.html").read_text()
@@ -79,7 +79,7 @@ def test_the_report_of_it(folder):
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "told"),
+    ("old", "new", "message"),
     [
         ("Rx = 7.5e-3", "Rxx = 7.5e-3", ("surface", "Rxx", "Rx")),
         ("Rx = 7.5e-3", 'Rx = "7.5 s"', ("surface.", "Rx", "7.5 s")),
@@ -89,12 +89,12 @@ def test_the_report_of_it(folder):
     ],
     ids=["unknown key", "wrong unit", "missing field", "wrong type", "unknown word"],
 )
-def test_mistakes_are_named(folder, old, new, told):
+def test_mistakes_are_named(folder, old, new, message):
     (folder / "wrong.toml").write_text(CASE.replace(old, new, 1))
-    check_failure(invoke("run", folder / "wrong.toml"), 2, *told)
+    check_failure(invoke("run", folder / "wrong.toml"), 2, *message)
 
 
-def test_the_doctor_is_content():
+def test_the_doctor_passes():
     outcome = command(ROOT, "doctor")
     assert outcome.returncode == 0, outcome.stdout
     assert "failed" not in outcome.stdout

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plain English: docstrings begin with their subject, constants name a quantity, no dialect."""
+"""Plain English: docstrings start with their subject, constants name a quantity, no dialect."""
 
 import ast
 import re
@@ -89,7 +89,7 @@ def constants(tree):
 
 
 def prose(text):
-    """Text without code, identifiers in backticks, and targets of links; lines stay."""
+    """Return text without code, identifiers in backticks and link targets; lines are kept."""
     blank = lambda found: re.sub(r"[^\n]", " ", found[0])  # noqa: E731
     text = re.sub(r"^```.*?^```$", blank, text, flags=re.MULTILINE | re.DOTALL)
     text = re.sub(r"``?[^`]*``?|\]\([^)]*\)|<[^>]*>", blank, text)
@@ -97,14 +97,14 @@ def prose(text):
 
 
 def dialect(text, first=1):
-    """(line, word, what to write instead) in a text."""
+    """Yield (line, word, replacement) for each forbidden word in a text."""
     for found in DIALECT.finditer(prose(text)):
         line = first + text.count("\n", 0, found.start())
         yield line, found[0], list(INSTEAD.values())[found.lastindex - 1]
 
 
 def listed(folder, finding):
-    """Findings of a function of a tree in the files of a folder, one a line."""
+    """Return the findings of a function in the files of a folder, one per line."""
     return [
         f"{path.relative_to(ROOT)}:{line}: {text}"
         for path in SOURCES[folder]
@@ -153,7 +153,7 @@ def test_constants_name_a_quantity(folder):
     assert listed(folder, finding) == []
 
 
-def test_it_finds_what_is_forbidden():
+def test_forbidden_words_are_found():
     tree = ast.parse(
         '"""What a body does."""\nMOST = 1\n_LEAST_CELLS: int = 2\nMAX_CELLS, RAW = 3, 4\n'
         'def f():\n    """Whether it sticks."""\n    raise ValueError("the user is told anew")\n'

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values that a user may give in any length reach messages through `in_short` only."""
+"""Values of arbitrary length reach messages only through `in_short`."""
 
 import ast
 from pathlib import Path
@@ -10,7 +10,7 @@ SHORT_TYPES = {"float", "int", "bool"}
 
 
 def raw_values(source):
-    """Lines of errors that show an argument of any kind by its repr: (line, argument)."""
+    """Return (line, argument) of errors that show an argument by its full repr."""
     found = []
 
     def visit(node, arguments):
@@ -32,7 +32,7 @@ def raw_values(source):
 
 
 def test_values_are_shortened():
-    # arguments that were checked before: a law, a word, a grid, a coefficient of friction
+    # arguments checked before: a law, a keyword, a grid, a coefficient of friction
     checked = {"friction", "periodic", "law", "grid", "kind"}
     raw = {
         f"{path.relative_to(PACKAGE)}:{line}: {name}"
@@ -43,6 +43,6 @@ def test_values_are_shortened():
     assert sorted(raw) == []
 
 
-def test_the_search_finds_one():
+def test_an_unshortened_value_is_found():
     source = 'def f(x: Any, n: int):\n    raise ValueError(f"x must be 1, got {x!r} and {n!r}")\n'
     assert raw_values(source) == [(2, "x")]

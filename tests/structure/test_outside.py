@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gallery and benchmarks are outside the package: they use public names and unique data."""
+"""Gallery and benchmarks are outside the package: public names only, no duplicated files."""
 
 import ast
 import graphlib
@@ -23,7 +23,7 @@ SCRIPTS = sorted(file for name in ("gallery", "benchmarks") for file in (ROOT / 
 
 
 def private(text):
-    """Names that these lines take from the package, and that it does not offer."""
+    """Return the private names of the package used in these lines."""
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
             taken = [(alias.name, None) for alias in node.names]
@@ -58,7 +58,7 @@ def test_scripts_use_public_names():
 
 
 def taken(file):
-    """Neighbouring modules that a script imports, at any place in the file."""
+    """Return the neighbouring modules that a script imports anywhere in the file."""
     package = [*file.relative_to(ROOT).parts[:-1]]
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
@@ -81,7 +81,7 @@ def taken(file):
                     break
 
 
-def test_scripts_import_in_no_circle():
+def test_scripts_have_no_import_cycle():
     graph = {file: set(taken(file)) for file in SCRIPTS}
     order = [*graphlib.TopologicalSorter(graph).static_order()]
     assert order.index(ROOT / "benchmarks" / "study.py") < order.index(
@@ -92,13 +92,13 @@ def test_scripts_import_in_no_circle():
         graphlib.TopologicalSorter(graph | {page: graph[page] | {start}}).prepare()
 
 
-def test_the_wheel_holds_the_package_alone():
+def test_the_wheel_contains_the_package_alone():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     assert project["tool"]["scikit-build"]["wheel"]["packages"] == ["python/samcontact"]
     assert [f for f in (ROOT / "python").rglob("*") if f.suffix in (".csv", ".json", ".npz")] == []
 
 
-def test_no_file_is_there_twice():
+def test_no_file_is_duplicated():
     command = ["git", "-C", str(ROOT), "ls-files"]
     names = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split("\n")
     found = {}

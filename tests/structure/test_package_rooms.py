@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The order of the rooms of the Python package, as data, and what crosses their walls."""
+"""Order of the rooms of the Python package, as data, and imports between rooms."""
 
 import ast
 import graphlib
@@ -14,7 +14,7 @@ ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "python" / "samcontact"
 MODULES = sorted(PACKAGE.rglob("*.py"))
 
-# The rooms of the package, folders and public modules, by floors: each imports from floors below it
+# Rooms of the package (folders and public modules) by floor: each imports from lower floors
 # only, types included.
 FLOORS = [
     {"_util"},
@@ -33,7 +33,7 @@ FLOORS = [
     {"report", "sweeps"},
     {"commands"},
 ]
-# Modules that talk to the core; all others go through them.
+# Modules that call the core; all others use these modules.
 CORE_USERS = {
     "__init__",
     "_util.load_core",
@@ -65,15 +65,15 @@ CORE_USERS = {
 }
 
 
-def test_the_repository_holds_the_whole_package():
-    """A pattern of .gitignore must not leave out a part of it."""
+def test_the_repository_contains_the_whole_package():
+    """No pattern of .gitignore excludes a part of the package."""
     command = ["git", "-C", str(ROOT), "check-ignore", "--no-index", *map(str, MODULES)]
     ignored = subprocess.run(command, capture_output=True, text=True).stdout.splitlines()
     assert ignored == []
 
 
 def test_scipy_is_loaded_by_one_module():
-    """Which looks for memory first."""
+    """This module checks the available memory first."""
     loads = re.compile(r"^\s*(import scipy|from scipy)", re.MULTILINE)
     assert [path.name for path in MODULES if loads.search(path.read_text())] == ["lazy_scipy.py"]
 
@@ -91,7 +91,7 @@ def test_cached_properties_have_no_lock():
 
 
 def module_name(file):
-    """Dotted, below the package: "grid", "wear" of its __init__, "wear.steps"."""
+    """Return the dotted name below the package: "grid", "wear" for its __init__, "wear.steps"."""
     parts = file.relative_to(PACKAGE).with_suffix("").parts
     return ".".join(parts[:-1] if len(parts) > 1 and parts[-1] == "__init__" else parts)
 
@@ -100,7 +100,7 @@ NAMES = {module_name(file): file for file in MODULES}
 
 
 def imports(name, nodes):
-    """Modules of the package that these statements of a module import."""
+    """Return the modules of the package imported by these statements of a module."""
     file = NAMES[name]
     package = file.relative_to(PACKAGE).parent.parts
     for node in nodes:
@@ -114,7 +114,7 @@ def imports(name, nodes):
 
 
 def all_imports(name, *, types=True):
-    """Modules that a module imports when it is loaded or used, or for its types."""
+    """Return the modules that a module imports when loaded or used, or for its types."""
     tree = ast.parse(NAMES[name].read_text())
     if not types:
         tree.body = [
@@ -131,7 +131,7 @@ def test_modules_have_no_cycle():
     graphlib.TopologicalSorter(graph).prepare()  # raises CycleError, which names the cycle
 
 
-def test_rooms_import_from_floors_below_only():
+def test_rooms_import_from_lower_floors_only():
     floor = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
     top = {path.stem for path in PACKAGE.iterdir() if path.suffix == ".py" or path.is_dir()}
     assert top - {"__init__", "__main__", "__pycache__", "_core"} == set(floor)
@@ -157,7 +157,7 @@ def test_only_public_modules_lie_outside_of_folders():
 
 
 def own_private_names(tree):
-    """Private names that a module defines: functions, methods, attributes."""
+    """Return the private names defined in a module: functions, methods, attributes."""
     for node in ast.walk(tree):
         if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
             yield node.name
@@ -169,7 +169,7 @@ def own_private_names(tree):
 
 
 def reached_into(tree):
-    """Private attributes of other objects that a module uses, which it does not define."""
+    """Return the private attributes of other objects used, but not defined, in a module."""
     modules = {
         alias.asname or alias.name
         for node in ast.walk(tree)
@@ -198,7 +198,7 @@ def test_no_module_reaches_into_the_privates_of_another():
 
 
 def test_no_test_file_imports_another():
-    """Code shared by several test files is a module of its own."""
+    """Code shared by several test files is in a separate module."""
     pattern = re.compile(r"^\s*(?:from|import) test_\w+", re.MULTILINE)
     files = (ROOT / "tests").rglob("*.py")
     assert [file.name for file in files if pattern.search(file.read_text())] == []
@@ -218,7 +218,7 @@ def test_the_package_loads_no_file_or_figure_library():
 
 
 def test_a_first_solve_loads_nothing():
-    """NumPy loads its masked arrays when they are named, for longer than small contacts take."""
+    """NumPy loads masked arrays on first use, which takes longer than a small contact."""
     code = """if True:
         import sys, samcontact as sc
         grid = sc.Grid(64, 64, 1e-6, 1e-6)

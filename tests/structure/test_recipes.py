@@ -19,7 +19,7 @@ SOURCES = {
 
 
 def recipes():
-    """Title, names of the example and files of the table of each recipe that has an example."""
+    """Return title, names of the example and listed files of each recipe with an example."""
     for section in re.split(r"^## ", PAGE, flags=re.MULTILINE)[1:]:
         if example := re.search(r"^Example: (.*)\.$", section, re.MULTILINE):
             names = re.findall(r"`(\w+)`", example[1])
@@ -28,7 +28,7 @@ def recipes():
 
 
 def python_words(text):
-    """Names and whole strings of a module, without comments and docstrings."""
+    """Return names and whole strings of a module, without comments and docstrings."""
     for node in ast.walk(ast.parse(text)):
         for field in ("id", "attr", "name", "arg", "asname"):
             if isinstance(word := getattr(node, field, None), str):
@@ -38,7 +38,7 @@ def python_words(text):
 
 
 def words(name):
-    """All words of a source that stand for something."""
+    """Return all words of a source file except comments."""
     text = SOURCES[name]
     if name.endswith((".py", ".pyi")):
         return set(python_words(text))
@@ -52,7 +52,7 @@ RECIPES = list(recipes())
 
 
 @pytest.mark.parametrize(("names", "files"), RECIPES)
-def test_the_example_of_a_recipe_lies_in_its_files(names, files):
+def test_the_example_of_a_recipe_occurs_in_its_files(names, files):
     found = {source for source, there in WORDS.items() if there & set(names)}
     stems = {source for source in SOURCES if Path(source).stem in names}
     assert found | stems == set(files)

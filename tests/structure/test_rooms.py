@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The order of the rooms of the core, as data, and documentation of all that is public."""
+"""Order of the rooms of the core, as data, and documentation of all public objects."""
 
 import graphlib
 import inspect
@@ -24,7 +24,7 @@ BINDINGS = sorted((ROOT / "cpp" / "bindings").glob("*.?pp"))
 PACKAGE = ROOT / "python" / "samcontact"
 MODULES = sorted(PACKAGE.rglob("*.py"))
 
-# What a room may include besides itself.
+# Rooms that each room may include.
 BELOW = {
     "base": set(),
     "fatigue": {"base"},
@@ -37,7 +37,7 @@ BELOW = {
 }
 
 
-# The same within divided rooms; "" is what lies in the room itself, above all its parts.
+# Parts within divided rooms; "" is the room itself, above all its parts.
 DIVIDED = {
     "operators": {
         "influence": set(),
@@ -72,7 +72,7 @@ DIVIDED = {
 
 
 def place(file):
-    """The room of a header or a source, and the part of it, "" where it is not divided."""
+    """Return the room of a header or source and its part, "" if the room is not divided."""
     parts = file.parts[max(n for n, part in enumerate(file.parts) if part in BELOW) : -1]
     return parts[0], "/".join(parts[1:])
 
@@ -86,7 +86,7 @@ def includes(file):
 
 
 def own(file):
-    """The headers of the core that a file includes, as paths below cpp/include."""
+    """Return the headers of the core included by a file, as paths below cpp/include."""
     return [name for name in includes(file) if name.startswith("samcontact/")]
 
 
@@ -133,7 +133,7 @@ def test_the_core_knows_neither_python_nor_printing():
         assert not re.search(r"\bstd::(cout|cerr|clog|printf)\b|\bprintf\s*\(", file.read_text())
 
 
-def test_fftw_has_one_door():
+def test_fftw_is_used_by_one_file():
     users = {str(f.relative_to(ROOT)) for f in HEADERS + SOURCES if "fftw3.h" in includes(f)}
     assert users == {"cpp/include/samcontact/fft/plan.hpp"}
 
@@ -165,7 +165,7 @@ def test_headers_without_a_source_compile_alone(header):
     assert done.returncode == 0, done.stderr
 
 
-def test_headers_open_with_their_purpose():
+def test_headers_start_with_their_purpose():
     for file in HEADERS:
         lines = file.read_text().splitlines()
         assert re.match(r"// [A-Z].{15,}", lines[1]), file
@@ -215,7 +215,7 @@ def test_files_begin_with_the_licence(folder):
         assert "SPDX-License-Identifier: GPL-3.0-or-later" in start or not start, file
 
 
-def test_every_documented_module_is_there_when_it_is_asked_for():
+def test_every_documented_module_is_available_as_an_attribute():
     pages = [file.read_text(encoding="utf-8") for file in (ROOT / "docs" / "api").glob("*.md")]
     modules = sorted(re.findall(r"automodule:: samcontact\.(\S+)", "\n".join(pages)))
     assert {"cases", "plotting", "plotting.wear", "report", "results"} <= set(modules)
@@ -234,7 +234,7 @@ def test_every_documented_module_is_there_when_it_is_asked_for():
 
 
 def public(owner, prefix):
-    """Public functions, classes, methods and properties below a module or class, with names."""
+    """Yield public functions, classes, methods and properties of a module or class, with names."""
     own = inspect.isclass(owner) and [name for base in owner.__mro__[:-1] for name in vars(base)]
     names = getattr(owner, "__all__", None) or [n for n in own or vars(owner) if n[0] != "_"]
     for name in names:
@@ -263,7 +263,7 @@ def test_everything_public_has_a_docstring():
 
 
 def callables():
-    """Public classes and functions with documented parameters."""
+    """Return public classes and functions with documented parameters."""
     for name in sc.__all__:
         thing = getattr(sc, name)
         members = [thing]

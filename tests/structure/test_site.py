@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The documentation site builds without warnings, and shows what it should without a network."""
+"""The documentation site builds without warnings and is complete without a network."""
 
 import re
 import subprocess
@@ -55,7 +55,7 @@ def test_the_fields_of_case_files_come_from_the_models(site):
     assert re.search(rf">dx</span></code></p></td>\s*{meaning}\s*<td><p>m</p></td>", text)
 
 
-def test_functions_that_answer_questions_are_links(site):
+def test_functions_on_the_questions_page_are_links(site):
     text = (site / "questions.html").read_text().partition("<h1>")[2]
     named = re.findall(r'(<a [^>]*>)?<code [^>]*><span class="pre">sc\.[\w.]+</span></code>', text)
     assert len(named) > 60
@@ -70,7 +70,7 @@ def test_the_first_page_has_a_picture_for_each_kind_of_user(site):
 
 
 def headings(page):
-    """Texts of the headings of a page, plain."""
+    """Return the plain texts of the headings of a page."""
     found = re.findall(r"<h[123]>(.*?)<a class=\"headerlink\"", page.read_text(), re.DOTALL)
     return [re.sub(r"<[^>]*>", "", text).replace("&quot;", '"') for text in found]
 
@@ -80,11 +80,11 @@ def test_sections_of_case_files_are_titled_as_there(site):
     assert len(set(titles)) == len(titles)
     for expected in ("[grid]", '[body1], [body2] with law = "swift"', "[[path]]", "[path.roll]"):
         assert expected in titles
-    # names of classes are of no use to whoever writes a file
+    # class names are of no use to authors of case files
     assert [title for title in titles if re.search(r"[a-z][A-Z]|^[A-Z]\w+[A-Z]", title)] == []
 
 
-def test_signatures_name_their_types_in_one_word(site):
+def test_signatures_have_short_type_names(site):
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
     plain = re.sub(r"<[^>]*>", "", text)
     assert "gap: ArrayLike" in plain
@@ -100,7 +100,7 @@ def test_long_signatures_have_a_line_for_each_parameter(site):
     assert not re.search(r"Bases: <code[^>]*><span[^>]*>object<", text)
 
 
-def test_parameters_are_none_of_the_words_between(site):
+def test_words_between_parameters_are_not_parameters(site):
     """Words of a sentence between parameters must not be taken for parameter names."""
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
     types = re.findall(r"<strong>[^<]*</strong> \(<em>([^<]*)</em>", text)
@@ -109,7 +109,7 @@ def test_parameters_are_none_of_the_words_between(site):
     assert "model_config" not in text
 
 
-def test_what_a_property_says_is_not_taken_for_its_type(site):
+def test_the_docstring_of_a_property_is_not_parsed_as_its_type(site):
     """Text before a colon in the first line of a property must not be taken for its type."""
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
     types = re.findall(r'Type<span class="colon">:</span></dt>\s*<dd[^>]*><p>(.*?)</p>', text)
@@ -117,7 +117,7 @@ def test_what_a_property_says_is_not_taken_for_its_type(site):
     assert [found for found in types if re.match(r"[A-Z][a-z]+ [a-z]", found)] == []
 
 
-def test_notebooks_and_tutorial_come_with_what_they_print_and_draw(site):
+def test_notebooks_and_tutorial_show_their_output_and_figures(site):
     for source in (DOCS.parent / "notebooks").glob("*.ipynb"):
         page = (site / "notebooks" / f"{source.stem}.html").read_text()
         assert page.count('<img alt="../_images/') >= 3, source
@@ -136,7 +136,7 @@ def test_every_notebook_has_its_picture(site):
     assert linked == sorted(path.stem for path in (DOCS.parent / "notebooks").glob("*.ipynb"))
 
 
-def test_words_of_types_are_no_links(site):
+def test_words_in_types_are_not_links(site):
     text = "".join(page.read_text() for page in (site / "api").glob("*.html"))
     assert "(array_like, shape (nx, ny)" in re.sub(r"<[^>]*>", "", text)
     assert not re.search(r"<a [^>]*><em>[a-z_]+</em></a>", text)
@@ -195,7 +195,7 @@ return {
 
 
 def test_pages_in_a_browser_without_a_network(site):
-    """Pictures and formulas are there; a phone shows the whole width, and labels of pictures."""
+    """Pictures and formulas are displayed, at full width on a phone, with legible labels."""
     pages = ["index", "tutorial", "questions", "features", "troubles", "guides/bearing", "gallery"]
     pages += ["case_reference", "api/contact"]
     pages += ["gallery/friction", "notebooks/02_yield_and_hardening", "genindex", "architecture"]

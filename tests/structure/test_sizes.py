@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files and functions are short enough to be read at once."""
+"""Limits on the length of files and functions."""
 
 import ast
 from pathlib import Path
@@ -12,16 +12,16 @@ FILES = sorted(
     for file in (ROOT / folder).rglob("*")
     if file.suffix in (".py", ".hpp", ".cpp", ".sh", ".cmake")  # stubs are generated
 )
-# Lines; of a function those of its docstring do not count. clang-tidy has the same limit for C++.
+# Lines; docstrings of functions do not count. clang-tidy has the same limit for C++.
 FILE, FUNCTION = 400, 60
 
 
 def length(function):
-    """Lines from `def` to the end, without the docstring."""
+    """Return the number of lines from `def` to the end, without the docstring."""
     lines = function.end_lineno - function.lineno + 1
     if ast.get_docstring(function) is not None:
-        told = function.body[0]
-        lines -= told.end_lineno - told.lineno + 1
+        message = function.body[0]
+        lines -= message.end_lineno - message.lineno + 1
     return lines
 
 

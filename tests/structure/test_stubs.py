@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The stubs of the compiled module are those of its signatures."""
+"""Stubs of the compiled module agree with its signatures."""
 
 import importlib.util
 from pathlib import Path

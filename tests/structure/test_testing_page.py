@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""docs/testing.md names what is tried, and where."""
+"""docs/testing.md names all kinds of tested runs and their folders."""
 
 import importlib.util
 import re
@@ -19,7 +19,7 @@ def constants(path):
 
 
 @pytest.mark.parametrize("folder", ["fuzz", "faults"])
-def test_every_kind_is_tried_and_on_the_page(folder):
+def test_every_kind_of_run_is_tested_and_on_the_page(folder):
     path = {"fuzz": "tests/fuzz/fuzzing.py", "faults": "tests/faults/faulting.py"}[folder]
     module = constants(path)
     counted = getattr(module, "INPUTS" if folder == "fuzz" else "TRIALS")
@@ -29,7 +29,7 @@ def test_every_kind_is_tried_and_on_the_page(folder):
     assert re.findall(r"^\| ([^|]+) \| ", section, re.MULTILINE)[1:] == list(counted)
 
 
-def test_bounds_of_memory_are_those_that_are_tried():
+def test_memory_bounds_on_the_page_are_those_of_the_tests():
     tried = (ROOT / "tests" / "faults" / "test_out_of_memory.py").read_text()
     low, high = re.search(r"between ([\d.]+) and ([\d.]+) times the peak", PAGE).groups()
     assert f"{low} < r < {high}" in tried

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Unit tests lie in folders with the names of the rooms that they test."""
+"""Folders of unit tests have the names of the tested rooms."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""docs/validation.md: made of what the tests measured, all of it and no more."""
+"""docs/validation.md contains exactly the numbers measured by tests."""
 
 import dataclasses
 import re
@@ -17,11 +17,11 @@ STORED = validation_page.load()
 PRESSURE = Row("table", "p", "a/16", "", 1.01, 1.0, "GPa", 0.02, True, "file.py::test_p[16]")
 
 
-def test_the_page_is_made_of_the_stored_numbers():
+def test_the_page_is_generated_from_the_stored_numbers():
     assert validation_page.PAGE.read_text(encoding="utf-8") == validation_page.page(STORED.values())
 
 
-def test_the_stored_numbers_hold():
+def test_the_stored_numbers_are_within_their_limits():
     assert len(STORED) > 200
     assert [row for row in STORED.values() if not row.holds] == []
 
@@ -33,7 +33,7 @@ def test_each_number_has_its_test():
 
 
 def test_the_page_of_features_states_stored_numbers():
-    """Each line of its table with two numbers of a unit is a stored one, to the digits given."""
+    """Each line of its table with two numbers of equal unit agrees with a stored row."""
     text = (ROOT / "docs" / "features.md").read_text(encoding="utf-8")
     lines = text.partition("## Accuracy")[2].partition("\n## ")[0].splitlines()
     number = r"\| [^|]*?([\d.]+) (GPa|MPa|nm|%) \| [^|]*?([\d.]+) \2 \|$"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The fixture `measured`: asserts a number, and has it on docs/validation.md."""
+"""Fixture `measured`: compare a number with its reference and store it for validation.md."""
 
 import pytest
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Elastic contact of a coated body against solutions of its integral equation (reference/layers).
 
-At 32 cells per contact radius; the errors are those of the homogeneous contact, first in the list.
+The grids have 32 cells per contact radius. The homogeneous contact, first in the list, has equal
+errors.
 """
 
 import json
@@ -63,8 +64,8 @@ COATINGS.append(COATINGS[1] + COATINGS[7])
 
 
 @pytest.mark.parametrize("layers", COATINGS)
-def test_wave_on_a_coating_closes_at_its_own_pressure(layers):
-    """Full contact of one wave: p = p_m + p* cos(q x), p* = A over the compliance of the wave."""
+def test_full_contact_pressure_of_a_wave_on_a_coating(layers):
+    """Full contact of a wave: p = p_m + p* cos(q x), p* is amplitude over wave compliance."""
     n = 128
     grid = sc.Grid(n, 1, WAVE / n, WAVE / n, periodic="xy")
     body, q = sc.Layered(layers, STEEL), 2 * np.pi / WAVE
@@ -155,4 +156,4 @@ def test_coating_and_substrate_that_both_yield():
                 rms = np.sqrt(np.mean((found[inside] - expected) ** 2))
                 assert rms < tol * np.abs(exact[own]).max()
     left = unloaded.residual_displacement()[20, 20]
-    assert left == pytest.approx(case["print"], rel=0.02)
+    assert left == pytest.approx(case["residual_uz"], rel=0.02)

@@ -31,7 +31,7 @@ RADIUS_1 = 1e-3  # of the prescribed pressure [m]
 
 
 class Run:
-    """One loading and unloading, and its differences from the finite elements."""
+    """One loading and unloading, and differences from finite elements."""
 
     def __init__(self, name, cells, increments, **settings):
         self.name, self.mesh = name, f"a/{cells}, {increments} increments"
@@ -77,7 +77,7 @@ class Run:
         self.unloaded = simulation.step(pressure=0 * pressure)
 
     def scalars(self):
-        """Headline numbers here and of the finite elements."""
+        """Return scalar results of the simulation and of finite elements."""
         loaded, unloaded = self.summary["loaded"], self.summary["unloaded"]
         von_mises = self.loaded.von_mises()[self.axis].max()
         residual = self.unloaded.von_mises()[self.axis].max()
@@ -107,7 +107,7 @@ class Run:
 
 
 def profiles(case, loaded, unloaded, radius):
-    """Largest rms difference of each kind of profile, relative to the largest value there."""
+    """Return the largest rms difference of each kind of profile, relative to its maximum."""
     grid, found = loaded.grid, {}
     z, i, j = grid.z, grid.nx // 2, grid.ny // 2
     for kind, state, table in (
@@ -191,14 +191,14 @@ def test_unloading_is_elastic(run):
 
 
 class Shallow(Run):
-    """Few output layers; plastic flow extends below them."""
+    """Run with few output layers; plastic flow extends below them."""
 
     def _grid(self, radius, cells, width, depth):
         return super()._grid(radius, cells, width, 0.5)
 
 
 class Open(Run):
-    """No number of layers given."""
+    """Run without a given number of layers."""
 
     def _grid(self, radius, cells, width, depth):
         grid = super()._grid(radius, cells, width, depth)
@@ -206,7 +206,7 @@ class Open(Run):
 
 
 class Growing(Open):
-    """Initial grid too small; it is enlarged automatically."""
+    """Run with a small initial grid, which is enlarged automatically."""
 
     def _grid(self, radius, cells, width, depth):
         return super()._grid(radius, cells, 0.3, depth)
@@ -217,7 +217,7 @@ class Growing(Open):
 
 
 @pytest.mark.parametrize("name", CONTACT)
-def test_window_need_not_be_known(name):
+def test_grid_width_need_not_be_known(name):
     wide, small = (kind(name, cells=8, increments=6) for kind in (Open, Growing))
     assert small.first.nx < 6 < wide.grid.nx <= small.grid.nx
     expected = wide.scalars()
@@ -278,7 +278,7 @@ class TestPerfectPlasticity:
     )
     @staticmethod
     def pressed_and_released(request):
-        """The mesh, states at equal steps of the approach, and the one after unloading."""
+        """Return the mesh, states at equal steps of the approach, and the unloaded state."""
         critical, radius = TestPerfectPlasticity.CRITICAL, TestPerfectPlasticity.RADIUS
         cells, increments = request.param
         d = np.sqrt(10 * critical * radius) / cells

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every value and trend that the thesis states for the figures of docs/gallery, on coarse grids."""
+"""Values and trends stated in the thesis for the figures of docs/gallery, on coarse grids."""
 
 import importlib
 

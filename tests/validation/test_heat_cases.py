@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Two balls at 1500 N with steady heat into one (Boucly 2008, tables 2.1 to 2.3).
 
-References are converged values of an independent solution; the thesis reads its own off a coarse
+References are converged values of an independent solution; those of the thesis are from a coarse
 mesh.
 """
 
@@ -56,7 +56,7 @@ def test_largest_von_mises_stress(Q, largest, thesis, depth, measured):
     ("Q", "onset", "thesis"), [(0.0, 296, 298), (0.05, 497, 491), (0.12, 472, 468), (0.2, 209, 212)]
 )
 def test_onset_of_yield(Q, onset, thesis, measured):
-    """Load where the largest von Mises stress reaches 1476.7 MPa."""
+    """Load at which the maximum von Mises stress reaches 1476.7 MPa."""
     grid, z = grid_of(97, 1.0), np.arange(0, 300e-6, 5e-6)
     loads = np.array([0.97, 1.03]) * onset
     largest = [von_mises(grid, Q, load, z).max() for load in loads]

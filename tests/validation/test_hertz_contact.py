@@ -5,8 +5,8 @@ Cells of uniform pressure resolve its smooth part to second order; at the edge, 
 a square root, only a strip of one cell errs, which is first order in the L2 norm. The errors are in
 docs/validation.md.
 
-How the edge cuts the cells makes these errors jump by a factor of two, so the order is observed on
-their root mean square over eight contacts of a/dx = m, m + 1/8, ..., m + 7/8.
+The position of the edge in its cells changes these errors by a factor of two, so the order uses
+their rms over eight contacts of a/dx = m, m + 1/8, ..., m + 7/8.
 """
 
 import numpy as np
@@ -30,7 +30,7 @@ PLACES = {"on a point": 1, "between points": 2}
 
 
 def solve(ball, cells, place):
-    """The Hertz contact, the solution, and the relative error of its pressure in the L2 norm."""
+    """Return the Hertz contact, the solution, and the relative L2 error of its pressure."""
     exact = hertz.point(R=RADIUS, E_star=hertz.effective_modulus(ball, STEEL), load=LOAD)
     n = 2 * int(1.15 * cells) + PLACES[place]
     grid = sc.Grid(n, n, exact.a / cells, exact.a / cells)
@@ -43,7 +43,7 @@ def solve(ball, cells, place):
 
 
 def errors(ball, cells, place):
-    """Relative errors of the maximum pressure, the approach, and the pressure in the L2 norm."""
+    """Return relative errors of maximum pressure, approach, and pressure in the L2 norm."""
     exact, solution, difference = solve(ball, cells, place)
     found = (solution.pressure.max() / exact.p0 - 1, solution.approach / exact.approach - 1)
     return np.array([*found, difference])
@@ -86,9 +86,9 @@ def test_order_of_convergence(place, measured):
 @pytest.mark.parametrize("long_axis", ["x", "y"])
 @pytest.mark.parametrize("aspect", [1, 2])
 def test_elliptic_contact(long_axis, aspect, measured):
-    """Ratio of radii 5, whose exact ellipticity is 2.890181; cells dx x aspect dx.
+    """The ratio of radii is 5, the exact ellipticity 2.890181; cells are dx x aspect dx.
 
-    A contact seen through cells is known to half a cell on either side.
+    The edge of a contact of cells is known to half a cell on either side.
     """
     long_short = (5 * RADIUS, RADIUS)
     Rx, Ry = long_short if long_axis == "x" else long_short[::-1]

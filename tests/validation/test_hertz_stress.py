@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Elastic stress under a Hertz pressure sampled at cell centres, 32 cells per contact radius.
 
-Sampling errs at the rim, where the pressure rises like a square root: of order (dx/a)**1.5 in the
-cells there, and little of it is left below; the tolerances are about twice the errors measured. The
+Sampling causes errors at the rim, where the pressure rises like a square root: (dx/a)**1.5 in the
+cells there, and much less below; the tolerances are about twice the measured errors. The
 reference values come from quadrature of the point-load solutions (tests/oracles/hertz_stress.py).
 """
 
@@ -19,7 +19,7 @@ TABLE = "Stress under a Hertz pressure"
 
 
 def sampled(cells):
-    """Grid over the contact, with a row at y = 0, and the Hertz pressure at its cell centres."""
+    """Return a grid with a row at y = 0, and the Hertz pressure at its cell centres."""
     n = 2 * cells + 3
     grid = sc.Grid(n, n, A / cells, A / cells)
     r2 = (grid.x[:, None] ** 2 + grid.y[None, :] ** 2) / A**2
@@ -27,7 +27,7 @@ def sampled(cells):
 
 
 def parabolic(values, positions, index):
-    """Maximum and its position of the parabola through three equidistant points."""
+    """Return maximum and position of the parabola through three equidistant points."""
     left, middle, right = values[index - 1 : index + 2]
     step = positions[index + 1] - positions[index]
     curvature = left - 2.0 * middle + right

@@ -23,7 +23,7 @@ def wave_grid(n, ny=None):
 
 
 def westergaard(x, share):
-    """Half width and pressure over p* of a wave under share p*."""
+    """Return half-width and maximum pressure over p* of a wave at a fraction of p*."""
     if share >= 1:
         return PERIOD / 2, share + np.cos(2 * np.pi * x / PERIOD)
     half = PERIOD / np.pi * np.arcsin(np.sqrt(share))

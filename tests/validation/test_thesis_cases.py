@@ -34,7 +34,7 @@ def two_balls(cells, body1=ELASTIC, body2=STEEL_52100, load=1500.0, size=(1.3, 1
     scope="module", params=["case", pytest.param("fine", marks=pytest.mark.slow)], name="run"
 )
 def pressed_and_released(request):
-    """The mesh, and the states at the largest load and after unloading."""
+    """Return the mesh, and the states at the largest load and after unloading."""
     if request.param == "case":
         simulation, path = load_case(CASES / "t1_two_balls.toml").build()
         mesh = "a/16, 12 increments"
@@ -114,7 +114,7 @@ class TestTwoBallsAt1500N:
                            source=source, mesh="a/20")  # fmt: skip
 
 
-def test_the_load_may_come_at_once_or_in_many_increments():
+def test_one_increment_and_many_increments_agree():
     # Backward Euler with the consistent total increment: converges for any step.
     found = []
     for increments in (1, 6, 12):
@@ -131,7 +131,7 @@ def test_the_load_may_come_at_once_or_in_many_increments():
 
 
 class TestWork:
-    """Evaluations of the plastic fixed point, each with one residual stress, to tol 1e-6."""
+    """Number of fixed-point evaluations, each with one residual stress, to tol 1e-6."""
 
     @staticmethod
     def contact_iterations_per_evaluation(simulation):
@@ -158,7 +158,7 @@ class TestWork:
 
 @pytest.fixture(scope="module")
 def many():
-    """8 GPa and back in 200 increments: at the peak, and unloaded."""
+    """Load to 8 GPa and unload in 200 increments; return the peak and the unloaded state."""
     load = TestIncrementTolerance.LOAD
     simulation = two_balls(8, load=load, size=(1.8, 2.4), body1=STEEL_52100)
     path = sc.paths.load_unload(load=load, increments=100)
@@ -168,7 +168,7 @@ def many():
 
 
 class TestIncrementTolerance:
-    """Two inelastic balls to a Hertz pressure of 8 GPa and back."""
+    """Two elastic-plastic balls loaded to a Hertz pressure of 8 GPa and unloaded."""
 
     LOAD = 11179.0
     TOL = 2e-3
@@ -183,17 +183,17 @@ class TestIncrementTolerance:
                    for f, e in zip(found, expected, strict=True)]  # fmt: skip
         return np.abs([loaded, *strains])
 
-    def test_is_met_in_few_parts(self, many):
+    def test_the_increment_tolerance_is_met_in_few_sub_increments(self, many):
         states = self.divided(increment_tol=self.TOL)
         assert (self.errors(states, many) < self.TOL).all()
         assert sum(state.substeps for state in states) <= 14
         for state in states:
             assert state.yield_violation <= 1e-6
 
-    def test_one_increment_is_far_off(self, many):
+    def test_one_increment_without_tolerance_is_inaccurate(self, many):
         assert (self.errors(self.divided(), many)[:1] > 0.02).all()
 
-    def test_a_looser_one_takes_fewer_parts(self):
+    def test_a_looser_tolerance_needs_fewer_sub_increments(self):
         parts = [sum(s.substeps for s in self.divided(increment_tol=tol)) for tol in (0.05, 2e-3)]
         assert parts[0] < parts[1]
 

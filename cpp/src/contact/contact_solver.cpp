@@ -163,7 +163,7 @@ void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
   }
   if (heated_ && !solution.converged && solution.negative_curvatures > 0) {
     throw ConvergenceError("possible thermoelastic instability at " + describe(drive) +
-                               ": frictional heating made the operator indefinite in " +
+                               ": frictional heating makes the contact operator indefinite in " +
                                std::to_string(solution.negative_curvatures) +
                                " iterations; error " + to_short_text(solution.error) + " after " +
                                std::to_string(solution.iterations) + " iterations, tol " +

@@ -13,7 +13,7 @@ Field heat_displacement(const HeatSource& source, const HeatPoints& points, doub
   check_heat_arguments(source, points, 0, tol);
   if (source.is_steady() && !source.is_moving()) {
     throw std::invalid_argument(
-        "heated must be finite for a stationary source, got inf: its steady displacement has no "
+        "heated must be finite for a stationary source, got inf: the steady displacement has no "
         "far-field limit");
   }
   // u = -2 int dS int (2/pi) sin^2 phi f_a(x - V S sin^2 phi/kappa; v) f_b(..) dphi, S = v^2

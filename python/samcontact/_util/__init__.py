@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Argument checks, display, memory estimates and other tools that are independent of contact."""
+"""Argument checks, display, memory estimates and other tools without contact mechanics."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`functools.cached_property` without the lock of Python versions before 3.12.
 
-A child process forked while another thread computes such a property would wait for that lock
+With the lock, a child process forked while another thread computes a cached property would wait
 indefinitely.
 """
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING or sys.version_info >= (3, 12):
 else:
 
     class cached_property:
-        """Property that is computed once and stored in the attributes of its object."""
+        """Property whose value is computed on first access and stored in the instance."""
 
         def __init__(self, compute: Callable[[Any], Any]) -> None:
             self.compute, self.__doc__ = compute, compute.__doc__

@@ -13,18 +13,17 @@ class Check:
     Attributes
     ----------
     name : str
-        Name of the quantity checked.
+        Name of the quantity that is checked.
     value : float
-        Value of the quantity; NaN fails.
+        Value of the quantity; NaN never passes.
     limit : float
         Limit, in the unit of the value.
     at_least : bool
         Whether the limit is a lower bound.
     unit : str
-        SI unit of value and limit; "" for pure numbers.
+        SI unit of `value` and `limit`; "" for pure numbers.
     of_input : bool
-        Whether the check is a plausibility check of the input, such as a guard against wrong units,
-        and not a check of the results.
+        Whether the input is checked, e.g. against wrong units, and not the results.
     """
 
     name: str
@@ -53,6 +52,6 @@ class Check:
 
     @property
     def condition(self) -> str:
-        """Limit with its sense, e.g. "≤ 1e-06"."""
+        """Limit with its relation sign, e.g. "≤ 1e-06"."""
         sign = "≥" if self.at_least else "≤"
         return f"{sign} {self.limit:.3g} {self.unit}".strip()

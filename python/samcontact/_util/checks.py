@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Argument checks shared by the Python layer: name, value and allowed range in every error."""
+"""Argument checks; each error message gives the name, the value and the allowed range."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ MAX_COUNT = (1 << 31) - 1
 MAX_CELLS_ALONG_AXIS = 1 << 24
 """Maximum number of cells along one axis; transforms need twice as many."""
 MAX_STRESS = 1e75
-"""Maximum stress [Pa], as for load and modulus: products stay in the floating-point range."""
+"""Maximum stress [Pa], also for load and modulus: products stay in the floating-point range."""
 MAX_INCREMENTS_OF_PATH = 100_000
-"""Maximum number of increments of a path: more take months, and a typing error fills the memory."""
+"""Maximum number of increments of a path: longer paths would take months."""
 MAX_FILE_NAME_BYTES = 200
-"""Maximum length of a file name [bytes]: file systems allow 255, and partial files need more."""
+"""Maximum length of a file name [bytes]: file systems allow 255, partial files add some."""
 MAX_NUMBER = 1e300
 """Maximum magnitude in SI units: products of larger numbers leave the floating-point range."""
-_NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)  # numbers to Python or NumPy
+_NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)  # numbers according to Python or NumPy
 
 
 def _has_unit(value: Any) -> bool:
-    """Whether a value is a quantity, e.g. of pint, whose unit NumPy would drop."""
+    """Whether a value has a unit (e.g. a pint quantity), which NumPy would drop."""
     return hasattr(value, "to_base_units")
 
 
@@ -46,7 +46,7 @@ def number(name: str, value: Any) -> float:
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
     if isinstance(value, _NON_REAL_TYPES) or not isinstance(value, Real):
-        raise TypeError(f"{name} must be a number, got {in_short(value)}{_slip(value)}")
+        raise TypeError(f"{name} must be a number, got {in_short(value)}{_remedy(value)}")
     try:
         found = float(value) + 0.0  # never -0.0
     except OverflowError:  # an integer of more than 308 digits
@@ -58,7 +58,7 @@ def number(name: str, value: Any) -> float:
     return found
 
 
-def _slip(value: Any) -> str:
+def _remedy(value: Any) -> str:
     """Return a remedy for a value that is not a number."""
     if _has_unit(value):
         return ": convert it with samcontact.units.si"
@@ -70,7 +70,7 @@ def _slip(value: Any) -> str:
 
 
 def boolean(name: str, value: Any) -> bool:
-    """Return `value` as a bool; raise TypeError for other types, such as "no", which is true."""
+    """Return `value` as a bool; raise TypeError for other types, e.g. "no" (true in Python)."""
     if not isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name} must be True or False, got {in_short(value)}")
     return bool(value)
@@ -85,13 +85,13 @@ def finite(name: str, value: Any) -> float:
 
 
 def require_type(name: str, value: Any, kind: type) -> None:
-    """Raise TypeError naming the argument unless `value` is a `kind`."""
+    """Raise TypeError, with the argument's name, unless `value` is an instance of `kind`."""
     if not isinstance(value, kind):
         raise TypeError(f"{name} must be a samcontact.{kind.__name__}, got {in_short(value)}")
 
 
 def require_list(name: str, values: Any, kind: type) -> None:
-    """Raise TypeError naming the argument unless `values` is a list or tuple of `kind`."""
+    """Raise TypeError, with the argument's name, unless `values` is a list or tuple of `kind`."""
     wrong = values
     if isinstance(values, (list, tuple)):
         others = [one for one in values if not isinstance(one, kind)]
@@ -153,7 +153,7 @@ def in_cells(name: str, length: float, step: float) -> float:
 
 
 def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any]]:
-    """Return `steps` as a list of arguments of `Simulation.step`, whose names are `known`."""
+    """Return `steps` as a list of dicts of `Simulation.step` arguments, with names in `known`."""
     several = isinstance(steps, Iterable) and not isinstance(
         steps, (Mapping, str, bytes, np.ndarray)
     )
@@ -171,9 +171,9 @@ def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any
         for key in step:
             if key not in known:
                 near = difflib.get_close_matches(str(key), known, 1)
-                hint = f": did you mean {near[0]}?" if near else f": one of {', '.join(known)}"
+                hint = f": did you mean {near[0]}?" if near else f": use one of {', '.join(known)}"
                 raise TypeError(
-                    f"increment {number_} of {name} has an unknown field {in_short(key)}{hint}"
+                    f"increment {number_} of {name} has an unknown argument {in_short(key)}{hint}"
                 )
         exactly_one(**{key: step.get(key) for key in ("load", "approach", "pressure")})
         if step.get("pressure") is None:
@@ -208,11 +208,11 @@ def axis_number(axis: Any) -> int:
 
 
 def require_fast(name: str, method: str, periodic: str) -> None:
-    """Raise ValueError for the exact residual stress on a periodic grid."""
+    """Raise ValueError if residual_stress is "exact" and the grid is periodic."""
     if method == "exact" and periodic:
         raise ValueError(
-            f'{name} must be "fast" with grid.periodic = {periodic!r}, got "exact": the exact '
-            "kernels have no closed-form lattice sums"
+            f'{name} must be "fast" on a periodic grid (periodic = {periodic!r}), got '
+            '"exact": the exact kernels cannot be summed over all periods'
         )
 
 
@@ -227,9 +227,9 @@ def exactly_one(**given: Any) -> str:
 
 
 def real_array(name: str, value: ArrayLike) -> FloatArray:
-    """Return `value` as a float64 array of any shape, without loss of information."""
+    """Return `value` as a float64 array of any shape; refuse lossy conversions."""
     if _has_unit(value):
-        raise TypeError(f"{name} has a unit: convert it with samcontact.units.si")
+        raise TypeError(f"{name} has a unit: convert it to SI units with samcontact.units.si")
     lost = _masked_values(value)
     if lost:  # NumPy would use the values under the mask
         raise ValueError(
@@ -263,15 +263,15 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
 
 
 def _finite_end(end: np.ufunc, array: FloatArray) -> float:
-    """Return the minimum or maximum of all values except NaN; 0 if it is infinite."""
+    """Return the minimum or maximum of an array without its NaN values; 0 if this is infinite."""
     found = float(end.reduce(array, axis=None))
     return found if math.isfinite(found) else 0.0
 
 
 def _masked_values(value: ArrayLike) -> int:
-    """Return the number of masked values.
+    """Return the number of masked values in an array or a list of arrays.
 
-    Masked arrays are not loaded for the check, which would take longer than a small contact.
+    `numpy.ma` is not imported for the check: this would take longer than solving a small contact.
     """
     if "numpy.ma" not in sys.modules:
         return 0
@@ -280,7 +280,7 @@ def _masked_values(value: ArrayLike) -> int:
 
 
 def _not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:
-    """Return the kinds of entries that NumPy would silently convert, or could not convert."""
+    """Return the types in `value` that are not real numbers, in words, e.g. "complex numbers"."""
     names = {"b": "Boolean values", "c": "complex numbers", "S": "texts", "U": "texts"}
     names |= {"m": "time spans", "M": "dates"}
     if given.dtype.kind not in "iufO":
@@ -294,7 +294,7 @@ def _not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:
 
 
 def _kinds(value: Any) -> set[type]:
-    """Return the types of the entries of nested lists; arrays in them have a dtype."""
+    """Return the types of all entries of nested lists and arrays."""
     if isinstance(value, np.ndarray):
         return {value.dtype.type}
     if not isinstance(value, (list, tuple, np.flatiter)):
@@ -319,13 +319,13 @@ def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...] | None = No
 
 
 def together(**given: ArrayLike) -> list[FloatArray]:
-    """Return coordinates as arrays of one shape, broadcast, with finite entries."""
+    """Return finite coordinate arrays, broadcast to a common shape."""
     arrays = {name: finite_array(name, value) for name, value in given.items()}
     try:
         return list(np.broadcast_arrays(*arrays.values()))
     except ValueError:
         shapes = ", ".join(str(array.shape) for array in arrays.values())
-        allowed = "one shape, or shapes that extend to it"
+        allowed = "equal or compatible shapes"
         raise ValueError(f"{', '.join(arrays)} must have {allowed}, got {shapes}") from None
 
 
@@ -334,7 +334,7 @@ def gap_array(
 ) -> FloatArray:
     """Return `value` as a float64 array of exactly this `shape`, finite in at least one cell.
 
-    nobody: infinite value outside a body, +inf for a gap.
+    nobody: infinite value that marks cells without a body, +inf for a gap.
     """
     array = real_array(name, value)
     if array.shape != shape:
@@ -347,12 +347,14 @@ def gap_array(
             f"{array[index]} at index {index}"
         )
     if not np.isfinite(array).any():
-        raise ValueError(f"{name} must be finite somewhere, got {nobody:+} (no body) everywhere")
+        raise ValueError(
+            f"{name} must be finite in at least one cell, got {nobody:+} (no body) in all cells"
+        )
     return array
 
 
 def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
-    """Return `value` as a contiguous array of stresses [Pa] with magnitudes <= `MAX_STRESS`."""
+    """Return `value` as a contiguous array of tractions [Pa] with magnitudes <= `MAX_STRESS`."""
     array = np.ascontiguousarray(finite_array(name, value, shape))
     largest = float(np.abs(array).max(initial=0.0))
     if largest > MAX_STRESS:
@@ -361,11 +363,13 @@ def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray
 
 
 def of_bodies(name: str, value: float | Sequence[float]) -> tuple[float, float]:
-    """Return `value` as finite floats >= 0 for bodies 1 and 2; a single number is for body 2."""
+    """Return a finite float >= 0 for each body; a single number is for body 2 (body 1: 0)."""
     given = real_array(name, value)
     pair = [0.0, value] if given.ndim == 0 else list(given)
     if given.ndim > 1 or len(pair) != 2:
-        raise ValueError(f"{name} must be a number or a pair, got {in_short(value)}")
+        raise ValueError(
+            f"{name} must be a number, or a pair (body 1, body 2), got {in_short(value)}"
+        )
     return non_negative(name, pair[0]), non_negative(name, pair[1])
 
 
@@ -375,18 +379,20 @@ def file_path(name: str, value: Any) -> Path:
         raise TypeError(f"{name} must be a path, got {in_short(value)}")
     text = os.fsdecode(value)
     if not text or "\0" in text:
-        raise ValueError(f"{name} must be a non-empty path without NUL, got {text!r:.80}")
+        raise ValueError(
+            f"{name} must be a path that is not empty and has no NUL character, got {text!r:.80}"
+        )
     longest = max(Path(text).parts, key=len, default="")
     if len(os.fsencode(longest)) > MAX_FILE_NAME_BYTES:
         raise ValueError(
-            f"{name} must have parts of at most {MAX_FILE_NAME_BYTES} bytes, the limit of file "
-            f"systems, got {in_short(longest)}"
+            f"each folder and file name in {name} must be at most {MAX_FILE_NAME_BYTES} bytes long "
+            f"(limit of file systems), got {in_short(longest)}"
         )
     return Path(text)
 
 
 def load_or_approach(load: float | None, approach: float | None) -> tuple[str, float]:
-    """Return the name and value of the only argument that is given."""
+    """Return the name and checked value of the one argument that is not None."""
     name = exactly_one(load=load, approach=approach)
     # a negative approach separates the bodies; a negative load requires adhesion
     return name, non_negative("load", load) if name == "load" else finite("approach", approach)

@@ -36,7 +36,7 @@ UNIT_OF_FIELD = {
     "y": "m",
     "z": "m",
 }
-# Units whose prefixes are not powers of a thousand, with readable factors.
+# Units of area by the minimum value for which they are shown, and factors from m².
 _AREA_UNITS = (("m²", 1e-2), ("mm²", 1e-8), ("µm²", 0.0))
 _AREA_FACTORS = {"m²": 1.0, "mm²": 1e6, "µm²": 1e12}
 
@@ -76,17 +76,17 @@ def quantity(value: float, unit: str = "", digits: int = 4) -> str:
 
 
 def lengths(*values: float) -> str:
-    """Return sizes along the axes, as "25 µm × 30 µm"."""
+    """Return lengths along the axes [m] as text, e.g. "25 µm × 30 µm"."""
     return " × ".join(quantity(value, "m") for value in values)
 
 
 def counts(*values: int) -> str:
-    """Return numbers of cells along the axes, as "31 × 31"."""
+    """Return numbers of cells along the axes as text, e.g. "31 × 31"."""
     return " × ".join(str(value) for value in values)
 
 
 def html_table(title: str, rows: Rows) -> str:
-    """Return an HTML table with a caption; names and values are escaped."""
+    """Return an HTML table of (name, value) rows with a caption; names and values are escaped."""
     style = "text-align: left"
     body = "".join(
         f'<tr><th scope="row" style="{style}">{escape(name)}</th>'
@@ -98,7 +98,7 @@ def html_table(title: str, rows: Rows) -> str:
 
 
 class ShortRepr:
-    """Base of dataclasses with arrays, with a short repr."""
+    """Base class of dataclasses with arrays; the repr shortens the arrays."""
 
     def __repr__(self) -> str:
         shown = [field.name for field in fields(self) if field.repr]  # type: ignore[arg-type]
@@ -109,12 +109,12 @@ class ShortRepr:
 
 
 def rows_of(shown: HtmlTable) -> Rows:
-    """Return the rows of the table of an object in notebooks."""
+    """Return the (name, value) rows of the table that shows an object in a notebook."""
     return shown._rows()
 
 
 class HtmlTable:
-    """Base of objects shown as a table in notebooks; sufficient for dataclasses of numbers."""
+    """Base class of objects shown as a table in notebooks; enough for dataclasses of numbers."""
 
     def _rows(self) -> Rows:
         return [

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Warnings of the package."""
 
+import warnings
+
 
 class GridTooSmallWarning(UserWarning):
-    """Warning that the contact reaches the grid edge, or plastic strain is outside the fields."""
+    """Warning that the contact reaches the grid edge, or that output fields omit plastic strain."""
 
 
 class ConvergenceWarning(UserWarning):
@@ -13,9 +15,9 @@ class ConvergenceWarning(UserWarning):
 class PlasticStrainWarning(UserWarning):
     """Warning that the plastic strain exceeds the small-strain limit of 5 %.
 
-    It is issued when the accumulated equivalent plastic strain first exceeds 5 %, unless most of it
-    is reversed flow (plastic strain magnitude sqrt(2/3 e:e) below half of it), or when that
-    magnitude exceeds 5 %.
+    It is issued once, when the plastic strain magnitude sqrt(2/3 e:e) exceeds 5 %, or when the
+    accumulated equivalent plastic strain exceeds 5 % and the magnitude is at least half of it.
+    Otherwise most of the accumulated strain is reversed flow.
     """
 
 
@@ -24,7 +26,7 @@ class SingularPressureWarning(UserWarning):
 
 
 class ResolutionWarning(UserWarning):
-    """Warning that the cells are too large for the contact, or the layers for the plastic zone."""
+    """Warning that cells are too large for the contact, or layers for the plastic zone."""
 
 
 class ElasticStrainWarning(UserWarning):
@@ -41,3 +43,16 @@ class IncrementWarning(UserWarning):
 
 class AccuracyWarning(UserWarning):
     """Warning that a prescribed accuracy is not reached."""
+
+
+def is_ignored(category: type[Warning]) -> bool:
+    """Whether Python's filters ignore all warnings of a category."""
+    for action, message, other, module, line in warnings.filters:
+        if issubclass(category, other) and not (message or module or line):
+            return action == "ignore"
+    return False
+
+
+def attach(error: BaseException, **results: object) -> None:
+    """Attach the results computed before an exception to it, as attributes."""
+    vars(error).update(results)

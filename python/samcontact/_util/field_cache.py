@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cache of the most recent fields, shared by files, tables and figures of a run.
+"""Cache of the fields last computed, shared by the files, tables and figures of a run.
 
-A field is removed with its state or track. It is removed earlier if all fields together exceed
-`MAX_BYTES` bytes or a quarter of the available memory, or if memory is short.
+A field is removed when its state or track is deleted. Fields unused for longest are removed if all
+together exceed `MAX_BYTES` bytes or a quarter of the available memory. All fields are removed if
+memory is short.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ _fields: WeakKeyDictionary[Any, dict[Hashable, FloatArray]] = WeakKeyDictionary(
 
 
 def kept(owner: Any, name: Hashable, compute: Callable[[], FloatArray]) -> FloatArray:
-    """Return the field of this name, read-only, and compute it unless it is cached."""
+    """Return the read-only field `name` of `owner`; compute and store it if it is not cached."""
     with _lock:
         mine = _fields[owner] = _fields.pop(owner, {})
         if name in mine:
@@ -43,7 +44,7 @@ def kept(owner: Any, name: Hashable, compute: Callable[[], FloatArray]) -> Float
 
 
 def forget() -> bool:
-    """Remove all fields, and return whether there were any."""
+    """Remove all fields from the cache; return whether there were any."""
     with _lock:
         there = any(_fields.values())
         _fields.clear()
@@ -54,7 +55,7 @@ memory.CACHE_RELEASERS.append(forget)
 
 
 def _drop(most: float) -> None:
-    """Remove the oldest fields until the others have at most so many bytes."""
+    """Remove the fields unused for longest until at most `most` bytes remain in the cache."""
     total = sum(field.nbytes for mine in _fields.values() for field in mine.values())
     for mine in list(_fields.values()):
         for name in list(mine):

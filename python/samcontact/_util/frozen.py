@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Read-only arrays, dictionaries and attributes, which keep results consistent with their input."""
+"""Read-only arrays, dictionaries and attributes: results and their input cannot be changed."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Value = TypeVar("Value")
 
 
 def read_only(array: FloatArray) -> FloatArray:
-    """Return the array, which must have no other owner, as read-only."""
+    """Make an array read-only and return it; no other object may use the array."""
     array.flags.writeable = False
     return array
 
@@ -39,7 +39,7 @@ class FrozenDict(Mapping[str, Value]):
         return hash(frozenset(self._items.items()))
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError(f"{name} is read-only")
+        raise AttributeError(f"{name} is read-only: create a new object with the changed value")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return FrozenDict, (self._items,)
@@ -49,7 +49,7 @@ class FrozenDict(Mapping[str, Value]):
 
 
 class FixedAttributes:
-    """Base of objects whose public attributes are read-only after `__init__` has set `_last`."""
+    """Base class with read-only public attributes, once `__init__` has set the last attribute."""
 
     _last: ClassVar[str] = "_core"
 

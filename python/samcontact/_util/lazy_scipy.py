@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""SciPy with parts that are loaded on first use, unless address space is short.
+"""SciPy; each subpackage is loaded on first use, if the address space suffices.
 
-The linear algebra (OpenBLAS), loaded with the first part, reserves memory on loading. Without
-enough memory, some versions retry indefinitely, so that only SIGKILL would end the process.
+The linear algebra library (OpenBLAS) is loaded with the first subpackage and then reserves memory.
+Without enough memory, some versions retry indefinitely, and only SIGKILL would end the process.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _SCIPY_BYTES = 90e6
 
 
 class _LazyModule:
-    """Proxy of the package: `scipy.special` and so on."""
+    """Proxy of the package `scipy`; an attribute such as `special` loads the subpackage."""
 
     def __getattr__(self, name: str) -> Any:
         if not sys.modules.keys() & {"scipy.special", "scipy.linalg"}:

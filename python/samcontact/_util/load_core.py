@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loading of the core with a limited number of OpenMP threads that spin only briefly.
+"""Loading of the compiled core with a limited number of OpenMP threads that spin only briefly.
 
-Waking a sleeping thread takes as long as a small transform, especially on virtual machines; a
-spinning thread takes processor time from other processes. Waiting threads therefore spin for some
-tenths of a millisecond. OpenMP reads its environment once, when its library is loaded. Valid
-settings of the user have priority, and the environment is restored.
+Waking a sleeping thread takes as long as a small Fourier transform, especially on virtual machines.
+A spinning thread takes processor time from other processes. Waiting threads therefore spin for some
+tenths of a millisecond and then sleep. OpenMP reads its environment variables once, when its
+library is loaded. Valid settings of the user have priority, and the environment is restored.
 """
 
 import os
@@ -18,7 +18,7 @@ MIN_STACK_BYTES = 2**20
 
 
 def most_threads() -> int:
-    """Return the maximum number of threads, eight per processor: more only wait for each other."""
+    """Return the maximum number of threads, eight per processor; more would only wait."""
     return 8 * (os.cpu_count() or 1)
 
 
@@ -27,7 +27,7 @@ def _count(text: str) -> int | None:
 
 
 def _number_of_threads(given: str) -> str | None:
-    """Return the value of OMP_NUM_THREADS for OpenMP; None for no value."""
+    """Return a valid value of OMP_NUM_THREADS; None if the given text is not valid."""
     if not given.strip():
         return None
     counts = [
@@ -49,7 +49,7 @@ def _limit(given: str) -> str:
 
 
 def _stack(given: str) -> str | None:
-    """Return a stack size sufficient for the core, in kilobytes without unit; None: no setting."""
+    """Return OMP_STACKSIZE, raised to the minimum of the core; None: remove the variable."""
     text = given.strip().lower()
     number, unit = (text[:-1], text[-1]) if text[-1:] in _BYTES_PER_UNIT else (text, "k")
     count = _count(number.strip())
@@ -59,7 +59,7 @@ def _stack(given: str) -> str | None:
 
 
 def _default_stack() -> str | None:
-    """Return the stack size if `ulimit -s` is too small; None if it is sufficient."""
+    """Return "1M", the stack size of threads, if `ulimit -s` is too small; otherwise None."""
     if sys.platform == "win32":
         return None
     import resource
@@ -69,7 +69,7 @@ def _default_stack() -> str | None:
 
 
 def _settings() -> Iterator[tuple[str, str | None]]:
-    """Yield names and values of the environment while the core is loaded; None removes a name."""
+    """Yield environment variables (name, value) for loading the core; None removes the variable."""
     usable: dict[str, Callable[[str], str | None]] = {
         "OMP_NUM_THREADS": _number_of_threads,
         "OMP_THREAD_LIMIT": _limit,

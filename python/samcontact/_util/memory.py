@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Estimates of required and available memory, to refuse calculations in advance.
+"""Estimates of required and available memory, to refuse calculations that would not fit.
 
-The constants are total bytes per cell, as measured (tests/faults/test_out_of_memory.py).
+The constants are total bytes per cell, measured in tests/faults/test_out_of_memory.py.
 """
 
 from __future__ import annotations
@@ -40,7 +40,8 @@ LIBRARY_BYTES, BLAS_BUFFER_BYTES, HDF5_FILE_BYTES = 400e6, 45e6, 64e6
 """Address space [bytes]: all libraries of a run with one thread of linear algebra, including the
 first block of the core (128 MB); each further thread, per library; a file while it is written."""
 VOLUME_FIELD_BYTES = 300.0
-"""Bytes per volume cell: field of a state; with exact residual stress as `EXACT_RESIDUAL_BYTES`."""
+"""Bytes per volume cell: field of a state; `EXACT_RESIDUAL_BYTES` applies to exact residual
+stress."""
 
 
 class CellCounts(Protocol):
@@ -60,7 +61,7 @@ class CellCounts(Protocol):
 
 
 def require(what: str, needed: float, remedy: str = "use fewer cells") -> None:
-    """Raise MemoryError unless this many bytes are available."""
+    """Raise MemoryError unless `needed` bytes are available."""
     if needed < _MAX_UNCHECKED_BYTES:
         return
     there = available()
@@ -74,10 +75,7 @@ def require(what: str, needed: float, remedy: str = "use fewer cells") -> None:
 
 
 def blas_threads() -> int:
-    """Return the number of threads of the linear algebra (OpenBLAS) of NumPy and SciPy.
-
-    Each thread has a buffer.
-    """
+    """Return the number of threads of OpenBLAS (NumPy, SciPy), each of which has a buffer."""
     processors = os.cpu_count() or 1
     for name in ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS"):
         given = os.environ.get(name, "")
@@ -87,12 +85,12 @@ def blas_threads() -> int:
 
 
 def require_address_space(what: str, needed: float) -> None:
-    """Raise MemoryError unless the process may allocate so many bytes more (``ulimit -v``).
+    """Raise MemoryError unless the process may allocate `needed` more bytes (``ulimit -v``).
 
-    For libraries that do not survive a failed allocation: on loading, some versions of OpenBLAS
-    retry indefinitely until SIGKILL, and HDF5 crashes.
+    It is used before loading libraries that do not survive a failed allocation: some versions of
+    OpenBLAS retry indefinitely until SIGKILL, and HDF5 crashes.
     """
-    there = _of_process()
+    there = _process_memory()
     if there is not None and needed > there:
         raise MemoryError(
             f"not enough memory: {what} requires about {needed / 1e6:.0f} MB more address space, "
@@ -102,7 +100,7 @@ def require_address_space(what: str, needed: float) -> None:
 
 
 def require_for_grid(what: str, grid: CellCounts, needed: float) -> None:
-    """Raise MemoryError, with the numbers of cells, unless this many bytes are available."""
+    """Raise MemoryError, with the numbers of cells, unless `needed` bytes are available."""
     if needed < _MAX_UNCHECKED_BYTES:
         return
     cells = f"nx = {grid.nx}, ny = {grid.ny}" + (f", nz = {grid.nz}" if grid.nz else "")
@@ -110,35 +108,37 @@ def require_for_grid(what: str, grid: CellCounts, needed: float) -> None:
 
 
 def of_contact(*, coupled: bool, sticks: bool, heated: bool) -> float:
-    """Return the bytes per surface cell of a contact.
+    """Return the memory of a contact solution per surface cell [bytes].
 
-    coupled: dissimilar materials, whose shear displaces the surfaces normally; sticks: partial
-    slip; heated: frictional heating.
+    coupled: shear displaces the surfaces normally (dissimilar materials); sticks: partial slip;
+    heated: frictional heating.
     """
     smooth = COUPLED_PARTIAL_SLIP_BYTES if sticks else COUPLED_CONTACT_BYTES
     return max(smooth if coupled else CONTACT_BYTES, HEATED_CONTACT_BYTES if heated else 0.0)
 
 
 def surface(grid: CellCounts, bytes_a_cell: float) -> float:
-    """Return the bytes of all surface cells of a grid."""
+    """Return the memory of all surface cells of a grid [bytes]."""
     return bytes_a_cell * grid.nx * grid.ny
 
 
 def volume(grid: CellCounts, bytes_a_cell: float, layers: int | None = None) -> float:
-    """Return the bytes of all volume cells of a grid, for its own or another number of layers."""
+    """Return the memory of all volume cells [bytes] of a grid, with grid.nz or `layers` layers."""
     return surface(grid, bytes_a_cell) * (grid.nz if layers is None else layers)
 
 
 def available() -> float | None:
-    """Return the available memory [bytes], limited by machine, container and process.
+    """Return the available memory [bytes]; None if it is unknown.
 
-    None if the system provides no information.
+    It is the minimum of the limits of machine, container and process.
     """
-    known = [amount for amount in (_of_machine(), _of_container(), _of_process()) if amount]
+    known = [
+        amount for amount in (_machine_memory(), _container_memory(), _process_memory()) if amount
+    ]
     return min(known, default=None)
 
 
-def _of_machine() -> float | None:
+def _machine_memory() -> float | None:
     try:
         lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
         amounts = {line.partition(":")[0]: 1024.0 * float(line.split()[1]) for line in lines}
@@ -151,7 +151,7 @@ def _of_machine() -> float | None:
         return None
 
 
-def _of_container() -> float | None:
+def _container_memory() -> float | None:
     for limit, used in (("memory.max", "memory.current"), (
         "memory/memory.limit_in_bytes", "memory/memory.usage_in_bytes"
     )):  # fmt: skip
@@ -163,7 +163,7 @@ def _of_container() -> float | None:
     return None
 
 
-def _of_process() -> float | None:
+def _process_memory() -> float | None:
     if not sys.platform.startswith("linux"):
         return None
     import resource

@@ -14,14 +14,14 @@ MAX_LINES = 10
 def progress_bar(
     total: int, unit: str, *, shown: bool, initial: int = 0, leave: bool = True
 ) -> Any:
-    """Return a context with ``update()`` and ``set_postfix(**values)``; silent if not `shown`.
+    """Context manager with ``update()`` and ``set_postfix(**values)``; silent unless `shown`.
 
-    A bar is redrawn in place, which is impossible in a log: there, one line is written per tenth.
-    Without `leave`, for parts that `report_progress` reports with one line each, the bar is removed
-    when complete, and nothing is written to a log.
+    A terminal shows a bar that is redrawn in place; a log receives one line per tenth of the total.
+    Without `leave`, the bar is removed when complete and nothing is written to a log. Use this for
+    tasks that `report_progress` reports with one line each.
     """
     stream = sys.stderr if shown else None
-    if not _in_place(stream):
+    if not _can_overwrite(stream):
         return _LineProgress(total, unit, initial, stream if leave else None)
     from tqdm.auto import tqdm  # a widget in a notebook
 
@@ -29,13 +29,13 @@ def progress_bar(
 
 
 def report_progress(text: str, *, shown: bool) -> None:
-    """Print one line of progress."""
+    """Print one line of progress to stderr if `shown`."""
     with suppress(AttributeError, OSError, ValueError):  # failed output must not end a run
         if shown and sys.stderr is not None:
             print(text, file=sys.stderr, flush=True)
 
 
-def _in_place(stream: TextIO | None) -> bool:
+def _can_overwrite(stream: TextIO | None) -> bool:
     """Whether output can be overwritten, as on a terminal or in a notebook."""
     if stream is None:
         return False
@@ -50,7 +50,7 @@ class _LineProgress:
 
     def __init__(self, total: int, unit: str, initial: int, stream: TextIO | None) -> None:
         self.total, self.unit, self.count, self.stream = total, unit, initial, stream
-        self.told = initial * MAX_LINES // max(total, 1)
+        self.reported = initial * MAX_LINES // max(total, 1)
 
     def __enter__(self) -> _LineProgress:
         return self
@@ -61,9 +61,9 @@ class _LineProgress:
     def update(self, count: int = 1) -> None:
         self.count += count
         part = self.count * MAX_LINES // max(self.total, 1)
-        if part > self.told and self.told < MAX_LINES and self.stream is not None:
-            self.told = part
+        if part > self.reported and self.reported < MAX_LINES and self.stream is not None:
+            self.reported = part
             report_progress(f"{self.unit} {self.count} of {self.total}", shown=True)
 
     def set_postfix(self, **_: object) -> None:
-        """Do nothing: lines do not show values of the current step."""
+        """Ignore the values of the current step, which are not shown in lines."""

@@ -34,12 +34,12 @@ _COLOURS = {
 
 
 class Quantity(NamedTuple):
-    """Name and units of one quantity; a text left empty is not shown."""
+    """Names, units and display format of one quantity; empty texts are not shown."""
 
     unit: str
     """SI unit of values in files and in Python; "1" for a pure number, "" for a text."""
     long_name: str
-    """Name in files. The body replaces "{body}", or is appended."""
+    """Name in files. The body number replaces "{body}", or is appended."""
     shown: str = ""
     """Unit in tables, reports and figures."""
     heading: str = ""
@@ -54,12 +54,12 @@ class Quantity(NamedTuple):
 
     @property
     def factor(self) -> float:
-        """Factor from the SI unit to the unit shown."""
+        """Factor that converts a value from the SI unit to the unit shown."""
         return _DISPLAY_FACTORS.get(self.shown, 1.0)
 
     @property
     def colours(self) -> str:
-        """Colour map of the kind of field."""
+        """Name of the colour map for this kind of field."""
         return _COLOURS[self.kind]
 
     @property
@@ -69,33 +69,33 @@ class Quantity(NamedTuple):
 
     @property
     def from_zero(self) -> bool:
-        """Whether the quantity is never negative, so that its colours begin at zero."""
+        """Whether the quantity is never negative and its colour scale begins at zero."""
         return self.kind not in ("signed", "height", "criterion", "any")
 
     @property
     def label(self) -> str:
-        """Label of an axis, or of a column of a report."""
+        """Label of an axis or report column, with name and unit."""
         return self.of()
 
     def of(self, body: int | None = None) -> str:
-        """Return the label, with the number of a body."""
+        """Return the label, with the number of a body if given."""
         name = self.heading if body is None else f"{self.heading}, body {body}"
         return f"{name} [{self.shown}]" if self.shown else name
 
     def column(self, body: int | None = None) -> str:
-        """Return the heading on a terminal, in two lines."""
+        """Return the column heading for a terminal: the name and, on a second line, the unit."""
         name = self.short if body is None else f"{self.short} {body}"
         if not self.shown:
             return name
         return f"{name} [{self.shown}]" if "\n" in name else f"{name}\n[{self.shown}]"
 
     def fitting(self, largest: float) -> Quantity:
-        """Return the quantity with a unit that suits an area of this size [m^2]."""
+        """Return the quantity, with the unit µm² if it is an area and `largest` [m^2] is small."""
         small = self.unit == "m2" and largest < _MAX_AREA_IN_SQUARE_MICRONS
         return self._replace(shown="µm²") if small else self
 
     def variable(self, dims: Any, data: Any, body: int | None = None) -> xr.Variable:
-        """Return a variable of a dataset, with unit and name."""
+        """Return a dataset variable (dimensions, values, attributes) with unit and name."""
         import xarray as xr  # here, so that importing the package does not load it
 
         text = self.long_name
@@ -113,12 +113,12 @@ CONTACT = {
     "y": Q("m", "y coordinate of cell centres"),
     "z": Q("m", "depth of layer centres, positive into the body"),
     "increment": Q("1", "increment number"),
-    "cell": Q("1", "numbers of cells with plastic strain, counted along z, y, x"),
-    "output_increment": Q("1", "increments with stored volume fields"),
+    "cell": Q("1", "indices of cells with plastic strain, counted along z, y, x"),
+    "output_increment": Q("1", "number of an increment with stored volume fields"),
     "body": Q("1", "number of the body"),
     "component": Q("", "tensor component"),
     "side": Q("", "side of the interface"),
-    # of each increment
+    # scalars of each increment
     "load": Q("N", "normal load", "N", "load", "load", 6),
     "approach": Q("m", "rigid-body approach", "µm", "approach", "approach", 6),
     "tangential_load_x": Q(
@@ -145,8 +145,8 @@ CONTACT = {
     "friction_work": Q(
         "J", "frictional work since the start", "µJ", "frictional work", "frictional\nwork"
     ),
-    "work_input": Q("J", "work input since the start (increments with positive work)"),
-    "net_external_work": Q("J", "net external work since the start", "", "net work"),
+    "work_input": Q("J", "sum of the positive work increments since the start"),
+    "net_external_work": Q("J", "net external work since the start", "", "net external work"),
     "elastic_energy": Q(
         "J", "elastic energy of the surface tractions after the last increment", "",
         "elastic energy of tractions",
@@ -204,13 +204,14 @@ CONTACT = {
     "substeps": Q("1", "number of sub-increments", "", "sub-increments"),
     "contact_edge_distance": Q(
         "1", "minimum distance between contact and grid edge, in cells", "cells",
-        "contact to grid edge",
+        "distance of contact from grid edge",
     ),
     "cells_across_contact": Q(
-        "1", "cells across the contact spot with maximum pressure", "cells", "across the contact"
+        "1", "width of the contact spot with maximum pressure, in cells", "cells", "contact width"
     ),
     "sharp_edge_cells": Q(
-        "1", "contact cells at sharp edges, where the pressure is singular", "", "at sharp edges"
+        "1", "number of contact cells at sharp edges, where the pressure is singular", "",
+        "contact cells at sharp edges",
     ),
     "area_uncertainty": Q(
         "1", "relative uncertainty of the contact area", "%", "contact area uncertainty"
@@ -228,12 +229,12 @@ CONTACT = {
     ),
     "plastic_edge_distance": Q(
         "1", "minimum distance between plastic zone and volume edge, in cells", "cells",
-        "plastic zone to volume edge",
+        "distance of plastic zone from volume edge",
     ),
     "layers_across_plastic_zone": Q(
-        "1", "layers from top to bottom of the plastic zone", "layers", "across the plastic zone"
+        "1", "thickness of the plastic zone, in layers", "layers", "thickness of the plastic zone"
     ),
-    # of the surface
+    # surface fields
     "pressure": Q("Pa", "contact pressure", "GPa", "pressure", kind="magnitude"),
     "repulsion": Q("Pa", "contact pressure without the adhesive part", "GPa", "repulsion"),
     "gap": Q("m", "gap under load", "µm", "gap", kind="length"),
@@ -245,7 +246,7 @@ CONTACT = {
     ),
     "slip_x": Q("m", "slip of body 1 relative to body 2 in the increment, along +x"),
     "slip_y": Q("m", "slip of body 1 relative to body 2 in the increment, along +y"),
-    "sticking": Q("1", "1: contact cell sticks in the increment"),
+    "sticking": Q("1", "1 in contact cells that stick in the increment, else 0"),
     "residual_displacement": Q(
         "m", "residual normal surface displacement of body {body}, positive into the body", "µm",
         "residual displacement", kind="signed",
@@ -254,7 +255,7 @@ CONTACT = {
     "surface_temperature": Q(
         "K", "temperature rise of the surface", "K", "temperature rise", kind="heat"
     ),
-    # of the volume
+    # volume fields
     "stress": Q("Pa", "stress, positive in tension", "MPa", "stress", kind="signed"),
     "von_mises": Q("Pa", "von Mises stress", "MPa", "von Mises stress", kind="magnitude"),
     "hydrostatic": Q(
@@ -268,7 +269,7 @@ CONTACT = {
         "1", "plastic strain (tensor components)", "%", "plastic strain", kind="signed"
     ),
     "residual_stress": Q(
-        "Pa", "residual stress, without tractions and heat", "MPa", "residual stress",
+        "Pa", "residual stress (without surface tractions and heat)", "MPa", "residual stress",
         kind="signed",
     ),
     "residual_von_mises": Q(
@@ -280,7 +281,7 @@ CONTACT = {
         "residual hydrostatic stress", kind="signed",
     ),
     "temperature": Q("K", "temperature rise", "K", "temperature rise", kind="heat"),
-    # of interfaces between layers
+    # interfaces between layers
     "interface": Q("m", "depth of the interfaces between layers"),
     "interface_stress": Q("Pa", "stress above and below the interfaces, positive in tension"),
 }  # fmt: skip
@@ -298,7 +299,7 @@ TRACK = {
 }
 
 ASPERITIES = {
-    # of each increment
+    # scalars of each increment
     "offset": Q("m", "horizontal distance of the centres"),
     "angle": Q("rad", "angle of the line of centres from the vertical"),
     "approach": Q("m", "approach along the line of centres"),
@@ -317,9 +318,9 @@ ASPERITIES = {
     "max_equivalent_plastic_strain": Q("1", "maximum equivalent plastic strain of a body"),
     "cells_across_contact": CONTACT["cells_across_contact"],
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
-        long_name="layers from top to bottom of the plastic zone of a body"
+        long_name="thickness of the plastic zone of a body, in layers"
     ),
-    # of each pass
+    # scalars of each pass
     "pass": Q("1", "pass number"),
     "net_energy": Q("J", "work of force_x over the pass", "J", "net energy", "net energy"),
     "dissipation": Q(
@@ -330,7 +331,7 @@ ASPERITIES = {
         "energy of the residual stress", "stored\nenergy",
     ),
     "energy_imbalance": Q(
-        "J", "net energy less dissipation and increase of residual energy", "J",
+        "J", "net energy minus dissipation and minus increase of residual energy", "J",
         "unaccounted net energy",
     ),
     "residual_displacement": Q(
@@ -349,9 +350,9 @@ ASPERITIES = {
 WEAR = {
     "cycle": Q("1", "cycle number"),
     "body": Q("1", "number of the worn body"),
-    "state": Q("1", "number of cycles after which the surface is stored"),
+    "state": Q("1", "number of completed cycles"),
     "y": CONTACT["y"],
-    # of each cycle and body
+    # scalars of each cycle and body
     "volume": Q("m3", "volume of the removed material", "µm³", "removed volume", "removed\nvolume"),
     "lost_volume": Q("m3", "decrease of the volume below the surface"),
     "depth": Q("m", "maximum wear depth of the cycle", "µm", "wear depth", "wear\ndepth"),
@@ -364,9 +365,9 @@ WEAR = {
         "plastic\nstrain",
     ),
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
-        long_name="layers from top to bottom of the plastic zone before removal"
+        long_name="thickness of the plastic zone before removal, in layers"
     ),
-    # of each cycle
+    # scalars of each cycle
     "parts": Q("1", "number of parts into which the repeats of the cycle were divided"),
     "friction_work": Q("J", "frictional work in the cycle", "J", "frictional work"),
     "slip_distance": Q(
@@ -374,7 +375,7 @@ WEAR = {
         "sliding\ndistance",
     ),
     "stick_area": Q(
-        "m2", "area in contact that sticks during a whole repeat", "µm²", "stick area",
+        "m2", "contact area that sticks during a whole repeat", "µm²", "stick area",
         "stick\narea",
     ),
     "max_pressure": CONTACT["max_pressure"],
@@ -393,6 +394,6 @@ WEAR = {
 
 
 def described(name: str) -> tuple[Quantity, int | None]:
-    """Return the quantity of a variable name and its body; None for a quantity of both bodies."""
+    """Return the quantity and the body of a variable; None: the variable is not of one body."""
     kind, _, body = name.partition("_body")
     return CONTACT[kind], int(body) if body else None

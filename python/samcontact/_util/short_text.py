@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Short one-line texts of any values, for messages and reprs."""
+"""Short one-line texts of arbitrary values, for messages and reprs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MAX_CHARACTERS = 80
 
 
 def escaped(text: str) -> str:
-    """Escape control characters, which would control a terminal; keep line breaks and tabs."""
+    """Escape all control characters except line breaks and tabs."""
     return "".join(
         repr(c)[1:-1] if unicodedata.category(c) in ("Cc", "Cs") and c not in "\n\t" else c
         for c in text
@@ -23,7 +23,7 @@ def escaped(text: str) -> str:
 
 
 def in_short(value: Any, longest: int = MAX_CHARACTERS) -> str:
-    """Return the repr of a value in at most `longest` characters; large values by type and size."""
+    """Return a repr of at most `longest` characters; large values are given by type and size."""
     if isinstance(value, np.ndarray) and value.ndim > 0:
         return _array(value)
     if isinstance(value, int) and value.bit_length() > 3 * longest:
@@ -44,7 +44,7 @@ def in_short(value: Any, longest: int = MAX_CHARACTERS) -> str:
 
 
 def _cut(text: str, longest: int) -> str:
-    """Return the truncated repr of a text."""
+    """Truncate the repr of a text to `longest` characters, with closing quotation mark."""
     return f"{text[: longest - 4].rstrip(text[-1])}...{text[-1]}"
 
 

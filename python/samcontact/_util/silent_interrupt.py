@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Silent end of the command ``samcontact`` on Ctrl-C while it is loading.
+"""Silent exit of the command ``samcontact`` on Ctrl-C while it is loading.
 
-Python would print a traceback of an import. Nothing can be lost at this stage; later,
-`commands.signals` handles interruptions.
+Otherwise Python would print a traceback. No results exist at this stage; later, `commands.signals`
+handles interruptions.
 """
 
 import signal
@@ -12,7 +12,7 @@ from pathlib import PurePath
 
 
 def is_command(script: str, words: list[str]) -> bool:
-    """Whether Python was started for the command: by its script or ``python -m samcontact``."""
+    """Whether Python was started by the ``samcontact`` script or ``python -m samcontact``."""
     if script == "-m":  # while Python searches for the module
         return words[words.index("-m") + 1 :][:1] == ["samcontact"]
     return PurePath(script).name == "samcontact"

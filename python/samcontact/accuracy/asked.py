@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution to a prescribed accuracy: arguments and their checks."""
+"""Function `to_accuracy`: solution to a prescribed accuracy; checks of its arguments."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from .._util import memory
 from .._util.checks import boolean, positive
+from .._util.errors import attach
 from .._util.short_text import in_short
 from .outcome import AccuracyResult
 from .refinable_case import RefinableCase
@@ -34,34 +35,36 @@ def to_accuracy(
 ) -> AccuracyResult:
     """Solve a case on finer and finer grids until all errors are below the prescribed accuracy.
 
-    Grid, layers and increments are chosen automatically; a [grid] of the case, its ``increments``
-    and the ``step`` of passes are not used. docs/theory/accuracy.md explains the error estimates.
+    Grid, layers and increments are chosen automatically; the fields [grid], ``increments`` and
+    ``step`` of the case are not used. docs/theory/accuracy.md explains the error estimates.
 
     Parameters
     ----------
     case : Case, path or dict
-        Case of one contact: result of `load_case`, file, or dictionary with the layout of a file.
+        Case of one contact: result of `load_case`, path of a case file, or dictionary with the
+        layout of a case file.
     accuracy : float or dict, optional
-        Maximum relative error [-], in (0, 1), of all quantities, or of each by its name. Default:
-        accuracy of the case.
+        Maximum relative error [-], in (0, 1): one number for all quantities, or a number for each
+        quantity by name. Default: accuracy of the case.
     quantities : sequence of str, optional
         Quantities whose error is controlled, by their names in results files, e.g. "max_pressure",
         "imprint_depth_body2". Default: the quantities named by the case, or all.
     max_memory : float, optional
         Memory limit of the finest grid [bytes]. Default: available memory.
     max_time : float, optional
-        Limit of the total time [s]. Default: 3600. Three grids are always solved.
+        Limit of the total time [s]. Default: 3600. At least three grids are always solved.
     progress : bool, optional
         Print one line per grid to stderr.
     checkpoint : path, optional
-        Folder for the values of each grid and the increments of the last grids. Repeating the call
-        continues from it, with bit-identical results. Remove the folder when no longer needed.
+        Folder that stores the values of each grid and the increments of the last grids. Repeating
+        the call continues from these, with bit-identical results. Remove the folder when it is no
+        longer needed.
 
     Returns
     -------
     AccuracyResult
-        Values with errors. An exception or interruption (Ctrl-C) after the third grid has the best
-        values so far as its attribute `result`.
+        Values with errors. If an exception or interruption (Ctrl-C) occurs after the third grid,
+        its attribute `result` has the best values so far.
 
     Raises
     ------
@@ -72,19 +75,19 @@ def to_accuracy(
     Warns
     -----
     AccuracyWarning
-        The accuracy requires more memory or time than allowed; the message states how much. The
+        The accuracy requires more memory or time than allowed; the message gives both amounts. The
         best values so far are returned with their errors.
     """
-    search = searched(case, accuracy, quantities, max_memory, max_time, progress=progress)
+    search = prepare_search(case, accuracy, quantities, max_memory, max_time, progress=progress)
     try:
         with search.solves.kept_in(checkpoint):
             return search.search()
     except BaseException as error:  # including Ctrl-C
-        error.result = search.best()  # type: ignore[attr-defined]
+        attach(error, result=search.best())
         raise
 
 
-def searched(
+def prepare_search(
     case: Case | str | Path | Mapping[str, Any],
     accuracy: float | Mapping[str, float] | None = None,
     quantities: Sequence[str] | None = None,
@@ -100,7 +103,7 @@ def searched(
     own = isinstance(case, Mapping) and "grid" not in case and accuracy is not None
     known = case_of_contact("case", case, **({"accuracy": accuracy} if own else {}))
     scene = RefinableCase(known)
-    asked = _asked(scene, known, accuracy, quantities)
+    asked = _prescribed_accuracy(scene, known, accuracy, quantities)
     scene.accept(min(asked.values()))
     scene.names = [name for name in scene.names if name in asked or name in INCREMENT_QUANTITIES]
     most = known.max_memory if max_memory is None else positive("max_memory", max_memory)
@@ -110,16 +113,18 @@ def searched(
     return AccuracySearch(scene, asked, most, HOUR if limit is None else limit, progress)
 
 
-def _asked(
+def _prescribed_accuracy(
     scene: RefinableCase,
     case: Case,
     accuracy: float | Mapping[str, float] | None,
     quantities: Sequence[str] | None,
 ) -> dict[str, float]:
-    """Return the prescribed relative accuracy of each controlled quantity."""
+    """Return the prescribed maximum relative error of each controlled quantity, by name."""
     given = case.accuracy if accuracy is None else accuracy
     if given is None:
-        raise ValueError("accuracy must be a number in (0, 1), e.g. 0.01, or a dict of numbers")
+        raise ValueError(
+            "accuracy must be a number in (0, 1), e.g. 0.01, or a dict of such numbers by quantity"
+        )
     chosen = case.quantities if quantities is None else quantities
     if chosen is not None and not (
         isinstance(chosen, (list, tuple)) and all(isinstance(name, str) for name in chosen)
@@ -129,7 +134,11 @@ def _asked(
         asked = dict(given)
         for name in chosen or ():
             if name not in asked:
-                raise ValueError(f"accuracy has no value for {in_short(name)} of quantities")
+                raise ValueError(
+                    "accuracy must have a value for each name in quantities, got none for "
+                    f"{in_short(name)}: add a value for this name, or remove the name from "
+                    "quantities"
+                )
     else:
         asked = dict.fromkeys(scene.names if chosen is None else chosen, given)
     if not asked:
@@ -137,7 +146,8 @@ def _asked(
     for name, value in asked.items():
         if name not in scene.names:
             raise ValueError(
-                f"quantities must be of this case, {', '.join(scene.names)}, got {in_short(name)}"
+                "quantities must be names of quantities of this case "
+                f"({', '.join(scene.names)}), got {in_short(name)}"
             )
         positive("accuracy", value)
         if not value < 1:

@@ -33,14 +33,14 @@ _DEPTH_QUANTITIES = ("approach", "imprint_depth", PERMANENT_DEFORMATION)
 
 
 class _Limit(NamedTuple):
-    """Upper bound and its description."""
+    """Upper bound of a quantity, in its SI unit, and a description of the bound."""
 
     value: float
     of: str
 
 
 def require_attainable(name: str, target: float, simulation: Simulation, most: float) -> None:
-    """Raise ValueError for a value that no load up to the largest can reach.
+    """Raise ValueError if no load up to the largest can give the target value.
 
     Bounds follow from Hertz theory for a parabolic gap, from the yield stress, and from the size of
     the grid. Other values are checked by the search.
@@ -58,14 +58,16 @@ def require_attainable(name: str, target: float, simulation: Simulation, most: f
     """
     kind = name.partition(",")[0].partition("_body")[0]
     _, unit = label_and_unit(name)
-    largest = _largest(name, simulation, most)
+    largest = _upper_bound(name, simulation, most)
     shown = f"value = {target!r} of {name.replace(',', ' or ')}"
 
     def meant() -> str:
-        """Return a hint at the first unit in which the number is possible."""
+        """Return a hint, as text, at the first unit in which the number would be attainable."""
         for other, factor in _UNIT_ERROR_FACTORS.get(unit, {}).items() if kind != YIELD else ():
             value = factor * target
-            if (largest is None or value <= largest.value) and not _least(kind, value, simulation):
+            if (largest is None or value <= largest.value) and not _reason_too_small(
+                kind, value, simulation
+            ):
                 return (
                     f"; values are in SI units: {target:g} {other} is {value:.6g} {unit}".rstrip()
                 )
@@ -73,36 +75,36 @@ def require_attainable(name: str, target: float, simulation: Simulation, most: f
 
     if largest is not None and target > largest.value:
         raise ValueError(
-            f"{shown} cannot be reached: up to {most:.6g} N it is below {largest.value:.6g}, "
-            f"{largest.of}{meant()}"
+            f"{shown} cannot be reached: at loads up to {most:.6g} N the value is below "
+            f"{largest.value:.6g}, {largest.of}{meant()}"
         )
-    if why := _least(kind, target, simulation):
+    if why := _reason_too_small(kind, target, simulation):
         raise ValueError(f"{shown} is too small for the grid: {why}{meant()}")
 
 
-def _largest(name: str, simulation: Simulation, most: float) -> _Limit | None:
-    """Return the upper bound of a quantity up to the largest load; None if it is unknown."""
+def _upper_bound(name: str, simulation: Simulation, most: float) -> _Limit | None:
+    """Return the upper bound of a quantity for loads up to `most` [N]; None if unknown."""
     first = name.partition(",")[0]
     kind, _, number = first.partition("_body")
     both = simulation.body1, simulation.body2
     bodies = [both[int(number) - 1]] if number and first == name else list(both)
     expected = simulation.engine.estimate.hertz(load=most)
     found = [
-        _of_strain(kind),
-        _of_strength(kind, bodies),
-        _of_grid(kind, simulation),
-        None if expected is None else _of_hertz(kind, simulation, expected),
+        _strain_bound(kind),
+        _strength_bound(kind, bodies),
+        _grid_bound(kind, simulation),
+        None if expected is None else _hertz_bound(kind, simulation, expected),
     ]
     return min((limit for limit in found if limit is not None), default=None)
 
 
-def _of_strain(kind: str) -> _Limit | None:
+def _strain_bound(kind: str) -> _Limit | None:
     if kind != "max_equivalent_plastic_strain":
         return None
     return _Limit(1.0, "far beyond the small-strain limit")
 
 
-def _of_strength(kind: str, bodies: Sequence[Body]) -> _Limit | None:
+def _strength_bound(kind: str, bodies: Sequence[Body]) -> _Limit | None:
     """Return the yield stress at a plastic strain of 1, an upper bound of the von Mises stress."""
     if kind not in ("max_von_mises", "max_residual_von_mises"):
         return None
@@ -115,8 +117,8 @@ def _of_strength(kind: str, bodies: Sequence[Body]) -> _Limit | None:
     return _Limit(max(strengths), "the yield stress at a plastic strain of 1")
 
 
-def _of_grid(kind: str, simulation: Simulation) -> _Limit | None:
-    """Return the width of the grid for depths, and the area of a fixed grid for areas."""
+def _grid_bound(kind: str, simulation: Simulation) -> _Limit | None:
+    """Return the bound of a depth (grid width) or of an area (area of a fixed grid)."""
     grid = simulation.grid
     if kind in _DEPTH_QUANTITIES:
         side = max(grid.nx * grid.dx, grid.ny * grid.dy)
@@ -126,8 +128,8 @@ def _of_grid(kind: str, simulation: Simulation) -> _Limit | None:
     return None
 
 
-def _of_hertz(kind: str, simulation: Simulation, expected: ExpectedContact) -> _Limit | None:
-    """Return the bound from the elastic contact at the largest load and from the yield stress."""
+def _hertz_bound(kind: str, simulation: Simulation, expected: ExpectedContact) -> _Limit | None:
+    """Return the bound from the Hertz contact at the largest load and from the yield stress."""
     contact, both = expected.contact, (simulation.body1, simulation.body2)
     bodies = [body for body in both if isinstance(body, Material)]
     if len(bodies) < len(both) or any(body.softening for body in bodies):
@@ -152,11 +154,11 @@ def _of_hertz(kind: str, simulation: Simulation, expected: ExpectedContact) -> _
     )
 
 
-def _least(kind: str, target: float, simulation: Simulation) -> str | None:
-    """Return why a value corresponds to less than one cell; None if it does not, or is unknown."""
+def _reason_too_small(kind: str, target: float, simulation: Simulation) -> str | None:
+    """Return, as text, why the grid cannot resolve so small a value; None if it can."""
     grid, scene = simulation.grid, simulation.engine.estimate
     if kind == "contact_area" and target < grid.cell_area:
-        return f"one cell has {quantity(grid.cell_area, 'm²')}"
+        return f"one cell has an area of {quantity(grid.cell_area, 'm²')}"
     radii = scene.radii
     if kind not in ("max_pressure", "max_von_mises", "approach") or radii is None:
         return None
@@ -171,4 +173,4 @@ def _least(kind: str, target: float, simulation: Simulation) -> str | None:
     if expected is None or 2 * expected.semi_axes[0] >= max(grid.dx, grid.dy):
         return None
     across = quantity(2 * expected.semi_axes[0], "m")
-    return f"the Hertz contact is {across} across, less than one cell"
+    return f"the Hertz contact is {across} wide, less than one cell"

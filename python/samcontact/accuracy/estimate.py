@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Limits of series of values over grids and increments, and their estimated errors.
+"""Extrapolation of values to zero cell size and infinitely many increments, with error estimates.
 
-All functions take values of several quantities at once, along the last axis.
+All functions accept several quantities at once, along the last axis of the arrays.
 """
 
 from __future__ import annotations
@@ -20,10 +20,11 @@ MIN_ORDER, MAX_ORDER = 0.9, 4.0
 """Range of accepted observed orders; extrapolation uses at most `ASSUMED_ORDER`."""
 ASSUMED_ORDER = 2.0
 SAFETY_FACTOR = 1.5
-"""Error relative to the difference of neighbouring grids: a term of order 1.5 leaves 1.47 times the
-last difference, a term of order 2 leaves once the last difference."""
+"""Error relative to the difference of neighbouring grids: an error of order 1.5 is 1.47 times the
+last difference, an error of order 2 equals it."""
 MIN_RELATIVE_ERROR = 0.002
-"""Minimum relative error of the coarsest grid, decreasing with order 2: differences may vanish."""
+"""Minimum relative error of the coarsest grid, decreasing with order 2; differences alone may
+vanish."""
 MIN_EXTRAPOLATION_ERROR = 0.5
 """Minimum error of an extrapolated value, relative to the change by extrapolation."""
 MIN_CORRECTION_CHANGE = 0.03
@@ -42,7 +43,7 @@ pressure: on a coarse grid the area changes by whole cells, or not at all."""
 
 
 class Estimate(NamedTuple):
-    """Values with absolute errors, as arrays of equal shape."""
+    """Estimated values and their absolute errors, as arrays of equal shape."""
 
     values: FloatArray
     errors: FloatArray
@@ -51,20 +52,20 @@ class Estimate(NamedTuple):
 
 
 def of_grids(series: ArrayLike) -> Estimate:
-    """Estimate the limit over grids whose cell sizes decrease by `REFINEMENT_RATIO`.
+    """Extrapolate values to zero cell size, from grids refined by the factor `REFINEMENT_RATIO`.
 
     Parameters
     ----------
     series : array_like, shape (grids, ...)
-        Values from the coarsest grid on. The errors of a single grid are infinite.
+        Values from the coarsest to the finest grid. With a single grid, errors are infinite.
 
     Returns
     -------
     Estimate
-        Extrapolated values, if three differences have one sign, decrease, and twice show an order
-        within limits. Otherwise values of the finest grid, whose error is the maximum of the last
-        three differences, each scaled to the finest grid with order 2, and at least
-        `MIN_RELATIVE_ERROR`.
+        Extrapolated values, if the last three differences have one sign and decrease, and both of
+        their ratios give a convergence order within the limits. Otherwise the values of the finest
+        grid. Their error is the maximum of the last three differences, each scaled to the finest
+        grid with order 2. The relative error is at least `MIN_RELATIVE_ERROR`.
     """
     f = np.asarray(series, dtype=np.float64)
     if len(f) == 1:
@@ -91,19 +92,19 @@ def of_grids(series: ArrayLike) -> Estimate:
 
 
 def of_doublings(steps: ArrayLike, used: int = 0) -> Estimate:
-    """Estimate the first-order correction of a value by more increments.
+    """Estimate the change of a value as the increments tend to infinity (first-order convergence).
 
     Parameters
     ----------
     steps : array_like, shape (runs, ...)
-        Changes by successive doublings of the increments; at least one.
+        Change of the value by each successive doubling of the increments; at least one doubling.
     used : int, optional
-        Index of the doubling that starts from the number of increments of the value.
+        Index in `steps` of the doubling that starts from the increments used for the value.
 
     Returns
     -------
     Estimate
-        Limit minus the value.
+        Limit for infinitely many increments minus the value.
     """
     d = np.asarray(steps, dtype=np.float64)
     last = d[-1]  # equals the sum of all following changes
@@ -114,12 +115,12 @@ def of_doublings(steps: ArrayLike, used: int = 0) -> Estimate:
 
 
 def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
-    """Return the relative change, on the finest grid, of corrections found on a coarse grid.
+    """Estimate the relative change of a correction from a coarse grid to the finest grid.
 
     Parameters
     ----------
     coarse, finest : ndarray
-        Values with equal numbers of increments.
+        Values on both grids, computed with equal numbers of increments.
     """
     size = np.abs(finest)
     change = np.divide(np.abs(finest - coarse), size, out=np.zeros_like(size), where=size > 0)
@@ -127,17 +128,17 @@ def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
 
 
 def irregular(more: FloatArray, twice: FloatArray) -> FloatArray:
-    """Return the part of the corrections for n increments that is not of first order.
+    """Return the part of the increment corrections that is not of first order.
 
     Parameters
     ----------
     more, twice : ndarray
-        Corrections for n and 2 n increments.
+        Corrections of the values for n and for 2 n increments.
 
     Returns
     -------
     ndarray
-        Zero where the ratio of the corrections is `FIRST_ORDER_RATIOS`.
+        Zero where the ratio of the corrections is within `FIRST_ORDER_RATIOS`.
     """
     low, high = FIRST_ORDER_RATIOS
     inside = (more * twice > 0) & (abs(more) >= low * abs(twice)) & (abs(more) <= high * abs(twice))
@@ -145,14 +146,14 @@ def irregular(more: FloatArray, twice: FloatArray) -> FloatArray:
 
 
 def combined(found: Estimate, parts: Sequence[int]) -> Estimate:
-    """Return the maximum of several values, with the error that follows from their errors.
+    """Return the maximum of each group of values, with the error that follows from their errors.
 
     Parameters
     ----------
     found : Estimate
-        Estimate of all parts along the last axis.
+        Estimates of all values; the groups follow each other along the last axis.
     parts : sequence of int
-        Numbers of consecutive parts that belong together.
+        Number of values in each group.
     """
     ends = np.cumsum(parts)
     columns: list[tuple[FloatArray, ...]] = []

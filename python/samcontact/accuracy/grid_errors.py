@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Estimated grid errors of results, from a solution on a grid coarsened by 2."""
+"""Estimated grid errors of results, from a second solution on a grid coarsened by 2."""
 
 from __future__ import annotations
 
@@ -64,18 +64,18 @@ class GridErrors(HtmlTable):
     ----------
     values, errors : dict of ndarray, shape (increments,)
         Values and absolute errors by name in results files, in SI units. Values are interpolated
-        between cells, see docs/theory/accuracy.md. NaN where not estimated: volume quantities are
-        estimated at the increment of maximum stress and at the last increment. Errors are infinite
-        for quantities that do not converge: maximum pressure, stresses and strains at a sharp edge,
-        see `SingularPressureWarning`.
+        between cells, see docs/theory/accuracy.md. Volume quantities and their errors are given at
+        the increment of maximum stress and at the last increment; they are NaN elsewhere. Errors
+        are infinite for quantities that do not converge: maximum pressure, stresses and strains at
+        a sharp edge, see `SingularPressureWarning`.
     states : list of State
         States of the run itself.
     slope_beyond : float
         Fraction of the mean-square slope at wavelengths below four cells, for heights that are
         known on the grid only; NaN for other surfaces.
     increments : IncrementErrors or None
-        Change by more increments, which is not part of `errors`; None if increments do not affect
-        the result, or if the change is unknown.
+        Estimated change of results by more increments, not included in `errors`; None if increments
+        do not affect the results, or if the change is unknown.
     """
 
     values: dict[str, FloatArray]
@@ -97,11 +97,11 @@ class GridErrors(HtmlTable):
         return f"GridErrors({len(self.errors)} quantities of {len(self.states)} increments)"
 
     def add_to(self, dataset: xr.Dataset) -> None:
-        """Add ``X_error`` of each X, and X itself if the dataset has none.
+        """Add ``X_error`` for each quantity X, and X itself if the dataset does not have it.
 
-        The error is relative to the X of the dataset: its difference from the value interpolated
-        between cells is added. The relative error due to increments is the attribute
-        ``by_increments`` of ``X_error``; for whole fields it is the attribute
+        ``X_error`` is the error of X as stored in the dataset. It includes the difference between X
+        and the value interpolated between cells. The relative error due to increments is the
+        attribute ``by_increments`` of ``X_error``, or, for whole fields, the attribute
         ``increment_error_FIELD`` of the dataset.
         """
         if not hasattr(dataset, "attrs"):
@@ -131,7 +131,7 @@ def estimate_errors(
 ) -> GridErrors:
     """Estimate the grid errors of a run.
 
-    The run is repeated with half as many cells along x, y and z and unchanged increments, which
+    The run is repeated with half as many cells along x, y and z and the same increments, which
     takes about 1/8 of its time. For elastic-plastic layers, the coarser cells are two to three
     times as deep, so that each layer has a whole number of cells. Surfaces given as functions are
     evaluated on the coarser grid; heights known on one grid only are averaged.
@@ -139,7 +139,7 @@ def estimate_errors(
     Parameters
     ----------
     run : Case or Simulation
-        Case, which is solved, or simulation after a run, which requires `path` and `states`.
+        Case, which is solved first; or simulation after a run, with its `path` and `states`.
     path : list of dict
         Argument of `Simulation.run`, starting from undeformed bodies.
     states : sequence of State
@@ -149,23 +149,25 @@ def estimate_errors(
     -------
     GridErrors
         Each error is the difference of the two solutions: three times the true error for
-        second-order convergence, and equal to it for first-order convergence. Both solutions have
-        the same increments, whose error is estimated separately (`increments`).
+        second-order convergence, equal to the true error for first-order convergence. Both
+        solutions have the same increments; the effect of the increments is estimated separately
+        (`GridErrors.increments`).
 
     Raises
     ------
     ValueError
         The grid cannot be coarsened, or a simulation is given without path and states.
     ConvergenceError, MemoryError, GridTooSmallError
-        Raised by either solution.
+        One of the two solutions failed.
 
     Warns
     -----
     ResolutionWarning
-        Elastic-plastic layers have no whole number of deeper cells: the errors do not include the
-        effect of dz.
+        The elastic-plastic layers cannot be divided into a whole number of deeper cells: the errors
+        do not include the effect of dz.
     IncrementWarning
-        More increments would change fields by more than 5 %; unless issued by the simulation.
+        More increments would change fields by more than 5 %. Not issued again if the simulation has
+        issued it.
     """
     from ..cases import Case
     from ..simulation.simulation import Simulation
@@ -181,7 +183,7 @@ def estimate_errors(
             f"run must be a samcontact.Simulation, or a Case of one contact, got {in_short(run)}"
         )
     if path is None or states is None:
-        raise ValueError("path and states are required with a simulation")
+        raise ValueError("path and states are required if run is a samcontact.Simulation")
     path = step_list("path", path, STEP_ARGUMENTS)
     require_list("states", states, State)
     if len(path) != len(states):
@@ -205,7 +207,7 @@ def estimated(
     states: Sequence[State],
     solve: Callable[[Simulation, Sequence[Mapping[str, Any]]], list[State]],
 ) -> GridErrors:
-    """Estimate grid errors with a given function that solves the coarser simulation."""
+    """Estimate the grid errors of a run; `solve` returns the states of the coarser simulation."""
     coarse = coarsened(run, states[0].heat)
     _warn_of_depth(run.grid, coarse.grid)
     steps, which = coarsening.coarser_path(path, run.grid)
@@ -228,7 +230,7 @@ def estimated(
         for name in known:
             values[name][at], errors[name][at] = fine[name], difference[name]
     if friction_law(run.friction).sticks:
-        for name, (value, error) in _of_slip(states, [found[n] for n in which]).items():
+        for name, (value, error) in _slip_errors(states, [found[n] for n in which]).items():
             values[name], errors[name] = value, error
     beyond = np.nan
     if not callable(run.engine.setup.surfaces.gap) and np.isfinite(run.initial_gap).all():
@@ -241,14 +243,15 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
     if grid.dz is not None and coarse.dz == grid.dz:
         warnings.warn(
             f"estimated errors exclude the effect of dz = {quantity(grid.dz, 'm')}: the "
-            "elastic-plastic layers have no whole number of deeper cells; halve dz",
+            "elastic-plastic layers cannot be divided into deeper cells. To see the "
+            "effect of dz, solve again with half of it",
             ResolutionWarning,
             stacklevel=3,
         )
 
 
 def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
-    """Return the increments at which volume quantities are compared: maximum stress, and last."""
+    """Return the indices of the increments with volume errors: maximum stress, and last."""
     from ..results.zones import max_von_mises
 
     bodies = {int(name[-1]) for name in names if name.startswith("max_von_mises")}
@@ -261,7 +264,7 @@ def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
 def _differences(
     fine: Mapping[str, float], coarse: Mapping[str, float], state: State, *, sharp: bool
 ) -> dict[str, float]:
-    """Return differences of two solutions, with a lower bound against agreement by chance.
+    """Return differences between two grids by name, with a lower bound against chance agreement.
 
     The difference is infinite for quantities that are singular at a sharp edge.
     """
@@ -287,13 +290,13 @@ def _differences(
     return found | dict.fromkeys(endless, np.inf)
 
 
-def _of_slip(
+def _slip_errors(
     states: Sequence[State], coarse: Sequence[State]
 ) -> dict[str, tuple[FloatArray, FloatArray]]:
-    """Return tangential forces, motions and frictional work with errors, unless prescribed.
+    """Return frictional work and unprescribed tangential forces and motions, with errors.
 
-    The error of each increment is at least a fraction of the largest error so far: where a quantity
-    reverses, both grids agree by chance.
+    The error of each increment is at least 20 % of the largest error up to this increment, because
+    both grids may agree by chance where a quantity changes sign.
     """
     found = {}
     mine, other = along_surface(states), along_surface(coarse)
@@ -310,14 +313,14 @@ def _of_slip(
 
 
 def said_of_increments(attributes: Mapping[Any, Any]) -> str:
-    """Return the change of whole fields by more increments, as text; "" if it is unknown."""
+    """Return, as text, how much more increments would change whole fields; "" if unknown."""
     start = "increment_error_"
     shares = {str(n).removeprefix(start): s for n, s in attributes.items() if start in str(n)}
     return f"{increment_errors.error_summary(shares)} of its maximum" if shares else ""
 
 
 def said_of_slope(share: float) -> str:
-    """Return the unresolved slope of a surface as text; "" for surfaces given as functions."""
+    """Return, as text, the fraction of surface slope below four cells; "" if `share` is NaN."""
     if not np.isfinite(share):
         return ""
     beyond = (
@@ -336,9 +339,9 @@ NO_LIMIT = "does not converge"
 
 
 class ErrorRow(NamedTuple):
-    """Quantity at its maximum: increment number, value, and relative error.
+    """Maximum of a quantity in a run: label, increment number, value and relative error.
 
-    With a prescribed accuracy, the error is the maximum over the run.
+    With a prescribed accuracy, the error is the maximum error of the run over the maximum value.
     """
 
     label: str
@@ -351,7 +354,7 @@ class ErrorRow(NamedTuple):
 
     @property
     def percent(self) -> str:
-        """Relative error [%] as text; a note if the quantity does not converge."""
+        """Relative error [%] as text; a note if the quantity does not converge with the grid."""
         return f"{100 * self.relative:.2g}" if np.isfinite(self.relative) else NO_LIMIT
 
     @property
@@ -363,7 +366,7 @@ class ErrorRow(NamedTuple):
 
 
 def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:
-    """Return the quantities with errors in results; an empty list without errors."""
+    """Return a row for each quantity with an error in the results; empty list without errors."""
     names = [str(name)[: -len("_error")] for name in dataset if str(name).endswith("_error")]
     values = {name: dataset[f"{name}_best" if f"{name}_best" in dataset else name].values
               for name in names}  # fmt: skip
@@ -379,7 +382,7 @@ def _largest_of(
     asked: Mapping[str, float | None],
     by_increments: Mapping[str, float | None],
 ) -> list[ErrorRow]:
-    """Return the quantities at their maxima, without prescribed or vanishing quantities."""
+    """Return a row for the maximum of each quantity that is neither prescribed nor zero."""
     rows = []
     for name, error in errors.items():
         known = np.where(error > 0, np.abs(values[name]), -1.0)

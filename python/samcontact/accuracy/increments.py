@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Change of values by more increments, from runs on grids that are as coarse as possible."""
+"""Correction of values for more increments, from runs on grids as coarse as possible."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ TRIAL_LEVEL = 1
 
 
 class Doubling(NamedTuple):
-    """Doubling of a number of increments, and the finest grid on which both numbers were solved."""
+    """Number of increments n, and the finest grid solved with both n and 2 n increments."""
 
     increments: int
     grid: int
 
 
 class Correction(NamedTuple):
-    """Correction of values of the finest grid for more increments, with errors."""
+    """Correction that extrapolates values of the finest grid to infinitely many increments."""
 
     values: FloatArray
     errors: FloatArray
-    """Errors on the grids on which the correction was found."""
+    """Errors of the correction on the coarse grids from which it was computed."""
     doublings: list[Doubling]
     """Doublings from which the correction is computed."""
     by_grid: list[FloatArray]
-    """Possible change of each doubling on a finer grid."""
+    """Possible change of the correction, from each doubling, on the finest grid."""
     irregular: FloatArray
     """Part of the correction that is not of first order."""
 
@@ -46,7 +46,7 @@ def trial_runs(runs: Runs) -> list[GridRun]:
 
 
 def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
-    """Return the correction of values of the finest grid for the used number of increments."""
+    """Return the correction of values of the finest grid, solved with `used` increments."""
     made = []
     for run in trial_runs(runs)[:-1]:
         n = run.increments

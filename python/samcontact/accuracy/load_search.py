@@ -49,26 +49,26 @@ if TYPE_CHECKING:
 __all__ = ["FoundLoad", "find_load"]
 
 _MAX_FACTOR, _MIN_FACTOR = 100.0, 1e-9
-"""Limits of the load, relative to the largest load of a case and to the initial load."""
+"""Upper limit of the load relative to the largest of a case; lower limit relative to the first."""
 _RTOL = 1e-2  # relative tolerance of the load on the coarse grid
 _MAX_FINE_SOLVES = 12  # maximum number of solutions on the fine grid
 
 
 @dataclass(frozen=True, eq=False)
 class FoundLoad(HtmlTable):
-    """Load found, and value of the quantity at this load.
+    """Result of a load search: load, value of the quantity, errors and states.
 
     Attributes
     ----------
     quantity : str
-        Name in results files, "permanent_deformation" or "yield"; two names, separated by a comma,
-        for the larger value of both bodies.
+        Name in results files, "permanent_deformation" or "yield". Two names separated by a comma
+        mean the larger value of both bodies.
     load, load_error : float
-        Load and its error [N]; the error is the error of the value divided by its slope.
+        Load and its error [N]: the error of the value divided by the slope d(value)/d(load).
     value, error : float
         Value of the quantity at this load and its estimated grid error, in SI units.
     states : list of State
-        States of the run with this load; with "yield", of an elastic run.
+        States of the run with this load; for "yield", states of an elastic run.
     """
 
     quantity: str
@@ -100,7 +100,7 @@ class LoadSearch:
         self, quantity: str, target: float, build: Callable[[float], Built], start: float,
         most: float, tolerance: float, progress: bool,
     ) -> None:  # fmt: skip
-        simulation, path = _made(build, most)
+        simulation, path = _checked_build(build, most)
         self.name, self.target = resolved(quantity, simulation), target
         self.build, self.start, self.most = build, start, most
         self.tolerance, self.progress = tolerance, progress
@@ -110,34 +110,34 @@ class LoadSearch:
         self.largest = (0.0, 0.0)
         """Largest value so far, and its load."""
         self._last: tuple[str, Built, list[State]] | None = None
-        self._told: set[str] = set()
+        self._reported: set[str] = set()
 
     def find(self) -> FoundLoad:
         return _refined(self, _enclosed(self, self.start, self.most), self.tolerance)
 
     def on_coarse(self, load: float) -> float:
-        """Return the relative difference from the target, on the coarse grid."""
+        """Return (value - target)/target for a load [N] on the coarse grid."""
 
         def made() -> Built:
             simulation, path = self._built(load)
             path, _ = coarsening.coarser_path(path, simulation.grid)
             return coarsened(simulation, simulation.heat), path
 
-        return self._missing(f"coarse_{load!r}", "coarse", load, made)
+        return self._excess(f"coarse_{load!r}", "coarse", load, made)
 
     def on_grid(self, load: float) -> float:
-        """Return the relative difference from the target, on the fine grid."""
-        return self._missing(_name(load), "fine", load, lambda: self._built(load))
+        """Return (value - target)/target for a load [N] on the fine grid."""
+        return self._excess(_name(load), "fine", load, lambda: self._built(load))
 
     def run(self, load: float) -> tuple[Built, list[State]]:
-        """Return the last solution of `on_grid`, solved again if it is no longer in memory."""
+        """Return simulation, path and states of a load on the fine grid; solve if not in memory."""
         if self._last is None or self._last[0] != _name(load):
             self._solve(_name(load), self._built(load))
         assert self._last is not None
         return self._last[1:]
 
     def _built(self, load: float) -> Built:
-        simulation, path = _made(self.build, load)
+        simulation, path = _checked_build(self.build, load)
         return (elastic(simulation), path) if self.name == YIELD else (simulation, path)
 
     def _solve(self, name: str, built: Built) -> list[State]:
@@ -148,27 +148,27 @@ class LoadSearch:
         self._last = name, built, states
         return states
 
-    def _missing(self, name: str, where: str, load: float, make: Callable[[], Built]) -> float:
+    def _excess(self, name: str, where: str, load: float, make: Callable[[], Built]) -> float:
         if name not in self.solves.given:
             states = self._solve(name, make())
             marks = {len(states) - 1} if self.name == PERMANENT_DEFORMATION else _marks(states)
-            reached = max(self._reached(states[at]) for at in marks)
+            reached = max(self._value_of(states[at]) for at in marks)
             self.solves.add(name, {"reached": reached})
             self.solves.forget_increments([name])
         reached = self.solves.given[name]["reached"]
-        if name not in self._told:
-            self._told.add(name)
-            text = f"{where} grid, load {quantity(load, 'N', 6)}: {self._shown(reached)}"
+        if name not in self._reported:
+            self._reported.add(name)
+            text = f"{where} grid, load {quantity(load, 'N', 6)}: {self._progress_text(reached)}"
             report_progress(text, shown=self.progress)
         self.largest = max(self.largest, (reached, load))
         return float(reached / self.target - 1.0)
 
-    def _shown(self, reached: float) -> str:
+    def _progress_text(self, reached: float) -> str:
         label, unit = label_and_unit(self.name)
         wanted = quantity(self.target, unit)
         return f"{label} {quantity(reached, unit)} (target {wanted})"
 
-    def _reached(self, state: State) -> float:
+    def _value_of(self, state: State) -> float:
         if self.name == YIELD:
             return max(used_strength(state, n, body) for n, body in self.yielding.items())
         values = [error_controlled_quantities.value(state, name) for name in self.parts]
@@ -182,7 +182,7 @@ class LoadSearch:
 
     @property
     def parts(self) -> list[str]:
-        """Names in results files of the quantities whose maximum or sum is evaluated."""
+        """Names, in results files, of the quantities that are combined by maximum or sum."""
         if self.name == PERMANENT_DEFORMATION:
             bodies = enumerate(self.bodies, 1)
             return [f"imprint_depth_body{n}" for n, body in bodies if body.is_plastic]
@@ -192,14 +192,14 @@ class LoadSearch:
 
     @property
     def has_depth_profile(self) -> bool:
-        """Whether first yield is sought in a body with a depth profile of yield or stress."""
+        """Whether first yield is sought and yield stress or initial stress varies with depth."""
         return self.name == YIELD and any(map(has_depth_profile, self.yielding.values()))
 
     def refuse(self, why: object) -> ValueError:
         reached, load = self.largest
         name = self.name.replace(",", " or ")
         return ValueError(
-            f"value = {self.target!r} of {name} cannot be reached: maximum {reached:.6g} at "
+            f"value = {self.target!r} of {name} cannot be reached: the maximum is {reached:.6g} at "
             f"{load:.6g} N; {why}"
         )
 
@@ -222,14 +222,15 @@ def find_load(
     Parameters
     ----------
     case : Case, path, dict or callable
-        Case, file, or dictionary with the layout of a file, whose forces are all multiplied by one
-        factor; or a function of the maximum load [N] that returns simulation and path.
+        Case, path of a case file, or dictionary with its layout: all forces are multiplied by one
+        factor. Or a function of the maximum load [N] that returns simulation and path.
     quantity : str
-        Quantity with an error in results files, e.g. "max_pressure" or "imprint_depth_body2";
-        without a body, the larger value of both. It is the larger of its values at maximum load and
-        at the end of the path. Special names: "permanent_deformation", the sum of the residual
-        imprint depths of both bodies at the end of the path; "yield", the maximum ratio of von
-        Mises stress to yield stress in an elastic solution (1 at first yield), with depth profiles.
+        Quantity with error estimate in results files, e.g. "max_pressure", "imprint_depth_body2";
+        without a body number, the larger value of both bodies. The value is the larger one of
+        maximum load and end of path. Special names: "permanent_deformation", the sum of the
+        residual imprint depths of both bodies at the end of the path; "yield", the maximum ratio of
+        von Mises stress to yield stress, with depth profiles, in an elastic solution (1 at first
+        yield).
     value : float, optional
         Target value in SI units, > 0. Default: 1.
     tolerance : float, optional
@@ -239,8 +240,9 @@ def find_load(
     progress : bool, optional
         Print one line per trial load to stderr.
     checkpoint : path, optional
-        Folder for the values of all loads and the increments of the last. Repeating the call
-        continues from it, with bit-identical results. Remove the folder when no longer needed.
+        Folder that stores the values of all loads and the increments of the last load. Repeating
+        the call continues from these, with bit-identical results. Remove the folder when it is no
+        longer needed.
 
     Returns
     -------
@@ -254,7 +256,7 @@ def find_load(
         wear, or `checkpoint` belongs to another call. With "yield": bodies are not elastic-plastic,
         have layers, soften, or yield in the deepest layer of the grid.
     """
-    search = searched(
+    search = prepare_search(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
     )
     if checkpoint is not None and callable(case):  # its results at other loads are unknown
@@ -263,7 +265,7 @@ def find_load(
         return search.find()
 
 
-def searched(
+def prepare_search(
     case: Case | str | Path | Mapping[str, Any] | Callable[[float], Built],
     quantity: str,
     value: float,
@@ -281,7 +283,7 @@ def searched(
     build: Callable[[float], Built]
     if callable(case):
         if largest_load is None:
-            raise ValueError("largest_load is required with a function, got None")
+            raise ValueError("largest_load must be > 0 [N] if case is a function, got None")
         build, start = case, positive("largest_load", largest_load)
     else:
         from ..cases.given import case_of_contact
@@ -293,8 +295,8 @@ def searched(
     return LoadSearch(quantity, target, build, min(start, most), most, relative, progress)
 
 
-def _made(build: Callable[[float], Built], load: float) -> Built:
-    """Return simulation and path of a function of the load."""
+def _checked_build(build: Callable[[float], Built], load: float) -> Built:
+    """Call the user's function at a load [N]; return simulation and path after checks."""
     built = build(load)
     if not (isinstance(built, tuple) and len(built) == 2):
         raise TypeError(
@@ -305,19 +307,19 @@ def _made(build: Callable[[float], Built], load: float) -> Built:
 
 
 def _marks(states: Sequence[State]) -> set[int]:
-    """Return the positions of the last increment at maximum load, and of the last increment."""
+    """Return the indices of the last increment at maximum load and of the last increment."""
     loads = [state.load for state in states]
     most = max(loads) * (1 - 1e-9)
     return {max(n for n, load in enumerate(loads) if load >= most), len(states) - 1}
 
 
 def _name(load: float) -> str:
-    """Return the name of a solution on the fine grid, in files."""
+    """Return the name, in files, of the fine-grid solution for a load [N]."""
     return f"grid_{load!r}"
 
 
 def _enclosed(search: LoadSearch, start: float, most: float) -> float:
-    """Return the approximate load, from the coarse grid if the grid can be coarsened."""
+    """Return the approximate load [N], found on the coarse grid if the grid can be coarsened."""
     try:
         coarsening.coarser_grid(search.build(start)[0].grid)
         missing = search.on_coarse
@@ -326,7 +328,7 @@ def _enclosed(search: LoadSearch, start: float, most: float) -> float:
     why: list[object] = [f"increase largest_load, now {most:.6g} N"]
 
     def tried(load: float) -> float | None:
-        """Return the relative difference from the target; None at loads without a solution."""
+        """Return (value - target)/target for a load [N]; None if the solution failed."""
         try:
             return missing(load)
         except (ValueError, ConvergenceError, MemoryError) as error:
@@ -351,7 +353,7 @@ def _enclosed(search: LoadSearch, start: float, most: float) -> float:
 
 
 def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
-    """Refine the load by secants on the fine grid, with bisection as safeguard."""
+    """Refine the load [N] on the fine grid by the secant method, safeguarded by bisection."""
     low, high = 0.0, math.inf
     points: list[tuple[float, float]] = []
     load = near
@@ -365,11 +367,11 @@ def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
         load += min(max(step if step else tolerance * load, -0.5 * load), load)
         if not low < load < high:
             load = 0.5 * (low + high)
-    raise search.refuse(f"did not converge to {tolerance!r} in {_MAX_FINE_SOLVES} solutions")
+    raise search.refuse(f"tolerance = {tolerance!r} not reached in {_MAX_FINE_SOLVES} solutions")
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:
-    """Return the slope between the last point and its nearest neighbour."""
+    """Return the slope between the last (load, difference) point and its nearest neighbour."""
     *others, (load, missing) = points
     other, value = min(others, key=lambda point: abs(point[0] - load))
     slope = (missing - value) / (load - other)
@@ -392,7 +394,7 @@ def _outcome(search: LoadSearch, load: float, missing: float, slope: float) -> F
 
 
 def _relative(values: FloatArray, errors: FloatArray) -> float:
-    """Return the relative error at the maximum value."""
+    """Return the relative error at the increment of the maximum value."""
     known = np.where(np.isfinite(errors), np.abs(values), -1.0)
     at = int(known.argmax())
     return float(errors[at] / known[at]) if known[at] > 0 else 0.0

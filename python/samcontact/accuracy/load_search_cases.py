@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cases of a load search: cases with scaled loads, and the quantity sought."""
+"""Cases of a load search: scaled loads, and checks of the quantity sought."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Built = tuple["Simulation", Sequence[Mapping[str, Any]]]
 
 @dataclass(frozen=True)
 class ScaledCase:
-    """Case with scaled loads."""
+    """Case that is built for any maximum load [N] by scaling all forces."""
 
     case: Case
     largest: float
@@ -42,16 +42,19 @@ class ScaledCase:
 
 def max_load(case: Case) -> float:
     if case.wear is not None:
-        raise ValueError("wear: load search supports a single contact only: remove [wear]")
+        raise ValueError("wear: a load search does not support wear: remove [wear]")
     loads = [segment.load for segment in case.path]
     given = [load for load in loads if load is not None]
     if len(given) < len(loads) or not max(given) > 0:
-        raise ValueError("path: load search requires load in each segment, at least one > 0")
+        raise ValueError(
+            "path: a load search requires a prescribed load in each segment, "
+            "and at least one load > 0"
+        )
     return max(given)
 
 
 def require_known(name: object) -> None:
-    """Raise ValueError for an unknown quantity, with the most similar name."""
+    """Raise ValueError for an unknown quantity; the message suggests the most similar name."""
     kinds = [
         *error_controlled_quantities.CONTACT_QUANTITIES[1:],
         *error_controlled_quantities.BODY_QUANTITIES,
@@ -67,14 +70,20 @@ def require_known(name: object) -> None:
 
 
 def resolved(name: str, simulation: Simulation) -> str:
-    """Return the resolved name of a quantity; ValueError if the simulation does not have it."""
+    """Return a quantity's name with body number; ValueError if the simulation does not have it."""
     require_known(name)
     bodies = simulation.body1, simulation.body2
     if name == YIELD:
         if not any(body.is_plastic for body in bodies):
-            raise ValueError('quantity = "yield" requires an elastic-plastic body')
+            raise ValueError(
+                'quantity = "yield" requires an elastic-plastic body: set a '
+                "law in [body1] or [body2]"
+            )
         if any(body.softening for body in bodies):
-            raise ValueError('quantity = "yield" does not support thermal softening')
+            raise ValueError(
+                'quantity = "yield" does not support thermal softening: '
+                "remove softening from the bodies"
+            )
         for n, body in enumerate(bodies, 1):
             if isinstance(body, Layered) and body.is_plastic:
                 raise ValueError(
@@ -82,27 +91,30 @@ def resolved(name: str, simulation: Simulation) -> str:
                     "value of max_equivalent_plastic_strain, e.g. 1e-6"
                 )
         if not simulation.grid.has_volume:
-            raise ValueError('quantity = "yield" requires a grid with dz')
+            raise ValueError('quantity = "yield" requires a grid with layers: set grid.dz')
         return name
     if name == PERMANENT_DEFORMATION:
         if not any(body.is_plastic for body in bodies):
-            raise ValueError(f'quantity = "{name}" requires an elastic-plastic body')
+            raise ValueError(
+                f'quantity = "{name}" requires an elastic-plastic body: set a '
+                "law in [body1] or [body2]"
+            )
         if not simulation.grid.has_volume:
-            raise ValueError(f'quantity = "{name}" requires a grid with dz')
+            raise ValueError(f'quantity = "{name}" requires a grid with layers: set grid.dz')
         return name
     known = error_controlled_quantities.names(bodies, volume=simulation.grid.has_volume)
     found = [one for one in known if one in (name, f"{name}_body1", f"{name}_body2")]
     if not found:
         allowed = [one for one in known if one != "load"]
         raise ValueError(
-            "quantity must be available for these bodies and this grid, "
-            f"{', '.join(allowed)}, got {in_short(name)}"
+            "quantity must be available for these bodies and this grid "
+            f"({', '.join(allowed)}), got {in_short(name)}"
         )
     return name if name in found else ",".join(found)
 
 
 def label_and_unit(name: str) -> tuple[str, str]:
-    """Return label and unit of a quantity by its resolved name."""
+    """Return label and unit of a quantity, from its name with body number."""
     if name == YIELD:
         return "von Mises stress / yield stress", ""
     if name == PERMANENT_DEFORMATION:
@@ -114,7 +126,7 @@ def label_and_unit(name: str) -> tuple[str, str]:
 
 
 def elastic(simulation: Simulation) -> Simulation:
-    """Return the simulation with elastic bodies."""
+    """Return a copy of a simulation with elastic instead of elastic-plastic bodies."""
     bodies = {}
     for name in ("body1", "body2"):
         body = getattr(simulation, name)
@@ -127,14 +139,14 @@ def elastic(simulation: Simulation) -> Simulation:
 
 
 def has_depth_profile(body: Material) -> bool:
-    """Whether yield stress or initial stress of a body varies with depth."""
+    """Whether the yield stress or the initial stress of a body varies with depth."""
     return body.yield_profile is not None or body.residual_stress is not None
 
 
 def used_strength(state: State, n: int, body: Material) -> float:
     """Return the maximum ratio of von Mises stress to yield stress in an elastic state.
 
-    Raises ValueError if the maximum may be below the deepest layer of the state.
+    Raises ValueError if the maximum may lie below the deepest layer of the state.
     """
     least = float(body.yield_stress(0.0))
     if not has_depth_profile(body):
@@ -143,7 +155,7 @@ def used_strength(state: State, n: int, body: Material) -> float:
     over_depth = used.max(axis=(0, 1))
     if over_depth.argmax() == len(over_depth) - 1:
         raise ValueError(
-            f"body{n} yields in or below the deepest layer of the grid ({state.depths[-1]:.4g} m): "
-            "increase nz"
+            f"body{n} first yields in or below the deepest layer of the grid, at a depth "
+            f"of {state.depths[-1]:.4g} m: increase nz"
         )
     return max(error_controlled_quantities.below_and_at_surface(used))

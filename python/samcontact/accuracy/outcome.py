@@ -28,7 +28,7 @@ class AccuracyResult(HtmlTable):
     For each quantity, by its name in results files, ``values[name]`` is the maximum of the run and
     ``errors[name]`` its estimated error, both in SI units. ``series[name]`` and
     ``series_errors[name]`` are values and errors at the positions ``increments`` of ``states``: the
-    end of each path segment and, for passes, the last loaded increment.
+    end of each path segment and, for passes, also the last loaded increment.
     """
 
     values: dict[str, float]
@@ -48,7 +48,7 @@ class AccuracyResult(HtmlTable):
     runs: tuple[tuple[int, int, int, float], ...]
     """Cells along x and y, increments per segment and time [s] of all runs."""
     needs: str = ""
-    """Requirements of the prescribed accuracy, as text, if it was not reached."""
+    """Reason why the prescribed accuracy was not reached, as text; empty if it was reached."""
 
     @property
     def grid(self) -> Grid:
@@ -57,7 +57,7 @@ class AccuracyResult(HtmlTable):
 
     @property
     def relative_errors(self) -> dict[str, float]:
-        """Errors relative to the maxima; 0 for vanishing quantities."""
+        """Errors divided by the maximum values [-]; 0 for quantities that are zero."""
         return {
             name: self.errors[name] / abs(value) if value else 0.0
             for name, value in self.values.items()
@@ -66,8 +66,9 @@ class AccuracyResult(HtmlTable):
     def to_dataset(self, *, volume: str | None = None) -> xr.Dataset:
         """Return the results of the finest grid, with values and errors.
 
-        ``X`` is the value on the finest grid. ``X_best`` is the best estimate at ``increments`` and
-        ``X_error`` its error, with the prescribed accuracy as attribute; both are NaN elsewhere.
+        ``X`` is the value on the finest grid. ``X_best`` is the best estimate of ``X``. ``X_error``
+        is the error of ``X_best``; its attribute is the prescribed accuracy. Both are NaN except at
+        ``increments``.
 
         Parameters
         ----------
@@ -114,7 +115,7 @@ class AccuracyResult(HtmlTable):
 
 
 def largest(series: FloatArray, errors: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the maximum of each quantity over all marks, with its error; input (marks, names)."""
+    """Return the maximum of each quantity, with its error; input shape (increments, quantities)."""
     at = np.abs(series).argmax(axis=0)
     columns = np.arange(series.shape[1])
     return series[at, columns], errors[at, columns]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case on any grid with any number of increments; cases tied to one grid are refused."""
+"""Case that can be solved on any grid with any number of increments."""
 
 from __future__ import annotations
 
@@ -30,17 +30,19 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 CELLS_OF_FIRST_GRID = math.sqrt(32.0)
-"""Cells per semi-axis of the Hertz contact on the first grid, times sqrt(2) on each next grid."""
+"""Cells per semi-axis of the Hertz contact on the first grid; sqrt(2) times as many on each next
+one."""
 HERTZ_MARGIN = 1.35
 """Half-width of the first grid, relative to the semi-axis."""
 HERTZ_MARGIN_ALONG_TRAVEL = 2.0
-"""Half-width along x for moving bodies, to keep plastic strain in the grid for this distance."""
+"""Half-width of the first grid along x for moving bodies, relative to the semi-axis: plastic strain
+then stays in the grid for this distance."""
 TOL_SHARE = 0.01
 """Tolerance of the iteration, relative to the accuracy; the error of the values is about a tenth of
 the tolerance."""
 _FRESH_START_FACTOR = 8
 """Factor on the increments of a segment with a `start`. The start may be beyond the value reached
-before; with few increments, the first increment would not be."""
+before; the end of the first increment must also be beyond it, which requires small increments."""
 _MIN_CELLS_OF_DETAIL = 4.0  # cells across the smallest detail of a surface, on the first grid
 _FIELDS_WITHOUT_EFFECT = {
     "title", "description", "output", "estimate_error", "accuracy", "quantities", "max_memory",
@@ -50,22 +52,22 @@ _FIELDS_WITHOUT_EFFECT = {
 _ELASTIC_DEPTH = 1.2  # depth of the grid of elastic bodies, relative to the smaller semi-axis
 _MIN_CELLS_IN_LAYER = 3
 """Minimum number of cells of the first grid in the common divisor of the elastic-plastic layer
-thicknesses: maxima at an interface are extrapolated from as many cells."""
+thicknesses: maxima at an interface are extrapolated from this number of cells."""
 _MAX_CELL_ASPECT = 8.0
 """Maximum ratio of the cell width of the first grid to this divisor."""
 
 
 class GridSolution(NamedTuple):
-    """Case on a grid, its states, and the warnings, which may be absent on a finer grid."""
+    """Case with a grid, simulation and states, and the warnings that its solution issued."""
 
     case: Case
     simulation: Simulation
     states: list[State]
-    told: list[warnings.WarningMessage]
+    issued: list[warnings.WarningMessage]
 
     @property
     def half(self) -> tuple[float, float]:
-        """Extent of contact and plastic strain from the middle along x and y [m]."""
+        """Half-widths along x and y [m] of the region that contains contact and plastic strain."""
         reach = [0, 0]
         for state in self.states:
             nx, ny = state.grid.surface_shape
@@ -83,7 +85,7 @@ class GridSolution(NamedTuple):
 
     @property
     def elastic(self) -> list[int]:
-        """Path segments without plastic flow."""
+        """Indices of the path segments without plastic flow."""
         ends = ends_of(self.case)
         parts = zip([0, *ends], ends, strict=False)
         return [
@@ -106,7 +108,7 @@ class GridSolution(NamedTuple):
 
 @dataclass(eq=False)
 class GridRun:
-    """Values of a case on one grid; all but `solved` is stored, which can be solved again."""
+    """Results of a case on one grid. `solved` may be released: it can be solved again."""
 
     level: int
     increments: int
@@ -124,12 +126,12 @@ class GridRun:
 
 
 def name_of(level: int, increments: int) -> str:
-    """Return the name of a run in files."""
+    """Return the name of a run, for files, from grid level and number of increments."""
     return f"grid{level:02d}_increments{increments:04d}"
 
 
 class RefinableCase:
-    """Case whose grid and increments can be chosen."""
+    """Case that is solved on grids and with numbers of increments chosen by the search."""
 
     def __init__(self, case: Case) -> None:
         require_refinable(case)
@@ -150,28 +152,28 @@ class RefinableCase:
         self.names = [name for name in names if name not in given]
         contact: Any = case.contact
         self.tol = float(contact.tol)
-        """Tolerance of the iteration, from the case or from the accuracy."""
+        """Tolerance of the contact solver, from the case or from the prescribed accuracy."""
         self.elastic: set[int] = set()
-        """Path segments without plastic flow, for which one increment suffices."""
+        """Indices of path segments without plastic flow; one increment suffices for each."""
         along_x = HERTZ_MARGIN_ALONG_TRAVEL if case.moves else HERTZ_MARGIN
         self.half = along_x * self.semi_axes[0], HERTZ_MARGIN * self.semi_axes[1]
         self._part_of_layers = self._part_of_all_layers()
 
     @property
     def who(self) -> Identity:
-        """Identity of the runs; the accuracy affects only the tolerance."""
+        """Identity that stored runs must match; the prescribed accuracy enters as the tolerance."""
         return identity(
             names=self.names, tol=self.tol, **self.case.model_dump(exclude=_FIELDS_WITHOUT_EFFECT)
         )
 
     @property
     def parts(self) -> list[int]:
-        """Number of values of a run for each quantity, which is their maximum."""
+        """Number of values of which each quantity is the maximum, e.g. one for each material."""
         return [error_controlled_quantities.has_parts(name, self.bodies) for name in self.names]
 
     @cached_property
     def semi_axes(self) -> tuple[float, float]:
-        """Semi-axes of the elastic contact of smooth surfaces along x, y at maximum load [m]."""
+        """Semi-axes [m] along x and y of the Hertz contact at maximum load, without roughness."""
         radii = self.case.surface.radii()
         assert radii is not None
         E_star = hertz.effective_modulus(*map(softest, self.bodies))
@@ -193,7 +195,7 @@ class RefinableCase:
 
     @cached_property
     def _finer(self) -> float:
-        """Factor by which details of the surfaces require smaller cells than the contact."""
+        """Factor >= 1 by which roughness, dents and furrows require more cells than the contact."""
         details: list[float] = []
         roughness: Any = self.case.surface.roughness
         if roughness is not None:
@@ -208,14 +210,14 @@ class RefinableCase:
         return max([1.0, *(_MIN_CELLS_OF_DETAIL * widest / size for size in details if size > 0)])
 
     def cells(self, level: int) -> float:
-        """Return the number of cells along a semi-axis of the Hertz contact."""
+        """Return the number of cells along a semi-axis of the Hertz contact at a grid level."""
         return float(CELLS_OF_FIRST_GRID * self._finer * REFINEMENT_RATIO**level)
 
     def __repr__(self) -> str:
         return f"RefinableCase({self.case!r})"
 
     def on(self, level: int, increments: int) -> Case:
-        """Return the case on a grid with a cell in the middle, as on all grids."""
+        """Return the case with the grid of a level, which has a cell at its centre."""
         from ..cases.sections import GridSection
 
         cells = self.cells(level)
@@ -245,14 +247,14 @@ class RefinableCase:
         return case.model_copy(update={"heat": heat.model_copy(update={"history": history})})
 
     def _dz(self, level: int) -> float:
-        """Return the cell depth [m]; it divides the thicknesses of elastic-plastic layers."""
+        """Return the cell size along z [m], a divisor of all elastic-plastic layer thicknesses."""
         if self._part_of_layers is None:
             return min(self._sizes(level))
         cells = max(_MIN_CELLS_IN_LAYER, math.ceil(self._part_of_layers / min(self._sizes(0))))
         return self._part_of_layers / round(cells * REFINEMENT_RATIO**level)
 
     def _part_of_all_layers(self) -> float | None:
-        """Return the largest common divisor of the elastic-plastic layer thicknesses [m]."""
+        """Return the largest common divisor of elastic-plastic layer thicknesses [m], or None."""
         depths = [
             float(depth) for body in self.bodies if isinstance(body, Layered) and body.is_plastic
             for depth in body.interfaces
@@ -262,16 +264,16 @@ class RefinableCase:
         part = common_part(depths)
         least = min(self._sizes(0)) / _MAX_CELL_ASPECT
         if part is None or part < least:
-            told = ", ".join(f"{depth:.6g}" for depth in depths)
+            listed = ", ".join(f"{depth:.6g}" for depth in depths)
             raise ValueError(
-                f"layers: the depths of the interfaces, {told} m, must be multiples of a common "
+                f"layers: the depths of the interfaces, {listed} m, must be multiples of a common "
                 f"length >= {least:.2g} m, so that cells fit all layers: round the thicknesses, or "
                 "specify [grid] instead of accuracy"
             )
         return part
 
     def _count(self, number: int, increments: int) -> int:
-        """Return the number of increments of a segment, for a given nominal number."""
+        """Return the number of increments of one segment, from the number chosen for all."""
         if number in self.elastic:
             return 1
         return increments * (1 if self.case.path[number].start is None else _FRESH_START_FACTOR)
@@ -279,19 +281,19 @@ class RefinableCase:
     def solve(
         self, level: int, increments: int, solves: Solves | None = None, *, progress: bool = False
     ) -> GridSolution:
-        """Solve the case on a grid, continuing stored increments."""
+        """Solve the case on a grid, continuing from stored increments."""
         solves = Solves(self.who) if solves is None else solves
         name, case = name_of(level, increments), self.on(level, increments)
-        with warnings.catch_warnings(record=True) as told:
+        with warnings.catch_warnings(record=True) as issued:
             warnings.simplefilter("always")
             simulation, path = case.build()
             states = solves.run(name, simulation, path, progress=progress)
-        return GridSolution(case, simulation, states, told)
+        return GridSolution(case, simulation, states, issued)
 
     def run(
         self, level: int, increments: int, solves: Solves | None = None, *, progress: bool = False
     ) -> GridRun:
-        """Return the values of the case on a grid; stored values are not solved again."""
+        """Return the results of the case on a grid; stored results are not computed again."""
         name = name_of(level, increments)
         if solves is not None and name in solves.given:
             return GridRun(level, increments, **solves.given[name])
@@ -316,7 +318,7 @@ class RefinableCase:
         return GridRun(level, increments, **given, solved=solved)
 
     def settle(self, run: GridRun) -> None:
-        """Set the size of later grids and the elastic segments from a run."""
+        """Set the half-widths of later grids and the segments without plastic flow from a run."""
         half = [1.08 * h + 2.0 * d for h, d in zip(run.half, self._sizes(run.level), strict=True)]
         along_x = max(half[0], self.half[0]) if self.case.moves else half[0]
         self.half = along_x, half[1]
@@ -324,7 +326,7 @@ class RefinableCase:
             self.elastic = set(run.elastic)
 
     def accept(self, accuracy: float) -> None:
-        """Relax the tolerance of the iteration to a relative accuracy of the values."""
+        """Relax the contact tolerance to suit a relative accuracy, unless the case sets `tol`."""
         if "tol" not in self.case.contact.model_fields_set:
             self.tol = max(self.tol, TOL_SHARE * accuracy)
 
@@ -333,7 +335,7 @@ class RefinableCase:
 
 
 def common_part(lengths: Sequence[float]) -> float | None:
-    """Return the largest common divisor, at least 1/64 of the first length; None without one."""
+    """Return the largest common divisor of lengths; None if below 1/64 of the first length."""
     for parts in range(1, 65):
         part = lengths[0] / parts
         counts = [length / part for length in lengths]
@@ -343,7 +345,7 @@ def common_part(lengths: Sequence[float]) -> float | None:
 
 
 def marks_of(case: Case) -> list[int]:
-    """Return the positions of the last increments of segments, and of the last loaded of passes."""
+    """Return the index of each segment's last increment and of each pass's last loaded one."""
     marks: list[int] = []
     count = 0
     for segment, made in zip(case.path, case.steps_of_segments(), strict=True):
@@ -357,21 +359,24 @@ def marks_of(case: Case) -> list[int]:
 
 
 def ends_of(case: Case) -> list[int]:
-    """Return the number of increments up to the end of each segment."""
+    """Return the cumulative number of increments at the end of each segment."""
     return list(itertools.accumulate(len(steps) for steps in case.steps_of_segments()))
 
 
 def require_refinable(case: Case) -> None:
-    """Raise ValueError, with a remedy, for a case that is tied to one grid."""
+    """Raise ValueError, with a remedy, for a case that is defined on one grid only."""
     remedy = "specify [grid] with the cells of the data instead of accuracy"
     if case.sticks:
         raise ValueError(
             "contact.friction: accuracy does not support partial slip: specify [grid] instead"
         )
     if case.wear is not None:
-        raise ValueError("wear: accuracy supports a single contact only: specify [grid] instead")
+        raise ValueError("wear: accuracy does not support wear: specify [grid] instead")
     if case.grid is not None and case.grid.periodic:
-        raise ValueError("grid.periodic: accuracy does not support periodic grids")
+        raise ValueError(
+            "grid.periodic: accuracy does not support periodic grids: "
+            "specify the whole of [grid] instead of accuracy"
+        )
     surface: Any = case.surface
     if surface.shape == "file":
         raise ValueError(f"surface.shape = 'file' is defined at the points of its file: {remedy}")

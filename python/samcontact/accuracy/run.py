@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Refinement of grids and increments until the errors of all quantities are small enough."""
+"""Refinement of grid and increments until the errors of all quantities are small enough."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ MAX_GRIDS = 24
 
 
 class AccuracySearch:
-    """Runs of a case on several grids, each at most once, and their joint estimate."""
+    """Runs of a case on several grids, each solved once, and the errors estimated from them."""
 
     def __init__(
         self,
@@ -72,13 +72,13 @@ class AccuracySearch:
             self.runs[key] = made
             self._forget(but=[made, *self.grids[-1:]])
             each = f", {increments} increments per segment" if self.scene.has_history else ""
-            told = f"grid {level + 1}: {counts(*made.cells)} cells{each}, {made.seconds:.2g} s"
-            _logger.info("%s", told)
-            report_progress(told, shown=self.progress)
+            line = f"grid {level + 1}: {counts(*made.cells)} cells{each}, {made.seconds:.2g} s"
+            _logger.info("%s", line)
+            report_progress(line, shown=self.progress)
         return self.runs[key]
 
     def _forget(self, but: list[GridRun]) -> None:
-        """Release states that are not of the finest grid."""
+        """Release the states of all runs except those in `but`."""
         for run in self.runs.values():
             if run not in but:
                 run.solved = None
@@ -116,9 +116,9 @@ class AccuracySearch:
         return outcome
 
     def _leave_out_singular(self, run: GridRun) -> None:
-        """Exclude quantities that do not converge with finer grids."""
-        told = () if run.solved is None else run.solved.told
-        if any(issubclass(warning.category, SingularPressureWarning) for warning in told):
+        """Exclude quantities that do not converge because the pressure is singular at an edge."""
+        issued = () if run.solved is None else run.solved.issued
+        if any(issubclass(warning.category, SingularPressureWarning) for warning in issued):
             endless = [is_singular(name) for name in self.asked]
             self.wanted = np.where(endless, np.inf, self.wanted)
             if any(endless):
@@ -126,17 +126,17 @@ class AccuracySearch:
                 self.needs = f"{names} do not converge at a sharp edge on any grid"
 
     def best(self) -> AccuracyResult | None:
-        """Return the outcome of the grids so far; None with too few grids for an error."""
+        """Return the result of the grids so far; None if they are too few to estimate errors."""
         return self._outcome(self.grids) if len(self.grids) >= MIN_GRIDS else None
 
     def _errors_above_target(self, found: Estimate) -> str:
-        """Return the errors above the prescribed accuracy, as text."""
+        """Return, as text, the errors that exceed the prescribed accuracy."""
         relative = dict(zip(self.asked, self._relative(found), strict=True))
         above = [f"{n} {percent(e)}" for n, e in relative.items() if e > self.asked[n]]
         return f"  estimated errors: {', '.join(above) or 'all below the prescribed accuracy'}"
 
     def _judge_increments(self) -> None:
-        """Solve with more and more increments on a coarse grid, and choose the increments."""
+        """Choose the number of increments from coarse-grid runs with doubled increments."""
         while True:
             series = trial_runs(self.runs)
             if len(series) >= 3:
@@ -158,11 +158,11 @@ class AccuracySearch:
                 break
 
     def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
-        """Return the estimate of the quantities from their parts."""
+        """Return the estimate of each quantity as the maximum of its parts."""
         return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
-        """Solve with twice the increments if limits allow; return whether it was done."""
+        """Solve the coarse grid with twice the increments; return False if limits forbid it."""
         series = trial_runs(self.runs)
         count = 2 * series[-1].increments if series else MIN_INCREMENTS
         costs = self.seconds + 2 * series[-1].seconds if len(series) >= 3 else 0.0
@@ -172,7 +172,7 @@ class AccuracySearch:
         return True
 
     def _on_finer_grid(self, grids: list[GridRun], found: Correction) -> bool:
-        """Double the increments on a finer grid, for the correction with the largest effect."""
+        """Repeat the increment doubling with the largest error on a finer grid, if affordable."""
         spoiled = [self._error_ratio(grids, errors) for errors in found.by_grid]
         count, before = found.doublings[int(np.argmax(spoiled))]
         allowed = min(
@@ -188,7 +188,7 @@ class AccuracySearch:
         return False
 
     def _estimate(self, grids: list[GridRun]) -> Estimate:
-        """Return the estimate for grids and increments together, shape (marks, names)."""
+        """Return the estimate with grid and increment errors, shape (increments, quantities)."""
         found = of_grids([run.values for run in grids])
         if self.scene.has_history:
             more = correction(self.runs, self.used, grids[-1].values)
@@ -197,7 +197,7 @@ class AccuracySearch:
         return combined(found, self.parts)
 
     def _with_cross_error(self, values: FloatArray, more: Correction) -> FloatArray:
-        """Return the possible change, on a finer grid, of corrections found on a coarse grid."""
+        """Return the error of coarse-grid increment corrections when applied to the finest grid."""
         mixed: FloatArray = sum(more.by_grid) + more.irregular
         before = self.scene.names.index
         area, pressure = (sum(self.parts[: before(n)]) for n in ("contact_area", "max_pressure"))
@@ -207,17 +207,17 @@ class AccuracySearch:
         return mixed
 
     def _relative(self, found: Estimate) -> FloatArray:
-        """Return maximum errors over all marks of the chosen quantities, relative to the maxima."""
+        """Return the maximum error of each chosen quantity, divided by its maximum value."""
         scale = np.max(np.abs(found.values), axis=0)
         share = np.divide(found.errors, scale, out=np.zeros_like(found.errors), where=scale > 0)
         return np.asarray(np.max(share, axis=0)[self.chosen])
 
     def _error_ratio(self, grids: list[GridRun], errors: FloatArray) -> float:
-        """Return the maximum ratio of some errors alone to the prescribed accuracy."""
+        """Return the maximum ratio of relative errors to the prescribed accuracy."""
         return float(np.max(self._relative(self._join(grids[-1].values, errors)) / self.wanted))
 
     def _reduce_increment_error(self, grids: list[GridRun]) -> bool:
-        """Make a run that reduces the increment error, if too large; return whether it was made.
+        """Add a run if the increment error is too large; return whether a run was added.
 
         The run has more increments, or is on a finer grid.
         """
@@ -230,7 +230,7 @@ class AccuracySearch:
         return depends and self._on_finer_grid(grids, found)
 
     def _growth(self, grids: list[GridRun]) -> float:
-        """Return the growth factor of the time per grid."""
+        """Return the ratio of the times of the next and the last grid [-]."""
         known = len(grids) > 2
         growth = (
             grids[-1].seconds / max(grids[-2].seconds, 1e-3) if known else 2.5 * REFINEMENT_RATIO
@@ -240,7 +240,7 @@ class AccuracySearch:
     def _affordable(self, grids: list[GridRun], worst: float) -> bool:
         """Whether memory and time suffice for the next grid; otherwise set `needs`.
 
-        worst: maximum error relative to the accuracy, which about halves with each grid.
+        worst: maximum ratio of error to prescribed accuracy; it about halves with each grid.
         """
         last = grids[-1]
         growth, size = self._growth(grids), last.memory * REFINEMENT_RATIO**3
@@ -286,16 +286,17 @@ class AccuracySearch:
 
 
 def _warn_of(outcome: AccuracyResult, last: GridSolution) -> None:
-    """Repeat the warnings of the last grid, and warn if the accuracy is not reached."""
-    for warning in last.told:
+    """Issue the warnings of the last grid, and a warning if the accuracy is not reached."""
+    for warning in last.issued:
         warnings.warn(warning.message, stacklevel=4)
     if not outcome.reached:
         relative, asked = outcome.relative_errors, outcome.accuracy
         name = max(asked, key=lambda one: relative[one] / asked[one])
         warnings.warn(
             f"prescribed accuracy not reached: estimated relative error of {name} is "
-            f"{relative[name]:.2g}, target {asked[name]:.3g}; {outcome.needs}: increase max_memory "
-            f"or max_time, relax the accuracy, or exclude {name} from quantities",
+            f"{relative[name]:.2g}, target {asked[name]:.3g}; {outcome.needs}: to reach "
+            f"it, increase max_memory or max_time, relax the accuracy, or exclude {name} "
+            "from quantities",
             AccuracyWarning,
             stacklevel=4,
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tasks of several solutions, with stored results and stored increments of the last solutions."""
+"""Storage for a task that needs several solutions: results, and increments of the last ones."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _KIND = "solve"
 
 
 class _Solve(NamedTuple):
-    """Simulation with its increments so far."""
+    """Simulation, its identity, and the states of its increments so far."""
 
     simulation: Simulation
     who: Identity
@@ -38,7 +38,7 @@ class _Solve(NamedTuple):
 
 
 class Solves:
-    """Solutions of one task by name: their results, and states that may still be needed.
+    """Solutions of one task, by name: results, and increments that may still be needed.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ class Solves:
 
     @contextmanager
     def kept_in(self, folder: str | os.PathLike[str] | None) -> Iterator[None]:
-        """Read stored results from a folder, and store new results there; None: no folder."""
+        """Read stored results from a folder, and write new results to it; None: store nothing."""
         if folder is None:
             yield
             return
@@ -63,7 +63,7 @@ class Solves:
         self._folder = file_path("checkpoint", folder)
         with locked(self._folder):
             for file in sorted(self._folder.glob("*.h5")):
-                require_marked(file, "move it, or use another folder")
+                require_marked(file, "move this file, or use another folder")
                 self._take(file)
             yield
 
@@ -71,7 +71,9 @@ class Solves:
         try:
             tree = read(file, _KIND)
         except DamagedCheckpointError as error:
-            warnings.warn(f"{error}: the solution is repeated", stacklevel=4)
+            warnings.warn(
+                f"{error}: this checkpoint is not used, and the case is solved again", stacklevel=4
+            )
             return
         require_same(file.parent, self.who, tree)
         self.given[file.stem] = tree["given"]
@@ -84,7 +86,7 @@ class Solves:
         *,
         progress: bool = False,
     ) -> list[State]:
-        """Return the states of a solution: stored increments, and new increments."""
+        """Return the states of a solution, stored or solved now, on a common grid."""
         solve = self._solves[name] = _Solve(simulation, describe(simulation.engine, path=path), [])
         folder = None if self._folder is None else self._folder / name
         engine, monitor, step = simulation.engine, simulation.monitor, simulation.step
@@ -92,13 +94,13 @@ class Solves:
         return on_common_grid(solve.states)
 
     def add(self, name: str, given: Tree) -> None:
-        """Store the results of a solution: numbers, texts and arrays."""
+        """Store the results (numbers, texts, arrays) of the solution `name`."""
         self.given[name] = given
         if self._folder is not None:
             self._write(self._folder, name)
 
     def forget_increments(self, but: Collection[str]) -> None:
-        """Remove the stored increments of all other solutions."""
+        """Remove the stored increments of all solutions except those named in `but`."""
         for name in {*self.given, *self._solves}.difference(but):
             self._solves.pop(name, None)
             if self._folder is not None:
@@ -110,7 +112,7 @@ class Solves:
         return sum(len(solve.states) for solve in self._solves.values())
 
     def keep(self, folder: Path) -> None:
-        """Write all results and increments to a folder, to continue from."""
+        """Write all results and increments to a folder, from which the task can be continued."""
         folder.mkdir(parents=True, exist_ok=True)
         for name in self.given:
             self._write(folder, name)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from .. import surfaces
 from .._util.checks import boolean, integer, require_type
 from .._util.display import ShortRepr
+from .._util.errors import attach
 from .._util.progress import progress_bar
 from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 
 @dataclass(repr=False)
 class CollisionResult(ShortRepr):
-    """Result of `collide`."""
+    """Result of an asperity collision, returned by `collide`."""
 
     collision: Collision
     simulation: Simulation
@@ -69,42 +70,44 @@ def collide(
     passes : int
         Number of passes of sphere 1, >= 1.
     cells_per_increment : int
-        Displacement of the contact over body 2 per increment, in cells of dx, >= 1. It is also
-        exact for body 1 if R1/R2 times this number is an integer.
+        Displacement of the contact over body 2 per increment, in cells of size dx, >= 1. The
+        displacement over body 1 is also a whole number of cells if R1/R2 times this number is an
+        integer.
     back_and_forth : bool
         Whether every second pass is in the opposite direction. By default all are towards +X.
     relief1, relief2 : Relief, optional
-        Roughness of the spheres; its rows are those of the grid in the aligned position.
+        Roughness of the spheres. When the spheres are aligned, its rows coincide with grid rows.
     checkpoint : path, optional
-        Folder for a checkpoint of each increment. An equal call resumes from it, with bit-identical
-        results. Delete it when it is no longer needed.
+        Folder for a checkpoint of each increment. Repeating the call resumes from it, with
+        bit-identical results. Delete it when it is no longer needed.
     progress : bool
         Show a progress bar, or at most ten lines if there is no terminal.
     **settings
-        Arguments of `Simulation`, e.g. increment_tol, tol (default for elastic spheres: 1e-8),
-        residual_stress, reach.
+        Further arguments of `Simulation`, e.g. increment_tol, tol (default for elastic spheres:
+        1e-8), residual_stress, reach.
 
     Returns
     -------
     CollisionResult
-        The results; `series` has, by pass and increment: offset, angle, approach, normal_force
-        (along the line of centres), force_x, force_y, force_z (of sphere 1 on sphere 2: force_x > 0
-        resists motion towards +X, force_z > 0 is compressive), load_ratio force_x/force_z (NaN
-        without contact), work of force_x since the start of the pass, plastic_work of both bodies
-        since the first pass, max_pressure, contact_area, cells_across_contact (across the contact;
-        NaN without contact), and for each body max_equivalent_plastic_strain and
-        layers_across_plastic_zone (NaN without plastic strain). By pass: net_energy (work of the
-        pass), dissipation, residual_energy (after the pass), energy_imbalance (net energy minus
+        Results of all passes. `series` has, by pass and increment: offset, angle, approach,
+        normal_force (along the line of centres), force_x, force_y, force_z (of sphere 1 on sphere
+        2: force_x > 0 resists motion towards +X, force_z > 0 is compressive), load_ratio
+        force_x/force_z (NaN without contact), work of force_x since the start of the pass,
+        plastic_work of both bodies since the first pass, max_pressure, contact_area,
+        cells_across_contact (NaN without contact), and for each body max_equivalent_plastic_strain
+        and layers_across_plastic_zone (NaN without plastic strain). By pass: net_energy (work of
+        the pass), dissipation, residual_energy (after the pass), energy_imbalance (net energy minus
         dissipation and increase of residual energy: the error due to grid and increments), and for
-        each body residual_displacement (its maximum).
+        each body residual_displacement (maximum of the field).
 
     Raises
     ------
     ValueError
-        A friction or heat setting (frictionless spheres without heating), a grid whose increment is
-        longer than a quarter of the contact path, or a `checkpoint` of another call; and as
-        `Simulation`. An error in a later increment holds the results of the completed increments in
-        its attribute `result`; quantities of an incomplete pass are NaN.
+        A setting for friction or heat is given (the spheres are frictionless and unheated),
+        increments are longer than a quarter of the contact path, or `checkpoint` belongs to another
+        call; also the errors of `Simulation`. If a later increment fails, the attribute `result` of
+        the error has the results of the completed increments; quantities per pass are NaN for an
+        incomplete pass.
     """
     boolean("progress", progress)
     boolean("back_and_forth", back_and_forth)
@@ -117,15 +120,16 @@ def collide(
     step = integer("cells_per_increment", cells_per_increment, 1) * grid.dx / collision.R2
     if step > 0.5 * collision.half_angle:
         raise ValueError(
-            f"dx must be <= {0.5 * collision.half_angle * collision.R2:.6g} m / "
-            f"cells_per_increment (a quarter of the contact path), got {grid.dx!r}"
+            f"dx must be <= {0.5 * collision.half_angle * collision.R2:.6g} m (a quarter "
+            f"of the contact path, divided by cells_per_increment), got {grid.dx!r} m: use "
+            "smaller cells"
         )
     count = integer("passes", passes, 1)
     gap = surfaces.paraboloid(grid, collision.R)
     if not (body1.is_plastic or body2.is_plastic):
         settings = {"tol": 1e-8, **settings}  # for a net energy of zero, at 20 % more work
     simulation = Simulation(grid, body1, body2, gap, relief1=relief1, relief2=relief2, **settings)
-    simulation.monitor.checks_steps = False  # contact is small in the first increments
+    simulation.monitor.checks_steps = False  # the first contact is always small
     simulation.monitor.checks_increments = False
     way = {"passes": count, "step": step, "back_and_forth": back_and_forth}
     rows: list[list[IncrementRow]] = []
@@ -146,7 +150,7 @@ def collide(
         except Exception as error:
             if done := [one for one in rows if one]:
                 part = CollisionResult(collision, simulation, to_dataset(collision, done), unloaded)
-                error.result = part  # type: ignore[attr-defined]
+                attach(error, result=part)
             raise
     resolution.warn_of_run([run.peak, run.state], simulation.engine.estimate, stacklevel=2)
     return CollisionResult(collision, simulation, to_dataset(collision, rows), unloaded)

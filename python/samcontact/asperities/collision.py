@@ -37,8 +37,8 @@ class Collision:
         smallest = min(self.R1, self.R2)
         if self.interference >= smallest:
             raise ValueError(
-                f"interference must be < {smallest!r} m, the smaller radius, "
-                f"got {self.interference!r}"
+                f"interference must be less than the smaller radius ({smallest!r} m), got "
+                f"{self.interference!r} m"
             )
 
     @property
@@ -48,7 +48,7 @@ class Collision:
 
     @property
     def height(self) -> float:
-        """Height of the centre of sphere 1 above that of sphere 2 [m]."""
+        """Height of the centre of sphere 1 above the centre of sphere 2 [m]."""
         return self.R1 + self.R2 - self.interference
 
     @property
@@ -62,11 +62,11 @@ class Collision:
         return self.offset(self.half_angle)
 
     def offset(self, angle: float) -> float:
-        """Horizontal distance X of the centres [m] at an angle of their line to the vertical."""
+        """Horizontal distance X of the centres [m]; angle [rad] from the vertical to their line."""
         return self.height * math.tan(finite("angle", angle))
 
     def separation(self, angle: float) -> float:
-        """Distance of the centres [m]."""
+        """Distance of the centres [m]; angle [rad] from the vertical to the line of centres."""
         return self.height / math.cos(finite("angle", angle))
 
     def approach(self, angle: float) -> float:
@@ -76,9 +76,10 @@ class Collision:
         return self.interference - 2.0 * self.height * math.sin(0.5 * angle) ** 2 / math.cos(angle)
 
     def advance(self, angle: float) -> tuple[float, float]:
-        """Travel of the surfaces through the contact for a rotation of the line of centres [m].
+        """Displacements [m] of the surfaces through the contact for a rotation [rad] of their line.
 
-        Along the local +x: the contact moves backwards over sphere 1 and forwards over sphere 2.
+        Displacements are positive along the local +x. The contact moves backwards over sphere 1 and
+        forwards over sphere 2.
         """
         return self.R1 * finite("angle", angle), -self.R2 * angle
 
@@ -92,14 +93,14 @@ class Collision:
         dy: float = 1.0,
         dz: float = 1.0,
     ) -> Grid:
-        """Grid for `collide` with cells that fit its increments.
+        """Grid for `collide`, with cells that match its increments.
 
         Parameters
         ----------
         increments : int
             Number of increments from first contact to separation, >= 4.
         cells_per_increment : int
-            Displacement of the contact over body 2 per increment, in cells of dx, >= 1.
+            Displacement of the contact over body 2 per increment, in cells of size dx, >= 1.
         width : float
             Half-width of the grid, as a multiple of sqrt(2 R interference), the radius of the disc
             in which the undeformed spheres overlap.

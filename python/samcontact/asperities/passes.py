@@ -21,16 +21,16 @@ if TYPE_CHECKING:
     from ..bodies.material import Material
 
 _ROUNDING_ERROR = 1e-9
-"""Relative value below which a step or an approach is rounding."""
+"""Relative value below which a step or an approach is attributed to rounding."""
 
 
-def whole_steps(ways: float) -> int:
-    """Number of whole steps that cover a distance in steps; independent of units."""
-    return math.ceil(ways * (1.0 - _ROUNDING_ERROR))
+def whole_steps(distance: float) -> int:
+    """Round a distance in step lengths up to whole steps; rounding errors add no step."""
+    return math.ceil(distance * (1.0 - _ROUNDING_ERROR))
 
 
 class CollisionPasses:
-    """Bodies, their positions, and the energy spent so far."""
+    """Simulation of a collision: position of the spheres, states and plastic work so far."""
 
     def __init__(
         self,
@@ -43,11 +43,11 @@ class CollisionPasses:
         self.collision, self.simulation, self.step = collision, simulation, step
         self.journal, self.bar = journal, bar
         self.state = self.peak = simulation.state
-        self.position = 0  # in steps from the aligned position
+        self.position = 0  # number of steps from the aligned position
         self.plastic_work = 0.0
 
     def one_pass(self, direction: int) -> Iterator[IncrementRow]:
-        """Solve one pass, from before first contact until the spheres have finally separated."""
+        """Solve one pass, from before first contact to final separation; yield all increments."""
         outside = self._outside()
         self._move(-direction * outside, unloaded=True)
         work, before = 0.0, None
@@ -68,13 +68,13 @@ class CollisionPasses:
         before.residual_displacement = self._deepest(1), self._deepest(2)
 
     def _deepest(self, body: int) -> float:
-        """Imprint depth of a body [m]."""
+        """Maximum residual imprint depth of a body [m]; 0 for an elastic body."""
         if body not in self._inelastic:
             return 0.0
         return float(self.state.track(body, margin=0).residual_displacement().max())
 
     def _outside(self) -> int:
-        """Position beyond which the spheres cannot touch, including protruding roughness."""
+        """Number of steps from alignment at which the spheres, with roughness, no longer touch."""
         highest = 0.0
         for body, relief in ((1, self.simulation.relief1), (2, self.simulation.relief2)):
             surface = np.zeros(1) if relief is None else relief.heights
@@ -87,7 +87,7 @@ class CollisionPasses:
         return whole_steps(2.0 * math.asin(math.sqrt(0.5 * part)) / self.step)
 
     def _approach(self) -> float:
-        """Approach at the current position; 0 if contact is within rounding."""
+        """Approach at the current position [m]; rounding errors are set to 0."""
         approach = self.collision.approach(self.position * self.step)
         return 0.0 if abs(approach) < _ROUNDING_ERROR * self.collision.interference else approach
 
@@ -97,7 +97,7 @@ class CollisionPasses:
         return [number for number, body in enumerate(bodies, 1) if body.is_plastic]
 
     def _move(self, position: int, unloaded: bool = False) -> None:
-        """Solve one increment, or restore it from the journal."""
+        """Move to a position (in steps) and solve the increment, or restore it from the journal."""
         turn = (position - self.position) * self.step
         self.position = position
         before = self.state
@@ -145,9 +145,10 @@ class CollisionPasses:
     def _tangential(self, separation: float) -> tuple[float, float]:
         """Force of sphere 1 on sphere 2 along the local x and y [N].
 
-        The pressure acts along the normals of both surfaces. Slopes due to elastic displacement
-        have no resultant, and those due to curvature cancel in the sum given by the principle of
-        virtual work, (R1 Q1 - R2 Q2)/(distance of the centres).
+        The pressure acts along the surface normals, which gives tangential forces Q1 and Q2 on the
+        spheres. The principle of virtual work gives the resultant (R1 Q1 - R2 Q2)/(distance of the
+        centres). The slopes of the elastic displacement give no net force, and the contributions of
+        the curvature cancel.
         """
         collision, grid, state = self.collision, self.simulation.grid, self.state
         if state.load == 0:

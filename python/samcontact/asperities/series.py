@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Labelled results of an asperity collision: one row per increment of each pass."""
+"""Results of an asperity collision as a labelled dataset, by pass and increment."""
 
 from __future__ import annotations
 
@@ -31,9 +31,10 @@ BY_PASS = (
 
 @dataclass
 class IncrementRow:
-    """Results of one increment; the last three values belong to the pass and are in its last row.
+    """Results of one increment.
 
-    They are NaN in an incomplete pass.
+    The last three values belong to the whole pass and are stored in its last row; they are NaN in
+    an incomplete pass.
     """
 
     offset: float
@@ -55,7 +56,7 @@ class IncrementRow:
 
 
 def _table(passes: Sequence[Sequence[IncrementRow]], name: str) -> FloatArray:
-    """Values by pass and increment (and body); NaN after the end of a shorter pass."""
+    """Array of a quantity by pass, increment (and body); NaN after the end of shorter passes."""
     values = [np.array([getattr(row, name) for row in rows]) for rows in passes]
     longest = max(len(column) for column in values)
     table = np.full((len(values), longest, *values[0].shape[1:]), np.nan)
@@ -65,7 +66,7 @@ def _table(passes: Sequence[Sequence[IncrementRow]], name: str) -> FloatArray:
 
 
 def to_dataset(collision: Collision, passes: Sequence[Sequence[IncrementRow]]) -> xr.Dataset:
-    """Convert all results of the passes to a labelled dataset with units."""
+    """Convert the results of all passes to a labelled dataset with units."""
     import xarray as xr
 
     data = {name: _table(passes, name) for name in BY_INCREMENT if name != "load_ratio"}
@@ -100,14 +101,14 @@ def to_dataset(collision: Collision, passes: Sequence[Sequence[IncrementRow]]) -
 
 
 def cells_under_load(series: xr.Dataset) -> xr.DataArray:
-    """Cells across the contact of each pass at maximum load; NaN without contact."""
+    """Number of cells across the contact at the maximum load of each pass; NaN without contact."""
     where = series["normal_force"].fillna(0.0).argmax("increment")
     cells: xr.DataArray = series["cells_across_contact"].isel(increment=where)
     return cells
 
 
 def of_passes(series: xr.Dataset) -> xr.Dataset:
-    """Results per pass: values at its end, maximum and minimum forces, and the resolution."""
+    """Results of each pass: values at its end, extreme forces, maximum pressure and resolution."""
     passes: xr.Dataset = series[list(BY_PASS)].assign(
         max_force_x=series["force_x"].max("increment"),
         min_force_x=series["force_x"].min("increment"),

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Radii, loads and static capacity of the contacts in rolling bearings.
 
-x is the rolling direction, y the transverse direction. Symbols follow T. A. Harris, M. N.
-Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2006), chapters 2 and 7; radii as in B. J. Hamrock,
-D. E. Brewe, *J. Lubr. Technol.* 105 (1983) 171-177, doi:10.1115/1.3254558. Angles in radians.
+x is the rolling direction, y the transverse direction; angles are in radians. Symbols follow T. A.
+Harris, M. N. Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2006), chapters 2 and 7. Radii are
+defined as in B. J. Hamrock, D. E. Brewe, *J. Lubr. Technol.* 105 (1983) 171-177,
+doi:10.1115/1.3254558.
 """
 
 from .loads import LoadZone, ball_load, load_zone, sjovall, stribeck_load

@@ -14,17 +14,19 @@ POINT_CONTACT_EXPONENT = 1.5  # n of load ~ approach^n in point contacts
 
 
 def sjovall(epsilon: float, exponent: float = POINT_CONTACT_EXPONENT) -> tuple[float, float]:
-    """Sjövall's integrals of the load distribution.
+    """Sjövall's integrals J_r and J_a of the load distribution in a bearing.
 
-    With Q(psi)/Q_max = (1 - (1 - cos psi)/(2 epsilon))^n where positive, the means over the
-    circumference of Q/Q_max cos psi (radial) and Q/Q_max (axial).
+    J_r is the mean of (Q/Q_max) cos psi over the circumference, J_a the mean of Q/Q_max. Q is the
+    load of the element at the angle psi from the radial load, with n = `exponent`: Q(psi)/Q_max =
+    (1 - (1 - cos psi)/(2 epsilon))^n, or 0 where the base is negative.
 
     Parameters
     ----------
     epsilon : float
-        Loaded fraction of the diameter, > 0: 0.5 is half the circumference, >= 1 all of it.
+        Loaded fraction of the bearing diameter, > 0: with 0.5 half of the circumference is loaded,
+        with 1 or more the whole circumference.
     exponent : float
-        n of load ~ approach^n: 1.5 for point contacts (default), 10/9 for line contacts.
+        Exponent n in load ~ approach^n: 1.5 for point contacts (default), 10/9 for line contacts.
 
     Returns
     -------
@@ -51,9 +53,8 @@ def sjovall(epsilon: float, exponent: float = POINT_CONTACT_EXPONENT) -> tuple[f
 def stribeck_load(radial_load: float, balls: int, contact_angle: float = 0.0) -> float:
     """Maximum ball load by Stribeck's rule, 5 F_r/(Z cos(alpha)).
 
-    The rule is for the usual small clearance; `ball_load` has 4.37 instead, for zero clearance.
-    Source:
-    Harris, *Rolling Bearing Analysis*, chapter 7.
+    The rule applies to bearings with the usual small clearance. For zero clearance, `ball_load` has
+    the factor 4.37 instead of 5. Source: Harris, *Rolling Bearing Analysis*, chapter 7.
 
     Parameters
     ----------
@@ -96,8 +97,9 @@ def ball_load(
     contact_angle : float, optional
         Contact angle [rad], < pi/2.
     epsilon : float, optional
-        Load zone as in `sjovall`. The default 0.5 is a bearing without clearance, with 4.37
-        F_r/(Z cos(alpha)) for balls and 4.08 for rollers; clearance reduces it.
+        Loaded fraction of the diameter, as in `sjovall`. The default 0.5 applies to a bearing
+        without clearance; the load is then 4.37 F_r/(Z cos(alpha)) for balls and 4.08 F_r/(Z
+        cos(alpha)) for rollers. Clearance reduces epsilon.
     exponent : float, optional
         1.5 for balls (default), 10/9 for rollers.
 
@@ -113,19 +115,22 @@ def ball_load(
 
     Notes
     -----
-    Assumes rigid rings, equal contact angles, one element directly under the load, and many
-    elements: with few, the sum over elements differs from the integral (by 1.4 % for 6 balls,
-    0.2 % for 10).
+    The rings are assumed rigid, all contact angles equal, and one element directly under the load.
+    J_r replaces a sum over the elements; the sum differs from J_r by 1.4 % for 6 balls and by 0.2 %
+    for 10 balls.
     """
     return _mean_normal(radial_load, balls, contact_angle) / sjovall(epsilon, exponent)[0]
 
 
 def _mean_normal(radial_load: float, balls: int, contact_angle: float) -> float:
-    """Mean normal load F_r/(Z cos(alpha)) [N]."""
+    """Load F_r/(Z cos(alpha)) [N] from radial load, number of elements and contact angle."""
     load, count = non_negative("radial_load", radial_load), integer("balls", balls, 1)
     angle = angle_of(contact_angle)
     if angle > 0.5 * math.pi - 1e-9:
-        raise ValueError(f"contact_angle must be < pi/2 to carry a radial load, got {angle!r}")
+        raise ValueError(
+            "contact_angle must be < pi/2 rad for a bearing under radial "
+            f"load, got {angle!r} rad: a thrust bearing carries no radial load"
+        )
     return load / (count * math.cos(angle))
 
 
@@ -149,7 +154,7 @@ class LoadZone:
 
     @property
     def half_angle(self) -> float:
-        """Half the angle of the load zone [rad]."""
+        """Half-angle of the load zone [rad]."""
         return math.acos(max(-1.0, 1.0 - 2.0 * self.epsilon))
 
     def load(self, psi: float) -> float:
@@ -203,8 +208,8 @@ def load_zone(
     n = positive("exponent", exponent)
     if ratio >= 1.0:
         raise ValueError(
-            f"axial_load must be > radial_load tan(contact_angle) = {F_r * math.tan(angle)!r}, "
-            f"got {F_a!r}"
+            "axial_load must be greater than radial_load tan(contact_angle), which is "
+            f"{F_r * math.tan(angle)!r} N, got {F_a!r} N"
         )
     if ratio == 0.0:
         return LoadZone(normal, math.inf, n)

@@ -38,23 +38,24 @@ class RaceContact:
 
 
 def _rolling_radius(diameter: float, pitch: float, contact_angle: float, race: str) -> float:
-    """Equivalent radius in the rolling direction: D (1 - gamma)/2 inner, D (1 + gamma)/2 outer.
+    """Equivalent radius in the rolling direction [m], D (1 -+ gamma)/2 for the inner/outer ring.
 
-    The raceway is a surface of revolution. Its normal curvature transverse to the meridian is
-    exactly cos(alpha) over the radius of the parallel circle (Meusnier).
+    gamma = D cos(alpha)/(pitch diameter). The formula is exact: the circumferential curvature of
+    the raceway, a surface of revolution, is cos(alpha) over the radius of the circle on which the
+    contact point lies (Meusnier).
     """
     gamma = diameter * math.cos(contact_angle) / pitch
     if gamma >= 1.0:
         raise ValueError(
-            "pitch_diameter must be > rolling element diameter times cos(contact_angle), "
-            f"{gamma * pitch!r}, got {pitch!r}"
+            "pitch_diameter must be greater than the rolling element diameter times "
+            f"cos(contact_angle), which is {gamma * pitch!r} m, got {pitch!r} m"
         )
     sign = -1.0 if choice("race", race, ("inner", "outer")) == "inner" else 1.0
     return 0.5 * diameter * (1.0 + sign * gamma)
 
 
 def angle_of(contact_angle: float) -> float:
-    """Check a contact angle [rad]."""
+    """Return a contact angle [rad] after checking that it is in [0, pi/2]."""
     angle = finite("contact_angle", contact_angle)
     if not 0.0 <= angle <= 0.5 * math.pi:
         raise ValueError(f"contact_angle must be in [0, pi/2] rad, got {contact_angle!r}")
@@ -79,12 +80,12 @@ def ball_on_race(
     groove_radius : float, optional
         Radius of the groove cross-section [m], more than half the ball diameter.
     conformity : float, optional
-        f = groove_radius/ball_diameter, > 0.5, usually 0.51 to 0.54 [-]. Exactly one of the two
-        must be given. (The osculation of Harris is 1/(2 f).)
+        f = groove_radius/ball_diameter, > 0.5, usually 0.51 to 0.54 [-]. Exactly one of
+        `groove_radius` and `conformity` must be given. (Harris's osculation is 1/(2 f).)
     contact_angle : float, optional
         Angle between the contact normal and the radial plane [rad], 0 to pi/2.
     race : {"inner", "outer"}
-        Ring.
+        Ring of the raceway.
 
     Returns
     -------
@@ -97,10 +98,10 @@ def ball_on_race(
 
     Notes
     -----
-    The radii are exact for a sphere in a torus. Half-space contact theory (Hertz and this
-    package) also requires a contact that is small compared with them. In the transverse
-    direction the contact ellipse of a loaded ball is often a tenth to a third of the ball
-    diameter, and its ends are less accurate than its centre.
+    The radii are exact for a sphere in a torus. Half-space contact theory (Hertz and this package)
+    also requires a contact that is small compared with these radii. In the transverse direction the
+    contact ellipse of a loaded ball is often a tenth to a third of the ball diameter, and its ends
+    are less accurate than its centre.
     """
     D, pitch = positive("ball_diameter", ball_diameter), positive("pitch_diameter", pitch_diameter)
     if (groove_radius is None) == (conformity is None):
@@ -139,7 +140,7 @@ def roller_on_race(
     contact_angle : float, optional
         Angle between the contact normal and the radial plane [rad], 0 to pi/2.
     race : {"inner", "outer"}
-        Ring.
+        Ring of the raceway.
 
     Returns
     -------
@@ -153,9 +154,9 @@ def roller_on_race(
 
     Notes
     -----
-    For tapered rollers, whose axis and raceways have different angles, the radius follows from
-    Harris's formula with mean diameters, an approximation for small taper angles. A straight
-    roller of finite length has higher pressure at its ends than a line contact.
+    The axis and the raceways of a tapered roller have different angles. Its radius follows from
+    Harris's formula with mean diameters, an approximation for small taper angles. At the ends of a
+    straight roller of finite length, the pressure is higher than in a line contact.
     """
     D = positive("roller_diameter", roller_diameter)
     pitch = positive("pitch_diameter", pitch_diameter)

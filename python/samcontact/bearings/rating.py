@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Static capacity: load rating for a maximum pressure, and Palmgren's permanent deformation."""
+"""Static capacity: load rating from a maximum pressure, and permanent deformation by Palmgren."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .loads import stribeck_load
 from .races import RaceContact
 
 STEEL_CONTACT_MODULUS = 2.07e11 / (1.0 - 0.3**2) / 2.0
-"""Contact modulus in the factors of ISO 76 [Pa]: both bodies with 207 GPa and 0.3."""
+"""Contact modulus behind the factors of ISO 76 [Pa]: E = 207 GPa and nu = 0.3 for both bodies."""
 PALMGREN_FACTOR = 1.3e-19
 """Palmgren's factor, 1.3e-7 with mm and N, in [m^4/N^2]."""
 
@@ -30,8 +30,9 @@ def static_load_rating(
 ) -> float:
     """Basic static radial load rating according to ISO 76.
 
-    It is the radial load at which the most heavily loaded element (Stribeck's rule,
-    `stribeck_load`) has the given Hertz pressure on one raceway, and a lower pressure on the other.
+    The rating is the radial load at which the Hertz pressure of the most heavily loaded element
+    reaches `pressure` on one raceway; on the other raceway it is lower. The element load follows
+    from Stribeck's rule (`stribeck_load`).
 
     Parameters
     ----------
@@ -45,11 +46,11 @@ def static_load_rating(
         Maximum Hertz pressure [Pa]: 4.2e9 for ball bearings (default), 4.6e9 for self-aligning ball
         bearings, 4.0e9 for roller bearings.
     length : float, optional
-        Contact length of an uncrowned roller [m]. Only for uncrowned rollers.
+        Contact length of a roller [m]. Required for uncrowned rollers, not allowed otherwise.
     rows : int, optional
         Number of rows, >= 1.
     E_star : float, optional
-        Contact modulus [Pa]. Default: as in ISO 76.
+        Contact modulus [Pa]. Default: value in ISO 76.
 
     Returns
     -------
@@ -63,12 +64,12 @@ def static_load_rating(
 
     Notes
     -----
-    The pressures correspond to a permanent deformation of element and raceway together of about
-    1e-4 of the element diameter; plastic deformation is not computed here. The factors f_0 of the
-    standard (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) are reproduced to their digits, and so is
-    its 44 for rollers. They are based on the same formulas, so this does not validate the actual
-    capacity of a bearing.
-    Sources: ISO 76:2006, *Static load ratings*; ISO/TR 10657, *Explanatory notes on ISO 76*.
+    At these pressures, the permanent deformation of element and raceway together is about 1e-4 of
+    the element diameter; plastic deformation is not computed here. The factors f_0 of the standard
+    (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) are reproduced to all their digits, as is the
+    factor 44 for rollers. The standard uses the same formulas, so this agreement does not validate
+    the actual capacity of a bearing. Sources: ISO 76:2006, *Static load ratings*; ISO/TR 10657,
+    *Explanatory notes on ISO 76*.
     """
     if not isinstance(races, Sequence) or not all(isinstance(r, RaceContact) for r in races):
         raise TypeError(
@@ -83,21 +84,27 @@ def static_load_rating(
 def _load_at(race: RaceContact, pressure: float, E_star: float, length: float | None) -> float:
     if math.isinf(race.Ry):
         if length is None:
-            raise ValueError("length is required for an uncrowned roller, got None")
+            raise ValueError(
+                "length must be a number > 0 [m] for rollers without "
+                "crowning, got None: give the effective length of the roller"
+            )
         line = hertz.line(race.Rx, E_star, p0=pressure)
         return line.load_per_length * positive("length", length)
     if length is not None:
-        raise ValueError(f"length applies to uncrowned rollers only, got {in_short(length)}")
+        raise ValueError(
+            f"length must be None for balls and crowned rollers, got {in_short(length)}"
+        )
     return hertz.elliptic(race.Rx, race.Ry, E_star, p0=pressure).load
 
 
 def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -> float:
     """Permanent deformation of ball and raceway together, by Palmgren's formula.
 
-    1.3e-7 Q^2/D (rho_I1 + rho_II1)(rho_I2 + rho_II2) with N and mm, where the curvature sums along
-    and transverse to the rolling direction are 1/Rx and 1/Ry. It was fitted to tests with bearing
-    steel of 63.5 to 65.5 HRC (A. Palmgren, *Ball and Roller Bearing Engineering*, 3rd ed., 1959, as
-    given by Harris, *Rolling Bearing Analysis*, on permanent deformations).
+    The formula is 1.3e-7 Q^2/D (rho_I1 + rho_II1)(rho_I2 + rho_II2), in N and mm. The curvature
+    sums along and transverse to the rolling direction, rho_I1 + rho_II1 and rho_I2 + rho_II2, are
+    1/Rx and 1/Ry. The formula was fitted to tests of bearing steel with 63.5 to 65.5 HRC (A.
+    Palmgren, *Ball and Roller Bearing Engineering*, 3rd ed., 1959, cited by Harris, *Rolling
+    Bearing Analysis*).
 
     Parameters
     ----------
@@ -120,8 +127,8 @@ def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -
 
     Notes
     -----
-    This formula and the pressures of `static_load_rating` summarise the same experience: that both
-    give about 1e-4 of the diameter does not validate either of them.
+    This formula and the pressures of `static_load_rating` rest on the same tests. Both give a
+    deformation of about 1e-4 of the diameter, but this agreement validates neither of them.
     """
     require_type("race", race, RaceContact)
     Q, D = non_negative("load", load), positive("ball_diameter", ball_diameter)

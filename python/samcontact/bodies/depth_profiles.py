@@ -24,15 +24,15 @@ PROFILE_ARGUMENTS: Mapping[str, Sequence[str]] = {
     "yield_profile": ("z", "factor"),
     "residual_stress": ("z", "sxx", "syy", "sxy"),
 }
-"""Profiles of a material, and the contents of each."""
+"""Profiles of a material, and the names of their parts."""
 
 MAX_PROFILE_POINTS = 4096
 """Maximum number of depths in a profile, limited by attributes of HDF5 files."""
 
 
 def profile(kind: str, given: Any) -> Profile:
-    """Convert a profile to equally many depths and values; the core checks their ranges."""
-    holds = f"{kind} must contain {', '.join(PROFILE_ARGUMENTS[kind])}, a list of numbers each"
+    """Convert depths and values of a profile to tuples of equal length; the core checks ranges."""
+    holds = f"{kind} must contain {', '.join(PROFILE_ARGUMENTS[kind])}, each a list of numbers"
     if not isinstance(given, (list, tuple)):
         raise TypeError(f"{holds}, got {in_short(given)}")
     parts = tuple(given)
@@ -48,15 +48,15 @@ def profile(kind: str, given: Any) -> Profile:
             )
         if part.shape != values[0].shape:
             raise ValueError(
-                f"{name} must have as many values as z, {values[0].size}, got {part.size}"
+                f"{name} must have as many values as z ({values[0].size}), got {part.size}"
             )
         if not np.isfinite(part).all():
-            raise ValueError(f"{name} must be finite everywhere")
+            raise ValueError(f"{name} must contain finite numbers only, got NaN or inf")
     return tuple(tuple((part + 0.0).tolist()) for part in values)
 
 
 class HasDepthProfiles:
-    """Depth-dependent part of a material."""
+    """Part of `Material`: yield stress and initial stress that depend on depth."""
 
     yield_profile: Profile | None
     residual_stress: Profile | None
@@ -65,15 +65,17 @@ class HasDepthProfiles:
         """Return a copy with a yield stress that varies with depth, as in case hardening.
 
         Elastic constants are unchanged. At depth z the yield stress, including hardening, is
-        factor(z) times that of the law.
+        factor(z) times the yield stress of the law.
 
         Parameters
         ----------
         z : array_like, shape (n,)
-            Increasing depths below the surface [m], >= 0, at most 4096. The profile is piecewise
-            linear and constant beyond its ends; layers of a grid take its value at mid-depth.
+            Increasing depths below the surface [m], >= 0; at most 4096 values. The profile is
+            piecewise linear and constant beyond its ends; layers of a grid take its value at
+            mid-depth.
         factor : array_like, shape (n,)
-            Ratio to the nominal yield stress [-], 1e-6 to 1e6; e.g. local over core hardness.
+            Ratio of local to nominal yield stress [-], 1e-6 to 1e6, e.g. local hardness over core
+            hardness.
 
         Returns
         -------
@@ -83,8 +85,8 @@ class HasDepthProfiles:
         Raises
         ------
         ValueError
-            The body does not yield, z does not increase, z and factor differ in number, a value is
-            outside its range, or the residual stress of the material is above its yield stress.
+            The material is not elastic-plastic, z does not increase, z and factor differ in number,
+            a value is outside its range, or the residual stress exceeds the yield stress.
         TypeError
             An argument is not a number.
         """
@@ -101,19 +103,21 @@ class HasDepthProfiles:
         """Return a copy with initial (residual) stress, as from peening or case hardening.
 
         The stress acts in the plane of the surface and varies with depth only. It is therefore in
-        equilibrium for any profile and causes no displacement. A half-space needs no tension to
-        balance it; in a part of finite thickness the balancing stress must be added by the user. It
-        is included in the yield condition and in all stresses of states, also residual ones.
+        equilibrium for any profile and causes no displacement. A half-space needs no balancing
+        tension; for a part of finite thickness the user must add the balancing stress. The initial
+        stress enters the yield condition and is included in all stresses of a State, also in the
+        residual stress.
 
         Parameters
         ----------
         z : array_like, shape (n,)
-            Increasing depths below the surface [m], >= 0, at most 4096. The profile is piecewise
-            linear and constant beyond its ends: end it with 0 if the stress is to vanish below.
+            Increasing depths below the surface [m], >= 0; at most 4096 values. The profile is
+            piecewise linear and constant beyond its ends: end it with 0 if the stress is to vanish
+            below.
         sxx : array_like, shape (n,)
             Normal stress along x [Pa], tension positive.
         syy : array_like, shape (n,), optional
-            Normal stress along y [Pa]. Default: as along x.
+            Normal stress along y [Pa]. Default: `sxx`.
         sxy : array_like, shape (n,), optional
             In-plane shear stress [Pa]. Default: 0.
 
@@ -125,10 +129,10 @@ class HasDepthProfiles:
         Raises
         ------
         ValueError
-            The body is rigid, z does not increase, the numbers of values differ, a value is not
-            finite, or the von Mises stress exceeds the yield stress of the material at some depth:
-            material that yielded as the stress arose has hardened, which the law or a yield profile
-            must include.
+            The material is rigid, z does not increase, the numbers of values differ, a value is not
+            finite, or the von Mises stress exceeds the yield stress of the material at some depth.
+            Material that yielded while the stress formed has hardened: include this hardening in
+            the law or in a yield profile.
         TypeError
             An argument is not a number.
         """
@@ -138,7 +142,7 @@ class HasDepthProfiles:
         return cast("Self", replace(cast("Any", self), residual_stress=checked))
 
     def yield_factor(self, z: ArrayLike) -> FloatArray:
-        """Factor on the yield stress at depths z [m], same shape; 1 without a yield profile.
+        """Factor on the yield stress [-] at depths z [m], shape of z; 1 without a yield profile.
 
         Raises ValueError if z is negative or not finite.
         """
@@ -174,7 +178,7 @@ class HasDepthProfiles:
 
 
 def checked_depths(z: ArrayLike) -> FloatArray:
-    """Check depths below a surface; ValueError if one is negative or not finite."""
+    """Return depths [m] as an array; ValueError if a depth is negative or not finite."""
     depths = real_array("z", z)
     bad = ~(np.isfinite(depths) & (depths >= 0))
     if bad.any():
@@ -183,5 +187,5 @@ def checked_depths(z: ArrayLike) -> FloatArray:
 
 
 def _at(of: Profile, z: FloatArray) -> FloatArray:
-    """Interpolate a profile at depths, shape (values, *z.shape)."""
+    """Interpolate each quantity of a profile at depths z [m], shape (quantities, *z.shape)."""
     return np.array([np.interp(z, of[0], values) for values in of[1:]])

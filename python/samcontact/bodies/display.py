@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of materials with their law and constants."""
+"""Texts and tables that show the law and constants of a material."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .hardening_laws import LAWS
 
 
 def material_rows(material: Any) -> Rows:
-    """Rows of the law and the constants of a material."""
+    """Table rows (name, value with unit) for the law and all constants of a material."""
     if material.law not in LAWS:  # layers of materials
         return list(rows_of(material))
     constants = LAWS[material.law].constants

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Material laws with their constants and ranges.
 
-The core defines its hardening laws. A factory of `Material` by the same name creates a material of
-a law; checks, case files, tables and checkpoints follow from `LAWS`.
+The compiled core defines the hardening laws, which are listed in `LAWS`. For each law, `Material`
+has a class method of the same name. Checks, case files, tables and checkpoints use `LAWS`.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Constant:
     le: float | None = None
     many: bool = False
     infinite: bool = False
-    """Whether it may be infinite."""
+    """Whether the constant may be infinite."""
 
 
 @dataclass(frozen=True)
@@ -41,15 +41,16 @@ class Law:
     says: str
     """One-line description."""
     constants: Mapping[str, Constant]
-    """Constants in the order of the factory's arguments."""
+    """Constants, in the order of the arguments of the class method."""
     yields: bool = False
 
 
-def constant_of(told: _core.LawParameter) -> Constant:
-    """Convert the core's description of a parameter."""
-    low = {"gt" if told.above_low else "ge": told.low}
-    high = told.high if told.high < math.inf else None
-    return Constant(told.unit, **low, le=high, many=told.many, infinite=told.infinite is not None)
+def constant_of(parameter: _core.LawParameter) -> Constant:
+    """Convert the description of a parameter in the core to a `Constant`."""
+    low = {"gt" if parameter.above_low else "ge": parameter.low}
+    high = parameter.high if parameter.high < math.inf else None
+    infinite = parameter.infinite is not None
+    return Constant(parameter.unit, **low, le=high, many=parameter.many, infinite=infinite)
 
 
 _ELASTIC_CONSTANTS = {"E": Constant("Pa", gt=0.0), "nu": Constant(ge=0.0, lt=0.5)}
@@ -74,7 +75,7 @@ def _values(name: str, given: Any) -> tuple[float, ...]:
 
 
 def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
-    """Check and order all constants of a law; the core checks their ranges."""
+    """Return all constants of a law in order, after checks; the core checks their ranges."""
     if not isinstance(law, str) or law not in LAWS:
         raise ValueError(f"law must be one of {', '.join(LAWS)}, got {in_short(law)}")
     if not isinstance(given, Mapping):
@@ -82,8 +83,9 @@ def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
     names = LAWS[law].constants
     if set(given) != set(names):
         raise ValueError(
-            f"parameters of {law!r} must be {', '.join(names) or 'none'}, "
-            f"got {', '.join(map(str, given)) or 'none'}: use Material.{law}(...)"
+            f"parameters of {law!r} must be {', '.join(names) or 'none'}, got "
+            f"{', '.join(map(str, given)) or 'none'}: create the material with "
+            f"Material.{law}(...)"
         )
     return FrozenDict(
         {
@@ -94,7 +96,7 @@ def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
 
 
 def core_material(law: str, constants: Mapping[str, Any]) -> _core.Material:
-    """Material of the core; raises ValueError naming a constant that is out of range."""
+    """Create the core's material; ValueError names a constant that is out of range."""
     if law == "rigid":
         return _core.Material.rigid()
     values = {name: np.atleast_1d(value).tolist() for name, value in constants.items()}

@@ -36,7 +36,8 @@ def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
         layers.append((material, positive(f"thickness of layers[{n}]", thickness)))
     if not layers:
         raise ValueError(
-            "layers must contain at least one layer: for none, use the substrate material as body"
+            "layers must contain at least one layer, got none: for a body without layers "
+            "use the Material of the substrate"
         )
     return tuple(layers)
 
@@ -50,8 +51,8 @@ class Layered(HtmlTable):
     layers : sequence of pairs
         Material and thickness [m] of each layer, from the surface down; any number.
     substrate : Material
-        Half-space below the layers. `Material.rigid()` is allowed; its stress is unknown and
-        stored as 0 in all fields.
+        Half-space below the layers. `Material.rigid()` is allowed; the stress in a rigid substrate
+        is unknown and stored as 0.
 
     Raises
     ------
@@ -63,14 +64,14 @@ class Layered(HtmlTable):
 
     Notes
     -----
-    Fourier modes are reflected and transmitted at the interfaces, computed by a recursion of
-    impedances that is stable for thick and thin layers (docs/theory/layers.md). In-plane stresses
-    jump at interfaces. A depth exactly at an interface belongs to the layer below it;
+    Each Fourier mode is reflected and transmitted at the interfaces. An impedance recursion, stable
+    for thick and thin layers, computes these modes (docs/theory/layers.md). In-plane stresses jump
+    at interfaces. A depth z exactly at an interface belongs to the material below it;
     ``np.nextafter(z, 0.0)`` belongs to the layer above.
 
-    Each layer and the substrate yield by the law of their own material, with its yield profile and
-    residual stress, whose depths are measured from the surface of the body. A growth stress of a
-    coating is set by ``material.with_residual_stress([0.0], [s])``.
+    Each layer and the substrate has the hardening law, yield profile and residual stress of its
+    material. The depths of these profiles are measured from the surface of the body. Use
+    ``material.with_residual_stress([0.0], [s])`` for a uniform growth stress s in a coating.
     """
 
     layers: tuple[tuple[Material, float], ...]
@@ -87,8 +88,8 @@ class Layered(HtmlTable):
             for what in ("thermal", "softening"):
                 if getattr(material, what) is not None:
                     raise ValueError(
-                        f"{name} must have no {what}, got {getattr(material, what)!r}: heat is not "
-                        "supported in layered bodies"
+                        f"{name} must have no {what}, got {getattr(material, what)!r}: "
+                        "heating of layered bodies is not supported"
                     )
         self._core  # noqa: B018  (the core checks thicknesses)
 
@@ -103,7 +104,7 @@ class Layered(HtmlTable):
 
     @property
     def parameters(self) -> Mapping[str, tuple[float, ...]]:
-        """E [Pa] and nu from the surface down, the substrate last; and all thicknesses [m]."""
+        """E [Pa] and nu of all materials from the surface down, and all layer thicknesses [m]."""
         materials = materials_of(self)
         return FrozenDict(
             {
@@ -125,7 +126,7 @@ class Layered(HtmlTable):
 
     @property
     def is_rigid(self) -> bool:
-        """False: layers are elastic."""
+        """Always False, because the layers are deformable."""
         return False
 
     @property
@@ -134,7 +135,7 @@ class Layered(HtmlTable):
         return any(material.is_plastic for _, material in self._named_materials())
 
     def material_at(self, z: float) -> Material:
-        """Return the material at a depth z >= 0 [m]; at an interface, the lower one."""
+        """Return the material at depth z [m], z >= 0; at an interface, the material below."""
         depth = finite("z", z)
         if not depth >= 0:
             raise ValueError(f"z must be >= 0, got {z!r}")
@@ -142,7 +143,7 @@ class Layered(HtmlTable):
         return self._named_materials()[below][1]
 
     def yield_stress_at(self, z: ArrayLike) -> FloatArray:
-        """Initial yield stress at depths z [Pa], same shape; infinite where there is no yield.
+        """Initial yield stress [Pa] at depths z [m], shape of z; infinite in elastic materials.
 
         Raises ValueError if z is negative or not finite.
         """
@@ -160,7 +161,7 @@ class Layered(HtmlTable):
     def _over_depth(
         self, depths: FloatArray, out: FloatArray, of: Callable[[Material, FloatArray], FloatArray]
     ) -> FloatArray:
-        """Evaluate a function of each material at its depths, along the last axes of the array."""
+        """Fill `out`, along its last axes, with a function of material and depth [m]."""
         for material, there in materials_at(self, depths):
             out[..., there] = of(material, depths[there])
         return out
@@ -171,13 +172,13 @@ class Layered(HtmlTable):
         Parameters
         ----------
         wavenumber : array_like
-            q = 2 pi over the wavelength [1/m], > 0.
+            Wavenumber q = 2 pi/wavelength [1/m], > 0.
 
         Returns
         -------
         ndarray
-            Compliance of the same shape: (1 - nu^2) 2/(E q) of the substrate for long waves, and of
-            the top layer for short waves.
+            Compliance, in the shape of `wavenumber`. Its limit is 2 (1 - nu^2)/(E q), with the
+            constants of the substrate for long waves and of the top layer for short waves.
         """
         q = real_array("wavenumber", wavenumber)
         bad = ~(np.isfinite(q) & (q > 0))
@@ -217,7 +218,7 @@ def require_bodies(*bodies: Any) -> None:
 
 
 def require_homogeneous(why: str, *bodies: Any) -> None:
-    """Raise TypeError for an object that is no body, ValueError with a reason for a layered one."""
+    """Raise ValueError, with the reason, for layered bodies; TypeError for other objects."""
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Layered):
             raise ValueError(f"body{n} must be a Material, got {len(body.layers)} layer(s): {why}")
@@ -232,12 +233,12 @@ def materials_of(body: Body) -> list[Material]:
 
 
 def names_of_materials(layers: int) -> list[str]:
-    """Names of the materials of a number of layers and their substrate in results files."""
+    """Names, in results files, of the materials of a body with this number of layers."""
     return [*(f"layer{n}" for n in range(1, layers + 1)), "substrate"]
 
 
 def materials_at(body: Body, depths: FloatArray) -> Iterator[tuple[Material, FloatArray]]:
-    """Yield each material of a body, with a mask of the depths [m] at which it lies."""
+    """Yield each material of a body with a mask: whether each depth [m] lies in the material."""
     materials = materials_of(body)
     bottoms = body.interfaces if isinstance(body, Layered) else np.empty(0)
     numbers = np.searchsorted(bottoms, depths, side="right")
@@ -246,12 +247,12 @@ def materials_at(body: Body, depths: FloatArray) -> Iterator[tuple[Material, Flo
 
 
 def backstresses_of(body: Body) -> int:
-    """Maximum number of backstresses among the materials of a body."""
+    """Number of backstresses of a body: the maximum over its materials."""
     return max(len(material.kinematic) for material in materials_of(body))
 
 
 def softest(body: Body) -> Material:
-    """Most compliant material of a body, for estimates of magnitude."""
+    """Most compliant material of a body, for order-of-magnitude estimates."""
     if isinstance(body, Material):
         return body
     return max(materials_of(body), key=lambda material: (1 - material.nu**2) / material.E)

@@ -25,7 +25,7 @@ def _many(value: Any) -> list[Any]:
 
 
 def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
-    """Convert and check a group of constants, e.g. the thermal constants."""
+    """Return a group of constants, e.g. the thermal constants, as floats; check their number."""
     values = _many(given)
     if len(values) != len(parts):
         raise ValueError(f"{name} must contain {', '.join(parts)}, got {in_short(given)}")
@@ -47,7 +47,7 @@ class Material(HasDepthProfiles, HtmlTable):
     thermal : tuple of float, or None
         Conductivity, expansion and diffusivity, see `with_thermal`.
     softening : callable, or None
-        See `with_softening`.
+        Softening law, see `with_softening`.
     yield_profile, residual_stress : tuple of tuples of float, or None
         Depths [m] and values at each, see `with_yield_profile` and `with_residual_stress`.
     """
@@ -76,7 +76,8 @@ class Material(HasDepthProfiles, HtmlTable):
             self._check_softening("softening", self.softening)
         if self.is_plastic and not np.isfinite(self.yield_stress(0.0)):
             raise ValueError(
-                f"yield stress of law {self.law} must be finite: use smaller constants"
+                f"parameters of law {self.law} must give a finite yield stress, got inf or "
+                "NaN: use smaller values"
             )
 
     @classmethod
@@ -98,7 +99,7 @@ class Material(HasDepthProfiles, HtmlTable):
     def linear_hardening(
         cls, E: float, nu: float, yield_stress: float, tangent_modulus: float
     ) -> Material:
-        """Bilinear uniaxial curve with slope tangent_modulus Et [Pa] above yield, 0 <= Et < E.
+        """Bilinear uniaxial curve with slope Et = tangent_modulus [Pa] above yield, 0 <= Et < E.
 
         The yield stress increases with the equivalent plastic strain at the rate E Et/(E - Et).
         """
@@ -114,7 +115,8 @@ class Material(HasDepthProfiles, HtmlTable):
     def swift(cls, E: float, nu: float, B: float, C: float, n: float) -> Material:
         """Swift's law sigma_y(g) = B (C + 1e6 g)^n, B [Pa], C > 0 in microstrain, 0 <= n <= 1.
 
-        Boucly (2008), eq. (2.162), with the strain in microstrain as required by its values.
+        Boucly (2008), eq. (2.162), with the strain in microstrain, as its published constants
+        require.
         """
         return cls("swift", {"E": E, "nu": nu, "B": B, "C": C, "n": n})
 
@@ -147,10 +149,10 @@ class Material(HasDepthProfiles, HtmlTable):
         E, nu : float
             As in `elastic`.
         plastic_strain : array_like, shape (n,)
-            Uniaxial plastic strains [-], total strain - true stress/E; the first is 0, increasing,
-            at most 4096 values.
+            Uniaxial plastic strains [-], total strain - true stress/E: at most 4096 increasing
+            values, the first is 0.
         stress : array_like, shape (n,)
-            True stress [Pa] at each strain, > 0, not decreasing.
+            True stress [Pa] at each plastic strain, > 0, not decreasing.
 
         Returns
         -------
@@ -172,24 +174,25 @@ class Material(HasDepthProfiles, HtmlTable):
     ) -> Material:
         """Return a copy with a yield surface that translates with the plastic strain.
 
-        Each backstress X follows the plastic strain e and its equivalent g by dX = 2/3 modulus de -
-        recovery X dg; several are added. The isotropic law of this material stays in effect: with
-        `perfect_plastic` the hardening is purely kinematic.
+        Each backstress X evolves with the plastic strain e and the equivalent plastic strain g by
+        dX = 2/3 modulus de - recovery X dg. Several backstresses are added. The isotropic law of
+        this material stays in effect: with `perfect_plastic` the hardening is purely kinematic.
 
         Parameters
         ----------
         modulus : float or sequence of up to 4 floats
-            Contribution of each to the slope of uniaxial stress against plastic strain [Pa], > 0.
-            For a tangent modulus Et of the uniaxial curve, the sum must be E Et/(E - Et).
+            Contribution of each backstress to the slope of uniaxial stress against plastic strain
+            [Pa], > 0. For a tangent modulus Et of the uniaxial curve, the sum must be
+            E Et/(E - Et).
         recovery : float or sequence of floats, optional
             Dynamic recovery >= 0 [-]. 0: linear (Prager 1949). Otherwise X saturates at
-            modulus/recovery (Armstrong and Frederick 1966); several: Chaboche (1986),
+            modulus/recovery (Armstrong and Frederick 1966); several backstresses: Chaboche (1986),
             doi:10.1016/0749-6419(86)90010-0. Default: 0.
 
         Returns
         -------
         Material
-            Material in which this replaces any earlier kinematic hardening.
+            Material in which this hardening replaces any earlier kinematic hardening.
 
         Raises
         ------
@@ -220,8 +223,8 @@ class Material(HasDepthProfiles, HtmlTable):
         expansion : float
             Linear thermal expansion alpha [1/K], >= 0.
         diffusivity : float
-            Thermal diffusivity kappa = k/(rho c) [m^2/s], > 0; no effect in the steady state of a
-            source at rest.
+            Thermal diffusivity kappa = k/(rho c) [m^2/s], > 0, with density rho and specific heat
+            c; it has no effect on the steady state of a source at rest.
 
         Returns
         -------
@@ -243,13 +246,14 @@ class Material(HasDepthProfiles, HtmlTable):
         ----------
         law : callable
             Function of the temperature rise [K] that returns the factor on the yield stress, in (0,
-            1]; arrays of shape (nx, ny, nz). It is called once per increment, with the temperature
-            rise of the first contact solution. `samcontact.softening.JohnsonCook` is such a
-            function; only this one is stored in checkpoints. Pass any other law again to
-            `Simulation.load`. A run with `checkpoint` resumes only with an identical law: its code
-            and all data it uses are compared (defaults, closures, globals, attributes). A law with
-            hidden state, such as a compiled object, must have an attribute `identity` with all that
-            it depends on, e.g. ``law.identity = ("my law", 2e-4)``.
+            1]; argument and result are arrays of shape (nx, ny, nz). It is called once per
+            increment, with the temperature rise of the first contact solution.
+            `samcontact.softening.JohnsonCook` is stored in checkpoints; any other law must be
+            passed to `Simulation.load` again. A run with `checkpoint` resumes only with an
+            identical law: its code and all data it uses are compared (defaults, closures, globals,
+            attributes). A law with hidden state, such as a compiled object, must have an attribute
+            `identity` that contains all data on which the law depends, e.g.
+            ``law.identity = ("my law", 2e-4)``.
 
         Returns
         -------
@@ -271,7 +275,10 @@ class Material(HasDepthProfiles, HtmlTable):
                 f"{name} must be a function of the temperature rise, got {in_short(law)}"
             )
         if not self.is_plastic:
-            raise ValueError("softening requires an elastic-plastic material")
+            raise ValueError(
+                "softening requires an elastic-plastic material: give the "
+                "material a hardening law first"
+            )
 
     @cached_property
     def _core(self) -> Any:
@@ -307,11 +314,11 @@ class Material(HasDepthProfiles, HtmlTable):
         return bool(self._core.is_plastic)
 
     def yield_stress(self, g: ArrayLike) -> float | FloatArray:
-        """Yield stress [Pa] at equivalent plastic strain g [-], scalar or array (same shape).
+        """Yield stress [Pa] at equivalent plastic strain g [-] (scalar or array), shape of g.
 
-        With kinematic hardening, it is the radius of the yield surface, without backstress. A yield
-        profile is not included, see `yield_factor`. Infinite for an elastic or rigid body. Raises
-        ValueError if g is negative or not finite.
+        With kinematic hardening, it is the radius of the yield surface, without backstress. It does
+        not include a yield profile, see `yield_factor`. It is infinite for an elastic or rigid
+        body. Raises ValueError if g is negative or not finite.
         """
         return self._at(g, self._core.yield_stress)
 
@@ -324,11 +331,12 @@ class Material(HasDepthProfiles, HtmlTable):
         return float(values[0]) if strain.ndim == 0 else values.reshape(strain.shape)
 
     def plastic_work(self, g: ArrayLike) -> float | FloatArray:
-        """Work of the yield stress up to equivalent plastic strain g, its integral [J/m^3].
+        """Plastic work [J/m^3] up to equivalent plastic strain g: integral of the yield stress.
 
-        Energy dissipated per volume, without the work of the backstress of kinematic hardening and
-        without the factors of thermal softening and of a yield profile. Scalar or array (same
-        shape); 0 for a body that cannot yield. Raises ValueError if g is negative or not finite.
+        This is the energy dissipated per volume. It does not include the work of backstresses
+        (kinematic hardening) and the factors of thermal softening and of a yield profile. The
+        result has the shape of g; it is 0 for an elastic or rigid body. Raises ValueError if g is
+        negative or not finite.
         """
         return self._at(g, self._core.work)
 
@@ -353,14 +361,18 @@ class Material(HasDepthProfiles, HtmlTable):
             The strain is not one-dimensional or not finite, or the body is rigid.
         """
         if self.is_rigid:
-            raise ValueError("uniaxial_stress requires a body that is not rigid")
+            raise ValueError("uniaxial_stress requires a deformable material, got a rigid one")
         history = real_array("strain", strain)
         if history.ndim != 1 or not np.isfinite(history).all():
-            raise ValueError("strain must be one-dimensional and finite everywhere")
+            raise ValueError("strain must be a list of finite numbers")
         stress = np.asarray(self._core.uniaxial_stress(history.tolist()), dtype=np.float64)
         if not np.isfinite(stress).all():
             largest = float(np.abs(history).max())
-            raise ValueError(f"strain causes floating-point overflow, got up to {largest!r}")
+            raise ValueError(
+                "strain must be small enough to give a finite stress, got "
+                f"values up to {largest!r}: strain is dimensionless, not in "
+                "percent"
+            )
         return stress
 
     def _rows(self) -> Rows:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files: TOML descriptions of simulations, validated field by field."""
+"""Case files: TOML descriptions of simulations; every field is validated."""
 
 from .asperities import AsperityCase
 from .base import CaseError

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Allowed values of the fields of a case file, in words, from the annotations of the models."""
+"""Descriptions, in words, of the allowed values of case-file fields, from the pydantic models."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _TYPE_NAMES = {bool: "true or false", str: "text"}
 
 
 def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any]]:
-    """Return the annotated type, without `Annotated` and None, and all marks."""
+    """Return the type inside an annotation, without `Annotated` and None, and all its metadata."""
     marks = list(metadata)
     while True:
         origin, parts = get_origin(annotation), get_args(annotation)
@@ -37,14 +37,14 @@ def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any
 
 
 def members(annotation: Any) -> list[Any]:
-    """Return the alternatives of a union, without None."""
+    """Return the alternatives of a union type, without None."""
     if get_origin(annotation) not in (Union, UnionType):
         return [annotation]
     return [part for part in get_args(annotation) if part is not type(None)]
 
 
 def unit_of(annotation: Any, metadata: Any = ()) -> str:
-    """Return the SI unit of a field; "" without a unit."""
+    """Return the SI unit of a field; "" if the field has no unit."""
     for part in (*metadata, *get_args(annotation)):
         convert = getattr(part, "func", None)
         if isinstance(convert, partial) and "unit" in convert.keywords:
@@ -56,28 +56,28 @@ def unit_of(annotation: Any, metadata: Any = ()) -> str:
 
 
 def models_in(annotation: Any) -> list[type[BaseModel]]:
-    """Return the models of all sections in an annotation."""
+    """Return all pydantic models (sections) that occur in an annotation."""
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return [annotation]
     return [model for part in get_args(annotation) for model in models_in(part)]
 
 
 def is_model(annotation: Any) -> bool:
-    """Whether an annotation is the model of a section."""
+    """Whether an annotation is a pydantic model, i.e. a section."""
     return isinstance(annotation, type) and issubclass(annotation, BaseModel)
 
 
 def discriminated(marks: Sequence[Any]) -> bool:
-    """Whether a word or a function selects one of several sections."""
+    """Whether the metadata contain a discriminator, which selects one of several sections."""
     return any(
         isinstance(mark, Discriminator) or getattr(mark, "discriminator", None) for mark in marks
     )
 
 
 def tags(annotation: Any, key: str | None = None) -> tuple[Any, ...]:
-    """Return the tags pydantic uses for a section: the words that select the section, or its mark.
+    """Return the words that select a section in a union, e.g. "sphere", as pydantic tags.
 
-    key: field that selects the section; default any.
+    key: name of the field that selects the section; default: any field.
     """
     model, marks = opened(annotation)
     named = tuple(mark.tag for mark in marks if isinstance(mark, Tag))
@@ -92,7 +92,7 @@ def tags(annotation: Any, key: str | None = None) -> tuple[Any, ...]:
 
 
 def described(annotation: Any, metadata: Sequence[Any] = ()) -> str:
-    """Describe the allowed values, e.g. "a finite number > 0 [m]"."""
+    """Describe the allowed values of an annotation, e.g. "a finite number > 0 [m]"."""
     kind, marks = opened(annotation, metadata)
     unit = unit_of(None, marks)
     limits = {
@@ -122,7 +122,7 @@ def described(annotation: Any, metadata: Sequence[Any] = ()) -> str:
 
 
 def _counted(limits: dict[str, Any], one: str) -> str:
-    """Describe a list by its allowed lengths and the description of one element."""
+    """Describe a list by its allowed lengths and the description `one` of an element."""
     least, most = limits.get("min_length"), limits.get("max_length")
     if most is None:
         count = f"at least {least} " if least else ""
@@ -131,7 +131,7 @@ def _counted(limits: dict[str, Any], one: str) -> str:
 
 
 def _several(text: str) -> str:
-    """Return the plural of a description."""
+    """Return the plural of a description, e.g. "numbers" from "a number"."""
     return re.sub(r"\b(number|table|text|list)\b", r"\1s", text.removeprefix("a "), count=1)
 
 

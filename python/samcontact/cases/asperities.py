@@ -18,7 +18,7 @@ from .sections import GridSection, settings_section
 
 
 class AsperitySection(Section):
-    """[asperities]: two spheres, their passes, and the cells unless the case has a [grid]."""
+    """[asperities]: two spheres, their passes, and the cell sizes unless the case has a [grid]."""
 
     R1: Length
     R2: Length
@@ -39,7 +39,7 @@ class AsperitySection(Section):
         return Collision(self.R1, self.R2, self.interference)
 
     def grid_arguments(self) -> dict[str, Any]:
-        """Fields that define a grid, if specified."""
+        """Values of the specified fields that define the grid, as arguments of `Collision.grid`."""
         names = ("increments", "width", "depth")
         return {n: getattr(self, n) for n in names if getattr(self, n) is not None}
 
@@ -75,9 +75,7 @@ class AsperityCase(CaseFile):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
         if self.grid is not None and self.asperities.grid_arguments():
             given = ", ".join(self.asperities.grid_arguments())
-            raise ValueError(
-                f"asperities: {given} cannot be combined with [grid]: omit one of them"
-            )
+            raise ValueError(f"asperities: {given} and [grid] both set the grid: omit one of them")
         bodies = (("body1", self.body1), ("body2", self.body2))
         require_cold(bodies, "omit it, [asperities] does not support heat")
         require_no_layers(bodies, "[asperities]")
@@ -87,7 +85,7 @@ class AsperityCase(CaseFile):
     def solve(
         self, *, progress: bool = True, checkpoint: str | os.PathLike[str] | None = None
     ) -> CollisionResult:
-        """Run `asperities.collide`; raises its errors, and CaseError for an invalid section."""
+        """Run `asperities.collide`; raise its errors, or CaseError for an invalid section."""
         collision, section = self.asperities.geometry(), "grid"
         reliefs: dict[str, Relief] = {}
         try:

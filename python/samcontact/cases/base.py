@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Base of the sections of a case file: strict models, numbers with units, files of heights."""
+"""Base classes of the sections of a case file: strict models, values with units, height files."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ if TYPE_CHECKING:
 
 
 def convert(value: Any, unit: str) -> Any:
-    """Convert all texts in a value, also within lists, to numbers in the unit."""
+    """Convert texts such as "25 um", also within lists, to numbers in `unit`."""
     if isinstance(value, list):
         return [convert(item, unit) for item in value]
     if not isinstance(value, str):
         return value
-    if value == "inf":  # as a number, for a list in which others have units
+    if value == "inf":  # as a number: other items of a list may have units
         return math.inf
     try:
         return from_text(value, unit)
@@ -84,7 +84,7 @@ class Section(BaseModel):
     @field_validator("*")
     @classmethod
     def _printable(cls, value: Any) -> Any:
-        """Refuse control characters: texts reach terminals, files and file names."""
+        """Refuse control characters, because texts are written to terminals and file names."""
         if isinstance(value, str):
             require_printable(value)
         return value
@@ -100,7 +100,7 @@ class Section(BaseModel):
 
 
 def changed(section: Section, names: Iterable[str]) -> set[str]:
-    """Return the fields that differ from their defaults; in a copy, all fields may count as set."""
+    """Return the names of the fields that differ from their defaults."""
     fields = type(section).model_fields
     return {name for name in names if getattr(section, name) != fields[name].default}
 
@@ -115,7 +115,7 @@ class OutputPlace(Section):
 
 
 class CaseFile(Section):
-    """Base of every kind of case file: its source and the folder of its results."""
+    """Base class of case files, with the path of the file and the folder of the results."""
 
     if TYPE_CHECKING:  # the first and the last field of each kind
         title: str
@@ -139,12 +139,12 @@ class CaseFile(Section):
     _text: str = PrivateAttr(default="")
 
     def written_in(self, source: Path, text: str = "") -> Self:
-        """Record the file that the case was read from, and return the case."""
+        """Store the path and text of the file from which the case was read; return the case."""
         self._source, self._text = source, text
         return self
 
     def __repr_args__(self) -> list[tuple[str | None, Any]]:
-        """Title only: the full representation would be the whole file."""
+        """Show the title only: the full representation would be as long as the file."""
         return [("title", self.title[:60]), ("source", str(self._source))]
 
     @property
@@ -154,12 +154,12 @@ class CaseFile(Section):
 
     @property
     def text(self) -> str:
-        """Text of the case file, as stored with the results."""
+        """Text of the case file, which is stored with the results."""
         return self._text
 
     @property
     def output_directory(self) -> Path:
-        """Folder of the results: [output] directory, or results/<name of the case file>.
+        """Folder of the results, [output] directory, or results/<name of the case file>.
 
         Relative to the current working folder.
         """
@@ -167,7 +167,7 @@ class CaseFile(Section):
 
 
 class HeightsFile(Section):
-    """Heights of a body from a file: rows of numbers on the cells of the grid, or a measurement."""
+    """Heights of a body from a file: numbers for the cells of the grid, or a measured surface."""
 
     path: Annotated[str, Field(min_length=1)]
     format: str | None = None
@@ -183,7 +183,7 @@ class HeightsFile(Section):
     fill: Position | None = None
 
     def plain(self, grid: Grid, folder: Path) -> FloatArray | None:
-        """Heights for exactly the cells of the grid; None for a measured surface."""
+        """Heights [m] at the cell centres from a plain text file; None for other files."""
         path = folder / self.path
         if not changed(self, HeightsFile.model_fields) <= {"path"} or not is_plain(path):
             return None
@@ -207,6 +207,6 @@ class HeightsFile(Section):
         return surface if self.mirror is None else surface.mirrored(self.mirror)
 
     def placement(self) -> dict[str, Any]:
-        """Arguments of `MeasuredSurface.on` and `MeasuredSurface.relief`, besides x."""
+        """Specified arguments of `MeasuredSurface.on` and `MeasuredSurface.relief`, except x."""
         names = ("y", "method", "average", "fill")
         return {n: getattr(self, n) for n in names if getattr(self, n) is not None}

@@ -30,8 +30,8 @@ class KinematicHardening(Section):
             raise ValueError(f"modulus must have 1 to 4 values, got {len(moduli)}")
         if isinstance(self.recovery, list) and len(self.recovery) != len(moduli):
             raise ValueError(
-                f"recovery must have {len(moduli)} values, as many as modulus, "
-                f"got {len(self.recovery)}"
+                f"recovery must have as many values as modulus ({len(moduli)}), got "
+                f"{len(self.recovery)}"
             )
         return self
 
@@ -58,7 +58,8 @@ class JohnsonCookSoftening(Section):
     def _melts_above_reference(self) -> JohnsonCookSoftening:
         if not self.melting > self.reference:
             raise ValueError(
-                f"melting must be > reference = {self.reference!r} K, got {self.melting!r}"
+                f"melting must be greater than reference ({self.reference!r} K), got "
+                f"{self.melting!r} K"
             )
         return self
 
@@ -124,7 +125,7 @@ class _PlasticSolid(_ElasticSolid):
 
 
 class _Layer(_Solid):
-    """Layer on a body, see `Layered`."""
+    """Layer of a coated body, see `Layered`."""
 
     thickness: Annotated[Positive, in_unit("m")]
 
@@ -138,7 +139,7 @@ class _PlasticLayer(_PlasticSolid, _Layer):
 
 
 def field_of(constant: Constant) -> Any:
-    """Return the field of a case file for a parameter of a law."""
+    """Return the annotation of a case-file field for a constant of a hardening law."""
     limits = Field(gt=constant.gt, ge=constant.ge, lt=constant.lt, le=constant.le)
     value: Any = Annotated[float if constant.infinite else Finite, limits]
     if constant.many:
@@ -149,9 +150,9 @@ def field_of(constant: Constant) -> Any:
 
 
 def _model(name: str, law: Law, part: str, *bases: type[_Solid]) -> Any:
-    """Create the section of a law, e.g. `SwiftBody`.
+    """Create the case-file section of a hardening law, e.g. `SwiftBody`.
 
-    bases: base class for a rigid, an elastic and an elastic-plastic law.
+    bases: base classes for rigid, elastic and elastic-plastic laws.
     """
     base = bases[2] if law.yields else bases[1] if law.constants else bases[0]
     fields: dict[str, Any] = {"law": (Literal[name], ...)}
@@ -170,8 +171,8 @@ def _models(part: str, *bases: type[_Solid]) -> Any:
     return Annotated[reduce(or_, models), Field(discriminator="law")]
 
 
-def _of_elastic(given: Any) -> Any:
-    """Return the law of a layer; without a law it is elastic."""
+def _layer_law(given: Any) -> Any:
+    """Add law = "elastic" to layers without a law."""
     if not isinstance(given, list):
         return given
     return [{"law": "elastic"} | part if isinstance(part, dict) else part for part in given]
@@ -185,7 +186,7 @@ else:
 
 class _Body(_Solid):
     layers: (
-        Annotated[list[LayerSection], Field(min_length=1), BeforeValidator(_of_elastic)] | None
+        Annotated[list[LayerSection], Field(min_length=1), BeforeValidator(_layer_law)] | None
     ) = None
 
     @property
@@ -195,7 +196,7 @@ class _Body(_Solid):
 
     @property
     def inelastic_laws(self) -> list[str]:
-        """Hardening laws of the elastic-plastic layers and of the substrate."""
+        """Hardening laws of all elastic-plastic layers and of the substrate, if elastic-plastic."""
         return [part.law for part in self.parts if LAWS[part.law].yields]
 
     @property
@@ -204,7 +205,7 @@ class _Body(_Solid):
 
     @model_validator(mode="after")
     def _possible(self) -> _Body:
-        """Check the conditions of the core on combinations of constants."""
+        """Build the body once, so that the core checks the combination of constants."""
         self.build()
         return self
 
@@ -218,7 +219,7 @@ class _Body(_Solid):
         return self.law == "rigid" and not self.coating
 
     def build(self) -> Body:
-        """Create the material with its layers."""
+        """Create the `Material`, or a `Layered` body if there are layers."""
         from ..bodies.layered import Layered
 
         layers = tuple((part.material, part.thickness) for part in self.coating)

@@ -55,7 +55,7 @@ MAX_CHARACTERS = 100_000_000
 
 
 def _accuracy(given: Any) -> Any:
-    """Check the prescribed relative errors."""
+    """Check that the prescribed accuracy consists of relative errors in (0, 1)."""
     wanted = list(given.values()) if isinstance(given, dict) else [given]
     for value in wanted or [given]:
         number = isinstance(value, (int, float)) and not isinstance(value, bool)
@@ -68,9 +68,9 @@ def _accuracy(given: Any) -> Any:
 
 
 class Case(CaseFile):
-    """Validated case.
+    """Validated case of one contact.
 
-    Read a case file with `load_case`, or validate a dictionary with its layout by
+    Use `load_case` to read a case file. Validate a dictionary with the layout of a case file by
     ``Case.model_validate``. All quantities are in SI units.
     """
 
@@ -98,21 +98,26 @@ class Case(CaseFile):
     @model_validator(mode="after")
     def _consistent(self) -> Case:
         if self.grid is None and self.accuracy is None:
-            raise ValueError("grid: missing section; specify [grid] or accuracy, e.g. 0.01")
+            raise ValueError(
+                "grid: [grid] is missing: add [grid], or accuracy, e.g. accuracy = 0.01"
+            )
         bodies = (self.body1, self.body2)
         if all(body.is_rigid for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
         for name, body in zip(("body1", "body2"), bodies, strict=True):
             if body.is_plastic and not self.has_volume:
                 law = body.inelastic_laws[0]
-                raise ValueError(f"{name} is elastic-plastic ({law}): grid.dz is required")
+                raise ValueError(
+                    f"{name} is elastic-plastic (law {law}) and requires a "
+                    "grid with layers: set grid.dz"
+                )
         timed = self.heat is not None and self.heat.is_timed
         for index, segment in enumerate(self.path):
             if segment.is_timed != timed:
                 name = "duration" if segment.passes is None else "speed"
                 raise ValueError(
-                    f"path[{index}]: {name} requires heat.history or heat.partition, and these "
-                    f"require {name}: specify both or neither"
+                    f"path[{index}]: {name} must be given if, and only if, heat.history or "
+                    "heat.partition is given: add the missing one, or remove the other"
                 )
         if self.has_volume and self.wear is None:
             self._show_a_body_with_stresses()
@@ -134,11 +139,11 @@ class Case(CaseFile):
         object.__setattr__(self, "output", output)  # the case is frozen
 
     def steps(self) -> paths.Path:
-        """Return the loading path as keyword dictionaries for `Simulation.run`."""
+        """Return the loading path as a list of dictionaries for `Simulation.run`."""
         return [step for steps in self.steps_of_segments() for step in steps]
 
     def steps_of_segments(self) -> list[paths.Path]:
-        """Return the steps of each segment of the path, as keyword dictionaries."""
+        """Return, for each segment of the path, its steps as dictionaries for `Simulation.run`."""
         steps: list[paths.Path] = []
         reached = EndState()
         for index, segment in enumerate(self.path):
@@ -167,11 +172,11 @@ class Case(CaseFile):
 
     @property
     def moves(self) -> bool:
-        """Whether a body moves through the contact."""
+        """Whether the surface of a body moves through the contact."""
         return any(any(step.get("advance", ())) for step in self.steps())
 
     def _check_motion(self, steps: paths.Path) -> None:
-        """Check that loaded bodies move in the directions of friction and of heat."""
+        """Check that the motion agrees with the friction direction and the velocity of heating."""
         heat = NO_HEAT if self.heat is None else self.heat.build()
         friction = self.friction
         attracts = contact_law_of(self.contact).attracts  # adhesion adds to the friction limit
@@ -197,9 +202,9 @@ class Case(CaseFile):
                         )
 
     def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
-        """Return the Hertz contact of this case at a load [N] > 0; None if not applicable.
+        """Return the Hertz contact of this case at a load [N] > 0; None if there is none.
 
-        It exists for smooth paraboloids and spheres with finite radii, and bodies without layers.
+        It applies to smooth paraboloids and spheres with finite radii and to bodies without layers.
         """
         radii = self.surface.radii()
         periodic = self.grid is not None and self.grid.periodic
@@ -214,10 +219,10 @@ class Case(CaseFile):
             return _hertz.point(radii[0], E_star, load=load)
         return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
 
-    def _on(self, grid: Grid, section: Any) -> Any:
-        """Return a surface or relief, checked on the grid.
+    def _surface_on(self, grid: Grid, section: Any) -> Any:
+        """Return the gap or relief of a section, after building it once on the grid as a check.
 
-        The result is a function of a grid if the surface is defined on any grid.
+        If the surface is defined on every grid, a function of the grid is returned.
         """
         build = partial(section.build, folder=self._source.parent)
         built = build(grid)
@@ -235,7 +240,7 @@ class Case(CaseFile):
         Raises
         ------
         CaseError
-            A section has no valid object, e.g. a surface file of the wrong shape.
+            A section does not describe a valid object, e.g. a surface file has the wrong shape.
         """
         from ..problem.moving_topography import relief_rows
         from ..simulation.simulation import Simulation
@@ -243,7 +248,9 @@ class Case(CaseFile):
         section = "grid"
         try:
             if self.grid is None:
-                raise ValueError("missing section: specify [grid], or use samcontact.to_accuracy")
+                raise ValueError(
+                    "[grid] is missing: add [grid], or solve the case with samcontact.to_accuracy"
+                )
             grid = self.grid.build()
             # before the surface is created, which already needs part of the memory
             needed = memory.surface(grid, memory.CONTACT_BYTES + memory.SIMULATION_BYTES)
@@ -253,11 +260,11 @@ class Case(CaseFile):
             section = "body2"
             body2 = self.body2.build()
             section = "surface"
-            lies_between = {"gap": self._on(grid, self.surface)}
+            lies_between = {"gap": self._surface_on(grid, self.surface)}
             for section in ("relief1", "relief2"):
                 given = getattr(self, section)
                 if given is not None:
-                    relief = lies_between[section] = self._on(grid, given)
+                    relief = lies_between[section] = self._surface_on(grid, given)
                     relief_rows(section, relief(grid) if callable(relief) else relief, grid)
             section = "heat"
             heat = None if self.heat is None else self.heat.build()
@@ -282,7 +289,7 @@ def load_case(path: str | Path) -> Case | AsperityCase:
     Returns
     -------
     Case or AsperityCase
-        A `AsperityCase` if the file has a section [asperities].
+        An `AsperityCase` if the file has a section [asperities].
 
     Raises
     ------
@@ -320,12 +327,13 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | AsperityCa
     text : str
         TOML.
     source : str or Path, optional
-        File of the text: errors name it, and paths in the text are relative to its folder.
+        Path of the file with this text, for error messages. Relative paths in the text start from
+        the folder of this file.
 
     Returns
     -------
     Case or AsperityCase
-        A `AsperityCase` if the text has a section [asperities].
+        An `AsperityCase` if the text has a section [asperities].
 
     Raises
     ------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks across the sections of a case: a field without effect is refused by its name."""
+"""Checks across the sections of a case: fields without effect are refused by name."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def require_all_used(case: Any) -> None:
 
 
 def _require_cycle(case: Any) -> None:
-    """Raise ValueError unless the case provides the stress history that [fatigue] requires."""
+    """Raise ValueError if the path does not provide the stress cycle that [fatigue] requires."""
     if case.fatigue is None:
         return
     if case.wear is not None:
@@ -55,8 +55,8 @@ def _require_cycle(case: Any) -> None:
     judged = case.fatigue
     if judged.fatemi_socie is not None and judged.yield_stress is None and not body.is_plastic:
         raise ValueError(
-            f"fatigue.yield_stress is required: fatemi_socie divides by the yield stress, and "
-            f"body{case.output.body} is elastic"
+            f"fatigue.yield_stress is required because body{case.output.body} is elastic: "
+            "fatemi_socie divides by the yield stress"
         )
     if case.fatigue.steady_axis is None and len(case.steps()) < 2:
         raise ValueError(
@@ -67,7 +67,7 @@ def _require_cycle(case: Any) -> None:
 
 
 def _require_repeatable(case: Any) -> None:
-    """Raise ValueError unless a body is elastic-plastic and the path is closed, for [shakedown]."""
+    """Raise ValueError if [shakedown] lacks an elastic-plastic body or a closed path."""
     if case.shakedown is None:
         return
     for name in ("wear", "accuracy"):
@@ -80,13 +80,14 @@ def _require_repeatable(case: Any) -> None:
     ways = [math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)]
     if max(map(abs, ways)) > 1e-12:
         raise ValueError(
-            f"shakedown requires a closed path, but the surfaces have travelled {tuple(ways)!r} m "
-            "at its end: add a return motion, or remove [shakedown]"
+            "shakedown requires a closed path, but at its end body 1 and body 2 have "
+            f"moved by {tuple(ways)!r} m: add motion that returns both bodies, or remove "
+            "[shakedown]"
         )
 
 
 def _require_law_of_friction(case: Any) -> None:
-    """Raise ValueError for tangential drives and slip wear without a law of partial slip."""
+    """Raise ValueError for tangential motion, force or slip wear without partial-slip friction."""
     by_slip = case.wear is not None and case.wear.law != "threshold"
     if case.sticks:
         if case.wear is not None and not by_slip:
@@ -109,15 +110,16 @@ def _require_law_of_friction(case: Any) -> None:
 
 
 def _require_law_of_contact(case: Any) -> None:
-    """Raise ValueError for tension without adhesion, and for settings that adhesion excludes."""
+    """Raise ValueError for tension without adhesion, and for fields not allowed with adhesion."""
     law = contact_law_of(case.contact)
     if law.attracts:
         if case.wear is not None:
-            raise ValueError(f"contact.contact_law must be hard with [wear], got {law!r}")
+            raise ValueError(f'contact.contact_law must be "hard" with [wear], got {law!r}')
         law.require_possible(NO_HEAT if case.heat is None else case.heat.build(), {})
         if case.moves:
             raise ValueError(
-                f"path: moving bodies cannot be combined with contact.contact_law = {law!r}"
+                f"path: bodies must not move with contact.contact_law = {law!r}: remove "
+                'the motion, or use contact_law = "hard"'
             )
         return
     for index, segment in enumerate(case.path):
@@ -129,7 +131,7 @@ def _require_law_of_contact(case: Any) -> None:
 
 
 def _require_accuracy(case: Any) -> None:
-    """Raise ValueError for settings that accuracy chooses, or that require accuracy."""
+    """Raise ValueError for fields not allowed with `accuracy`, or allowed only with it."""
     if case.accuracy is None:
         for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
             raise ValueError(f"{name} requires accuracy: add accuracy, or omit {name}")
@@ -144,14 +146,17 @@ def _require_accuracy(case: Any) -> None:
 
 
 def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -> None:
-    """Raise ValueError for layers if a section supports homogeneous bodies only."""
+    """Raise ValueError if a body has layers but `section` supports homogeneous bodies only."""
     for name, body in bodies:
         if body.coating:
-            raise ValueError(f"{name}.layers: {section} supports homogeneous bodies only")
+            raise ValueError(
+                f"{name}.layers: {section} does not support layered bodies: "
+                f"remove the layers, or remove {section}"
+            )
 
 
 def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
-    """Raise ValueError for thermal data of bodies without frictional heat."""
+    """Raise ValueError if bodies have thermal constants or softening but no frictional heating."""
     for name, body in bodies:
         softening: Any = getattr(body, "softening", None)
         if getattr(body, "thermal", None) is not None:
@@ -173,6 +178,6 @@ def _require_zones(case: Any) -> None:
 
 
 def require_image_tol(contact: Any) -> None:
-    """Raise ValueError for a tolerance that "exact" residual stress does not use."""
+    """Raise ValueError for image_tol with residual_stress = "exact", which does not use it."""
     if contact.residual_stress == "exact" and changed(contact, ["image_tol"]):
         raise ValueError('contact.image_tol requires residual_stress = "fast": omit it')

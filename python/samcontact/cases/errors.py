@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error messages of a case file: the field, the error and the allowed values."""
+"""Error messages of a case file, with field, allowed values and value."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ MAX_LINES = 20
 _NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
 _NAME = re.compile(r"[\w-]{1,60}")
 
-# Fields by other words for them, in lower case without separators.
-_ERROR_TEXTS = {
+# Fields by their synonyms, which are in lower case without separators.
+_SYNONYMS = {
     "radius": ("R", "Rx", "R1"),
     "radiusx": ("Rx",),
     "radiusy": ("Ry",),
@@ -60,7 +60,7 @@ _ERROR_TEXTS = {
 
 
 def explained(root: type[BaseModel], error: ValidationError, content: Any) -> list[str]:
-    """Return the distinct errors of a case, as "field: must be ALLOWED, got VALUE"."""
+    """Return the errors of a case without repetition, as "field: must be ALLOWED, got VALUE"."""
     lines = dict.fromkeys(_explain(root, item, content) for item in error.errors())
     if len(lines) > MAX_LINES:
         return [*list(lines)[:MAX_LINES], f"and {len(lines) - MAX_LINES} more errors"]
@@ -80,7 +80,7 @@ def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
     if kind == "value_error":
         message = str(item["ctx"]["error"])
         return f"{where}: {message}" if where else message
-    given = _at(content, place.names, item["input"])
+    given = _value_at(content, place.names, item["input"])
     if kind in ("union_tag_not_found", "union_tag_invalid") and isinstance(given, Mapping):
         key = item["ctx"]["discriminator"].strip("'")
         if key not in given:
@@ -100,18 +100,18 @@ def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
             return f"{where}: must be a single table: write [{table}] instead of [[{table}]]"
         return f"{where}: must be a table, got {in_short(given)}"
     allowed = described(place.annotation, place.marks)
-    return f"{where}: must be {allowed}, got {in_short(given)}{_slip(allowed, given)}"
+    return f"{where}: must be {allowed}, got {in_short(given)}{_remedy(allowed, given)}"
 
 
 def _holds_tables(annotation: Any) -> bool:
-    """Whether an annotation is a list of sections."""
+    """Whether an annotation is a list of sections (TOML tables)."""
     if get_origin(annotation) is not list:
         return False
     return all(is_model(opened(one)[0]) for one in members(opened(get_args(annotation)[0])[0]))
 
 
-def _slip(allowed: str, given: Any) -> str:
-    """Return a remedy for a value of the wrong type, if it is obvious."""
+def _remedy(allowed: str, given: Any) -> str:
+    """Return a remedy for a value of the wrong type; "" if none is obvious."""
     if isinstance(given, (date, time)):
         return ": this is a date or a time; write text in quotes"
     if allowed.startswith("true or false"):
@@ -123,8 +123,8 @@ def _slip(allowed: str, given: Any) -> str:
     return ""
 
 
-def _at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
-    """Return the value in the file at a location, before unit conversion."""
+def _value_at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
+    """Return the value at a location of the file, before unit conversion."""
     for name in names:
         try:
             content = content[name]
@@ -134,10 +134,10 @@ def _at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
 
 
 def nearest(name: str, fields: Sequence[str]) -> str | None:
-    """Return the field that was probably meant: a synonym, or a similar spelling."""
+    """Return the field probably meant by a wrong name (synonym, similar spelling), or None."""
     lower = {field.lower(): field for field in reversed(fields)}
     word = re.sub(r"[^a-z]", "", name.lower())
-    for meant in _ERROR_TEXTS.get(word, ()):
+    for meant in _SYNONYMS.get(word, ()):
         if meant in fields:
             return meant
     found = difflib.get_close_matches(name.lower(), lower, 1, cutoff=0.5)
@@ -145,7 +145,7 @@ def nearest(name: str, fields: Sequence[str]) -> str | None:
 
 
 def _elsewhere(root: type[BaseModel], name: str) -> str | None:
-    """Return the field of another section with this name, with or without the section's prefix."""
+    """Return "section.field" of another section that has a field of this name, or None."""
     for section, field in root.model_fields.items():
         known = {inner for model in models_in(field.annotation) for inner in model.model_fields}
         for meant in (name, name.removeprefix(f"{section}_")):
@@ -163,7 +163,7 @@ def _dotted(names: Sequence[str | int]) -> str:
 
 
 class _FieldLocation(NamedTuple):
-    """Location of an error: the fields allowed there, its name, and the type of its value."""
+    """Location of an error: allowed fields, path of names, type and metadata of the field."""
 
     fields: list[str]
     names: list[str | int]
@@ -172,9 +172,10 @@ class _FieldLocation(NamedTuple):
 
 
 def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _FieldLocation:
-    """Follow the location of an error, which contains tags of unions, into the models.
+    """Convert the location of a pydantic error, which may contain union tags, to a field location.
 
-    A value of several possible types has one error for each type: these end at the field.
+    For a value of several allowed types, pydantic reports an error for each type; the location
+    returned ends at the field.
     """
     place = _FieldLocation([], [], root, ())
     for element in loc:

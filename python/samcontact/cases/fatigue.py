@@ -42,13 +42,14 @@ class FatigueSection(Section):
     @model_validator(mode="after")
     def _go_together(self) -> FatigueSection:
         if not self.criteria:
-            raise ValueError(f"at least one of {', '.join(CRITERIA)} is required")
+            raise ValueError(f"at least one of {', '.join(CRITERIA)} must be given, got none")
         for name in CRITERIA:
             if getattr(self.limit, name) is not None and name not in self.criteria:
                 raise ValueError(f"limit.{name} requires {name}: add {name}, or remove the limit")
         if self.yield_stress is not None and "fatemi_socie" not in self.criteria:
             raise ValueError(
-                "yield_stress applies to fatemi_socie only: add fatemi_socie, or remove it"
+                "yield_stress is used by fatemi_socie only: add fatemi_socie, or remove "
+                "yield_stress"
             )
         return self
 
@@ -58,9 +59,10 @@ class FatigueSection(Section):
         return [name for name in CRITERIA if getattr(self, name) is not None]
 
     def fields(self, states: list[State], body: int) -> list[FatigueField]:
-        """Evaluate each criterion over the increments.
+        """Evaluate each criterion in a body over the stress cycle formed by the increments.
 
-        With `passing`, the cycle is that of material passing through the most loaded increment.
+        With `steady_axis`, the cycle is the stress history of material that passes through the
+        contact of the increment with the highest load.
         """
         seen: Cycle
         if self.steady_axis is None:

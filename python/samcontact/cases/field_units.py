@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Units of the fields of a case file, from the marks of its models."""
+"""Units of the fields of a case file, from the metadata of the pydantic models."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _LAW_UNITS = {name: one.unit for law in LAWS.values() for name, one in law.const
 
 
 def all_models(*roots: type[BaseModel]) -> list[type[BaseModel]]:
-    """Return the models of these sections and of all sections within, outermost first."""
+    """Return the given models and the models of all nested sections, outermost first."""
     found: list[type[BaseModel]] = []
     waiting = list(roots)
     while waiting:
@@ -32,7 +32,7 @@ def all_models(*roots: type[BaseModel]) -> list[type[BaseModel]]:
 
 @cache
 def _units(section: str) -> dict[str, str]:
-    """Return units by field within a top-level section."""
+    """Return the units of all fields within a top-level section, by field name."""
     roots = [
         model
         for kind in (Case, AsperityCase)

@@ -13,7 +13,7 @@ from .bodies import field_of
 
 
 class _FrictionLaw(Section):
-    """Friction law with partial slip, by its name; inf: no slip."""
+    """Friction law with partial slip: name and coefficient, or table of constants; inf: no slip."""
 
     @model_validator(mode="after")
     def _one_law(self) -> _FrictionLaw:
@@ -26,14 +26,14 @@ class _FrictionLaw(Section):
         return self
 
     def build(self) -> FrictionLaw:
-        """Create the friction law from its one parameter or its section."""
+        """Create the friction law from its coefficient or its table of constants."""
         ((name, given),) = self.model_dump(exclude_none=True).items()
         parameters = given if isinstance(given, dict) else {next(iter(LAWS[name].constants)): given}
         return law_of({"law": name, **parameters})
 
 
 def _friction_section() -> Any:
-    """Create the section of all laws: a number for laws with one parameter, else a section."""
+    """Create the section: one field per law, a number for one constant, otherwise a table."""
     laws: dict[str, Any] = {}
     for name, law in LAWS.items():
         if not law.sticks:
@@ -74,5 +74,5 @@ FrictionField = Annotated[
 
 
 def friction_of(given: float | FrictionSection) -> float | FrictionLaw:
-    """Return the argument `friction` of a simulation."""
+    """Return the argument `friction` of `Simulation`: a number or a friction law."""
     return given.build() if isinstance(given, FrictionSection) else given

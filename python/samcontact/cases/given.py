@@ -11,9 +11,9 @@ from .case import Case, load_case, validated
 
 
 def case_of_contact(name: str, given: object, **defaults: Any) -> Case:
-    """Return a case of one contact, given as case, file or dictionary with the layout of a file.
+    """Convert a case, the path of a case file or a dictionary with its layout to a `Case`.
 
-    name: name of the argument, for errors; defaults: fields that a dictionary may omit.
+    name: name of the argument, for errors; defaults: values of fields that a dictionary omits.
     """
     made = given
     if isinstance(given, (str, Path)):
@@ -22,9 +22,9 @@ def case_of_contact(name: str, given: object, **defaults: Any) -> Case:
         made = validated({"title": "case", **defaults, **given}, Path(name))
     if not isinstance(made, Case):
         kind = type(made).__name__
-        tugging = ", which is an asperity collision" if kind == "AsperityCase" else ""
+        hint = ", which is an asperity collision" if kind == "AsperityCase" else ""
         raise ValueError(
             f"{name} must be a case of one contact, the path of its file, or a dict with the "
-            f"layout of a case file, got a {kind}{tugging}"
+            f"layout of a case file, got a {kind}{hint}"
         )
     return made

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Path segments of a case file, and surface topographies that move with a body."""
+"""Path segments of a case file, and reliefs (surface topography that moves with a body)."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class _Passes(Section):
     @model_validator(mode="after")
     def _moves(self) -> _Passes:
         if self.distance == 0.0:
-            raise ValueError("distance must not be 0")
+            raise ValueError("distance must not be 0 [m], got 0")
         return self
 
 
@@ -58,7 +58,7 @@ class Rolling(_Passes):
     tangential_load_x: Force | None = None
 
     def scaled(self, factor: float) -> Rolling:
-        """Return a copy with the force multiplied by a factor."""
+        """Return a copy with the tangential force multiplied by a factor."""
         if self.tangential_load_x is None:
             return self
         return self.model_copy(update={"tangential_load_x": factor * self.tangential_load_x})
@@ -95,7 +95,7 @@ class Segment(TangentialSection):
     @model_validator(mode="before")
     @classmethod
     def _start_in_its_unit(cls, data: Any) -> Any:
-        """Convert a start with a unit, which depends on whether load or approach is prescribed."""
+        """Convert the text `start` to a number, in N with `load` and in m with `approach`."""
         if not isinstance(data, dict) or not isinstance(data.get("start"), str):
             return data
         try:
@@ -106,7 +106,7 @@ class Segment(TangentialSection):
     @model_validator(mode="after")
     def _one_target(self) -> Segment:
         if (self.load is None) == (self.approach is None):
-            raise ValueError("exactly one of load, approach must be given")
+            raise ValueError("exactly one of load and approach must be given")
         return self
 
     @model_validator(mode="after")
@@ -136,12 +136,12 @@ class Segment(TangentialSection):
 
     @property
     def passes(self) -> Rolling | Sliding | None:
-        """Passes of this segment; None for a ramp."""
+        """Rolling or sliding passes of this segment; None for a ramp."""
         return self.slide if self.roll is None else self.roll
 
     @property
     def is_timed(self) -> bool:
-        """Whether the steps have a duration."""
+        """Whether the steps of this segment have a duration."""
         return (self.duration if self.passes is None else self.passes.speed) is not None
 
     @property
@@ -159,9 +159,9 @@ class Segment(TangentialSection):
         )
 
     def steps(self, reached: EndState) -> tuple[paths.Path, EndState]:
-        """Return the steps from the end of the previous segment, and the end of this one.
+        """Return the steps of this segment and its end; `reached`: end of the previous segment.
 
-        Raises ValueError if the segment is inconsistent with the end of the previous segment.
+        Raises ValueError if the segment cannot start from the end of the previous segment.
         """
         name, target = self.quantity, getattr(self, self.quantity)
         if self.fret is not None:
@@ -200,7 +200,7 @@ class Segment(TangentialSection):
         if target == start and (self.along or optional != (None, None, None)):
             if changed(self, ["spacing"]):
                 raise ValueError(
-                    f"spacing requires a change of {name}, which stays at {target!r}: omit it"
+                    f"spacing requires a change of {name}, which stays at {target!r}: omit spacing"
                 )
             steps = paths.hold(**common)
         else:
@@ -211,7 +211,7 @@ class Segment(TangentialSection):
 
 
 class FileRelief(HeightsFile):
-    """Heights from a file, positive out of the body: any number of rows along x, ny values each."""
+    """Heights from a file, positive out of the body: any number of rows along x of ny values."""
 
     is_known: ClassVar[bool] = False  # not defined on every grid
     kind: Literal["file"]
@@ -256,7 +256,7 @@ class FurrowRelief(Section):
 
 
 class RoughRelief(Section):
-    """Random roughness, periodic along x with the length of the grid."""
+    """Random roughness with a period along x equal to the grid length."""
 
     is_known: ClassVar[bool] = False  # not defined on every grid
     kind: Literal["self_affine"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sections of a case file as validated models, each with a method that creates its object."""
+"""Sections of a case file as pydantic models; each creates the corresponding object."""
 
 from __future__ import annotations
 
@@ -51,7 +51,8 @@ if TYPE_CHECKING:
 class GridSection(Section):
     """[grid]: cells of the surface, and layers of the volume for stresses and plasticity.
 
-    The grid is enlarged automatically if the gap and reliefs are defined on every grid.
+    The grid is enlarged automatically if gap and reliefs are defined on any grid, not read from
+    files.
     """
 
     nx: Count
@@ -66,8 +67,8 @@ class GridSection(Section):
     def _volume_is_complete(self) -> GridSection:
         if self.nz > 0 and self.dz is None:
             raise ValueError(
-                "nz requires dz: specify both, or dz alone to choose the number of layers "
-                "automatically"
+                "nz requires dz: specify both, or only dz to let samcontact choose the "
+                "number of layers"
             )
         return self
 
@@ -110,7 +111,7 @@ class _Surface(Section):
     ) = None
 
     def radii(self) -> tuple[float, float] | None:
-        """Radii of the Hertz contact that this surface approximates; None without one."""
+        """Radii [m] along x and y of the paraboloid that approximates this surface, or None."""
         return None
 
     @property
@@ -141,7 +142,7 @@ class ParaboloidSurface(_Surface):
 
 
 class SphereSurface(_Surface):
-    """Exact sphere."""
+    """Sphere, without the approximation by a paraboloid."""
 
     shape: Literal["sphere"]
     R: Length
@@ -154,7 +155,7 @@ class SphereSurface(_Surface):
 
 
 class CylinderSurface(_Surface):
-    """Exact circular cylinder."""
+    """Circular cylinder, without the approximation by a paraboloid."""
 
     shape: Literal["cylinder"]
     R: Length
@@ -177,7 +178,9 @@ class FileSurface(_Surface, HeightsFile):
     @model_validator(mode="after")
     def _Ry_needs_Rx(self) -> FileSurface:
         if self.Ry is not None and self.Rx is None:
-            raise ValueError("Ry requires Rx (use Rx = inf for a surface straight along x)")
+            raise ValueError(
+                "Ry requires Rx: add Rx, or Rx = inf for a surface that is straight along x"
+            )
         return self
 
     @property
@@ -203,7 +206,7 @@ SurfaceSection = Annotated[
 
 
 class _LawSection(Section):
-    """Contact law, see `ContactLaw`."""
+    """Contact law with its constants, see `ContactLaw`."""
 
     kind: str
 
@@ -212,7 +215,7 @@ class _LawSection(Section):
 
 
 def _law_section(law: type[ContactLaw]) -> type[_LawSection]:
-    """Create the section of a contact law, with its non-negative parameters."""
+    """Create the section of a contact law; its constants must be non-negative."""
     parameters: Any = {
         item.name: (Annotated[NonNegative, in_unit(item.metadata["unit"])], ...)
         for item in fields(law)
@@ -238,7 +241,7 @@ def _contact_law_field() -> Any:
 
 
 def _annotation(allowed: Allowed) -> Any:
-    """Return the annotation of the case-file field for a setting."""
+    """Return the annotation of the case-file field for a setting of `Simulation`."""
     if isinstance(allowed, ContactLawSetting):
         return _contact_law_field()
     if isinstance(allowed, FrictionSetting):
@@ -254,9 +257,9 @@ def _annotation(allowed: Allowed) -> Any:
 def settings_section(name: str, module: str, without: tuple[str, ...] = (), **defaults: Any) -> Any:
     """Create a section [contact] with the settings of a simulation.
 
-    module: module that defines the section under this name, for pickling.
+    module: name of the module in which the section is defined, for pickling.
     without: settings to omit.
-    defaults: defaults that differ from those of a simulation.
+    defaults: defaults that differ from the defaults of a simulation.
     """
     found: dict[str, Any] = {}
     for setting, allowed in allowed_of(Settings).items():
@@ -281,18 +284,18 @@ else:
 
 
 def settings_of(section: ContactSection) -> dict[str, Any]:
-    """Return the arguments of `Simulation`."""
+    """Return the settings in [contact] as keyword arguments of `Simulation`."""
     laws = {"friction": friction_of(section.friction), "contact_law": contact_law_of(section)}
     return section.model_dump() | laws
 
 
 def law_of_section(section: ContactSection) -> FrictionLaw:
-    """Return the friction law of a section."""
+    """Return the friction law of a section [contact]."""
     return friction_law(settings_of(section)["friction"])
 
 
 def contact_law_of(section: ContactSection) -> ContactLaw:
-    """Return the contact law of a section."""
+    """Return the contact law of a section [contact]."""
     return HardContact() if section.contact_law is None else section.contact_law.build()
 
 
@@ -311,13 +314,13 @@ class HeatSection(Section):
     @model_validator(mode="after")
     def _go_together(self) -> HeatSection:
         if (self.factor is None) == (self.partition is None):
-            raise ValueError("exactly one of factor, partition must be given")
+            raise ValueError("exactly one of factor and partition must be given")
         self.build()
         return self
 
     @property
     def is_timed(self) -> bool:
-        """Whether increments need a duration."""
+        """Whether the increments of the path need a duration."""
         return self.history is not None or self.partition is not None
 
     def build(self) -> Heat:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Section [shakedown] of a case file: repetition of its path until the response is clear."""
+"""Section [shakedown] of a case file: repetition of the path until the response is known."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class ShakedownSection(Section):
-    """[shakedown]: repeated path, see `samcontact.shakedown.run`."""
+    """[shakedown]: repetition of the path, see `samcontact.shakedown.run`."""
 
     cycles: Annotated[int, Field(ge=2)] = 100
     tol: Annotated[Finite, Field(ge=1e-6, le=0.1)] = 1e-3
@@ -27,7 +27,7 @@ class ShakedownSection(Section):
     def solve(
         self, simulation: Simulation, path: Path, progress: bool, checkpoint: Folder | None = None
     ) -> ShakedownResult:
-        """Repeat the path of a simulation that has not been run."""
+        """Repeat the path with `samcontact.shakedown.run`; use a simulation that has not run."""
         return run(
             simulation,
             path,

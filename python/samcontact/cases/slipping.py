@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tangential motion and force in a path, with partial slip."""
+"""Tangential motions and forces in a loading path, for partial slip."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ Force = Annotated[Finite, in_unit("N")]
 
 
 class EndState(NamedTuple):
-    """End of a path segment: load or approach with its value, and tangential forces and torque.
+    """End of a path segment: name and value of load or approach; tangential forces and torque.
 
-    A force that follows from a motion is None, because it is unknown before the solution.
+    After a prescribed motion, the force is None, because it is unknown before the solution.
     """
 
     quantity: str = ""
@@ -32,10 +32,7 @@ class EndState(NamedTuple):
 
 
 class TangentialSection(Section):
-    """Tangential motion of body 1 relative to body 2 in a segment, or forces on body 2 at its end.
-
-    The motion is that of the segment; the forces are those at its end.
-    """
+    """Tangential motion of body 1 relative to body 2 in a segment, or final force on body 2."""
 
     shift_x: Position | None = None
     shift_y: Position | None = None
@@ -49,7 +46,8 @@ class TangentialSection(Section):
         for motion, force in zip(_MOTIONS, _FORCES, strict=True):
             if getattr(self, motion) is not None and getattr(self, force) is not None:
                 raise ValueError(
-                    f"{motion} cannot be combined with {force}: the motion follows from the force"
+                    f"{motion} cannot be combined with {force}, because the motion follows "
+                    "from the force: omit one of them"
                 )
         return self
 
@@ -61,10 +59,10 @@ class TangentialSection(Section):
     def add_along(
         self, steps: paths.Path, fractions: Sequence[float], reached: EndState
     ) -> EndState:
-        """Add tangential motions and forces to the steps, and return the end of the segment.
+        """Add tangential motions and forces to the steps; return the end of the segment.
 
-        `fractions` are the fractions of the segment at which the steps end. `reached` has the load
-        or approach at the end of the segment, and the forces before it.
+        fractions: position of the end of each step in the segment, 0 to 1. reached: load or
+        approach at the end of the segment, tangential forces at its start.
         """
         driven: list[list[tuple[float | None, float | None]]] = []
         forces: list[float | None] = []
@@ -90,8 +88,9 @@ def _totals(name: str, start: float | None, end: float, fractions: Sequence[floa
     if start is None:
         if len(fractions) > 1:
             raise ValueError(
-                f"{name} must not start from an unknown force, which follows from a previous "
-                "motion: first prescribe the force in a segment with increments = 1"
+                f"{name} cannot start here: its present value is unknown, because the "
+                "previous segment prescribes the motion. First add a segment with "
+                "increments = 1 that prescribes this force"
             )
         return [end]
     return [end if f == 1.0 else start + f * (end - start) for f in fractions]
@@ -100,7 +99,7 @@ def _totals(name: str, start: float | None, end: float, fractions: Sequence[floa
 def _arguments(*directions: tuple[float | None, float | None]) -> dict[str, Any]:
     """Return the arguments of `Simulation.step` that are not None.
 
-    directions: motion and force along x, along y and about z.
+    directions: (motion, force) along x, along y and about z.
     """
     (x, force_x), (y, force_y), (turn, torque) = directions
     given: dict[str, Any] = {"shift": (x, y), "tangential_load": (force_x, force_y)}
@@ -121,30 +120,34 @@ class Fretting(Section):
     def _one_kind(self) -> Fretting:
         if (self.shift is None) == (self.force is None):
             raise ValueError(
-                "either shift_x, shift_y or tangential_load_x, tangential_load_y must be given"
+                "fret requires shift_x, shift_y (motion) or tangential_load_x, "
+                "tangential_load_y (force): give exactly one of these pairs"
             )
         if not any(self.shift or self.force or ()):
-            raise ValueError("the amplitude must not be 0")
+            raise ValueError(
+                "the amplitude must not be 0: give shift_x, shift_y, "
+                "tangential_load_x or tangential_load_y a value other than 0"
+            )
         return self
 
     @property
     def shift(self) -> tuple[float, float] | None:
-        """Amplitude of the motion [m]; None if the force is prescribed."""
+        """Amplitudes of the motion along x and y [m]; None if the force is prescribed."""
         return _pair(self.shift_x, self.shift_y)
 
     @property
     def force(self) -> tuple[float, float] | None:
-        """Amplitude of the force [N]; None if the motion is prescribed."""
+        """Amplitudes of the force along x and y [N]; None if the motion is prescribed."""
         return _pair(self.tangential_load_x, self.tangential_load_y)
 
     def scaled(self, factor: float) -> Fretting:
-        """Return a copy with forces multiplied by a factor."""
+        """Return a copy with the tangential forces multiplied by a factor."""
         forces = ("tangential_load_x", "tangential_load_y")
         given = {n: factor * v for n in forces if (v := getattr(self, n)) is not None}
         return self.model_copy(update=given)
 
     def steps(self, name: str, value: float, increments: int, reached: EndState) -> paths.Path:
-        """Return the steps at a load or an approach that the previous segment must have reached."""
+        """Return the fretting steps; the previous segment must end at load or approach `value`."""
         if reached[:2] != (name, value):
             raise ValueError(
                 f"fret requires that the previous segment ends at {name} = {value!r}, got "
@@ -176,7 +179,7 @@ def _pair(x: float | None, y: float | None) -> tuple[float, float] | None:
 
 
 def require_held(step: dict[str, Any], friction: FrictionLaw) -> None:
-    """Raise ValueError for a tangential force at or above the friction limit."""
+    """Raise ValueError if the tangential force of a step reaches the friction limit."""
     load = step.get("load")
     pulled = math.hypot(*(force or 0.0 for force in step.get("tangential_load", ())))
     if load is None or pulled == 0.0:
@@ -184,6 +187,6 @@ def require_held(step: dict[str, Any], friction: FrictionLaw) -> None:
     most = friction.ratio(0.0) * load if load > 0 else 0.0
     if not pulled < most:
         raise ValueError(
-            f"tangential load must be below the friction limit, {most!r} N at load {load!r} N, got "
-            f"{pulled!r} N: prescribe shift_x, shift_y for full sliding"
+            f"tangential load must be below the friction limit ({most!r} N at load "
+            f"{load!r} N), got {pulled!r} N: prescribe shift_x, shift_y for full sliding"
         )

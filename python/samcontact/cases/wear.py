@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Section [wear] of a case file: its path is one cycle, after which the bodies wear."""
+"""Section [wear] of a case file: the path is one cycle, and wear is computed after each cycle."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _STRAIN_FIELDS = ("worn", "smoothing_length", "window", "order", "strain_depth")
 
 
 class WearSection(Section):
-    """[wear]: wear over repeated cycles, see `wear.run`; with energy or archard `wear.fretting`."""
+    """[wear]: wear over repeated cycles; `wear.run` or, with energy or archard, `wear.fretting`."""
 
     threshold: Positive | None = None
     energy: WearPerPressure | None = None
@@ -40,7 +40,7 @@ class WearSection(Section):
 
     @property
     def law(self) -> str:
-        """Name of the field of the wear law."""
+        """Name of the wear law (threshold, energy or archard)."""
         return next(name for name in _LAWS if getattr(self, name) is not None)
 
     @model_validator(mode="after")
@@ -55,7 +55,7 @@ class WearSection(Section):
         others = ("repeats",) if of_strain else _STRAIN_FIELDS
         for name in sorted(changed(self, others)):
             laws = "energy and archard" if of_strain else "threshold"
-            raise ValueError(f"{name} applies to {laws} only, not to {given[0]}: omit it")
+            raise ValueError(f"{name} applies to {laws} only, got {given[0]}: omit {name}")
         return self
 
     def solve(
@@ -65,7 +65,7 @@ class WearSection(Section):
         checkpoint: str | os.PathLike[str] | None,
         progress: bool,
     ) -> WearResult | FrettingResult:
-        """Repeat a load cycle; the simulation is only a template and is not advanced."""
+        """Repeat the path as a load cycle with wear; the simulation itself is not advanced."""
         from .. import wear
 
         # all settings, so that none is read from the file and then ignored

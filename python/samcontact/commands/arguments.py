@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Argument types of the commands: file names, and numbers with an optional unit."""
+"""Argument types of the commands: file names and numbers with an optional unit."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class FilePath(click.Path):
     def convert(
         self, value: Any, param: click.Parameter | None, context: click.Context | None
     ) -> Any:
-        """Refuse names that are invalid on every system; "" would otherwise mean "."."""
+        """Refuse names that no system allows, and "", which would otherwise mean "."."""
         if not str(value):
             self.fail("must be the name of a file or folder, got ''", param, context)
         if "\0" in str(value):
@@ -38,7 +38,7 @@ class UnitlessNumber(float):
 
 
 class QuantityArgument(Numbers):
-    """Number in the SI unit, or text with a compatible unit."""
+    """Number in the SI unit of the option, or number with a compatible unit, e.g. "7.5 mm"."""
 
     name = "quantity"
 

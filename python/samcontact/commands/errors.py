@@ -19,18 +19,18 @@ EXIT_FAILED = 1
 
 
 class StoppedEarlyError(Exception):
-    """Run that an error stopped after some increments; the text states which results exist.
+    """Error that stopped a run after some increments; the message names the results that exist.
 
-    The error itself is the `__cause__`.
+    The attribute `__cause__` is the original error.
     """
 
 
 @contextmanager
 def short_errors(*, files: bool = False) -> Iterator[None]:
-    """Reduce errors that a user can cause to one message on stderr, without a traceback.
+    """Show errors that a user can cause as one message on stderr, without traceback, and exit.
 
-    files: whether the command loads all libraries and reads or writes results. It then requires
-    enough address space for them.
+    files: whether the command reads or writes results. All libraries are then loaded, which
+    requires enough address space.
     """
     try:
         if files:
@@ -43,7 +43,7 @@ def short_errors(*, files: bool = False) -> Iterator[None]:
     except StoppedEarlyError as stopped:
         cause = stopped.__cause__
         assert isinstance(cause, Exception)
-        message, _ = _told(cause)
+        message, _ = _message_and_code(cause)
         click.echo(f"error: {message or f'{type(cause).__name__}: {cause}'}\n{stopped}", err=True)
         if not message:  # an internal error
             raise cause from None
@@ -51,7 +51,7 @@ def short_errors(*, files: bool = False) -> Iterator[None]:
     except BrokenPipeError:
         raise
     except Exception as error:
-        message, code = _told(error)
+        message, code = _message_and_code(error)
         if not message:
             raise
         click.echo(f"error: {escaped(message)}", err=True)
@@ -66,28 +66,29 @@ def write_partial_results(
     Parameters
     ----------
     write : callable
-        Writes results, then figures; its argument is the reason why they are incomplete.
+        Function that writes results and then figures; its argument is the reason why the results
+        are incomplete.
     error : Exception
     what : str
-        Amount of results, such as "3 of 12 increments".
+        Description of the results that exist, e.g. "3 of 12 increments".
     directory : Path
         Folder of the results.
     """
     reason = f"{type(error).__name__}: {error}"
-    told = f"{what} are in {directory}, marked as incomplete"
+    text = f"{what} are in {directory}, marked as incomplete"
     try:
         write(reason)
     except Exception as another:
-        told = f"{what} were completed, but could not all be written: {another}"
-    return told
+        text = f"{what} were completed, but could not all be written: {another}"
+    return text
 
 
-def with_resume_hint(told: str, directory: Path) -> str:
-    """Return the text with the command that resumes the run."""
-    return f"{told}; resume with:\n  samcontact resume {directory}"
+def with_resume_hint(text: str, directory: Path) -> str:
+    """Append to a message the command that resumes the run."""
+    return f"{text}; resume with:\n  samcontact resume {directory}"
 
 
-def _told(error: Exception) -> tuple[str, int]:
+def _message_and_code(error: Exception) -> tuple[str, int]:
     """Return the message of an error and the exit code; no message for internal errors."""
     from .._core import ConvergenceError
 
@@ -100,7 +101,7 @@ def _told(error: Exception) -> tuple[str, int]:
     if _is_short_of_memory(error):
         return _no_memory(error), EXIT_FAILED
     if isinstance(error, OSError):
-        return _of_system(error), EXIT_FAILED
+        return _system_message(error), EXIT_FAILED
     if isinstance(error, ModuleNotFoundError):
         return str(error), EXIT_FAILED
     return "", EXIT_FAILED
@@ -115,14 +116,14 @@ _REMEDIES = {
 }
 
 
-def _of_system(error: OSError) -> str:
-    """Message of an operating-system error: file, reason and remedy, without the errno."""
+def _system_message(error: OSError) -> str:
+    """Message of an operating-system error: file, reason and remedy, without error number."""
     parts = [error.filename, error.strerror or str(error), _REMEDIES.get(error.errno or 0)]
     return ": ".join(str(part) for part in parts if part)
 
 
 def _is_short_of_memory(error: Exception) -> bool:
-    """Whether memory is exhausted, including the error messages of the loader and of HDF5."""
+    """Whether an error means that memory is exhausted; the loader and HDF5 have own messages."""
     if isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM:
         return True
     words = ("failed to map segment", "cannot allocate memory", "memory allocation failed")
@@ -132,7 +133,7 @@ def _is_short_of_memory(error: Exception) -> bool:
 
 
 def _no_memory(error: Exception) -> str:
-    told = str(error) if isinstance(error, MemoryError) else ""
-    if "memory" in told:
-        return told
+    text = str(error) if isinstance(error, MemoryError) else ""
+    if "memory" in text:
+        return text
     return "not enough memory: use fewer cells, close other programs or raise the limit (ulimit -v)"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fatigue results of a case with [fatigue]: table, file and figures."""
+"""Fatigue results of a case with a section [fatigue]: table, file and figures."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def write_fatigue(
     case: Case, states: list[State], directory: Path, console: Console, *, figures: bool
 ) -> list[Path]:
-    """Print a table of the maxima, write fatigue.nc and figures, and return the files."""
+    """Print the maximum of each criterion, write fatigue.nc and figures, and return the files."""
     assert case.fatigue is not None
     body = case.output.body
     with console.status("fatigue"):
@@ -32,8 +32,8 @@ def write_fatigue(
     console.print(_sheet(fields, limits, body))
     dataset = xr.merge([field.to_dataset() for field in fields], combine_attrs="override")
     written = [directory / "fatigue.nc"]
-    told = {"title": case.title, "body": body, "samcontact_version": version}
-    results.save(dataset.assign_attrs(told), written[0])
+    attributes = {"title": case.title, "body": body, "samcontact_version": version}
+    results.save(dataset.assign_attrs(attributes), written[0])
     return written + (_figures(fields, limits, directory) if figures else [])
 
 
@@ -60,7 +60,7 @@ def _text(field: FatigueField, value: float) -> str:
 def _figures(
     fields: list[FatigueField], limits: dict[str, float | None], directory: Path
 ) -> list[Path]:
-    """Draw depth profiles, one figure for each unit, and a section of the first field."""
+    """Draw depth profiles (one figure for each unit) and a section of the first criterion."""
     from ..plotting.fatigue import fatigue_depth, fatigue_section
     from ..plotting.parts import new_figure, save
 

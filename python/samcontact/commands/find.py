@@ -42,17 +42,17 @@ def find(
     continue it.
     """
     with short_errors(files=True):
-        from ..accuracy.load_search import searched
+        from ..accuracy.load_search import prepare_search
         from ..cases.given import case_of_contact
         from .tables import Sheet, new_console
 
         case = case_of_contact("CASE.toml", case_file)
         name, value = _wanted(target)
-        search = searched(
+        search = prepare_search(
             case, name, value, tolerance=tolerance, largest_load=largest_load,
             progress=not quiet,
         )  # fmt: skip
-        found = _found(case, search)
+        found = _run_search(case, search)
         if quiet:
             click.echo(repr(found.load))
             return
@@ -63,8 +63,8 @@ def find(
         new_console().print(sheet)
 
 
-def _found(case: Case, search: LoadSearch) -> FoundLoad:
-    """Run the search, continuing an interrupted one; save its progress on interruption."""
+def _run_search(case: Case, search: LoadSearch) -> FoundLoad:
+    """Run the search, or continue an interrupted search; save progress if it is interrupted."""
     from ..files.atomic import undisturbed
     from ..restart.checkpoint_files import remove_checkpoints
     from ..restart.identity import digest
@@ -87,7 +87,7 @@ def _found(case: Case, search: LoadSearch) -> FoundLoad:
 
 
 def _wanted(target: str) -> tuple[str, float]:
-    """Return the name of a quantity and its value in SI units."""
+    """Split QUANTITY=VALUE into the name of the quantity and its value in SI units."""
     from ..accuracy.load_search_cases import YIELD, require_known
 
     name, given, text = (part.strip() for part in target.partition("="))
@@ -105,7 +105,7 @@ def _wanted(target: str) -> tuple[str, float]:
 
 
 def _value(name: str, text: str) -> float:
-    """Return the value in SI units of a number, or of a text with a unit."""
+    """Return the value of a quantity in SI units, from a number or a number with a unit."""
     from .._util.quantities import CONTACT
     from ..accuracy.load_search_cases import PERMANENT_DEFORMATION
     from ..units import from_text

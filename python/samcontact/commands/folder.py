@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files in the folder of results, without outdated files of an earlier run."""
+"""Files in the results folder of a run; outdated files of earlier runs are removed."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ _OUTPUT_FILES = re.compile(
 
 
 def is_own(file: Path) -> bool:
-    """Whether the file has a name that a run, its report or its export uses."""
+    """Whether the file has a name that runs, reports or exports use for their output."""
     return _OUTPUT_FILES.fullmatch(file.name) is not None
 
 
 def written_names(case: CaseFile, main: str, figures: bool, animate: bool) -> re.Pattern[str]:
-    """Return the names of the files that a run may write.
+    """Return a pattern for the names of all files that a run may write.
 
-    main: name of the file of results, without suffix.
+    main: name of the results file, without suffix.
     """
     parts = [name for name in ("fatigue", "shakedown") if getattr(case, name, None) is not None]
     names = ["|".join((main, *parts)) + r")\.nc", main + r")\.csv"]
@@ -56,9 +56,9 @@ def written_names(case: CaseFile, main: str, figures: bool, animate: bool) -> re
 def publish(dataset: xr.Dataset, file: Path) -> Path:
     """Write the results of a run, and remove the files of earlier runs from the folder.
 
-    Old files are removed only when the results are complete, so that a failed run loses nothing,
-    and before new figures are drawn, so that no figure or report shows other results. Files that
-    were not written by this package are kept.
+    Old files are removed after the new results have been written, so that a failed run loses
+    nothing. They are removed before new figures are drawn, so that no figure or report shows old
+    results. Files that this package did not write are not touched.
     """
     with undisturbed(), recording(file.parent) as record:
         results.save(dataset, file)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Command `hertz`: values of Hertz contact."""
+"""Command `hertz`: Hertz contact of a given geometry and load."""
 
 from __future__ import annotations
 
@@ -37,7 +37,8 @@ _PLAUSIBLE_LIMITS = {
     "approach": (False, 1e-3, "m", "5 um"),
     "p0": (True, 1e5, "Pa", "1.5 GPa"),
 }
-"""Bound on a number without a unit: whether it is a lower bound, its value, and an example."""
+"""Plausible bound of a number without a unit: whether it is a lower bound, its value, and an
+example of a number with a unit."""
 
 
 @click.command()
@@ -69,12 +70,12 @@ def hertz(
     depths: tuple[float, ...],
     **given: float | None,
 ) -> None:
-    """Print the Hertz solution for one of --load, --approach, --p0.
+    """Print the Hertz solution for a given --load, --approach or --p0.
 
-    The contact is a point contact, or elliptic with --Ry. With --length or --load-per-length it is
-    a line contact in plane strain.
+    The contact is a point contact, with --Ry an elliptic contact, and with --length or
+    --load-per-length a line contact in plane strain.
 
-    Quantities are numbers in SI units, or have a unit: --R "7.5 mm" --E-star "115 GPa".
+    Quantities are numbers in SI units or numbers with a unit: --R "7.5 mm" --E-star "115 GPa".
     """
     with short_errors():
         per_length = given.pop("load_per_length")
@@ -98,28 +99,28 @@ def hertz(
             rows += _stresses(contact, poisson_ratio("nu", nu), depths)
         elif depths:
             raise ValueError("nu is required for stresses at a depth: add --nu, e.g. --nu 0.3")
-        _warn_of_slips(contact, {"R": radius, "Ry": radius_y, "E_star": modulus, "length": length,
-                                 "load_per_length": per_length, **given})  # fmt: skip
+        numbers = {"R": radius, "Ry": radius_y, "E_star": modulus, "length": length}
+        _warn_of_unit_errors(contact, {**numbers, "load_per_length": per_length, **given})
         for label, value in rows:
             click.echo(f"{label:<40}{value:.9g}")
 
 
-def _warn_of_slips(contact: HertzContact, given: dict[str, float | None]) -> None:
-    """Warn about unusual numbers without a unit, and about an implausible contact."""
+def _warn_of_unit_errors(contact: HertzContact, given: dict[str, float | None]) -> None:
+    """Warn about implausible numbers without a unit and about an implausible contact size."""
     for name, value in given.items():
         at_least, limit, unit, example = _PLAUSIBLE_LIMITS[name]
         if isinstance(value, UnitlessNumber):
             option = "--" + name.replace("_", "-")
             check = Check(option, value, limit, at_least, unit)
             remedy = f'Numbers without a unit are in {unit}; or write {option} "{example}"'
-            doubt = PlausibilityCheck(check, lambda remedy=remedy: remedy)  # type: ignore[misc]
-            warn_if_implausible(doubt, stacklevel=2)
+            finding = PlausibilityCheck(check, lambda remedy=remedy: remedy)  # type: ignore[misc]
+            warn_if_implausible(finding, stacklevel=2)
     if isinstance(contact, _hertz.LineContact):
         check = Check("half-width over the radius", contact.b / contact.R, MAX_HALF_WIDTH_RATIO)
-        doubt = PlausibilityCheck(check, lambda: "The bodies are modelled as half-spaces")
+        finding = PlausibilityCheck(check, lambda: "The bodies are modelled as half-spaces")
     else:
-        doubt = part_of_radius(ExpectedExtent(ExpectedContact(contact), (0.0, 0.0)))
-    warn_if_implausible(doubt, stacklevel=2)
+        finding = part_of_radius(ExpectedExtent(ExpectedContact(contact), (0.0, 0.0)))
+    warn_if_implausible(finding, stacklevel=2)
 
 
 def _loading(contact: _hertz.PointContact | _hertz.EllipticContact) -> Rows:
@@ -139,10 +140,10 @@ def _line(
     approach: float | None,
     p0: float | None,
 ) -> tuple[_hertz.LineContact, Rows]:
-    """Return the line contact for a load, load per length or p0, and its values."""
+    """Return the line contact for a load, load per length or p0, and its table rows."""
     if approach is not None:
         raise ValueError(
-            "approach is not supported for a line contact, where it depends on the shape of the "
+            "approach is not supported for a line contact, because it depends on the shape of the "
             "whole bodies: use load, load_per_length or p0"
         )
     exactly_one(load=load, load_per_length=per_length, p0=p0)
@@ -157,7 +158,7 @@ def _line(
 
 
 def _stresses(contact: HertzContact, nu: float, depths: tuple[float, ...]) -> Rows:
-    """Return the maximum von Mises stress, and the stresses on the axis at given depths."""
+    """Return table rows: maximum von Mises stress, and stresses on the axis at given depths."""
     stress, depth = contact.max_von_mises(nu)
     rows = [
         ("maximum von Mises stress [Pa]", stress),

@@ -25,11 +25,12 @@ FOREIGN_FOLDER = "checkpoints.old"
 FINISHED_MARK = ".checkpoints.done"
 REMEDY = "use another --output"
 MAX_INTERRUPT_DELAY = 20
-"""Number of increments above which writing checkpoints is announced: Ctrl-C has no effect then."""
+"""Number of increments above which writing checkpoints is announced; Ctrl-C has no effect
+meanwhile."""
 
 
 class Checkpoints:
-    """Checkpoints of a run, in the folder of its results.
+    """Checkpoints of a run, stored in the folder of the results.
 
     Parameters
     ----------
@@ -45,24 +46,24 @@ class Checkpoints:
         self.key = case_key(case, {})
 
     def claim(self, resume: bool) -> bool:
-        """Whether to continue from existing checkpoints; checkpoints of another run are moved.
+        """Whether to continue from existing checkpoints; those of another run are moved away.
 
-        With `resume` nothing is moved: whether the checkpoints fit is checked when they are read.
+        With `resume`, no checkpoints are moved; reading them fails if they belong to another run.
         """
         remove_checkpoints(self.directory / FINISHED_MARK)
         if not self.folder.exists() or resume:
             return resume
         if _read(self.folder / CASE_FILE).key == self.key:
-            told = f"continuing from the checkpoints of an interrupted run: {self.folder}"
+            text = f"continuing from the checkpoints of an interrupted run: {self.folder}"
         else:
             remove_checkpoints(self.directory / FOREIGN_FOLDER)
             self.folder.rename(self.directory / FOREIGN_FOLDER)
-            told = f"checkpoints of a different run were moved to {self.directory / FOREIGN_FOLDER}"
-        click.echo(told, err=True)
+            text = f"checkpoints of a different run were moved to {self.directory / FOREIGN_FOLDER}"
+        click.echo(text, err=True)
         return self.folder.exists()
 
     def remember(self) -> Path:
-        """Store path and text of the case file with the checkpoints, and return their folder."""
+        """Store path and text of the case file in the checkpoint folder, and return the folder."""
         self.folder.mkdir(parents=True, exist_ok=True)
         self._write(f"{CASE_MARK}{self.key}\n{self.case.source.resolve()}\n{self.case.text}")
         return self.folder
@@ -73,10 +74,10 @@ class Checkpoints:
 
     @contextmanager
     def used(self) -> Iterator[Path]:
-        """Folder of the checkpoints, which receives each increment as soon as it is solved.
+        """Context with the checkpoint folder, into which each solved increment is written.
 
-        The folder belongs to this case from here on, unless its checkpoints prove to be those of
-        another run.
+        The folder is marked as belonging to this case. The previous mark is restored if the
+        checkpoints turn out to belong to another run.
         """
         before = _text(self.folder / CASE_FILE)
         folder = self.remember()
@@ -85,7 +86,7 @@ class Checkpoints:
         except Exception as error:
             if not any(folder.rglob("*.h5")):  # nothing to continue from
                 remove_checkpoints(folder)
-            elif isinstance(error, ForeignCheckpointError):  # still of the earlier run
+            elif isinstance(error, ForeignCheckpointError):  # of the earlier run
                 if before is None:
                     (folder / CASE_FILE).unlink(missing_ok=True)
                 else:
@@ -93,7 +94,7 @@ class Checkpoints:
             raise
 
     def keep(self, write: Callable[[Path], None], increments: int) -> None:
-        """Write the increments of a run without a journal, if there is enough disk space."""
+        """Write checkpoints of a run that had none; report if this fails, e.g. on a full disk."""
         if increments > MAX_INTERRUPT_DELAY:
             click.echo(f"writing checkpoints of {increments} increments", err=True)
         try:
@@ -103,7 +104,7 @@ class Checkpoints:
             click.echo(f"could not write all checkpoints: {error}", err=True)
 
     def forget(self) -> None:
-        """Remove the checkpoints after the results were written, without interruption."""
+        """Remove the checkpoints once the results are written; signals cannot interrupt this."""
         with undisturbed(), suppress(OSError):
             for name in (CHECKPOINT_FOLDER, FOREIGN_FOLDER):
                 if (self.directory / name).exists():
@@ -115,7 +116,7 @@ class Checkpoints:
 def checkpoints_of(
     directory: Path, case: CaseFile, written: re.Pattern[str]
 ) -> Iterator[Checkpoints]:
-    """Lock the folder of a run, and remove its checkpoints when the run is complete.
+    """Lock the folder of a run, and remove the checkpoints when the run is complete.
 
     Parameters
     ----------
@@ -127,14 +128,14 @@ def checkpoints_of(
     Raises
     ------
     ValueError
-        Files that this package did not write have names that the run needs.
+        The folder contains files with names that the run needs, which this package did not write.
     """
     with locked(directory, REMEDY), recording(directory) as record:
         for name in (CHECKPOINT_FOLDER, FOREIGN_FOLDER, FINISHED_MARK):
             if (found := foreign(directory / name)) is not None:
                 raise ValueError(
-                    f"{found} was not written by samcontact, which stores checkpoints of a run in "
-                    f"{directory / name} and removes them at its end: move the file, or {REMEDY}"
+                    f"{found} was not written by samcontact, but a run stores checkpoints in "
+                    f"{directory / name} and then removes them: move the file, or {REMEDY}"
                 )
         for file in sorted(directory.iterdir()):
             if written.fullmatch(file.name):
@@ -154,12 +155,12 @@ def _require_own(file: Path, record: OwnershipRecord, case: CaseFile) -> None:
 
 
 def is_interrupted(directory: Path) -> bool:
-    """Whether the folder has the file that `interrupted_case` reads."""
+    """Whether the folder contains the mark of an interrupted run."""
     return (directory / CHECKPOINT_FOLDER / CASE_FILE).is_file()
 
 
 def interrupted_case(directory: Path) -> Path:
-    """Return the case file of the interrupted run in a folder.
+    """Return the case file of the interrupted run whose checkpoints are in a folder.
 
     Raises ValueError if there is no interrupted run, or if the case file has changed.
     """
@@ -183,7 +184,7 @@ def interrupted_case(directory: Path) -> Path:
 
 
 class _CheckpointMark(NamedTuple):
-    """Content of the file that identifies the run of the checkpoints."""
+    """Content of the file that identifies the run to which checkpoints belong."""
 
     key: str
     source: str

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Commands `report` and `export`, which read the results of a run."""
+"""Commands `report` and `export`, which use the results of a run."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def export(
 ) -> None:
     """Export the fields of one increment, or of all, for ParaView or a browser.
 
-    RUN is the folder of a run, or its results.nc.
+    RUN is the folder of a run, or the file results.nc in it.
     """
     if not (vtk or html):
         raise click.UsageError("output format required: --vtk, --html or both")
@@ -106,7 +106,7 @@ def export(
 def report(run: Path, output: Path | None) -> None:
     """Write an HTML report of a run.
 
-    RUN is the folder of the run, or its .nc file.
+    RUN is the folder of the run, or the .nc file in it.
     """
     with short_errors(files=True):
         from .. import report as reports
@@ -134,9 +134,9 @@ def report(run: Path, output: Path | None) -> None:
 
 @contextmanager
 def _recorded(target: Path, default: Path) -> Iterator[None]:
-    """Record files written under default names; these replace no foreign files.
+    """Record a file written under its default name; refuse to replace a file of other origin.
 
-    A file named by the user is replaced in any case.
+    A file that the user named with --output is replaced in any case.
     """
     if target != default:
         yield
@@ -147,7 +147,7 @@ def _recorded(target: Path, default: Path) -> Iterator[None]:
 
 
 def _require_page(target: Path) -> None:
-    """Raise ValueError, before the work begins, if the page cannot be written or is no page."""
+    """Raise ValueError, before any work, if the page cannot be written to `target`."""
     if target.exists() and not target.is_file():  # a device would become a file
         kind = "directory" if target.is_dir() else "device or pipe"
         raise ValueError(f"--output must be a file, got {target}, a {kind}")
@@ -160,7 +160,7 @@ def _require_page(target: Path) -> None:
 
 
 def _results_of(run: Path, names: tuple[str, ...]) -> Path:
-    """Return the file itself, or the one file with one of these names in the folder of a run."""
+    """Return `run` if it is a file, or the only file in the folder `run` with one of the names."""
     if not run.is_dir():
         return run
     found = [run / name for name in names if (run / name).exists()]

@@ -68,7 +68,7 @@ def _solve(
     animate: bool,
     resume: bool,
 ) -> list[Path]:
-    """Solve a contact, an asperity collision or wear cycles, and return the files written."""
+    """Solve a case of contact, asperity collision or wear, and return the files written."""
     from ..cases import AsperityCase
 
     if animate and getattr(case, "accuracy", None) is not None:

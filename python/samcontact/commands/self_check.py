@@ -45,7 +45,7 @@ def installation() -> list[tuple[str, str]]:
     Returns
     -------
     list of (str, str)
-        Package, Python, machine, compiler, FFTW, SIMD level and threads, then libraries.
+        Package, Python, machine, compiler, FFTW, SIMD level, threads, and versions of libraries.
     """
     core = Path(_core_file())
     library = ctypes.CDLL(str(core))  # already loaded: only symbols are looked up
@@ -73,7 +73,7 @@ def _core_file() -> str:
 
 
 def _compiler(core: Path) -> str:
-    """Return the compiler version that the compiler stored in the library."""
+    """Return the version of the compiler, which is stored in the compiled core."""
     pattern = rb"GCC: \([^)\0]*\) [\d.]+|clang version [\d.]+"
     found = sorted({text.decode() for text in re.findall(pattern, core.read_bytes())})
     return ", ".join(found) or "unknown"
@@ -88,7 +88,7 @@ def _fftw(library: ctypes.CDLL) -> str:
 
 
 def _simd() -> str:
-    """Return the x86-64 level whose compiled loops the loader selects."""
+    """Return the x86-64 level (SIMD) for which the loader selects the compiled loops."""
     if platform.machine() not in ("x86_64", "AMD64"):
         return "one level only"
     try:
@@ -137,8 +137,8 @@ def self_check() -> Iterator[Check]:
     Yields
     ------
     Check
-        Checks in the order in which they are computed. An exception gives a failed check whose
-        name contains the error.
+        Checks, as soon as each is computed. If a check raises an exception, it fails, and its name
+        contains the error.
     """
     for part in (_hertz, _plastic, _checkpoint):
         yield from _guarded(part)
@@ -153,7 +153,7 @@ def _guarded(part: Callable[[], Iterator[Check]]) -> Iterator[Check]:
 
 
 def _hertz() -> Iterator[Check]:
-    """Compare an elastic contact with 14 cells per contact radius with the closed form."""
+    """Compare an elastic contact, solved with 14 cells per contact radius, with Hertz theory."""
     steel = Material.elastic(E, NU)
     exact = hertz.point(R, hertz.effective_modulus(steel, steel), load=1000.0)
     step = exact.a / 14.0
@@ -185,7 +185,7 @@ def _plastic() -> Iterator[Check]:
 
 
 def _checkpoint() -> Iterator[Check]:
-    """Compare a simulation continued from a checkpoint with an uninterrupted one."""
+    """Compare a simulation continued from a checkpoint with an uninterrupted simulation."""
     straight = _plastic_simulation()
     straight.step(load=500.0)
     with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shakedown results of a case with [shakedown]: table, file and figure."""
+"""Shakedown results of a case with a section [shakedown]: table, file and figure."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def write_shakedown(
 ) -> list[Path]:
     """Repeat the path, print a table, write shakedown.nc and a figure, and return the files.
 
-    A checkpoint is written after each cycle: the cycles take longer than the path itself.
+    A checkpoint is written after each cycle, because many cycles take long.
     """
     assert case.shakedown is not None
     kept = checkpoints.remember() / "shakedown"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Signals that end the command, as exceptions, so that computed results are saved."""
+"""Signals that end the command, converted to exceptions so that computed results are saved."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from ..files.atomic import TERMINATION_SIGNALS
 
 EXIT_INTERRUPTED = 130
 _REPEAT_INTERVAL = 1.0
-"""Interval [s] within which repeated signals count as one, as `timeout` signals a process and its
-group."""
+"""Interval [s] within which repeated signals count as one, because `timeout` signals both a process
+and its group."""
 
 
 class StopRequested(KeyboardInterrupt):
@@ -33,7 +33,7 @@ def exit_code(stop: BaseException) -> int:
 
 @contextmanager
 def stoppable() -> Iterator[None]:
-    """Raise `StopRequested` on a terminating signal; ignored signals stay ignored (nohup)."""
+    """Context: terminating signals raise `StopRequested`; ignored signals stay ignored (nohup)."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return

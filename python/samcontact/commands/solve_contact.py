@@ -15,7 +15,7 @@ from rich.console import Console
 
 from .. import hertz, results
 from ..accuracy import AccuracyResult
-from ..accuracy.asked import searched
+from ..accuracy.asked import prepare_search
 from ..accuracy.grid_errors import (
     GridErrors,
     error_rows,
@@ -52,7 +52,7 @@ MAX_FRAMES = 120  # maximum number of frames of an animation
 def solve_contact(
     case: Case, directory: Path, console: Console, *, figures: bool, animate: bool, resume: bool
 ) -> list[Path]:
-    """Solve a case, write results.nc and figures, and return the files.
+    """Solve a case of one contact, write results.nc and figures, and return the files.
 
     With `resume`, a checkpoint is written after each increment. Without it, the checkpoints of all
     solved increments are written if the run stops before all files are written. If an error stops
@@ -86,8 +86,8 @@ def solve_contact(
                     error = stop
             run = _ContactRun(case, checkpoints, console, simulation, on_common_grid(states))
             if error is not None:
-                told = run.partial(error, f"{len(states)} of {len(path)} increments", figures)
-                raise StoppedEarlyError(with_resume_hint(told, directory)) from error
+                text = run.partial(error, f"{len(states)} of {len(path)} increments", figures)
+                raise StoppedEarlyError(with_resume_hint(text, directory)) from error
             return run.write(figures=figures, animate=animate)
         except BaseException:
             if states and not journal:
@@ -98,11 +98,11 @@ def solve_contact(
 def solve_to_accuracy(
     case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Solve a case on successively finer grids, and return the files of the finest grid.
+    """Solve a case to the prescribed accuracy, write results of the finest grid, return the files.
 
     After an error or an interruption, the best values so far are written as results.
     """
-    search = searched(case, progress=not console.quiet)
+    search = prepare_search(case, progress=not console.quiet)
     written = written_names(case, "results", figures, False)
     with checkpoints_of(directory, case, written) as checkpoints:
         journal = checkpoints.claim(resume)
@@ -125,10 +125,10 @@ def solve_to_accuracy(
             )
             if error is None:
                 return run.write(figures=figures)
-            told = run.partial(error, f"values of {len(search.grids)} grids", figures)
+            text = run.partial(error, f"values of {len(search.grids)} grids", figures)
             if isinstance(error, Exception):
-                raise StoppedEarlyError(with_resume_hint(told, directory)) from error
-            click.echo(told, err=True)
+                raise StoppedEarlyError(with_resume_hint(text, directory)) from error
+            click.echo(text, err=True)
             raise error
         except BaseException:
             if not journal and search.solves.increments:
@@ -138,7 +138,7 @@ def solve_to_accuracy(
 
 @dataclass
 class _ContactRun:
-    """Simulation after all increments of a case, or after some of them."""
+    """Simulation with the increments of a case that are solved: all, or some after an error."""
 
     case: Case
     checkpoints: Checkpoints
@@ -166,13 +166,13 @@ class _ContactRun:
         console.print(_summary(dataset, body))
         if (sheet := _errors_sheet(dataset)) is not None:
             console.print(sheet)
-        if told := said_of_increments(dataset.attrs):
-            console.print(told, markup=False, highlight=False)
-        if errors is not None and (told := said_of_slope(errors.slope_beyond)):
-            console.print(told, markup=False, highlight=False)
-        if self.accurate is None and (told := self.simulation.engine.enlargement):
-            told += "; [grid] specifies the initial grid"
-            console.print(told, markup=False, highlight=False)
+        if text := said_of_increments(dataset.attrs):
+            console.print(text, markup=False, highlight=False)
+        if errors is not None and (text := said_of_slope(errors.slope_beyond)):
+            console.print(text, markup=False, highlight=False)
+        if self.accurate is None and (text := self.simulation.engine.enlargement):
+            text += "; [grid] specifies the initial grid"
+            console.print(text, markup=False, highlight=False)
         peak = peak_of_dataset(dataset)
         load = float(dataset["load"].values[peak])
         reference = case.hertz(load) if load > 0.0 else None
@@ -186,7 +186,7 @@ class _ContactRun:
 
             with journal_column(case.output.column):
                 written += summary_figures(
-                    self._shown(dataset),
+                    self._with_figure_fields(dataset),
                     self.directory,
                     body=body,
                     hertz=reference,
@@ -209,7 +209,7 @@ class _ContactRun:
         return [save_animation(one, self.directory / f"{name}.gif") for name, one in made.items()]
 
     def _errors(self) -> GridErrors | None:
-        """Estimate grid errors from a coarsened grid; None, with a message, if not possible."""
+        """Estimate grid errors from a coarsened grid; on failure print a message, return None."""
         if not self.case.estimate_error:
             run = self.simulation
             repeat = repeat_with(type(run))
@@ -219,12 +219,12 @@ class _ContactRun:
             with self.console.status("repeating the run on a coarsened grid"):
                 return estimate_errors(self.simulation, self.case.steps(), self.states)
         except Exception as error:
-            told = f"could not estimate the grid errors: {error}"
-            self.console.print(told, markup=False, highlight=False)
+            text = f"could not estimate the grid errors: {error}"
+            self.console.print(text, markup=False, highlight=False)
             return None
 
-    def _shown(self, dataset: xr.Dataset) -> xr.Dataset:
-        """Return the results with the volume fields that figures require, stored or not."""
+    def _with_figure_fields(self, dataset: xr.Dataset) -> xr.Dataset:
+        """Return the results with all volume fields that the figures require."""
         from ..plotting.summary import increments_shown
 
         shown = increments_shown(dataset, self.case.output.body)
@@ -244,7 +244,7 @@ class _ContactRun:
 
 
 def _summary(dataset: xr.Dataset, body: int) -> Sheet:
-    """Return the table of all increments, in readable units."""
+    """Return the table of the main quantities at all increments, in readable units."""
     along = moved_along(dataset)
     names = (*CONTACT_COLUMNS, "imprint_depth", "travel", *along, "iterations")
     shown = of_contact(dataset, names, body)
@@ -258,7 +258,7 @@ def _summary(dataset: xr.Dataset, body: int) -> Sheet:
 
 
 def _errors_sheet(dataset: xr.Dataset) -> Sheet | None:
-    """Return the table of quantities with errors at their maximum; None without error estimates."""
+    """Return the table of maximum values and their errors; None without error estimates."""
     rows = error_rows(dataset)
     if not rows:
         return None
@@ -283,7 +283,7 @@ def _comparison(
     reference: hertz.PointContact | hertz.EllipticContact,
     body: int,
 ) -> Sheet:
-    """Return the table that compares values at the peak with elastic Hertz contact."""
+    """Return the table that compares values at increment index `peak` with Hertz theory."""
     number = int(dataset["increment"][peak])
     rows = []
     for quantity, exact, here in hertz_rows(dataset, peak, reference, body):

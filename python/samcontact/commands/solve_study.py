@@ -45,7 +45,7 @@ _CYCLE_COLUMNS = (
 
 
 class _StudyKind(NamedTuple):
-    """Functions that differ between asperity collision and wear."""
+    """Functions that solve, write and draw one kind of study: asperity collision or wear."""
 
     file: str
     solve: Callable[[Path], Any]
@@ -62,7 +62,7 @@ class _StudyKind(NamedTuple):
 def solve_asperities(
     case: AsperityCase, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Write series.nc, series.csv and figures of the first pass, and return the files."""
+    """Solve, write series.nc, series.csv and figures of the first pass, and return the files."""
 
     def amount(result: CollisionResult) -> str:
         passes = result.series.sizes["pass"]
@@ -83,7 +83,7 @@ def solve_asperities(
 def solve_wear(
     case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Write wear.nc, wear.csv and figures, and return the files."""
+    """Solve, write wear.nc, wear.csv and figures, and return the files."""
     simulation, cycle = case.build()
     settings = case.wear
     assert settings is not None
@@ -137,8 +137,8 @@ def _solve(
             if done is None:
                 raise
             what = kind.amount(done)
-            told = write_partial_results(lambda reason: write(done, reason), error, what, directory)
-            raise StoppedEarlyError(with_resume_hint(told, directory)) from error
+            text = write_partial_results(lambda reason: write(done, reason), error, what, directory)
+            raise StoppedEarlyError(with_resume_hint(text, directory)) from error
         return write(result)
 
 
@@ -157,7 +157,7 @@ def _passes_sheet(series: xr.Dataset) -> Sheet:
 
 
 def _draw_asperities(_: CollisionResult, series: xr.Dataset) -> dict[str, Figure]:
-    """Draw the forces and their ratio in the first pass."""
+    """Draw the forces in the first pass and the load ratio force_x/force_z."""
     return {
         "force_x": _figure(asperities.force([series], component="x")),
         "force_z": _figure(asperities.force([series], component="z")),
@@ -170,7 +170,7 @@ def _cycles(dataset: xr.Dataset) -> pd.DataFrame:
 
 
 def _cycles_sheet(dataset: xr.Dataset) -> Sheet:
-    """Return the table of cycles: maximum over the worn bodies, or the sum of their volumes."""
+    """Return the table of cycles, with the maximum of both bodies or the sum of worn volumes."""
     columns = []
     for name in (name for name in _CYCLE_COLUMNS if name in dataset):
         values = dataset[name]

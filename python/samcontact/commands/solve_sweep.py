@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parameter study of ``samcontact sweep``: read lists of values, solve, print a table."""
+"""Parameter study of ``samcontact sweep``: parse lists of values, solve, print a table."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def _executor(jobs: int | None, address: str | None) -> Iterator[Any]:
 
 
 def parse_settings(settings: Sequence[str]) -> dict[str, list[Any]]:
-    """Parse FIELD=VALUE,VALUE,... into values by field; values are TOML or unquoted words."""
+    """Convert texts FIELD=VALUE,VALUE,... to lists of values by field; values are TOML or words."""
     parameters: dict[str, list[Any]] = {}
     for setting in settings:
         name, equals, text = setting.partition("=")
@@ -121,7 +121,7 @@ def _values(text: str) -> list[Any]:
 
 
 def _value(word: str) -> Any:
-    """Return a TOML value, a number such as "1." that TOML does not accept, or the word itself."""
+    """Convert a text to a TOML value or a number, e.g. "1."; return other texts unchanged."""
     try:
         return tomllib.loads(f"v = {word}")["v"]
     except tomllib.TOMLDecodeError:
@@ -132,7 +132,7 @@ def _value(word: str) -> Any:
 
 
 def _errors(dataset: xr.Dataset) -> list[str]:
-    """Return the distinct errors; sweep.nc contains the error of each case."""
+    """Return the errors of all cases without repetition; sweep.nc has the error of each case."""
     texts = [text for text in dict.fromkeys(dataset["error"].values.flat) if text]
     if len(texts) > MAX_PRINTED_ERRORS:
         texts[MAX_PRINTED_ERRORS:] = [
@@ -142,9 +142,10 @@ def _errors(dataset: xr.Dataset) -> list[str]:
 
 
 def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | AsperityCase) -> Sheet:
-    """Return one row for each case, with values at maximum von Mises stress.
+    """Return the table of a sweep: one row for each case.
 
-    For asperity collisions the row has the maxima.
+    Values are those at the increment of maximum von Mises stress. For asperity collisions, they are
+    maxima over the series.
     """
     status = dataset["status"]
     places = [dict(zip(status.dims, place, strict=True)) for place in np.ndindex(*status.shape)]
@@ -161,13 +162,13 @@ def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | AsperityCase)
     else:
         columns = of_contact(dataset, CONTACT_COLUMNS, case.output.body)
     for name, quantity in columns.items():
-        values = [_shown(one, name, case) * quantity.factor for one in cases]
+        values = [_table_value(one, name, case) * quantity.factor for one in cases]
         sheet.add(quantity.column(), numbers(values, quantity.digits))
     sheet.add("status", [one["status"].item() for one in cases])
     return sheet
 
 
-def _shown(one: xr.Dataset, name: str, case: Case | AsperityCase) -> float:
+def _table_value(one: xr.Dataset, name: str, case: Case | AsperityCase) -> float:
     values = one[name].values
     if np.all(np.isnan(values)):
         return math.nan

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Output of the command on any terminal and into any pipe, so that no failure costs results."""
+"""Output streams of the command: a failing terminal or pipe does not stop a run."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _ASCII_SUBSTITUTES = {
 
 
 def _nearest(error: UnicodeError) -> tuple[str, int]:
-    """Return replacements for characters that the terminal cannot show."""
+    """Return ASCII replacements for characters that the terminal cannot show."""
     assert isinstance(error, UnicodeEncodeError)
     shown = []
     for character in error.object[error.start : error.end]:
@@ -35,7 +35,7 @@ codecs.register_error("samcontact.nearest", _nearest)
 
 
 class _GuardedStream:
-    """Text stream that drops output it cannot write instead of failing."""
+    """Text stream that discards output that cannot be written, instead of raising an error."""
 
     def __init__(self, stream: Any) -> None:
         self._stream = stream
@@ -62,7 +62,7 @@ class _GuardedStream:
                 self._lose(error)
 
     def _lose(self, error: OSError) -> None:
-        """Continue without the stream; its buffer must not fail when the process ends."""
+        """Redirect a failed stream to the null device, so that flushing at exit cannot fail."""
         self.error = error
         with suppress(OSError, ValueError, AttributeError):
             nowhere = os.open(os.devnull, os.O_WRONLY)
@@ -77,7 +77,7 @@ class _GuardedStream:
 
 @contextmanager
 def guarded_output() -> Iterator[None]:
-    """Prevent failures of standard output and error, and print each warning on one line.
+    """Context: output never raises errors, and each warning is printed on one line.
 
     At the end, raise SystemExit with code 1 if output was lost.
     """

@@ -36,7 +36,7 @@ from .errors import short_errors
 def sweep(case_file: Path, **options: Any) -> None:
     """Solve a case file for many values of its fields and write sweep.nc.
 
-    Repeat the command to continue an interrupted sweep; failed cases are then solved again.
+    Repeat the command to continue an interrupted sweep; failed cases are solved again.
     """
     with short_errors(files=True):
         from .solve_sweep import run_sweep

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of the commands, whose numbers are never truncated or wrapped."""
+"""Tables on the terminal; numbers are never truncated or wrapped."""
 
 from __future__ import annotations
 
@@ -28,17 +28,17 @@ _FRAME_WIDTH = 3  # width of a cell's frame: a line, and a space on either side
 
 
 def new_console(quiet: bool = False) -> Console:
-    """Return the console of the commands: as wide as the terminal, or unlimited without one."""
+    """Return the output console: as wide as the terminal; unlimited width for files and pipes."""
     console = Console(quiet=quiet)
     console.width = max(console.width, MIN_WIDTH) if console.is_terminal else UNLIMITED_WIDTH
     return console
 
 
 def numbers(column: ArrayLike, digits: int = 5) -> list[str]:
-    """Format the numbers of a column with common decimals.
+    """Format the numbers of a column with the same number of decimals.
 
-    The largest value has `digits` significant digits. A value that would keep fewer than two digits
-    has its own format. Values that are not finite are shown as "-".
+    The largest value has `digits` significant digits. A value that would be shown with fewer than
+    two significant digits has its own format. Values that are not finite are shown as "-".
     """
     values = np.asarray(column, dtype=np.float64).tolist()
     largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
@@ -59,7 +59,7 @@ def numbers(column: ArrayLike, digits: int = 5) -> list[str]:
 
 @dataclass
 class Sheet:
-    """Table that fits the terminal: headings wrap at words, and excess columns follow below.
+    """Table that fits the terminal: headings wrap, and columns that do not fit follow below.
 
     The first column names the rows and is repeated in each part.
     """
@@ -68,7 +68,7 @@ class Sheet:
     columns: list[tuple[str, list[str]]] = field(default_factory=list)
 
     def add(self, heading: str, cells: Sequence[str]) -> None:
-        """Add a column; line breaks of the heading are kept."""
+        """Add a column; the heading may contain line breaks."""
         self.columns.append((heading, list(cells)))
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Text | Table]:
@@ -133,7 +133,7 @@ CONTACT_COLUMNS = (
 
 
 def of_contact(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
-    """Return the named quantities of a contact or one of its bodies, by variable in the results."""
+    """Return the quantities `names`, of the contact or `body`, by variable name in the results."""
     found = ((f"{name}_body{body}", name) for name in names)
     variables = ((own if own in dataset else name, name) for own, name in found)
     return {variable: CONTACT[name] for variable, name in variables if variable in dataset}
@@ -142,7 +142,7 @@ def of_contact(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str
 def values_sheet(
     title: str, rows: ArrayLike, columns: Iterable[tuple[Quantity, ArrayLike, int | None]]
 ) -> Sheet:
-    """Return a table with a row for each number and a column for each quantity (of a body)."""
+    """Return a table with a row for each number in `rows` and a column for each quantity."""
     sheet = Sheet(title)
     sheet.add("", [str(number) for number in np.asarray(rows)])
     for quantity, values, body in columns:

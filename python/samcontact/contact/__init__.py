@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solver for a single elastic contact."""
+"""Solver for one elastic contact without loading history."""

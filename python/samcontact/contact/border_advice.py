@@ -15,31 +15,29 @@ if TYPE_CHECKING:
 
 ENLARGEMENT_HINT = "pass gap and reliefs as functions to enlarge the grid automatically"
 """Remedy if the grid is not enlarged because the gap or a relief is an array."""
-_MIN_TILT_SHARE = (
-    0.5  # rise of the mean plane over the other heights, above which tilt is the reason
-)
-_ROUNDING_ERROR = 1e-12  # rise over the maximum height, up to which it is rounding
+_MIN_TILT_SHARE = 0.5  # rise of the mean plane / other heights, above which tilt is the cause
+_ROUNDING_ERROR = 1e-12  # rise / maximum height, below which it is attributed to rounding
 _PERIODIC_HINT = 'make the surface periodic with Grid(..., periodic="xy")'
 _REMEDY = ": enlarge "
 _WARNING_HINT = ', or set on_border="warn"'
 
 
-def told_of_fixed(error: ValueError, scene: ContactSetup) -> None:
-    """Add to a GridTooSmallError the remedies for a gap that is an array."""
+def add_border_remedies(error: ValueError, scene: ContactSetup) -> None:
+    """Add remedies to a GridTooSmallError for a gap that is an array (fixed grid)."""
     error.args = (f"{advised(str(error), scene, _WARNING_HINT)}; {ENLARGEMENT_HINT}",)
 
 
 def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
-    """Return a message about the edge of the grid, with the remedies for a gap that is an array.
+    """Return the message `text` about the grid edge with better remedies for a gap array.
 
-    ask: general remedy, which the message already contains.
+    ask: further remedy, to be repeated at the end of a new message.
     """
     before, _, remedy = text.partition(_REMEDY)
     if scene.radii is not None or not remedy:
         return text
     if tilt := _tilt(scene.gap):
         return (
-            f'{before}. The gap is tilted, {tilt}: level a measured surface with detrend="height"'
+            f'{before}. The gap is tilted {tilt}: level a measured surface with detrend="height"'
             f"{ask}"
         )
     if "covers" in before:
@@ -52,8 +50,7 @@ def advised(text: str, scene: ContactSetup, ask: str = "") -> str:
 
 
 def _tilt(gap: FloatArray) -> str:
-    """Rise of the mean plane of a gap over the grid, in words, if it dominates the heights;
-    otherwise empty."""
+    """Tilt of a gap, as text: rise of its mean plane over the grid; "" unless it dominates."""
     body = np.isfinite(gap)
     axes = np.meshgrid(*(np.linspace(-0.5, 0.5, n) for n in gap.shape), indexing="ij")
     places = [np.ones(int(body.sum())), *(axis[body] for axis in axes)]
@@ -72,4 +69,4 @@ def _tilt(gap: FloatArray) -> str:
         for rise, axis in zip(rises, "xy", strict=True)
         if rise > 0.1 * max(rises)
     )
-    return f"by {along} with other heights of {quantity(others, 'm')}"
+    return f"by {along} against other heights of {quantity(others, 'm')}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Enlargement of the grid of a contact that reaches its edge."""
+"""Enlargement of a grid whose edge the contact reaches."""
 
 from __future__ import annotations
 
@@ -29,13 +29,15 @@ def counts_for(
     load: float | None = None,
     approach: float | None = None,
 ) -> list[int]:
-    """Cells along x and y of the enlarged grid after an error; ValueError if they are too many."""
+    """Numbers of cells along x and y of the enlarged grid; ValueError if they are too many."""
     shape, sizes = scene.grid.surface_shape, (scene.grid.dx, scene.grid.dy)
     halves = zip(hertz_estimate.extent(scene, load, approach), sizes, strict=True)
     needed = [math.ceil(2 * HERTZ_MARGIN * half / d) for half, d in halves]
     fits = all(n >= cells for n, cells in zip(shape, needed, strict=True))
     counts = [
-        even_more(n, max(cells, _SIDE_GROWTH * n if fits and axis in (error.axes or "xy") else n))
+        enlarged_evenly(
+            n, max(cells, _SIDE_GROWTH * n if fits and axis in (error.axes or "xy") else n)
+        )
         for axis, n, cells in zip("xy", shape, needed, strict=True)
     ]
     most = MAX_ENLARGEMENT * first.nx * first.ny
@@ -46,8 +48,8 @@ def counts_for(
 
 
 @contextmanager
-def told_in(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
-    """Context that adds to an error the reason why the grid cannot be enlarged."""
+def explain_failed_enlargement(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
+    """Context that raises `error` with the reason if the grid cannot be enlarged."""
     try:
         yield
     except (ValueError, MemoryError) as reason:
@@ -56,8 +58,8 @@ def told_in(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
         raise error from reason
 
 
-def even_more(n: int, wanted: float) -> int:
-    """Increase n, if too small, to at least `wanted`, by an even number and at least a quarter."""
+def enlarged_evenly(n: int, wanted: float) -> int:
+    """Return n if n >= `wanted`, else n increased to `wanted`, by an even number, at least n/4."""
     if wanted <= n:
         return n
     return n + 2 * math.ceil((max(wanted, _MIN_SIDE_GROWTH * n) - n) / 2)

@@ -22,7 +22,7 @@ from ..solutions.stress_at_points import require_closed_forms, stress_at_points
 
 
 class ContactFields(Configured):
-    """Stress, displacement and temperature for the setup of a contact solver."""
+    """Methods of a contact solver for stress, displacement and temperature in the bodies."""
 
     grid: Grid
     body1: Body
@@ -41,7 +41,7 @@ class ContactFields(Configured):
         *,
         shear: ArrayLike | None = None,
     ) -> FloatArray:
-        """Elastic and thermal stress in a body at given depths, without initial stress.
+        """Elastic and thermal stress in a body at given depths [Pa], without initial stress.
 
         Parameters
         ----------
@@ -77,7 +77,7 @@ class ContactFields(Configured):
     def displacement(
         self, pressure: ArrayLike, shear: ArrayLike | None = None, body: int = 2
     ) -> FloatArray:
-        """Elastic displacement of a body's surface due to tractions, along x, y and z.
+        """Elastic surface displacement of a body due to tractions [m], along x, y and z.
 
         Parameters
         ----------
@@ -91,10 +91,10 @@ class ContactFields(Configured):
         Returns
         -------
         ndarray, shape (3, nx, ny)
-            u_x, u_y, u_z [m] at the cell centres, zero far away (see Grid for periodic grids): u_x
-            and u_y along x and y, which both bodies share, u_z positive into the body. Shear s_x >
-            0 on body 2 displaces its surface towards +x; pressure draws the surrounding surface
-            towards itself. Without thermal expansion; zero for a rigid body.
+            u_x, u_y, u_z [m] at the cell centres, zero far away (see Grid for periodic grids). Both
+            bodies share the axes x and y; u_z is positive into the body. Shear s_x > 0 on body 2
+            displaces the surface of body 2 towards +x; pressure draws the surrounding surface
+            towards the contact. Thermal expansion is not included. Zero for a rigid body.
 
         Raises
         ------
@@ -104,9 +104,9 @@ class ContactFields(Configured):
         Notes
         -----
         Boussinesq's and Cerruti's point forces (Johnson 1985, sections 3.2 and 3.6), integrated
-        over each cell in closed form. The relative tangential displacement is that of body 2 minus
-        that of body 1; the normal displacements of both bodies add up to the approach of the
-        surfaces.
+        over each cell in closed form. The relative tangential displacement is the displacement of
+        body 2 minus the displacement of body 1; the normal displacements of both bodies add up to
+        the approach of the surfaces.
         """
         material = self.body1 if choice("body", body, (1, 2)) == 1 else self.body2
         needed = 3 * memory.surface(self.grid, memory.DISPLACEMENT_BYTES)
@@ -120,7 +120,7 @@ class ContactFields(Configured):
     def _tractions_on(
         self, body: int, pressure: ArrayLike, shear: ArrayLike | None
     ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-        """Pressure, s_x and s_y on a body, from those on body 2; default shear from friction."""
+        """Pressure, s_x and s_y [Pa] on a body, from those on body 2; shear None: friction."""
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
         attracted = self.contact_law.attracts and self.friction != 0
         if shear is None and not (attracted or self._law.sticks):
@@ -136,7 +136,7 @@ class ContactFields(Configured):
         return p, s_x, s_y
 
     def temperature(self, pressure: ArrayLike, z: ArrayLike = 0.0, body: int = 2) -> FloatArray:
-        """Temperature rise in a body at given depths.
+        """Temperature rise in a body at given depths [K].
 
         Parameters
         ----------
@@ -164,14 +164,15 @@ class ContactFields(Configured):
     def stress_at(
         self, solution: ContactSolution, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: int = 2
     ) -> FloatArray:
-        """Elastic stress of a solution at arbitrary points, on and off the grid.
+        """Elastic stress of a solution at arbitrary points [Pa], on and off the grid.
 
         Parameters
         ----------
         solution : ContactSolution
-            Solution whose pressure and shear act; in full sliding, friction times the pressure.
+            Solution that gives pressure and shear; in full sliding, the shear is friction times
+            pressure.
         x, y, z : array_like
-            Points [m], of shapes that broadcast; z >= 0 is the depth in the body.
+            Points [m], with shapes that broadcast; z >= 0 is the depth in the body.
         body : {1, 2}, optional
 
         Returns
@@ -191,9 +192,9 @@ class ContactFields(Configured):
 
         Notes
         -----
-        Sums the closed form of each loaded cell (Love 1929; Johnson 1985, section 3.4). At cell
-        centres the result equals that of `stress` to rounding. It takes a few microseconds per
-        point and loaded cell.
+        The closed-form stresses of all loaded cells are added (Love 1929; Johnson 1985, section
+        3.4). At cell centres the result equals the result of `stress` to within rounding. The
+        evaluation takes a few microseconds per point and loaded cell.
         """
         require_type("solution", solution, ContactSolution)
         number = choice("body", body, (1, 2))
@@ -206,8 +207,9 @@ class ContactFields(Configured):
             s_x, s_y = solution.shear
         elif self._law.sticks:
             raise ValueError(
-                f"solution must have shear because friction = {self.friction!r}, got a "
-                "ContactSolution of full sliding"
+                "solution must be a partial-slip solution because friction = "
+                f"{self.friction!r}, got a solution of full sliding: pass a solution of "
+                "this solver"
             )
         else:
             s_x, s_y = self._law.sliding_ratio * solution.repulsion, 0.0 * p

@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 MAX_RELATIVE_OVERLAP = 1e-3
-"""Overlap regarded as an error, relative to max pressure times contact size over E*."""
+"""Overlap regarded as an error, relative to (maximum pressure) times (contact size)/E*."""
 
 
 def may_overlap(bodies: tuple[Body, Body], friction: FrictionLaw) -> bool:
-    """Whether the shear of a sliding contact moves the surfaces towards each other."""
+    """Whether the shear of a sliding contact displaces the surfaces normally by unequal amounts."""
     return friction.sliding_ratio > 0 and bodies[0]._core.stack != bodies[1]._core.stack
 
 

@@ -25,8 +25,8 @@ from ..problem.grid import Grid
 from ..problem.heating import NO_HEAT, heating, require_heat_of, require_reference
 from ..problem.settings import ContactSettings, memory_of_contact
 from ..solutions.contact_solution import ContactSolution, ShearedSolution, fits
-from .border_advice import advised, told_of_fixed
-from .enlargement import counts_for, told_in
+from .border_advice import add_border_remedies, advised
+from .enlargement import counts_for, explain_failed_enlargement
 from .fields import ContactFields
 from .interpenetration import require_apart
 from .tangential_drive import Pressing, TangentialDriver, tangential_drive
@@ -35,11 +35,12 @@ from .tangential_drive import Pressing, TangentialDriver, tangential_drive
 class ContactSolver(ContactFields):
     """Solver for the elastic contact of two half-spaces, with or without friction.
 
-    Exact Love and Cerruti coefficients are convolved by FFT; an active-set method with a spectral
-    preconditioner starts from coarser grids. Friction given as a number means full sliding along x:
-    the shear mu p acts on body 2 in +x and on body 1 in -x. `Coulomb` allows partial slip; the
-    shear is then solved for like the pressure. If the elastic constants couple shear to the normal
-    displacement, the coupling is iterated to convergence.
+    Tractions are convolved with the exact influence coefficients of Love and Cerruti by FFT. An
+    active-set method with a spectral preconditioner finds the pressure, starting on coarser grids.
+    Friction given as a number means full sliding along x: the shear mu p acts on body 2 in +x and
+    on body 1 in -x. `Coulomb` allows partial slip; the shear is then an unknown, like the pressure.
+    If shear displaces the surfaces normally (dissimilar materials), the coupling is iterated to
+    convergence.
 
     Parameters
     ----------
@@ -48,22 +49,23 @@ class ContactSolver(ContactFields):
         Upper and lower body; at most one is rigid. Plastic materials are treated as elastic.
     friction : float or Coulomb, optional
         Friction law. A float is a coefficient mu >= 0 [-] for full sliding along x; `Coulomb(mu)`
-            allows partial slip.
+        allows partial slip.
     tol : float, optional
-        Convergence tolerance of the complementarity error `ContactSolution.error`, in [1e-13, 1).
+        Tolerance on the complementarity error `ContactSolution.error` [-], in [1e-13, 1).
     on_border : {"error", "warn"}, optional
         Action if the contact reaches the edge of a grid that cannot be enlarged: raise
-            `GridTooSmallError` or issue `GridTooSmallWarning`.
+        `GridTooSmallError` or issue `GridTooSmallWarning`.
     on_stall : {"error", "warn"}, optional
-        Action if no pressure and shear of dissimilar bodies with partial slip are found: raise
-            `ConvergenceError`, or return the state with the smallest error and issue
-            `ConvergenceWarning`.
+        Action if pressure and shear of dissimilar bodies in partial slip do not converge: raise
+        `ConvergenceError`, or issue `ConvergenceWarning` and return the state with the smallest
+        error.
     max_iterations : int, optional
     heat : Heat, optional
         Frictional heating; `history` is not supported. Default: none, `Heat(0.0)`.
     contact_law : ContactLaw, optional
-        Lower bound of the pressure across a gap. Default: `HardContact()`, p >= 0. Friction depends
-        on the repulsion only. Attraction acts over the whole grid, which is not enlarged.
+        Lower bound of the pressure across a gap. Default: `HardContact()`, p >= 0. Friction acts on
+        the repulsive part of the pressure only. Attraction acts over the whole grid, which is not
+        enlarged.
 
     Raises
     ------
@@ -98,7 +100,8 @@ class ContactSolver(ContactFields):
         self._law = settings.law
         self.heat = NO_HEAT if heat is None else heat
         require_type("heat", self.heat, Heat)
-        for name, instead in (("history", "set time, or"), ("partition", "slip takes time:")):
+        remedies = {"history": "set time, or", "partition": "a single contact has no duration;"}
+        for name, instead in remedies.items():
             if (given := getattr(self.heat, name)) is not None:
                 raise ValueError(
                     f"heat.{name} must be None for a single contact, got {given!r}: {instead} use "
@@ -148,7 +151,7 @@ class ContactSolver(ContactFields):
         gap : array_like, shape (nx, ny), or callable
             Initial separation of the undeformed bodies [m], inf where one of them is absent; or a
             function of a grid that returns it. With a function, the solution is on an enlarged grid
-            if that of the solver does not contain the contact, as in a `Simulation`; the solver
+            if the grid of the solver does not contain the contact, as in a `Simulation`; the solver
             keeps its own grid.
         load : float
             Normal load [N], >= 0, or down to the maximum tension of the contact law.
@@ -167,8 +170,7 @@ class ContactSolver(ContactFields):
             increment [rad]. Mutually exclusive with `torque`.
         torque : float, optional
             Moment about z on body 2 at the end of the increment [N m]. If neither `twist` nor
-            `torque`
-                 is given, rotation is prevented.
+            `torque` is given, rotation is prevented.
         previous : PartialSlipSolution or RollingSolution, optional
             With `Coulomb`: solution of the preceding increment, from which load and shear change
             together. If omitted, the normal load is applied first and the tangential load second.
@@ -176,12 +178,12 @@ class ContactSolver(ContactFields):
         advance : pair of float, optional
             With `Coulomb` and `previous`: displacements s_1, s_2 of both surfaces through the
             contact, positive along +x [m]. The contact rolls towards +x by -(s_1 + s_2)/2, a whole
-            number of cells. s_1 - s_2, at most a cell, is added to the shift along x (not under a
-            given force).
+            number of cells. s_1 - s_2, at most one cell, is added to the shift along x, unless a
+            force is prescribed there.
         initial_pressure : array_like, shape (nx, ny), optional
-            Initial pressure of the iteration [Pa]. A good one, such as the solution for a similar
-            gap or load, saves the coarser grids and most iterations. If the iteration does not
-            converge from it, the solve is repeated without it.
+            Initial pressure of the iteration [Pa]. A good initial pressure, such as the solution
+            for a similar gap or load, saves the coarser grids and most iterations. If the iteration
+            does not converge from it, the solve is repeated without it.
 
         Returns
         -------
@@ -194,7 +196,7 @@ class ContactSolver(ContactFields):
             Invalid arguments, or a tangential load or torque above the friction limit;
             GridTooSmallError if the contact reaches the edge of the grid.
         ConvergenceError
-            With .iterations and .residual.
+            No convergence; the error has the attributes `iterations` and `residual`.
 
         Warns
         -----
@@ -205,10 +207,12 @@ class ContactSolver(ContactFields):
             The maximum pressure exceeds half the contact modulus, or a body treated as elastic
             would yield under it.
         SingularPressureWarning
-            The pressure rises to a sharp edge, where that of elastic bodies is unbounded.
+            The pressure rises to a sharp edge, where the pressure between elastic bodies is
+            unbounded.
         UnitWarning
             Before the solve: the Hertz estimate is far outside the range of the grid, or material
-            constants are implausible; names the quantity that is probably in another unit.
+            constants are implausible. The message names the quantity that is probably in another
+            unit.
         GridTooSmallWarning
             With on_border="warn", instead of a GridTooSmallError.
         ConvergenceWarning
@@ -221,7 +225,7 @@ class ContactSolver(ContactFields):
         return solve_driven(self, gap, load, approach, drive, initial_pressure)
 
     def _over(self, counts: Sequence[int]) -> ContactSolver:
-        """Return this solver on a grid with other numbers of cells."""
+        """Return a copy of this solver for a grid with other numbers of cells along x and y."""
         grid = replace(self.grid, nx=counts[0], ny=counts[1])
         return _made(grid, self.body1, self.body2, self._settings.arguments(), self.heat)
 
@@ -233,7 +237,7 @@ class ContactSolver(ContactFields):
         value: float,
         drive: TangentialDriver,
     ) -> tuple[ContactSolution, str]:
-        """Return the solution and a message about the edge; drop a start that does not converge."""
+        """Return the solution and a message about the grid edge; without `start` if this fails."""
         contact = window.initial_gap, driver == "load", value
         try:
             return self._solved(contact, drive, start)
@@ -270,7 +274,7 @@ def solve_driven(  # warnings name the caller's caller
     drive: TangentialDriver,
     initial_pressure: ArrayLike | None = None,
 ) -> ContactSolution:
-    """Solve the contact for a load or an approach, with a tangential drive."""
+    """Solve the contact for a load [N] or an approach [m], and a tangential drive."""
     driver = exactly_one(load=load, approach=approach)
     value = number(driver, load if approach is None else approach)
     if driver == "approach":
@@ -287,7 +291,9 @@ def solve_driven(  # warnings name the caller's caller
     pulled = asked.contact_law.attracts
     scene = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
     target = {"load": load, "approach": approach}
-    doubted = scene.doubted(asked.heat, target, is_loaded=drive.previous is not None, stacklevel=3)
+    finding = scene.warn_of_units(
+        asked.heat, target, is_loaded=drive.previous is not None, stacklevel=3
+    )
     while True:
         try:
             solution, complaint = solver._solved_from(start, window, driver, value, drive)
@@ -298,10 +304,10 @@ def solve_driven(  # warnings name the caller's caller
         except _core.GridTooSmallError as error:
             hertz_estimate.explain_size(error, scene.hertz(load, approach))
             if not callable(gap) and not asked.grid.periodic:
-                told_of_fixed(error, scene)
+                add_border_remedies(error, scene)
             if not callable(gap) or asked.grid.periodic or pulled:
                 raise
-            with told_in(error, window.grid):
+            with explain_failed_enlargement(error, window.grid):
                 counts = counts_for(error, asked.grid, scene, load, approach)
                 solver, before = asked._over(counts), window
                 window = surfaces.over(solver.grid)
@@ -313,7 +319,7 @@ def solve_driven(  # warnings name the caller's caller
     if complaint:
         text = complaint if callable(gap) else advised(complaint, scene)
         warnings.warn(text, GridTooSmallWarning, stacklevel=3)
-    if doubted is None or not doubted.of_contact:
+    if finding is None or not finding.of_contact:
         resolution.warn_of_contact(solution, scene, stacklevel=3)
     resolution.warn_of_strain(solution, scene, stacklevel=3)
     yield_check.warn_of_yield(solution, bodies, asked._law, stacklevel=3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tangential drive of a contact."""
+"""Tangential drive of a contact: prescribed tangential motions and forces."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ with the smallest error is accepted if there is no solution."""
 
 @dataclass(frozen=True)
 class TangentialInput:
-    """Prescribed tangential quantities: kind and value for x, y and rotation."""
+    """Prescribed motion or force along x, along y and about z."""
 
     is_force: tuple[bool, bool, bool]
     values: tuple[float, float, float]
 
     @classmethod
     def of(cls, motions: Mapping[str, Any], forces: Mapping[str, Any]) -> TangentialInput:
-        """Combine named pairs and rotations; a component that is not given is a zero motion."""
+        """Combine motions and forces; components without prescribed value have zero motion."""
         (moved, motion), (turned, turn) = motions.items()
         (pulled, force), (wrung, torque) = forces.items()
         given = zip(
@@ -54,8 +54,8 @@ class TangentialInput:
         for names, a, b in all_given:
             if a is not None and b is not None:
                 raise ValueError(
-                    f"{names} cannot both be given, got {a!r} and {b!r}: the motion follows from "
-                    "the force; set one of them to None"
+                    f"{names} cannot both be given, got {a!r} and {b!r}, because the "
+                    "motion follows from the force: set one of them to None"
                 )
         x, y, z = (b is not None for _, _, b in all_given)
         u, v, w = ((0.0 if a is None else a) if b is None else b for _, a, b in all_given)
@@ -63,11 +63,11 @@ class TangentialInput:
 
 
 class TangentialDriver(Protocol):
-    """Tangential drive of a contact with partial slip."""
+    """Interface of objects that solve a partial-slip contact with tangential drive."""
 
     @property
     def previous(self) -> ShearedSolution | None:
-        """Solution on whose grid the present one must be."""
+        """Solution of the preceding increment; the new solution uses the same grid."""
 
     def solved(
         self,
@@ -82,20 +82,20 @@ class TangentialDriver(Protocol):
 
 @dataclass(frozen=True)
 class TangentialDrive:
-    """Tangential drive of one increment."""
+    """Prescribed tangential motions and forces, and travel of the surfaces, in one increment."""
 
     given: TangentialInput
     previous: ShearedSolution | None
     ways: tuple[float, float] = (0.0, 0.0)
-    """Travel of both surfaces through the contact [m]."""
+    """Displacement of each surface through the contact in this increment [m]."""
 
     @property
     def way(self) -> float:
-        """Material displacement through the grid [m]."""
+        """Mean displacement of both surfaces through the grid [m]."""
         return 0.5 * (self.ways[0] + self.ways[1])
 
     def _before(self, grid: Grid) -> Before | tuple[None, None, None, float]:
-        """End of the preceding increment, mapped to the current grid."""
+        """Fields at the end of the preceding increment, on the current grid."""
         if self.previous is None:
             return None, None, None, 0.0
         before = before_on(self.previous, grid)
@@ -113,13 +113,13 @@ class TangentialDrive:
         start: FloatArray | None,
         settings: Settings,
     ) -> tuple[PartialSlipSolution, str]:
-        """Return the solution with accumulated totals, and a message about the edge of the grid."""
+        """Return the solution with accumulated motions, and a message about the grid edge."""
         p, s, g, d = self._before(grid)
         moves = self.way != 0
         if start is None and moves and self.previous is not None:
             start = before_on(self.previous, grid)[0]  # the contact stays where it is
         x, y, turn = self.given.values
-        # rotation slips at the positions that cells have during the motion
+        # slip due to rotation: at the positions of the cells during the motion
         lead = _core.spin_lead * self.way
         if not self.given.is_force[0]:
             x += self.ways[0] - self.ways[1]
@@ -151,7 +151,7 @@ class TangentialDrive:
 
 
 def carried(field: FloatArray, cells: int) -> FloatArray:
-    """Shift a surface field along x by whole cells; values entering from outside are zero."""
+    """Shift a surface field along x by whole cells; cells that enter the grid are zero."""
     moved = np.zeros_like(field)
     to, of = slice(max(cells, 0), None), slice(max(-cells, 0), None)
     count = max(field.shape[-2] - abs(cells), 0)
@@ -160,7 +160,7 @@ def carried(field: FloatArray, cells: int) -> FloatArray:
 
 
 def _require_kept(pressure: FloatArray, cells: int, grid: Grid) -> None:
-    """Raise ValueError if tractions would leave the grid, with their effect inside it."""
+    """Raise ValueError if a shift by `cells` moves pressure off the grid."""
     rows = np.flatnonzero(in_contact(pressure).any(axis=1))
     least, most = (-int(rows[0]), grid.nx - 1 - int(rows[-1])) if rows.size else (cells, cells)
     if not least <= cells <= most:
@@ -179,8 +179,7 @@ def given_along(
     torque: float | None,
     **more: Any,
 ) -> TangentialInput:
-    """Check the prescribed tangential quantities; None, and no further arguments, for full
-    sliding."""
+    """Return the prescribed tangential quantities; ValueError for any of them in full sliding."""
     motions, forces = (
         {"shift": shift, "twist": twist},
         {"tangential_load": tangential_load, "torque": torque},
@@ -206,7 +205,7 @@ def tangential_drive(
     advance: Sequence[float],
     grid: Grid,
 ) -> TangentialDrive:
-    """Checked tangential drive; None for full sliding."""
+    """Create a tangential drive from checked arguments; in full sliding it prescribes nothing."""
     first, second = (float(way) for way in finite_array("advance", advance, (2,)))
     moves = None if first == second == 0 else advance
     along = given_along(
@@ -263,7 +262,7 @@ def _maybe(name: str, value: Any) -> float | None:
 
 
 def pair_of(name: str, pair: Any) -> list[float | None]:
-    """Two numbers along x and y, or None in place of each or of both."""
+    """Return a pair of numbers along x and y, each of which may be None."""
     if pair is None:
         return [None, None]
     if (

@@ -2,8 +2,8 @@
 """Critical values of a contact: onset of yield in an elastic-plastic body.
 
 I. Green, *Poisson ratio effects and critical values in spherical and cylindrical Hertzian
-contacts*, Int. J. Appl. Mech. Eng. 10 (2005) 451-462. C is the Hertz pressure at the onset of
-yield over the yield stress.
+contacts*, Int. J. Appl. Mech. Eng. 10 (2005) 451-462. C is the maximum Hertz pressure at the onset
+of yield divided by the yield stress.
 """
 
 from __future__ import annotations
@@ -43,11 +43,11 @@ class CriticalSphere(HtmlTable):
     Attributes
     ----------
     interference : float
-        Rigid-body approach [m].
+        Rigid-body approach at the onset [m].
     load : float
         Normal load [N].
     energy : float
-        Elastic energy stored at the onset, the integral of load over interference [J].
+        Elastic energy stored at the onset [J], the integral of load over interference.
     C : float
         Maximum pressure over yield stress [-].
     p0 : float
@@ -66,7 +66,7 @@ class CriticalSphere(HtmlTable):
 
 @dataclass(frozen=True)
 class CriticalSlidingSphere(CriticalSphere):
-    """Onset of yield in a sliding point contact; the energy is that of the normal load.
+    """Onset of yield in a sliding point contact; `energy` is the work of the normal load.
 
     Attributes
     ----------
@@ -85,7 +85,8 @@ class CriticalSphereOverDepth(CriticalSphere):
     Attributes
     ----------
     x, y, z : float
-        Position of first yield [m]; z = 0 is the surface. One of several equivalent positions.
+        Position of first yield [m]; z = 0 is the surface. If several positions are equivalent, one
+        of them.
     """
 
     x: float
@@ -130,7 +131,7 @@ class CriticalCylinderOverDepth(CriticalCylinder):
 
 
 def _require_numbers(R: float, E_star: float, p0: float) -> None:
-    """Raise ValueError if the energy, and hence the load, overflows."""
+    """Raise ValueError if the critical load or energy would overflow."""
     powers = [5 * math.log10(p0), 3 * math.log10(R), -4 * math.log10(E_star)]
     if not all(abs(sum(powers[: n + 1])) < 300 for n in range(3)):
         raise ValueError(
@@ -192,7 +193,7 @@ def green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSp
 
 
 def onset(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSphere:
-    """Critical values of a sphere with the exact C, from the maximum von Mises stress on the axis.
+    """Critical values of a sphere, with exact C from the maximum von Mises stress on the axis.
 
     Parameters and errors as for `green`.
 
@@ -207,21 +208,22 @@ def onset(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSp
 def onset_sliding(
     R: float, E_star: float, nu: float, yield_stress: float, friction: float
 ) -> CriticalSlidingSphere:
-    """Exact critical values of a sphere that slides with Coulomb friction.
+    """Exact critical values of a sphere in full sliding with Coulomb friction.
 
     Parameters
     ----------
     R, E_star, nu, yield_stress : float
         As for `green`.
     friction : float
-        Coefficient mu >= 0; the shear mu p acts on the yielding body along +x [-].
+        Friction coefficient mu >= 0 [-]; the shear mu p acts on the yielding body along +x.
 
     Returns
     -------
     CriticalSlidingSphere
-        From the maximum von Mises stress in the half-space, including its surface, under a Hertz
-        pressure p with the shear mu p (`hertz.PointContact.stress`). With nu = 0.3 the body yields
-        below the surface, ahead of the centre, up to mu = 0.304, and at the trailing edge above.
+        Critical values from the maximum von Mises stress in the half-space, including the surface,
+        under a Hertz pressure p and a shear mu p (`hertz.PointContact.stress`). With nu = 0.3 the
+        body yields below the surface, ahead of the centre, up to mu = 0.304, and at the trailing
+        edge for higher friction.
 
     Raises
     ------
@@ -230,8 +232,8 @@ def onset_sliding(
 
     Notes
     -----
-    Equals `onset` for mu = 0. The effect of shear on the normal displacement is neglected (it is
-    zero for identical materials).
+    For mu = 0, the result equals `onset`. The effect of shear on the normal displacement is
+    neglected (it is zero for identical materials).
     """
     nu, friction = poisson_ratio("nu", nu), non_negative("friction", friction)
     if friction == 0.0:
@@ -255,17 +257,18 @@ def onset_over_depth(
     E_star : float
         Contact modulus of the pair [Pa].
     body : Material
-        Body that yields; E_star contains the elastic constants of the pair.
+        Body that yields. Its elastic constants are also part of E_star.
     friction : float, optional
-        Coefficient mu >= 0 of a contact that slides on it along +x [-], as in `onset_sliding`.
+        Friction coefficient mu >= 0 [-]; the shear acts along +x, as in `onset_sliding`.
 
     Returns
     -------
     CriticalSphereOverDepth
         Values at the smallest load for which the von Mises stress, including residual stress,
-        reaches the local yield stress: anywhere within 1.3 radii of the axis and down to 12 radii,
-        from the closed form of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02, to about
-        1e-5. C is relative to the yield stress of the law, without its profile.
+        reaches the local yield stress anywhere within 1.3 contact radii of the axis and down to a
+        depth of 12 contact radii. The stress is the closed form of Hamilton (1983),
+        doi:10.1243/PIME_PROC_1983_197_076_02; relative errors are about 1e-5. C is relative to the
+        yield stress of the hardening law, without yield profile.
 
     Raises
     ------
@@ -292,20 +295,20 @@ def kogut_etsion(
     yield_stress: float,
     hardness: float | None = None,
 ) -> CriticalSphere:
-    """Critical values of Kogut and Etsion, interference (pi K H / 2 E*)^2 R.
+    """Critical values of Kogut and Etsion: interference (pi K H / (2 E*))^2 R.
 
     Parameters
     ----------
     R, E_star, nu, yield_stress : float
         As for `green`.
     hardness : float, optional
-        H of the softer body [Pa]. Default: 2.8 times the yield stress.
+        Hardness H of the softer body [Pa]. Default: 2.8 times the yield stress.
 
     Returns
     -------
     CriticalSphere
-        K = 0.454 + 0.41 nu; load and energy are those of Hertz at this interference. Kogut and
-        Etsion (2002), doi:10.1115/1.1490373.
+        Critical values with K = 0.454 + 0.41 nu; load and energy follow from Hertz theory at this
+        interference. Kogut and Etsion (2002), doi:10.1115/1.1490373.
 
     Raises
     ------
@@ -351,7 +354,7 @@ def green_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> C
 
 
 def onset_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalCylinder:
-    """Critical values of a cylinder with the exact C (Johnson 1985, (4.46)); see `green`."""
+    """Critical values of a cylinder with exact C (Johnson 1985, (4.46)); arguments: see `green`."""
     return _cylinder(R, E_star, 1.0 / line_max_von_mises(nu)[0], yield_stress)
 
 
@@ -367,9 +370,10 @@ def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> Critic
     -------
     CriticalCylinderOverDepth
         Values at the smallest load for which the von Mises stress, including residual stress,
-        reaches the local yield stress: within 1.3 half-widths of the centre and down to 12, from
-        the closed form of McEwen (Johnson 1985, (4.49)), to about 1e-5. C is relative to the yield
-        stress of the law, without its profile.
+        reaches the local yield stress within 1.3 half-widths of the centre and down to a depth of
+        12 half-widths. The stress is the closed form of McEwen (Johnson 1985, (4.49)); relative
+        errors are about 1e-5. C is relative to the yield stress of the hardening law, without yield
+        profile.
 
     Raises
     ------

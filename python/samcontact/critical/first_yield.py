@@ -21,14 +21,14 @@ _PRESSURE_FACTOR = 1.1
 _MAX_RADIUS, _MAX_DEPTH = 1.3, 12.0
 """Limits of the search for yield, in contact radii."""
 _NUMBER_OF_ANGLES = 8
-"""Number of lines through the axis, if residual stress is not equal in all directions."""
+"""Number of planes through the axis if the residual stress depends on the direction."""
 _MAX_KINKS = 150
 _REFINEMENTS = 4
 """Number of local refinements, each by a factor of ten."""
 
 
 class YieldPosition(NamedTuple):
-    """Relative excess of stress over yield stress; its position, r and z in contact radii."""
+    """Position of maximum relative excess over the yield stress; r and z in contact radii."""
 
     excess: float
     r: float
@@ -41,10 +41,10 @@ Look = Callable[[float], YieldPosition]
 
 
 def first_yield(body: Material, spread: float, friction: float | None) -> tuple[float, FloatArray]:
-    """Maximum pressure [Pa] at first yield of a body, and the position of yield [m].
+    """Maximum Hertz pressure [Pa] at first yield of a body, and the position of yield [m].
 
-    spread: contact radius over the maximum pressure [m/Pa]; friction: None for a line contact along
-    y without sliding, whose half-width is used as the radius.
+    spread: contact radius divided by maximum pressure [m/Pa]. friction: coefficient, or None for a
+    frictionless line contact along y, for which "radius" means half-width.
     """
     around = _GlobalSearch(body, spread, friction)
     low, p0 = 0.0, 1e-3 * body.min_yield_stress
@@ -55,7 +55,8 @@ def first_yield(body: Material, spread: float, friction: float | None) -> tuple[
             raise ValueError(f"body must yield, but no yield was found up to p0 = {highest:.4g} Pa")
     if low == 0:
         raise ValueError(
-            "body must not yield without contact, but its residual stress already reaches yield"
+            "body must not yield before contact, but its residual stress already reaches "
+            "the yield stress: reduce residual_stress"
         )
     p0 = _root(around, low, p0)
     place = around(p0)
@@ -82,7 +83,7 @@ def _kinks(body: Material) -> FloatArray:
 
 
 def _is_even(body: Material) -> bool:
-    """Whether the residual stress is equal in all directions along the surface."""
+    """Whether the residual stress is the same in all directions parallel to the surface."""
     if body.residual_stress is None:
         return True
     _, sxx, syy, sxy = body.residual_stress
@@ -90,24 +91,27 @@ def _is_even(body: Material) -> bool:
 
 
 def _angles(body: Material, friction: float | None) -> int:
-    """Number of lines through the axis on which yield is searched."""
+    """Number of planes through the axis in which yield is searched."""
     return 1 if friction is None or _is_even(body) else _NUMBER_OF_ANGLES
 
 
 def _unit_stress(
     body: Material, friction: float | None, angle: FloatArray, r: FloatArray, z: FloatArray
 ) -> FloatArray:
-    """Stress of the contact over the maximum pressure, shape (6, angles, r, z)."""
+    """Contact stress divided by maximum pressure [-], shape (6, angles, r, z)."""
     turned, out, down = np.meshgrid(angle, r, z, indexing="ij")
     if friction is None:
         return line_field(out, down, body.nu)
     return field(out * np.cos(turned), out * np.sin(turned), down, body.nu, friction)
 
 
-def _largest(
+def _max_excess(
     body: Material, stress: FloatArray, a: float, angle: FloatArray, r: FloatArray, z: FloatArray
 ) -> YieldPosition:
-    """Maximum excess. stress: contact stress [Pa], (6, angles, r, z); r, z in contact radii."""
+    """Maximum relative excess of the von Mises stress over the yield stress, with position.
+
+    stress: contact stress [Pa], shape (6, angles, r, z), with r, z in contact radii.
+    """
     sxx, syy, sxy = body.residual_stress_at(a * z)
     total = stress.copy()
     for component, start in ((0, sxx), (1, syy), (5, sxy)):
@@ -119,7 +123,7 @@ def _largest(
 
 
 class _GlobalSearch:
-    """Global search, from the stress at given depths; interpolated between them, at kinks."""
+    """Search in the whole region: stored contact stress, interpolated at kinks of profiles."""
 
     def __init__(self, body: Material, spread: float, friction: float | None) -> None:
         self._body, self._spread = body, spread
@@ -141,11 +145,11 @@ class _GlobalSearch:
         between = self._stress[..., below - 1] * (1 - part) + self._stress[..., below] * part
         stress = p0 * np.concatenate([self._stress, between], axis=-1)
         z = np.concatenate([self._z, more])
-        return _largest(self._body, stress, a, self._angle, self._r, z)
+        return _max_excess(self._body, stress, a, self._angle, self._r, z)
 
 
 class _LocalSearch:
-    """Local search around a position, over a given size, with all kinks there."""
+    """Search in a small region around a position, at finer points and all kinks of profiles."""
 
     def __init__(
         self,
@@ -170,4 +174,4 @@ class _LocalSearch:
         inside = kinks[(kinks >= a * self._z[0]) & (kinks <= a * self._z[-1])]
         z = np.unique(np.concatenate([self._z, inside / a]))
         stress = p0 * _unit_stress(self._body, self._friction, self._angle, self._r, z)
-        return _largest(self._body, stress, a, self._angle, self._r, z)
+        return _max_excess(self._body, stress, a, self._angle, self._r, z)

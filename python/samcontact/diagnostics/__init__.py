@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Warnings: probable unit errors, under-resolved contacts, limits of the theory."""
+"""Warnings about probable unit errors, under-resolved contacts and limits of the theory."""

@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 MIN_CONTACT_MODULUS = 1e4
-"""Contact modulus below which the unit of E is questioned [Pa]: the softest gels have some 1e3."""
+"""Contact modulus below which the unit of E is questioned [Pa]: the softest gels have about 1e3."""
 
 
 @dataclass(frozen=True)
 class ExpectedContact:
-    """Elastic Hertz contact of smooth bodies; as text: size, pressure and a probable unit error."""
+    """Elastic Hertz contact of smooth bodies; str() gives size, pressure and unit errors."""
 
     contact: hertz.PointContact | hertz.EllipticContact
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 MAX_PARABOLOID_DEVIATION = 0.03
-"""Maximum deviation of a gap from a paraboloid, over its height: (r/R)^2/4 for a sphere."""
+"""Maximum deviation of a gap from a paraboloid, relative to its height: (r/R)^2/4 for a sphere."""
 _ROUNDING_MARGIN = 1e-6
 """Relative reduction of the range of loads known to pass a check, for rounding."""
 _FIT_POINTS_PER_SIDE = 17  # per side, to which a paraboloid is fitted
@@ -37,20 +37,20 @@ FailedChecks = tuple[plausibility.PlausibilityCheck, ...]
 
 
 class PlasticBody(NamedTuple):
-    """Quantities of a body that can yield."""
+    """Number, yield stresses and Young's moduli of an elastic-plastic body."""
 
     number: int
     weakest: float
     """Minimum initial yield stress [Pa]."""
     yielding: list[tuple[float, float]]
-    """Young's modulus and minimum yield stress of each material that can yield [Pa]."""
+    """Young's modulus [Pa] and minimum yield stress [Pa] of each elastic-plastic material."""
 
 
 class ContactSetup:
     """Gap between two bodies, with its Hertz estimate if the gap is a paraboloid.
 
-    relieved: there is a relief between the bodies, or they attract each other, so that there is no
-    Hertz estimate.
+    relieved: whether a body has a relief, or the bodies attract each other. There is no Hertz
+    estimate in these cases.
     """
 
     def __init__(
@@ -69,7 +69,7 @@ class ContactSetup:
         self._of_heat: tuple[Heat, Any] | None = None
 
     def prepare(self, heat: Heat) -> None:
-        """Compute everything that does not depend on the load, before the first increment."""
+        """Compute, before the first increment, all values that do not depend on the load."""
         self._checked(heat)
         for name in ("E_star", "weakest", "may_have_steps", "largest_load_with_room"):
             getattr(self, name)
@@ -77,7 +77,7 @@ class ContactSetup:
 
     @cached_property
     def plastic(self) -> tuple[PlasticBody, ...]:
-        """Bodies that can yield."""
+        """Elastic-plastic bodies."""
         return tuple(
             PlasticBody(
                 number,
@@ -90,27 +90,27 @@ class ContactSetup:
 
     @cached_property
     def weakest(self) -> float:
-        """Minimum initial yield stress of both bodies [Pa]; infinite if neither can yield."""
+        """Minimum initial yield stress of both bodies [Pa]; infinite if both are elastic."""
         return min((body.weakest for body in self.plastic), default=math.inf)
 
     @cached_property
     def may_have_steps(self) -> bool:
-        """Whether the gap of the undeformed bodies may have steps, if there are no reliefs."""
+        """Whether the initial gap may have steps; False if the bodies have reliefs."""
         return not self._has_reliefs and may_have_steps(self.gap, self.grid.periodic)
 
     @cached_property
     def _solids(self) -> tuple[Material, Material]:
-        """Bodies, each replaced by its most compliant layer."""
+        """Material of each body; for a layered body, the most compliant material."""
         return softest(self.bodies[0]), softest(self.bodies[1])
 
     @property
     def radii(self) -> tuple[float, float] | None:
-        """Larger and smaller principal radius [m]; None unless the gap is a convex paraboloid."""
+        """Larger and smaller principal radius [m]; None if the gap is no convex paraboloid."""
         return None if self._paraboloid is None else self._paraboloid[:2]
 
     @cached_property
     def _paraboloid(self) -> tuple[float, float, float] | None:
-        """Larger and smaller radius [m], and cosine of the angle of the larger one's plane to x."""
+        """Larger and smaller radius [m]; cosine of the angle from x to the plane of the larger."""
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None
@@ -142,18 +142,18 @@ class ContactSetup:
 
     @cached_property
     def E_star(self) -> float:
-        """Contact modulus [Pa]; with layers, that of the most compliant ones."""
+        """Contact modulus [Pa]; for layered bodies, from the most compliant materials."""
         return hertz.effective_modulus(*self._solids)
 
     @cached_property
     def _is_hertzian(self) -> bool:
-        """Whether there is a Hertz contact at any load."""
+        """Whether Hertz theory applies to this gap."""
         return self.radii is not None and not any(isinstance(b, Layered) for b in self.bodies)
 
     def hertz(
         self, load: float | None = None, approach: float | None = None
     ) -> ExpectedContact | None:
-        """Hertz contact under a load [N] or an approach [m]; None if there is none."""
+        """Hertz contact for a load [N] or an approach [m]; None if Hertz theory does not apply."""
         drive = load, approach
         if drive not in self._known:
             self._known = {drive: self._hertz(load, approach)}  # requested several times
@@ -173,29 +173,29 @@ class ContactSetup:
         except (ValueError, ArithmeticError):  # floating-point overflow
             return None
 
-    def doubted(
+    def warn_of_units(
         self, heat: Heat, target: Mapping[str, Any], *, is_loaded: bool = False, stacklevel: int
     ) -> plausibility.PlausibilityCheck | None:
-        """Warn of the first quantity that is probably in a wrong unit, and return its check.
+        """Warn of the first quantity that is probably in a wrong unit; return the failed check.
 
         Raises ValueError if the Hertz contact is far smaller than a cell, unless the bodies have
-        been loaded before.
+        been loaded before or a warning filter ignores `UnitWarning`.
         """
         before, after, (least, most) = self._checked(heat)
         of_contact: list[plausibility.PlausibilityCheck] = []
         if target and self._is_hertzian and not least < self.load_of(**target) < most:
             of_contact = self.failed_checks(heat, **target)
-        for doubt in (*before, *of_contact, *after):
+        for finding in (*before, *of_contact, *after):
             if not is_loaded:
-                plausibility.require_solvable(doubt)
-            plausibility.warn_if_implausible(doubt, stacklevel=stacklevel + 1)
-            return doubt
+                plausibility.require_solvable(finding)
+            plausibility.warn_if_implausible(finding, stacklevel=stacklevel + 1)
+            return finding
         return None
 
     def failed_checks(
         self, heat: Heat, load: float | None = None, approach: float | None = None
     ) -> list[plausibility.PlausibilityCheck]:
-        """Failed checks of the Hertz contact, if there is one."""
+        """Plausibility checks of the Hertz contact that fail; empty without Hertz contact."""
         expected = self.hertz(load, approach)
         if expected is None:
             return []
@@ -204,17 +204,17 @@ class ContactSetup:
             expected, _extent_of(expected, self._paraboloid), driver
         )
         found = plausibility.contact_plausibility_checks(contact, self.grid, self.bodies, heat)
-        return [doubt for doubt in found if not doubt.check.passed]
+        return [finding for finding in found if not finding.check.passed]
 
     def _checked(self, heat: Heat) -> tuple[FailedChecks, FailedChecks, tuple[float, float]]:
-        """Failed checks of bodies and heat; load range in which the checks of the contact pass."""
+        """Failed checks of bodies and heat, and the load range [N] in which contact checks pass."""
         if self._of_heat is None or self._of_heat[0] is not heat:
             before, after = plausibility.failed_of_bodies(self.bodies, heat)
             self._of_heat = heat, (before, after, self.passing_loads(heat))
         return self._of_heat[1]
 
     def passing_loads(self, heat: Heat) -> tuple[float, float]:
-        """Range of loads [N] for which the checks of the Hertz contact pass; empty if unknown."""
+        """Minimum and maximum load [N] for which all contact checks pass; (inf, -inf): unknown."""
         if self._reference is None:
             return math.inf, -math.inf
         try:
@@ -225,7 +225,7 @@ class ContactSetup:
 
     @cached_property
     def _reference(self) -> plausibility.ExpectedExtent | None:
-        """Hertz contact across about a quarter of the grid; other loads follow by powers."""
+        """Hertz contact about a quarter as wide as the grid, from which other loads are scaled."""
         if not self._is_hertzian or self.radii is None:
             return None
         side = min(self.grid.nx * self.grid.dx, self.grid.ny * self.grid.dy)
@@ -236,7 +236,7 @@ class ContactSetup:
 
     @cached_property
     def _stiffness(self) -> float:
-        """Load of the Hertz contact over its approach^1.5 [N/m^1.5]; NaN on failure."""
+        """Ratio load/approach^1.5 of the Hertz contact [N/m^1.5]; NaN if unknown."""
         if self._reference is None:
             return math.nan
         contact = self._reference.expected.contact
@@ -246,7 +246,7 @@ class ContactSetup:
             return math.nan
 
     def load_of(self, load: float | None = None, approach: float | None = None) -> float:
-        """Load of the Hertz contact [N]; NaN if unknown."""
+        """Load of the Hertz contact [N] for a load or an approach [m]; NaN if unknown."""
         if approach is None:
             return math.nan if load is None else load
         depth = min(max(approach - self._lowest, 0.0), 1e100)
@@ -254,7 +254,7 @@ class ContactSetup:
 
     @cached_property
     def largest_load_with_room(self) -> float:
-        """Lower bound of the load up to which the Hertz contact fits on the grid [N]."""
+        """Lower bound [N] of the maximum load at which the Hertz contact fits on the grid."""
         if self._reference is None:
             return math.nan
         share = max(_shares_of_grid(self._reference.expected, self.grid))
@@ -265,8 +265,8 @@ class ContactSetup:
     def require_room(self, load: float | None = None, approach: float | None = None) -> None:
         """Raise GridTooSmallError if the Hertz contact does not fit on the grid.
 
-        This saves a solve that would fail: an elastic-plastic contact is not smaller than an
-        elastic one.
+        The solution would fail in any case, because an elastic-plastic contact is not smaller than
+        an elastic contact.
         """
         if not self._is_hertzian or self.load_of(load, approach) <= self.largest_load_with_room:
             return
@@ -286,7 +286,7 @@ class ContactSetup:
 def extent(
     setup: ContactSetup, load: float | None = None, approach: float | None = None
 ) -> tuple[float, float]:
-    """Semi-axes of the Hertz contact along x and y [m]; 0 if there is none."""
+    """Half-widths of the Hertz contact along x and y [m]; 0 without Hertz contact."""
     expected = setup.hertz(load, approach)
     return (0.0, 0.0) if expected is None else _extent_of(expected, setup._paraboloid)
 
@@ -303,24 +303,24 @@ def _extent_of(
 
 
 def _shares_of_grid(expected: ExpectedContact, grid: Grid) -> tuple[float, float]:
-    """Widths of a contact relative to the sides of the grid, for any orientation of an ellipse."""
+    """Widths of a contact over the sides of the grid [-], for its most favourable orientation."""
     long, short = expected.semi_axes
     sides = grid.nx * grid.dx, grid.ny * grid.dy
     return 2 * short / min(sides), 2 * long / max(sides)
 
 
 def explain_digits(error: ConvergenceError, gap: FloatArray) -> None:
-    """Add to a solver error that the gap has a large offset, if so."""
+    """Add a note to a solver error if a large offset of the gap causes cancellation."""
     far = float(np.abs(gap).max())
     height = float(gap.max()) - float(gap.min())
     if 1e-16 * far > 1e-11 * height > 0:
         error.args = (
             f"{error}. The gap has an offset of {far:.6g} m and heights of {height:.3g} m, which "
-            "causes cancellation: subtract its minimum",
+            "causes cancellation: subtract the minimum from the gap",
         )
 
 
 def explain_size(error: GridTooSmallError, expected: ExpectedContact | None) -> None:
-    """Add the Hertz estimate, if there is one, to a solver error."""
+    """Add the Hertz estimate, if it is not None, to the message of a solver error."""
     if expected is not None and str(expected) not in str(error):
         error.args = (f"{error}. {expected}",)

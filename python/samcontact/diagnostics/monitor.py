@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Warnings before and after the increments of a simulation, each issued once."""
+"""Warnings before and after the increments of a simulation; each is issued once."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ MAX_SMALL_STRAIN = 0.05
 
 @dataclass
 class Monitor:
-    """Warnings issued by a simulation, and the enabled checks."""
+    """Record of the warnings that a simulation has issued, and of the enabled checks."""
 
     strain_warned: bool = False
     pressure_warned: bool = False
     limit_warned: bool = False
     alternation_warned: bool = False
     checks_increments: bool = True
-    """Whether the error due to increments is still estimated."""
+    """Whether the increment error is estimated after further increments."""
     checks_steps: bool = True
-    """Whether single steps are checked; a run is checked as a whole."""
+    """Whether the resolution is checked after each step; for a run it is checked at the end."""
     clipping_warned: bool = False
     setup_warned: bool = False
     contact_warned: bool = False
@@ -41,31 +41,31 @@ class Monitor:
 
     @contextmanager
     def deferred_resolution_checks(self) -> Iterator[None]:
-        """Context that defers the grid checks of several steps to the end of the run."""
-        looks = self.checks_steps, self.checks_increments
+        """Context in which the resolution is not checked after each step, but after the run."""
+        enabled = self.checks_steps, self.checks_increments
         self.checks_steps = self.checks_increments = False
         try:
             yield
         finally:
-            self.checks_steps, self.checks_increments = looks
+            self.checks_steps, self.checks_increments = enabled
 
-    def doubt(
+    def warn_of_units(
         self, scene: ContactSetup, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
     ) -> None:
-        """Issue warnings before an increment; they suppress equivalent ones after it."""
+        """Issue unit warnings before an increment; equivalent later warnings are suppressed."""
         if self.setup_warned:
             return
         loaded = self.largest_load > 0
-        doubt = scene.doubted(heat, target, is_loaded=loaded, stacklevel=stacklevel + 1)
-        if not doubt:
+        finding = scene.warn_of_units(heat, target, is_loaded=loaded, stacklevel=stacklevel + 1)
+        if not finding:
             return
         self.setup_warned = True
-        if doubt.of_contact:
+        if finding.of_contact:
             self.contact_warned = True
             self.checks_steps = False
 
     def warn_of_run(self, states: Sequence[State], scene: ContactSetup, *, stacklevel: int) -> None:
-        """Issue warnings about the grid after a run."""
+        """Issue warnings about the grid resolution after a run."""
         if not self.contact_warned:
             resolution.warn_of_run(states, scene, stacklevel=stacklevel + 1)
 
@@ -106,7 +106,7 @@ class Monitor:
 
 
 def _strain_text(state: State, scene: ContactSetup) -> str:
-    """Text of the warning of plastic strain above the small-strain limit; empty below."""
+    """Text of the warning if a plastic strain exceeds the small-strain limit, else ""."""
     for body, *_ in scene.plastic:
         accumulated, magnitude = state.max_strains[body - 1]
         if accumulated <= MAX_SMALL_STRAIN and magnitude <= MAX_SMALL_STRAIN:
@@ -126,7 +126,7 @@ def _strain_text(state: State, scene: ContactSetup) -> str:
 
 
 def _cut_text(state: State) -> str:
-    """Text about plastic strain outside the volume fields; empty if there is none."""
+    """Text of the warning if plastic strain lies outside the volume fields, else ""."""
     grid, core = state.grid, state._core
     for body in (1, 2):
         box = core.strain_beyond(body - 1)

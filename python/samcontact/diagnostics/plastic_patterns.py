@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grid artefacts in plastic solutions: excess over the limit load, alternation in depth."""
+"""Grid artefacts in plastic solutions: pressure above the plastic limit, alternating strain."""
 
 from __future__ import annotations
 
@@ -22,15 +22,16 @@ LIMIT_PRESSURE_RATIO = 3.0
 """Mean pressure of a fully plastic contact over the yield stress."""
 _MAX_LIMIT_EXCESS = 1.05
 _MIN_ALTERNATION = 0.15
-"""Fraction of the maximum strain: zones of four layers stay below, patterns reach 0.2."""
+"""Alternation, relative to the maximum strain, above which a warning is issued: smooth plastic
+zones of four layers stay below it, grid artefacts reach 0.2."""
 
 
 def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn of a mean pressure above the limit load of a fully plastic body; return whether it did.
+    """Warn if the mean pressure exceeds the fully plastic limit; return True after a warning.
 
     The mean pressure of a single contact spot on a homogeneous half-space is at most about three
-    yield stresses: 2.97 in a long contact (Prandtl), about 3 in a round one. With too few cells it
-    is higher, because plastic flow around the edge is resolved to one cell only.
+    yield stresses: 2.97 in a line contact (Prandtl), about 3 in a round contact. With too few cells
+    the computed pressure is higher, because plastic flow at the edge is resolved to one cell only.
     """
     largest, most = state.outline.largest, _MAX_LIMIT_EXCESS * LIMIT_PRESSURE_RATIO
     if largest <= most * scene.weakest:  # yield stress never falls, mean pressure is below maximum
@@ -63,9 +64,9 @@ def warn_of_limit(state: State, scene: ContactSetup, *, stacklevel: int) -> bool
 
 
 def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
-    """Warn of plastic strain that alternates between layers; return whether it did.
+    """Warn if plastic strain alternates between layers; return True after a warning.
 
-    It occurs only with residual_stress="exact": see docs/theory/accuracy.md.
+    The alternation occurs only with residual_stress="exact": see docs/theory/accuracy.md.
     """
     if state.setup.settings.residual_stress != "exact":
         return False
@@ -87,10 +88,10 @@ def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
 
 
 def alternation(strain: FloatArray) -> float:
-    """Amplitude of strain that alternates between layers, relative to the maximum strain.
+    """Amplitude of the strain that alternates between layers, relative to the maximum strain [-].
 
-    strain: shape (6, nx, ny, nz). The amplitude is that of fourth differences, which smooth fields
-    hardly have over four or more layers; 0 for fewer layers.
+    strain: shape (6, nx, ny, nz). The amplitude is computed from fourth differences, which are
+    small for smooth fields over four or more layers; 0 for fewer layers.
     """
     largest = float(np.sqrt((strain**2).sum(0)).max())
     if strain.shape[-1] < 5 or np.count_nonzero(strain.any(axis=(0, 1, 2))) < 4:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from .._util.check import Check
 from .._util.display import quantity
-from .._util.errors import UnitWarning
+from .._util.errors import UnitWarning, is_ignored
 from ..bodies.layered import Layered, materials_of, softest
 from ..hertz import EllipticContact
 
@@ -42,13 +42,13 @@ MAX_PROFILE_DEPTH = 0.1
 MIN_STRESS_RATIO = 1e-7
 """Minimum residual stress, or backstress modulus, over E: 0.02 MPa in steel."""
 MAX_BACKSTRESS_MODULUS_RATIO = 1e4
-"""Maximum backstress modulus over E: that of nearly elastic hardening, E Et/(E - Et), is large."""
+"""Maximum backstress modulus over E: for nearly elastic hardening, E Et/(E - Et) is large."""
 MAX_SPEED = 1e3
 """Maximum speed of a surface through a contact [m/s]: no bearing reaches 300."""
 MAX_WEAR_COEFFICIENT = 1e-9
 """Maximum wear volume per work, or per load and distance [1/Pa]: rubber on abrasive paper."""
 MIN_STRESS_LIMIT = 1e4
-"""Minimum fatigue limit or yield stress of a solid [Pa]: gels have some 1e4."""
+"""Minimum fatigue limit or yield stress of a solid [Pa]: gels have about 1e4."""
 HEAT_CAPACITY_RANGE = 1e5, 1e7
 """Range of volumetric heat capacity of solids [J/(m^3 K)]: 1e6 to 4e6 without pores."""
 MAX_EXPANSION = 2e-3
@@ -63,17 +63,17 @@ _UNIT_ERROR_FACTORS = {"m": (1e-3, 1e-6, 1e-9), "N": (1e-3, 1e-6, 1e-9), "Pa": (
 
 
 class PlausibilityCheck(NamedTuple):
-    """Check of a quantity, and the remedy if it is implausible."""
+    """Check that a quantity is plausible, and the remedy if it is not."""
 
     check: Check
     remedy: Callable[[], str]
-    """Function that returns the remedy, called only if a warning is issued."""
+    """Function that returns the remedy as text; it is called only if a warning is issued."""
     of_contact: bool = False
-    """Whether the check is of a contact; checks after the solve then replace it."""
+    """Whether a contact is checked; if the check fails, checks after the solution are skipped."""
 
 
 class ExpectedExtent(NamedTuple):
-    """Hertz estimate: contact, and its extent along x and y [m]."""
+    """Hertz estimate of a contact, with half-widths along x and y [m]."""
 
     expected: ExpectedContact
     extent: tuple[float, float]
@@ -91,61 +91,63 @@ class ExpectedExtent(NamedTuple):
 def plausibility_checks(
     contact: ExpectedExtent | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> Iterator[PlausibilityCheck]:
-    """All plausibility checks before a solve; grid: the grid as prescribed."""
-    yield from _of_bodies(bodies, heat)
+    """All plausibility checks before a solution; grid: initial grid, before enlargement."""
+    yield from _body_and_heat_checks(bodies, heat)
     if contact is not None:
         yield from contact_plausibility_checks(contact, grid, bodies, heat)
-    yield from _of_strengths(bodies)
+    yield from _failed_strength_checks(bodies)
 
 
 def failed_of_bodies(
     bodies: tuple[Body, Body], heat: Heat
 ) -> tuple[tuple[PlausibilityCheck, ...], tuple[PlausibilityCheck, ...]]:
-    """Failed checks of bodies and heat: those before and those after the checks of a contact."""
-    return tuple(_failed(_of_bodies(bodies, heat))), tuple(_of_strengths(bodies))
+    """Failed checks of bodies and heat: those reported before and those after contact checks."""
+    return tuple(_failed(_body_and_heat_checks(bodies, heat))), tuple(
+        _failed_strength_checks(bodies)
+    )
 
 
-def _of_bodies(bodies: tuple[Body, Body], heat: Heat) -> Iterator[PlausibilityCheck]:
+def _body_and_heat_checks(bodies: tuple[Body, Body], heat: Heat) -> Iterator[PlausibilityCheck]:
     for number, (whole, body) in enumerate(zip(bodies, map(softest, bodies), strict=True), 1):
         if body.is_plastic:
             name, ratio = f"yield stress over E of body {number}", body.min_yield_stress / body.E
             verdict = Check(name, ratio, MIN_YIELD_STRAIN, at_least=True)
             yield PlausibilityCheck(verdict, lambda: "Use Pa for both")
-        yield from _failed(_of_body(f"body {number}", whole))
+        yield from _failed(_body_checks(f"body {number}", whole))
     for number, body in _heated(bodies, heat):
-        yield from _of_constants(number, body)
+        yield from _thermal_checks(number, body)
         speed = math.hypot(*heat.velocity[number - 1])
         verdict = Check(f"heat.velocity of body {number}", speed, MAX_SPEED, unit="m/s")
         yield from _failed([PlausibilityCheck(verdict, lambda: "Use m/s")])
 
 
-def _of_strengths(bodies: tuple[Body, Body]) -> Iterator[PlausibilityCheck]:
-    """Failed checks of bodies that a check of the contact may have explained better."""
+def _failed_strength_checks(bodies: tuple[Body, Body]) -> Iterator[PlausibilityCheck]:
+    """Failed checks of yield stress; a failed check of the contact is reported instead."""
     for number, whole in enumerate(bodies, 1):
         plastic = [material for material in materials_of(whole) if material.is_plastic]
-        yield from _failed(_of_strength(number, material) for material in plastic)
+        yield from _failed(_strength_check(number, material) for material in plastic)
 
 
 def contact_plausibility_checks(
     contact: ExpectedExtent, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> Iterator[PlausibilityCheck]:
-    """Checks of a Hertz contact, and of its temperature rise."""
-    yield from _of_contact(contact, grid, (softest(bodies[0]), softest(bodies[1])))
+    """Checks of the size of a Hertz contact and of the temperature rise."""
+    yield from _contact_checks(contact, grid, (softest(bodies[0]), softest(bodies[1])))
     for number, body in _heated(bodies, heat):
-        yield _of_rise(contact, number, heat.factor[number - 1], body, heat)
+        yield _temperature_check(contact, number, heat.factor[number - 1], body, heat)
 
 
 def passing_loads(
     contact: ExpectedExtent, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> tuple[float, float]:
-    """Range of loads [N] for which all checks of a contact pass, estimated from one load.
+    """Minimum and maximum load [N] for which all checks of a contact pass, scaled from one load.
 
-    Contact size and pressure grow as the cube root of the load. The temperature rise and flattened
-    contacts grow faster, at most with its powers 2/3 and 1/2.
+    Contact size and pressure grow as the cube root of the load. The temperature rise and the size
+    of flattened contacts grow faster, at most as the powers 2/3 and 1/2 of the load.
     """
     load = contact.expected.contact.load
-    checks = [doubt.check for doubt in contact_plausibility_checks(contact, grid, bodies, heat)]
-    checks += [doubt.check for doubt in _in_layers(contact, grid, map(softest, bodies))]
+    checks = [finding.check for finding in contact_plausibility_checks(contact, grid, bodies, heat)]
+    checks += [finding.check for finding in _layer_check(contact, grid, map(softest, bodies))]
     least, most = 0.0, math.inf
     for check in checks:
         share = max(check.value, 1e-30 * check.limit) / check.limit
@@ -164,33 +166,35 @@ def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, Material]]
     ]
 
 
-def _failed(doubts: Iterable[PlausibilityCheck]) -> Iterator[PlausibilityCheck]:
-    """Failed checks; a report does not list the others, which most materials do not have."""
-    return (doubt for doubt in doubts if not doubt.check.passed)
+def _failed(findings: Iterable[PlausibilityCheck]) -> Iterator[PlausibilityCheck]:
+    """Failed checks only; reports do not list passed checks."""
+    return (finding for finding in findings if not finding.check.passed)
 
 
-def warn_if_implausible(doubt: PlausibilityCheck, *, stacklevel: int) -> None:
-    """Warn of an implausible quantity."""
-    verdict = doubt.check
+def warn_if_implausible(finding: PlausibilityCheck, *, stacklevel: int) -> None:
+    """Issue a `UnitWarning` if a check has failed."""
+    verdict = finding.check
     if not verdict.passed:
-        told = (
+        text = (
             f"likely unit error: {verdict.name} is {verdict.shown} ({verdict.condition} expected)"
         )
-        warnings.warn(f"{told}. {doubt.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
+        warnings.warn(f"{text}. {finding.remedy()}", UnitWarning, stacklevel=stacklevel + 1)
 
 
-def require_solvable(doubt: PlausibilityCheck) -> None:
-    """Raise ValueError if a Hertz contact is far smaller than a cell."""
-    check = doubt.check
-    if check.name == _CELLS_ACROSS and check.value < MIN_SOLVABLE_CELLS:
+def require_solvable(finding: PlausibilityCheck) -> None:
+    """Raise ValueError, unless UnitWarning is ignored, if a Hertz contact is far below a cell."""
+    check = finding.check
+    too_small = check.name == _CELLS_ACROSS and check.value < MIN_SOLVABLE_CELLS
+    if too_small and not is_ignored(UnitWarning):
         raise ValueError(
             f"{check.name} must be at least {MIN_SOLVABLE_CELLS:g}, got {check.value:.4g}: "
-            f"{doubt.remedy()}"
+            f"{finding.remedy()}. To solve it anyway, switch this check off with "
+            "warnings.simplefilter('ignore', samcontact.UnitWarning)"
         )
 
 
 def wear_coefficient(name: str, value: float) -> PlausibilityCheck:
-    """Check of a wear coefficient: volume over work of friction, or over load and distance."""
+    """Check of a wear coefficient [1/Pa]: volume per friction work, or per load and distance."""
     verdict = Check(name, value, MAX_WEAR_COEFFICIENT, unit="1/Pa")
     return PlausibilityCheck(
         verdict, lambda: "Use 1/Pa, m³ per joule: 1e-6 mm³/(N m) is 1e-15 1/Pa"
@@ -198,47 +202,47 @@ def wear_coefficient(name: str, value: float) -> PlausibilityCheck:
 
 
 def strength(name: str, value: float) -> PlausibilityCheck:
-    """Check of a fatigue limit, or of a yield stress given separately."""
+    """Check of a fatigue limit, or of a yield stress outside a material [Pa]."""
     verdict = Check(name, value, MIN_STRESS_LIMIT, at_least=True, unit="Pa")
     return PlausibilityCheck(verdict, lambda: "Use Pa: 300 MPa is 300e6")
 
 
-def _of_body(name: str, body: Body) -> Iterator[PlausibilityCheck]:
+def _body_checks(name: str, body: Body) -> Iterator[PlausibilityCheck]:
     if not isinstance(body, Layered):
-        yield from _of_material(name, body)
+        yield from _material_checks(name, body)
         return
     for place, (material, thickness) in enumerate(body.layers):
         layer = f"layers[{place}] of {name}"
         verdict = Check(f"thickness of {layer}", thickness, MAX_PROFILE_DEPTH, unit="m")
         yield PlausibilityCheck(verdict, lambda: "Use m")
-        yield from _of_material(layer, material)
-    yield from _of_material(f"the substrate of {name}", body.substrate)
+        yield from _material_checks(layer, material)
+    yield from _material_checks(f"the substrate of {name}", body.substrate)
 
 
-def _of_material(name: str, body: Material) -> Iterator[PlausibilityCheck]:
+def _material_checks(name: str, body: Material) -> Iterator[PlausibilityCheck]:
     for modulus, _ in body.kinematic:
-        told = f"modulus of kinematic hardening over E of {name}"
+        label = f"modulus of kinematic hardening over E of {name}"
         for limit, least in ((MIN_STRESS_RATIO, True), (MAX_BACKSTRESS_MODULUS_RATIO, False)):
-            verdict = Check(told, modulus / body.E, limit, least)
+            verdict = Check(label, modulus / body.E, limit, least)
             yield PlausibilityCheck(verdict, lambda: "Use Pa for both")
     if body.yield_profile is not None:
         most_of_law = max(body.yield_profile[1])
         verdict = Check(f"maximum yield factor of {name}", most_of_law, MAX_YIELD_FACTOR)
         yield PlausibilityCheck(
-            verdict, lambda: "It is the ratio of local hardness to core hardness"
+            verdict, lambda: "The yield factor is the ratio of local hardness to core hardness"
         )
-        yield _of_depth(f"depth of the yield profile of {name}", body.yield_profile)
+        yield _depth_check(f"depth of the yield profile of {name}", body.yield_profile)
     if body.residual_stress is not None:
         largest = max(abs(v) for values in body.residual_stress[1:] for v in values)
         if largest > 0:
-            told = f"maximum residual stress over E of {name}"
-            verdict = Check(told, largest / body.E, MIN_STRESS_RATIO, at_least=True)
+            label = f"maximum residual stress over E of {name}"
+            verdict = Check(label, largest / body.E, MIN_STRESS_RATIO, at_least=True)
             yield PlausibilityCheck(verdict, lambda: "Use Pa for both: -800 MPa is -800e6")
-        yield _of_depth(f"depth of the residual stress of {name}", body.residual_stress)
+        yield _depth_check(f"depth of the residual stress of {name}", body.residual_stress)
 
 
-def _of_strength(number: int, body: Material) -> PlausibilityCheck:
-    """Check of the maximum yield stress of the hardening law, without profile."""
+def _strength_check(number: int, body: Material) -> PlausibilityCheck:
+    """Check of the maximum yield stress of a hardening law, without yield profile, over E."""
     given = body.parameters
     of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
     largest = max(*of_law, *given.get("stress", ()))
@@ -247,8 +251,8 @@ def _of_strength(number: int, body: Material) -> PlausibilityCheck:
     return PlausibilityCheck(verdict, lambda: "Use Pa for both: 210 GPa is 210e9")
 
 
-def _of_depth(name: str, profile: Profile) -> PlausibilityCheck:
-    """Check of the depth below which a profile is constant [m]."""
+def _depth_check(name: str, profile: Profile) -> PlausibilityCheck:
+    """Check of the depth [m] below which a yield or stress profile is constant."""
     z = profile[0]
     deepest = 0.0
     for above, below in pairwise(range(len(z))):
@@ -257,7 +261,7 @@ def _of_depth(name: str, profile: Profile) -> PlausibilityCheck:
     return PlausibilityCheck(Check(name, deepest, MAX_PROFILE_DEPTH, unit="m"), lambda: "Use m")
 
 
-def _of_constants(number: int, body: Material) -> Iterator[PlausibilityCheck]:
+def _thermal_checks(number: int, body: Material) -> Iterator[PlausibilityCheck]:
     conductivity, expansion, diffusivity = body.thermal or (1.0, 0.0, 1.0)
     name = f"volumetric heat capacity (conductivity over diffusivity) of body {number}"
     for limit, least in zip(HEAT_CAPACITY_RANGE, (True, False), strict=True):
@@ -267,10 +271,10 @@ def _of_constants(number: int, body: Material) -> Iterator[PlausibilityCheck]:
     yield PlausibilityCheck(verdict, lambda: "Steel has 1.2e-5 1/K")
 
 
-def _of_rise(
+def _temperature_check(
     contact: ExpectedExtent, number: int, factor: float, body: Material, heat: Heat
 ) -> PlausibilityCheck:
-    """Check of flux over conductivity, times contact size or diffusion length."""
+    """Check of the temperature rise [K]: flux/conductivity times contact or diffusion length."""
     conductivity, _, diffusivity = body.thermal or (1.0, 0.0, 1.0)
     size = math.sqrt(math.prod(contact.expected.semi_axes))
     age = heat.time if heat.history is None else heat.history[1]
@@ -287,7 +291,7 @@ def _of_rise(
 def part_of_radius(
     contact: ExpectedExtent, said: Callable[[], str] | None = None
 ) -> PlausibilityCheck:
-    """Check of contact size; said: first sentence of the remedy, default the Hertz estimate."""
+    """Check of contact size over radius; said: start of the remedy, default: Hertz estimate."""
     first = said or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
     verdict = Check("half-width of the Hertz contact over its radius", share, MAX_HALF_WIDTH_RATIO)
@@ -295,7 +299,7 @@ def part_of_radius(
     return PlausibilityCheck(verdict, lambda: f"{first()}. {taken}", True)
 
 
-def _of_contact(
+def _contact_checks(
     contact: ExpectedExtent, grid: Grid, bodies: tuple[Material, Material]
 ) -> Iterator[PlausibilityCheck]:
     expected, extent = contact.expected, contact.extent
@@ -315,13 +319,13 @@ def _of_contact(
     check = Check(_CELLS_ACROSS, cells, MIN_CELLS_ACROSS, at_least=True)
     yield PlausibilityCheck(check, said, True)
     if any(b.is_plastic and expected.contact.p0 > b.min_yield_stress for b in bodies):
-        yield from _in_layers(contact, grid, bodies)
+        yield from _layer_check(contact, grid, bodies)
 
 
-def _in_layers(
+def _layer_check(
     contact: ExpectedExtent, grid: Grid, bodies: Iterable[Material]
 ) -> Iterator[PlausibilityCheck]:
-    """Check of the contact size of bodies that may yield, in layers."""
+    """Check of the half-width of the Hertz contact in units of the layer thickness dz."""
     dz = grid.dz
     if dz is not None:
         wider = max(_flattened(contact, body) for body in bodies)
@@ -331,14 +335,14 @@ def _in_layers(
 
 
 def _flattened(contact: ExpectedExtent, body: Material) -> float:
-    """Ratio of the fully plastic width (mean pressure of three yield stresses) to the elastic."""
+    """Ratio >= 1 of fully plastic width (mean pressure: three yield stresses) to elastic width."""
     stress = 3.0 * body.min_yield_stress if body.is_plastic else math.inf
     mean = contact.expected.contact.p0 / 1.5
     return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
 
 
 def likely_unit_errors(contact: ExpectedExtent, grid: Grid) -> str:
-    """Describe which quantity in another unit would make a contact fit its grid."""
+    """Describe, as text, which quantity in another unit would make the contact fit the grid."""
     hertz, by_approach = contact.expected.contact, contact.driver == "approach"
     # value, unit, and exponents with which contact, radius and cells scale
     given = {
@@ -358,9 +362,8 @@ def likely_unit_errors(contact: ExpectedExtent, grid: Grid) -> str:
                 fits.append(f"{name} {quantity(factor * value, unit)}")
                 unusual += fits[-1:] if _is_unusual(name, value) else []
                 break
-    units = "use m, N and Pa"
     text = ", or ".join(unusual or fits)
-    return f"It would be plausible with {text}: {units}" if text else units.capitalize()
+    return f"It would be plausible with {text}: use m, N and Pa" if text else "Use m, N and Pa"
 
 
 def _is_unusual(name: str, value: float) -> bool:
@@ -370,7 +373,7 @@ def _is_unusual(name: str, value: float) -> bool:
 
 
 def _fits(contact: ExpectedExtent, grid: Grid, wider: float, steeper: float, cells: float) -> bool:
-    """Whether a contact fits the grid if its width, width/radius or cell size is multiplied."""
+    """Whether a contact fits the grid after multiplying width, width/radius and cell size."""
     sides = zip(contact.extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     across = [(2 * wider * e / (cells * d), n) for e, n, d in sides]
     part = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))

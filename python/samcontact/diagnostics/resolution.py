@@ -36,7 +36,7 @@ ROUND_SPOT_AREA_ERROR = 16 / math.pi * AREA_PER_SIDE
 AREA_ERROR_WARNING, AREA_ERROR_LIMIT = 0.1, 0.2
 """Limits of the area uncertainty of a contact of several spots: warning, and failed check."""
 MAX_ELASTIC_STRAIN = 0.5
-"""Maximum pressure over E*: that of a Hertz contact with a/R = 0.8."""
+"""Limit of the maximum pressure over E*: a Hertz contact with a/R = 0.8 reaches it."""
 _MAX_STRESS_DEPTH = 0.8
 """Depth of maximum von Mises stress over half-width: 0.48 (point contact) to 0.79 (line)."""
 
@@ -44,7 +44,7 @@ _MAX_STRESS_DEPTH = 0.8
 def warn_of_strain(
     solution: ContactSolution | State, scene: ContactSetup, *, stacklevel: int
 ) -> bool:
-    """Warn of pressures beyond linear elasticity; return whether a warning was issued."""
+    """Warn of pressures beyond linear elasticity; return True after a warning."""
     largest = solution.outline.largest
     share = largest / scene.E_star
     if not share > MAX_ELASTIC_STRAIN:
@@ -59,14 +59,15 @@ def warn_of_strain(
 
 
 def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | None:
-    """Rows and columns of the spot (connected cells) with the maximum pressure.
+    """Range of cells along x and y of the contact spot with the maximum pressure.
 
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
         Contact pressure [Pa], >= 0.
     periodic : {"", "x", "y", "xy"}, optional
-        As for Grid: along these directions the maximum pressure is moved to the centre first.
+        Periodic directions, as for Grid; along them the maximum pressure is first moved to the
+        centre.
 
     Returns
     -------
@@ -80,12 +81,12 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
 
 
 def spots(pressure: ArrayLike, periodic: str = "") -> int:
-    """Number of spots of connected cells, corners included; arguments as for `main_spot`."""
+    """Number of contact spots (cells connected by sides or corners); arguments: see `main_spot`."""
     return int(_labelled(pressure, periodic)[0].max())
 
 
 def _labelled(pressure: ArrayLike, periodic: str) -> tuple[NDArray[np.int32], tuple[int, int]]:
-    """Labels of the spots, and the cell of maximum pressure, at the centre if periodic."""
+    """Spot number of each cell, and the cell of maximum pressure (moved to a periodic centre)."""
     field: FloatArray = np.asarray(pressure, dtype=np.float64)
     peak = divmod(int(field.argmax()), field.shape[1])
     shifts = [
@@ -99,20 +100,21 @@ def _labelled(pressure: ArrayLike, periodic: str) -> tuple[NDArray[np.int32], tu
 
 
 def cells_across(pressure: ArrayLike, periodic: str = "") -> float:
-    """Cells across the contact, along the shorter side of the spot with the maximum pressure.
+    """Number of cells across the contact: shorter side of the spot with the maximum pressure.
 
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
         Contact pressure [Pa], >= 0.
     periodic : {"", "x", "y", "xy"}, optional
-        As for Grid: along these directions the maximum pressure is moved to the centre first.
+        Periodic directions, as for Grid; along them the maximum pressure is first moved to the
+        centre.
 
     Returns
     -------
     float
-        An integer; NaN without contact. A side of the spot that spans the grid is ignored, because
-        it is cut by the edge of the grid, not resolved by cells.
+        Integer value; NaN without contact. A side of the spot that spans the whole grid is ignored,
+        because the grid edge limits it.
     """
     spot = main_spot(pressure, periodic)
     if spot is None:
@@ -123,12 +125,12 @@ def cells_across(pressure: ArrayLike, periodic: str = "") -> float:
 
 
 def area_uncertainty(pressure: ArrayLike, periodic: str = "") -> float:
-    """Relative uncertainty of a contact area with coarsely resolved spots.
+    """Relative uncertainty of the contact area [-] due to coarsely resolved spots.
 
-    (pi - 1 + ln 2)/24 times the number of sides between contact cells and open cells, divided by
-    the number of contact cells: the error of counting cells, averaged over directions, for spots
-    with smooth outlines (Yastrebov, Anciaux and Molinari 2017,
-    doi:10.1016/j.triboint.2017.04.023). For a round spot of n cells diameter it is 0.6/n.
+    The uncertainty is (pi - 1 + ln 2)/24 times the number of cell sides between contact cells and
+    open cells, divided by the number of contact cells. This is the error of counting cells,
+    averaged over directions, for spots with smooth outlines (Yastrebov, Anciaux and Molinari 2017,
+    doi:10.1016/j.triboint.2017.04.023). For a round spot n cells in diameter it is 0.6/n.
 
     Parameters
     ----------
@@ -140,7 +142,7 @@ def area_uncertainty(pressure: ArrayLike, periodic: str = "") -> float:
     Returns
     -------
     float
-        NaN without contact. The edge of the grid is not counted as a side.
+        Uncertainty; NaN without contact. Cell sides on the grid edge are not counted.
     """
     return _uncertainty(outline_of(pressure, periodic))
 
@@ -150,9 +152,10 @@ def _uncertainty(outline: Outline) -> float:
 
 
 def _is_wide(pressure: FloatArray) -> bool:
-    """Whether the cell of maximum pressure lies in `RECOMMENDED_CELLS` contact cells along x and y.
+    """Whether the spot of maximum pressure is at least `RECOMMENDED_CELLS` long along x and y.
 
-    This cheap check is sufficient for a wide contact spot, but not necessary.
+    Only the lines through the cell of maximum pressure are checked. If the check passes, the spot
+    is wide enough; if not, the spot may still be wide enough.
     """
     i, j = divmod(int(pressure.argmax()), pressure.shape[1])
     around = (
@@ -168,7 +171,7 @@ def _longest_run(inside: NDArray[np.bool_]) -> int:
 
 
 def layers_across(equivalent: ArrayLike) -> float:
-    """Number of layers from the top to the bottom of a plastic zone.
+    """Number of layers from the top to the bottom of the plastic zone.
 
     Parameters
     ----------
@@ -178,7 +181,7 @@ def layers_across(equivalent: ArrayLike) -> float:
     Returns
     -------
     float
-        An integer; NaN without plastic strain.
+        Integer value; NaN without plastic strain.
     """
     strained = np.flatnonzero(np.asarray(equivalent).any(axis=(0, 1)))
     return float(strained[-1] - strained[0] + 1) if strained.size else math.nan
@@ -196,7 +199,7 @@ def warn_of_contact(
     *,
     stacklevel: int,
 ) -> bool:
-    """Warn if fewer than `few` cells span the contact or its spots; return whether it did."""
+    """Warn if contact or spots are fewer than `few` cells wide; return True after a warning."""
     pressure, grid = solution.repulsion, scene.grid
     outline = solution.outline
     share = _uncertainty(outline)
@@ -224,8 +227,8 @@ def warn_of_contact(
         )
     else:
         return False
-    told = f"under-resolved contact: at load {solution.load:.6g} N the contact {text}"
-    warnings.warn(told, ResolutionWarning, stacklevel=stacklevel + 1)
+    message = f"under-resolved contact: at load {solution.load:.6g} N the contact {text}"
+    warnings.warn(message, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
 
 
@@ -240,9 +243,10 @@ def _remedy(solution: ContactSolution | State, scene: ContactSetup) -> str:
 def warn_of_zone(
     states: Sequence[State], body: int, few: int = RECOMMENDED_CELLS, *, stacklevel: int
 ) -> bool:
-    """Warn if fewer than `few` layers span the plastic zone of a body; return whether it did.
+    """Warn if the plastic zone of a body has fewer than `few` layers; return True after a warning.
 
-    It considers the state with the deepest zone: strain of a moving body leaves the grid.
+    The deepest plastic zone of all states is used, because the strain of a moving body leaves the
+    grid.
     """
     heights = [layers_across_plastic_zone(strained_extent(state, body)) for state in states]
     layers = max((height for height in heights if height > 0), default=math.nan)
@@ -260,7 +264,7 @@ def warn_of_zone(
 def warn_if_yield_unresolved(
     peak: State, last: State, scene: ContactSetup, few: int = MINIMUM_CELLS, *, stacklevel: int
 ) -> bool:
-    """Warn if layers are too thick to show yield below a contact; return whether it did.
+    """Warn if layers are too thick to show yield below a contact; return True after a warning.
 
     This applies if the contact pressure suffices for yield and the half-width has fewer than `few`
     layers.
@@ -294,7 +298,7 @@ def warn_if_yield_unresolved(
 
 
 def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn, after any increment, of what later increments cannot correct; return whether it did."""
+    """Warn of resolution faults that later increments cannot correct; True after a warning."""
     if math.isfinite(state.approach):
         if warn_of_contact(state, scene, MINIMUM_CELLS, stacklevel=stacklevel + 1):
             return True
@@ -311,7 +315,7 @@ def warn_of_step(state: State, scene: ContactSetup, *, stacklevel: int) -> bool:
 
 
 def warn_of_run(states: Sequence[State], scene: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn if the grid does not resolve the contact or plastic zones of a run; return whether."""
+    """Warn if the grid does not resolve contact or plastic zones; return True after a warning."""
     solved = [state for state in states if math.isfinite(state.approach)]
     peak = max(solved, key=lambda state: state.load, default=None)
     if peak is not None and warn_of_contact(peak, scene, stacklevel=stacklevel + 1):
@@ -328,7 +332,7 @@ def warn_of_run(states: Sequence[State], scene: ContactSetup, *, stacklevel: int
 
 
 def warn_of_sweep(dataset: xr.Dataset, *, stacklevel: int) -> None:
-    """Warn, in one message, of the cases of a sweep that are under-resolved."""
+    """Warn, in one message, of all under-resolved cases of a sweep."""
     found = []
     for name, what in (
         ("cells_across_contact", f"fewer than {RECOMMENDED_CELLS} cells across the contact"),
@@ -347,7 +351,7 @@ def warn_of_sweep(dataset: xr.Dataset, *, stacklevel: int) -> None:
             found.append(f"{count} with {what}")
     if found:
         text = (
-            f"under-resolved cases: of {dataset['status'].size}, {', '.join(found)}; see "
+            f"under-resolved cases: {', '.join(found)}, of {dataset['status'].size} in all; see "
             "cells_across_contact and layers_across_plastic_zone_bodyN"
         )
         warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)

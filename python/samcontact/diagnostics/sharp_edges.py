@@ -46,12 +46,12 @@ they do not converge with the grid (stresses in perfect plasticity do)."""
 
 
 class SharpEdge(NamedTuple):
-    """Cells in contact along sharp edges."""
+    """Contact cells along the sharp edges of a body."""
 
     cells: NDArray[np.bool_]
     """Cells at the edge, shape (nx, ny)."""
     peak: tuple[int, int]
-    """Cell of maximum pressure among them."""
+    """Indices of the edge cell with the maximum pressure."""
 
 
 def sharp_edge(
@@ -60,16 +60,16 @@ def sharp_edge(
 ) -> SharpEdge | None:  # fmt: skip
     """Find the sharp edges of a contact, towards which its pressure rises.
 
-    The pressure of a smooth contact falls to zero at its edge, like the root of the distance. At
-    the end of a body, or at a step that elastic deflection does not close, it rises instead: like
-    r^-1/2 with the distance r from the edge for the contact of two half-spaces (Johnson 1985,
-    sections 2.8 and 5.1; other exponents for wedges of dissimilar materials: Williams 1952,
-    doi:10.1115/1.4010553, Dundurs & Lee 1972).
+    The pressure of a smooth contact falls to zero at the contact edge, like the square root of the
+    distance. At the end of a body, or at a step that elastic deflection does not close, the
+    pressure rises instead. For two half-spaces it rises like r^-1/2 with the distance r from the
+    edge (Johnson 1985, sections 2.8 and 5.1). Other exponents apply to wedges of dissimilar
+    materials (Williams 1952, doi:10.1115/1.4010553, Dundurs & Lee 1972).
 
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
-        Contact pressure [Pa], >= 0; with attraction, the repulsion.
+        Contact pressure [Pa], >= 0; with attraction, the repulsive part.
     gap : array_like, shape (nx, ny)
         Separation under load [m]; NaN or infinite where there is no body.
     grid_sizes : pair of float
@@ -79,12 +79,12 @@ def sharp_edge(
     periodic : {"", "x", "y", "xy"}, optional
         Periodic directions, as for Grid.
     initial_gap : array_like, shape (nx, ny), optional
-        Separation of the undeformed bodies [m], for steps closed by the load.
+        Separation of the undeformed bodies [m]; used to find steps that the load has closed.
 
     Returns
     -------
     SharpEdge or None
-        None unless three or more connected cells lie next to a step of the gap and have more
+        None unless three or more connected cells lie next to a step of the gap and have a higher
         pressure than the cells further inside.
     """
     p, heights = np.asarray(pressure, dtype=np.float64), np.asarray(gap, dtype=np.float64)
@@ -126,8 +126,8 @@ def sharp_edge(
 def may_have_edge(solution: ContactSolution | State, scene: ContactSetup) -> bool:
     """Whether `edge_of` may find an edge.
 
-    At an edge with an open step of the gap next to it, the pressure drops to zero; a step closed
-    by the load is a step of the undeformed gap.
+    There is an edge only if the pressure drops to zero at an open step, or if the undeformed gap
+    has a step that the load has closed.
     """
     return solution.outline.rises or scene.may_have_steps
 
@@ -135,7 +135,7 @@ def may_have_edge(solution: ContactSolution | State, scene: ContactSetup) -> boo
 def edge_of(
     solution: ContactSolution | State, bodies: tuple[Body, Body], initial_gap: FloatArray | None
 ) -> SharpEdge | None:
-    """Sharp edges of a solution; None without any, and under prescribed tractions."""
+    """Sharp edges of a solution; None if there are none or tractions are prescribed."""
     pressure, grid = solution.repulsion, solution.grid
     if not np.isfinite(solution.approach):
         return None
@@ -147,7 +147,7 @@ def edge_of(
 
 
 def edge_of_state(state: State) -> SharpEdge | None:
-    """Sharp edges of a state; steps of reliefs that the load has closed are not found."""
+    """Sharp edges of a state; relief steps that the load has closed are not found."""
     domain = state.domain
     known = all(relief is None for relief in domain.reliefs)
     return edge_of(state, state.setup.bodies, domain.initial_gap if known else None)
@@ -161,7 +161,7 @@ def is_singular(name: str) -> bool:
 def warn_of_edge(
     solution: ContactSolution | State, edge: SharpEdge | None, *, stacklevel: int
 ) -> bool:
-    """Warn of pressures that are singular at a sharp edge; return whether there is one."""
+    """Warn of singular pressure at a sharp edge; return True if there is an edge."""
     if edge is None:
         return False
     i, j = edge.peak

@@ -39,10 +39,10 @@ def warn_of_yield(
     *,
     stacklevel: int,
 ) -> bool:
-    """Warn if an elastic-plastic body would yield under an elastic solution; return whether it did.
+    """Warn if a body treated as elastic would yield; return True after a warning.
 
-    The stress is that below a Hertz contact of equal maximum pressure, width and friction. A rough
-    or non-smooth contact may therefore yield slightly earlier or later.
+    The stress is that of a Hertz contact with the same maximum pressure, width and friction. A
+    rough or non-smooth contact may therefore yield at a slightly lower or higher load.
     """
     largest = float(solution.pressure.max())
     found = []
@@ -69,7 +69,7 @@ def warn_of_yield(
 
 
 def _traction(solution: ContactSolution, friction: FrictionLaw) -> float:
-    """Maximum shear over maximum pressure."""
+    """Ratio of maximum shear to maximum pressure of a solution [-]."""
     if isinstance(solution, ShearedSolution):
         largest = float(solution.pressure.max())
         shear = float(np.hypot(*solution.shear).max())
@@ -80,7 +80,7 @@ def _traction(solution: ContactSolution, friction: FrictionLaw) -> float:
 def _over_yield(
     solution: ContactSolution, body: Body, friction: FrictionLaw
 ) -> tuple[float, float]:
-    """Maximum of von Mises stress over yield stress at its depth, and that stress [Pa]."""
+    """Maximum ratio of von Mises stress to local yield stress [-]; von Mises stress there [Pa]."""
     grid, largest = solution.grid, float(solution.pressure.max())
     spot = main_spot(solution.repulsion, grid.periodic)
     assert spot is not None  # there is a pressure above the yield stress
@@ -112,14 +112,14 @@ def _over_yield(
 
 @lru_cache(maxsize=64)
 def _sliding(nu: float, friction: float) -> tuple[float, float]:
-    """Maximum von Mises stress over maximum pressure, and its depth over the half-width."""
+    """Maximum von Mises stress over maximum pressure in sliding; depth of it over half-width."""
     ratio, _, depth = sliding_max_von_mises(nu, friction)
     return ratio, depth
 
 
 @lru_cache(maxsize=64)
 def _below(nu: float, *, is_line: bool) -> FloatArray:
-    """Von Mises stress on the axis of a Hertz contact over its maximum pressure, at `_DEPTHS`."""
+    """Von Mises stress over maximum pressure [-] on the axis of a Hertz contact, at `_DEPTHS`."""
     if not is_line:
         radial, axial = point_axis(_DEPTHS, nu)
         return np.asarray(np.abs(radial - axial))

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fatigue criteria over a stress cycle, for the location of crack initiation.
+"""Fatigue criteria over a stress cycle, to locate crack initiation.
 
 Each criterion takes a sequence of states of a simulation (of a rolling pass or a fretting loop), a
-`Cycle`, or a stress array from any source. It returns a `FatigueField`: a value for each cell of
-the body, the maximum and its position. Steady rolling needs one state only: see `steady_cycle`.
+`Cycle`, or a stress array from any source. It returns a `FatigueField` with the value in each cell
+of the body, the maximum value and the position of the maximum. For steady rolling, one state is
+enough: see `steady_cycle`.
 
-By default the stress is the total stress: due to tractions, heat and plastic strain, and initial
-residual stress. Limits of a material must come from its fatigue tests: see the theory page,
+By default the total stress is used: the stress due to tractions, heat and plastic strain, plus the
+initial residual stress. Determine the limits of a material by fatigue tests: see the theory page
 "Fatigue".
 """
 

@@ -23,7 +23,8 @@ from .field import FatigueField
 __all__ = ["crossland", "dang_van", "fatemi_socie", "findley", "orthogonal_shear"]
 
 _MAX_SLOPE = 10.0
-"""Maximum slope: slopes are pure numbers below 1 for metals; a larger value is a stress."""
+"""Maximum slope: slopes are pure numbers below 1 for metals; a larger value is probably a
+stress."""
 
 Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
 
@@ -31,12 +32,12 @@ Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
 def dang_van(
     states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, slope: float | None = None
 ) -> FatigueField:
-    """Dang Van's criterion: maximum of tau(t) + slope sigma_h(t) over the cycle.
+    """Dang Van's criterion: maximum over the cycle of shear stress + slope * mean normal stress.
 
     Parameters
     ----------
     states : Cycle, sequence of State, or array_like of shape (n, 6, ...)
-        See `cycle`; for steady rolling, `steady_cycle`.
+        Stress history, see `cycle`. For steady rolling, use `steady_cycle`.
     body : {1, 2}, optional
         Body of the states. Default: 2.
     slope : float
@@ -51,15 +52,16 @@ def dang_van(
     Raises
     ------
     ValueError, TypeError
-        The slope is missing or outside its range; and as `cycle`.
+        The slope is missing or outside its range, or `cycle` raises an error.
 
     Notes
     -----
-    tau is Tresca's shear stress, half the difference of the largest and smallest principal stress,
-    of s(t) - s*: Dang Van's own measure. s* is the residual deviator after elastic shakedown of the
-    grains, the centre of the smallest ball, in the norm sqrt(s:s), around the path of the deviator
-    s. The ball is exact. K. Dang Van, B. Griveau, O. Message (1989), *Biaxial and Multiaxial
-    Fatigue*, EGF 3, 479-496; P. Ballard et al. (1995), doi:10.1111/j.1460-2695.1995.tb00886.x.
+    The shear stress is Tresca's: half the difference between the largest and the smallest principal
+    value of s(t) - s*, where s(t) is the stress deviator. s* is the residual stress deviator after
+    elastic shakedown of the grains: the centre of the smallest ball that contains the path of s(t),
+    in the norm sqrt(s:s). The ball is computed exactly. K. Dang Van, B. Griveau, O. Message (1989),
+    *Biaxial and Multiaxial Fatigue*, EGF 3, 479-496; P. Ballard et al. (1995),
+    doi:10.1111/j.1460-2695.1995.tb00886.x.
     """
     number = _slope("slope", slope)
     return _scalar("dang_van", {"slope": number}, states, body,
@@ -69,15 +71,15 @@ def dang_van(
 def crossland(
     states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, slope: float | None = None
 ) -> FatigueField:
-    """Crossland's criterion: sqrt(J2,a) + slope times the maximum sigma_h of the cycle.
+    """Crossland's criterion: shear stress amplitude + slope * maximum mean normal stress.
 
     Parameters
     ----------
     states, body
         As for `dang_van`.
     slope : float
-        Weight in [0, 10] [-]: 3 t/f - sqrt(3) for the fatigue limits t in torsion and f in
-        bending; the limit of the criterion is then t.
+        Weight of the mean normal stress, in [0, 10] [-]: 3 t/f - sqrt(3) for the fatigue limits t
+        in torsion and f in bending; the limit of the criterion is then t.
 
     Returns
     -------
@@ -87,13 +89,13 @@ def crossland(
     Raises
     ------
     ValueError, TypeError
-        The slope is missing or outside its range; and as `cycle`.
+        The slope is missing or outside its range, or `cycle` raises an error.
 
     Notes
     -----
-    sqrt(J2,a), the amplitude of the second invariant, is the radius of the smallest ball around the
-    path of the deviator, in the norm sqrt(s:s/2). B. Crossland (1956), *Proc. Int. Conf. on Fatigue
-    of Metals*, 138-149; I. V. Papadopoulos et al. (1997), *Int. J. Fatigue* 19, 219-235.
+    The shear stress amplitude sqrt(J2,a) is the radius of the smallest ball that contains the path
+    of the stress deviator s, in the norm sqrt(s:s/2). B. Crossland (1956), *Proc. Int. Conf. on
+    Fatigue of Metals*, 138-149; I. V. Papadopoulos et al. (1997), *Int. J. Fatigue* 19, 219-235.
     """
     number = _slope("slope", slope)
     return _scalar("crossland", {"slope": number}, states, body,
@@ -110,7 +112,7 @@ def orthogonal_shear(
     states, body
         As for `dang_van`.
     axis : {"x", "y"}, optional
-        Direction of the shear stress: the rolling direction.
+        Direction of the shear stress; normally the rolling direction.
 
     Returns
     -------
@@ -121,7 +123,7 @@ def orthogonal_shear(
     Raises
     ------
     ValueError, TypeError
-        As `cycle`.
+        `cycle` raises an error, or the axis is unknown.
     """
     component = {"x": 4, "y": 3}[choice("axis", axis, ("x", "y"))]
 
@@ -135,15 +137,15 @@ def orthogonal_shear(
 def findley(
     states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, k: float | None = None
 ) -> FatigueField:
-    """Findley's criterion: maximum of tau_a + k sigma_n,max over all planes.
+    """Findley's criterion: maximum over all planes of shear amplitude + k * normal stress.
 
     Parameters
     ----------
     states, body
         As for `dang_van`.
     k : float
-        Weight of the maximum normal stress on the plane, in [0, 10] [-]; 0.2 to 0.4 for ductile
-        metals.
+        Weight of the maximum normal stress on the plane in the cycle, in [0, 10] [-]; 0.2 to 0.4
+        for ductile metals.
 
     Returns
     -------
@@ -153,14 +155,14 @@ def findley(
     Raises
     ------
     ValueError, TypeError
-        k is missing or outside its range; and as `cycle`.
+        k is missing or outside its range, or `cycle` raises an error.
 
     Notes
     -----
-    tau_a is the radius of the smallest circle around the path of the shear stress in the plane.
-    Planes are scanned 11 degrees apart, and the search continues from the best ones to local
-    maxima. The value found belongs to an actual plane; it is less than 0.11 % below the maximum
-    in 99 of 100 points, and at most 1 % (theory page). W. N. Findley (1959), *J. Eng. Ind.* 81,
+    The shear amplitude is the radius of the smallest circle that contains the path of the shear
+    stress in the plane. Planes are scanned 11 degrees apart, and the search continues from the best
+    planes to local maxima. The result is less than 0.11 % below the true maximum in 99 of 100
+    points, and never more than 1 % below it (theory page). W. N. Findley (1959), *J. Eng. Ind.* 81,
     301-305.
     """
     number = _slope("k", k)
@@ -178,20 +180,21 @@ def fatemi_socie(
     yield_stress: float | None = None,
     material: Material | None = None,
 ) -> FatigueField:
-    """Fatemi and Socie's criterion: maximum of gamma_a (1 + k sigma_n,max/yield stress).
+    """Fatemi and Socie's criterion: shear strain amplitude weighted by the normal stress.
 
     Parameters
     ----------
     states, body
         As for `dang_van`.
     k : float
-        Weight of the maximum normal stress on the plane, in [0, 10] [-]; 0.3 to 1 for metals.
+        Weight of the maximum normal stress on the plane in the cycle, in [0, 10] [-]; 0.3 to 1 for
+        metals.
     yield_stress : float, optional
         Yield stress by which the normal stress is divided [Pa], > 0. Default: initial yield stress
         of the body.
     material : Material, optional
-        Material whose elastic constants convert stress to strain. Default: that of the body. A
-        stress array requires both.
+        Material whose elastic constants convert stress to strain. Default: material of the body. A
+        stress array requires both `yield_stress` and `material`.
 
     Returns
     -------
@@ -201,15 +204,18 @@ def fatemi_socie(
     Raises
     ------
     ValueError, TypeError
-        k is missing or outside its range; yield stress or material is missing and the body has
-        none; and as `cycle`.
+        k is missing or outside its range; the yield stress or the material is missing, and the body
+        has none; or `cycle` raises an error.
 
     Notes
     -----
-    gamma_a, gamma_max/2 in the source, is the radius of the smallest circle around the path of the
-    engineering shear strain in the plane, elastic and plastic; in a cycle without plastic flow it
-    is that of the elastic strain. A negative normal stress reduces the value, at least to 0. Planes
-    as in `findley`. A. Fatemi, D. F. Socie (1988), doi:10.1111/j.1460-2695.1988.tb01169.x.
+    The value is the maximum of gamma_a (1 + k sigma_n,max/yield stress) over all planes, where
+    sigma_n,max is the maximum normal stress on the plane. gamma_a, called gamma_max/2 in the
+    source, is the radius of the smallest circle that contains the path of the engineering shear
+    strain in the plane. The strain is elastic plus plastic; in a cycle without plastic flow, only
+    the elastic strain matters. A negative normal stress reduces the value, but not below 0. Planes
+    are searched as in `findley`. A. Fatemi, D. F. Socie (1988),
+    doi:10.1111/j.1460-2695.1988.tb01169.x.
     """
     number = _slope("k", k)
     given = _as_cycle(states, body)
@@ -230,12 +236,15 @@ def fatemi_socie(
 
 def _slope(name: str, value: Any) -> float:
     if value is None:
-        raise TypeError(f"{name} is required: it is a material property, see the docstring")
+        raise TypeError(
+            f"{name} is required: give the value for the material (see the documentation "
+            "of the criterion)"
+        )
     found = non_negative(name, value)
     if found > _MAX_SLOPE:
         raise ValueError(
-            f"{name} must be in [0, {_MAX_SLOPE:g}], got {found!r}: it is the dimensionless weight "
-            "of a stress; pass a limit in Pa to .margin() of the result"
+            f"{name} must be in [0, {_MAX_SLOPE:g}], got {found!r}: it is a dimensionless weight; "
+            "pass a fatigue limit in Pa to FatigueField.margin()"
         )
     return found
 
@@ -245,7 +254,7 @@ def _as_cycle(states: Cycle | Sequence[State] | ArrayLike, body: int | None) -> 
         return cycle(states, body)
     if body is not None:
         raise ValueError(
-            f"body cannot be combined with a Cycle, which has its own, got {in_short(body)}"
+            f"body cannot be combined with a Cycle, got {in_short(body)}: pass it to `cycle`"
         )
     return states
 
@@ -271,7 +280,7 @@ def _over_blocks(
     fields: int,
     at: Callable[[Cycle, slice], tuple[FloatArray, FloatArray | None]],
 ) -> FatigueField:
-    """Field assembled from blocks; `fields`: number of fields in memory at once."""
+    """Evaluate a criterion in blocks of points; `fields`: tensor fields in memory at once."""
     values = np.empty(given.points_shape)
     normals: FloatArray | None = None
     for block in blocks(given, fields):
@@ -295,14 +304,14 @@ def _over_blocks(
 
 
 def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
-    """Shear modulus of each point along the last axis, or of all points [Pa]."""
+    """Return the shear modulus [Pa] along the last axis of the points, or one for all points."""
     if material is not None:
         require_type("material", material, Material)
         if material.is_rigid:
             raise ValueError("material must not be rigid: a rigid body has no strain")
     body = material if material is not None else given.body
     if body is None:
-        raise TypeError("material is required with a stress array, to compute strain")
+        raise TypeError("material is required with a stress array, to compute the strain from it")
     if isinstance(body, Layered):
         layer = np.searchsorted(body.interfaces, given.coordinates["z"], side="right")
         E, nu = (np.asarray(body.parameters[name])[layer] for name in ("E", "nu"))
@@ -311,11 +320,11 @@ def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
     return np.asarray(E / (2 * (1 + nu)), dtype=np.float64)
 
 
-def _yield_stress(given: Cycle, material: Material | None, told: float | None) -> float:
-    if told is not None:
-        given_stress = positive("yield_stress", told)
-        warn_if_implausible(strength("yield_stress", given_stress), stacklevel=4)
-        return given_stress
+def _yield_stress(given: Cycle, material: Material | None, given_stress: float | None) -> float:
+    if given_stress is not None:
+        checked = positive("yield_stress", given_stress)
+        warn_if_implausible(strength("yield_stress", checked), stacklevel=4)
+        return checked
     body = material if material is not None else given.body
     assert body is not None  # checked by _elasticity
     if not body.is_plastic:

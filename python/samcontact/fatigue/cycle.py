@@ -23,16 +23,16 @@ from .paths import GivenPaths, Paths, StatePaths, SteadyPaths
 __all__ = ["Cycle", "cycle", "steady_cycle"]
 
 _MAX_MEMORY_FRACTION = 0.4
-"""Fraction of available memory for the stress of a block of layers at all moments."""
+"""Fraction of the available memory for the stress of a block of layers at all moments."""
 _COPIES_OF_BLOCK = 2.5
-"""Memory factor of such a block, including the stress of a state while it is copied."""
+"""Memory of a block relative to the memory of its stress; it includes copies of the stress."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Cycle(HtmlTable):
     """Stress history of points of a body, created by `cycle` or `steady_cycle`.
 
-    Its stress is computed when a criterion needs it, and cached for the next criterion if it fits
+    The stress is computed when a criterion needs it, and cached for the next criterion if it fits
     into memory.
     """
 
@@ -42,25 +42,26 @@ class Cycle(HtmlTable):
 
     @property
     def moments(self) -> int:
-        """Number of moments."""
+        """Number of moments (instants) of the cycle."""
         return self._paths.moments
 
     @property
     def points_shape(self) -> tuple[int, ...]:
-        """Shape of a field at its points."""
+        """Shape of a scalar field over the points of the cycle."""
         return self._paths.shape
 
     @property
     def coordinates(self) -> Mapping[str, NDArray[np.float64]]:
         """Coordinates of the points along each axis of a field [m].
 
-        Axes "x" (on the body, relative to the initial contact), "y" and "z"; empty for an array.
+        The axes are "x" (on the body, relative to the initial contact), "y" and "z". The mapping is
+        empty for a stress array.
         """
         return self._places
 
     @property
     def body(self) -> Body | None:
-        """Body of the points; None for a stress array."""
+        """Body to which the points belong; None for a stress array."""
         return self._body
 
     def __repr__(self) -> str:
@@ -74,12 +75,12 @@ class Cycle(HtmlTable):
 
 
 def has_plastic_strain(of: Cycle) -> bool:
-    """Whether any point of a cycle has plastic strain at some moment."""
+    """Whether any point has plastic strain at any moment of the cycle."""
     return of._paths.has_plastic_strain
 
 
 def blocks(of: Cycle, fields: int) -> Iterator[slice]:
-    """Blocks of points along the last axis for which a number of fields fits into memory."""
+    """Yield slices of the last axis of the points; `fields` tensor fields of a slice fit memory."""
     last = of.points_shape[-1]
     one = 48.0 * of.moments * math.prod(of.points_shape[:-1]) * fields
     there = memory.available()
@@ -88,7 +89,7 @@ def blocks(of: Cycle, fields: int) -> Iterator[slice]:
         memory.require(
             "one layer of a cycle",
             _COPIES_OF_BLOCK * one / _MAX_MEMORY_FRACTION,
-            "use fewer moments",
+            "use fewer states (moments)",
         )
     size = max(min(fit, last), 1)
     for first in range(0, last, size):
@@ -96,7 +97,7 @@ def blocks(of: Cycle, fields: int) -> Iterator[slice]:
 
 
 def stress_in(of: Cycle, block: slice) -> FloatArray:
-    """Stress [Pa], shape (moments, 6, points of a block), with the last axis of a field slowest."""
+    """Return the stress in a block [Pa], shape (moments, 6, points), last axis slowest."""
     known: dict[str, FloatArray] = of.__dict__.setdefault("_known", {})
     if "stress" in known:
         each = math.prod(of.points_shape[:-1])
@@ -108,7 +109,7 @@ def stress_in(of: Cycle, block: slice) -> FloatArray:
 
 
 def plastic_strain_in(of: Cycle, block: slice) -> FloatArray:
-    """Plastic strain [-], in the shape of the stress."""
+    """Return the plastic strain in a block [-], in the shape of `stress_in`."""
     return of._paths.plastic_strain(block).reshape(of.moments, 6, -1)
 
 
@@ -122,25 +123,26 @@ def cycle(
     Parameters
     ----------
     states : sequence of State, or array_like of shape (n, 6, ...)
-        At least two moments of one simulation: those of a pass or a loop in its steady state.
-        States that are not in the sequence, such as the unloaded body, are not in the cycle. Or
-        stress [Pa] from any source, components xx, yy, zz, yz, xz, xy, tension positive.
+        At least two states of one simulation, over a steady pass or loop. The cycle consists of
+        these states only: the unloaded state is not added. Alternatively, a stress array [Pa] from
+        any source, with the components xx, yy, zz, yz, xz, xy, positive in tension.
     body : {1, 2}, optional
         Body of the states. Default: 2.
     plastic_strain : array_like, optional
-        Tensor components in the shape of a stress array [-]. Default: 0. Not allowed with states.
+        Plastic strain [-], in the shape of the stress array. Default: 0. Not allowed with states.
 
     Returns
     -------
     Cycle
-        If the contact moves over the body, the points are those of the body: the cells inside the
+        If the contact moves over the body, the points are the cells of the body that lie inside the
         grids of all states.
 
     Raises
     ------
     ValueError
-        Fewer than two moments; states of different grids or materials, without common cells or
-        offset by different fractions of a cell; an array of another shape or not finite.
+        There are fewer than two moments. The states have different grids or materials, no cells in
+        common, or offsets that differ by a fraction of a cell. The stress array has another shape
+        or is not finite.
     TypeError
         The argument is neither states nor an array of numbers.
     """
@@ -153,9 +155,9 @@ def cycle(
     if any(isinstance(one, State) for one in given):
         if plastic_strain is not None:
             raise ValueError("plastic_strain cannot be combined with states, which have their own")
-        return _of_states(given, 2 if body is None else choice("body", body, (1, 2)))
+        return _cycle_from_states(given, 2 if body is None else choice("body", body, (1, 2)))
     stress = _tensors("states", states, "(moments, 6, ...)", 1)
-    _of_no_body(body)
+    _require_no_body(body)
     if stress.shape[0] < 2:
         raise ValueError(f"states must have at least 2 moments, got shape {stress.shape}")
     strain = _strain_like(plastic_strain, stress)
@@ -170,8 +172,8 @@ def steady_cycle(
 ) -> Cycle:
     """Stress cycle of material that moves through a steady stress field along x or y.
 
-    For steady rolling or sliding one state suffices: every point undergoes the stress along its
-    line.
+    For steady rolling or sliding one state is enough: a material point moves along a line of the
+    field and undergoes the stresses along this line one after another.
 
     Parameters
     ----------
@@ -182,14 +184,15 @@ def steady_cycle(
     axis : {"x", "y"}, optional
         Direction in which the material moves.
     plastic_strain : array_like, optional
-        Tensor components in the shape of a stress array [-]. Default: 0. Not allowed with a state.
+        Plastic strain [-], in the shape of the stress array. Default: 0. Not allowed with a state.
 
     Returns
     -------
     Cycle
-        Its points are lines: fields have the axes y and z (x and z). Moments are the cells along a
-        line, without interpolation, and for a state also the initial stress far ahead of the
-        contact. This is not added to a stress array, nor along a periodic direction.
+        Cycle in which each point stands for a line along `axis`: fields have the axes y and z (x
+        and z with `axis="y"`). The moments are the cells along a line, without interpolation. For a
+        state, the initial stress far ahead of the contact is one more moment, except along a
+        periodic direction. It is not added to a stress array.
 
     Raises
     ------
@@ -199,7 +202,7 @@ def steady_cycle(
     number = ("x", "y").index(choice("axis", axis, ("x", "y")))
     if isinstance(state, State):
         if plastic_strain is not None:
-            raise ValueError("plastic_strain cannot be combined with a state, which has its own")
+            raise ValueError("plastic_strain cannot be combined with a state, which contains it")
         which = 2 if body is None else choice("body", body, (1, 2))
         if (cells := state.grid.surface_shape[number]) < 2:
             raise ValueError(
@@ -210,7 +213,7 @@ def steady_cycle(
         places = {across: getattr(state.grid, across), "z": state.depths}
         return Cycle(paths, _body_of(state, which), FrozenDict(places))
     stress = _tensors("state", state, "(6, nx, ny, nz)", 0)
-    _of_no_body(body)
+    _require_no_body(body)
     if stress.ndim != 4 or stress.shape[1 + number] < 2:
         raise ValueError(
             f"state must have shape (6, nx, ny, nz) with at least 2 cells along {axis}, "
@@ -221,7 +224,7 @@ def steady_cycle(
     return Cycle(GivenPaths(lines[0], lines[1] if len(lines) > 1 else None), None, FrozenDict({}))
 
 
-def _of_no_body(body: Any) -> None:
+def _require_no_body(body: Any) -> None:
     if body is not None:
         raise ValueError(f"body cannot be combined with a stress array, got {in_short(body)}")
 
@@ -254,7 +257,7 @@ def _body_of(state: State, body: int) -> Body:
     return state.setup.bodies[body - 1]
 
 
-def _of_states(given: list[Any], body: int) -> Cycle:
+def _cycle_from_states(given: list[Any], body: int) -> Cycle:
     wrong = [one for one in given if not isinstance(one, State)]
     if wrong:
         raise TypeError(f"states must all be samcontact.State, got {type(wrong[0]).__name__}")
@@ -265,18 +268,18 @@ def _of_states(given: list[Any], body: int) -> Cycle:
         )
     sizes = {(s.grid.dx, s.grid.dy, s.grid.nz, s.grid.dz, s.grid.periodic) for s in given}
     if len(sizes) > 1:
-        raise ValueError("states must have equal cells, got different grids")
+        raise ValueError("states must have cells of the same size, got different grids")
     if any(_body_of(s, body) != _body_of(given[0], body) for s in given):
-        raise ValueError(f"states must have one body {body}, got states of several simulations")
+        raise ValueError(f"states must have the same body {body}, got several simulations")
     states = on_common_grid(given)
     if len({s.grid.surface_shape for s in states}) > 1:
-        raise ValueError("states must have one grid, got states of several simulations")
+        raise ValueError("states must have the same grid, got states of several simulations")
     grid = states[0].grid
     parts = [s.offset(body) for s in states]
     if max(parts) - min(parts) > 1e-6 * grid.dx:
         raise ValueError(
-            f"states must have equal offsets from the cells of body {body}, got {min(parts):.6g} "
-            f"to {max(parts):.6g} m: move it by whole cells of {grid.dx!r} m"
+            f"states must have equal offsets of body {body} from the grid, got {min(parts):.6g} "
+            f"to {max(parts):.6g} m: move the body by whole cells of {grid.dx!r} m"
         )
     paths = StatePaths.of(states, body)
     cells = paths.first + np.arange(paths.shape[0])

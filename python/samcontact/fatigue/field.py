@@ -47,7 +47,7 @@ class FatigueField(ShortRepr, HtmlTable):
         Coordinates along each axis of `values` [m]: "x" (on the body), "y", "z"; empty for a
         stress array.
     moments : int
-        Number of moments of the cycle.
+        Number of moments (instants) of the cycle.
     normals : ndarray or None
         Normal of the critical plane at each point, shape (3, ...), for critical-plane criteria.
     """
@@ -76,7 +76,7 @@ class FatigueField(ShortRepr, HtmlTable):
 
     @property
     def position(self) -> dict[str, float]:
-        """Coordinates of the maximum [m]; empty without `coordinates`."""
+        """Coordinates of the maximum [m]; empty if `coordinates` is empty."""
         named = zip(self.coordinates.items(), self.index, strict=False)
         return {axis: float(values[i]) for (axis, values), i in named}
 
@@ -86,17 +86,17 @@ class FatigueField(ShortRepr, HtmlTable):
         return None if self.normals is None else self.normals.reshape(3, -1)[:, self._flat]
 
     def margin(self, limit: float) -> float:
-        """Safety margin: limit over maximum value, minus 1 [-].
+        """Safety margin [-]: limit / maximum value - 1.
 
         Parameters
         ----------
         limit : float
-            Limit of the material, from tests, in the unit `unit`; > 0.
+            Fatigue limit of the material from tests, in the unit `unit`; > 0.
 
         Returns
         -------
         float
-            0 at the limit, negative above it, infinite if no value is above 0.
+            Margin: 0 at the limit, negative above the limit, infinite if no value is above 0.
         """
         allowed = positive("limit", limit)
         if self.unit == "Pa":
@@ -104,7 +104,7 @@ class FatigueField(ShortRepr, HtmlTable):
         return allowed / self.max_value - 1.0 if self.max_value > 0 else math.inf
 
     def over_depth(self) -> FloatArray:
-        """Maximum of each layer, shape (nz,); for an array, along its last axis."""
+        """Maximum value in each layer, shape (nz,); for a stress array, along the last axis."""
         most: FloatArray = self.values.reshape(-1, self.values.shape[-1]).max(axis=0)
         return most
 
@@ -114,9 +114,9 @@ class FatigueField(ShortRepr, HtmlTable):
         Returns
         -------
         xarray.Dataset
-            A variable named after `criterion`, with its parameters as attributes and the
-            coordinates of `coordinates`; for critical planes another one, ending in _normal, with
-            the dimension "axis".
+            Values in a variable named after `criterion`, with the coordinates of `coordinates` and
+            the parameters of the criterion as attributes. For critical-plane criteria, a variable
+            with the ending _normal contains the normals; its first dimension is "axis".
 
         Raises
         ------
@@ -127,12 +127,15 @@ class FatigueField(ShortRepr, HtmlTable):
 
         if not self.coordinates:
             raise ValueError(
-                "a field from a stress array has no coordinates: label its `values` directly"
+                "to_dataset requires coordinates, but a field from a stress array has "
+                "none: use the array `values` of the field instead"
             )
         unit = {"-": "1"}.get(self.unit, self.unit)
-        told = {"units": unit, "long_name": self.name, "moments": self.moments}
+        attributes = {"units": unit, "long_name": self.name, "moments": self.moments}
         axes = tuple(self.coordinates)
-        data: dict[str, Any] = {self.criterion: (axes, self.values, told | dict(self.parameters))}
+        data: dict[str, Any] = {
+            self.criterion: (axes, self.values, attributes | dict(self.parameters))
+        }
         coordinates: dict[str, Any] = {
             axis: (axis, values, {"units": "m"}) for axis, values in self.coordinates.items()
         }

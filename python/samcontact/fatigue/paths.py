@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sources of the stress of a cycle: states, lines through one state, or an array.
+"""Sources of the stress history of a cycle: several states, one steady state, or an array.
 
-A block is a slice of the last axis of the points, mostly depth. In fields of a block this axis
-comes before the others, as in the core: shape (moments, 6, block, ...).
+A block is a slice of the last axis of the points, normally of the depth. In fields of a block this
+axis comes before the other axes, as in the core: shape (moments, 6, block, ...).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from ..solutions.state import State
 
 
 class Paths(Protocol):
-    """Stress and plastic strain of points at all moments."""
+    """Protocol of a source: stress and plastic strain of all points at all moments."""
 
     @property
     def moments(self) -> int: ...
@@ -32,7 +32,7 @@ class Paths(Protocol):
 
 @dataclass(frozen=True)
 class GivenPaths:
-    """Source from an array; plastic strain may be missing."""
+    """Stress history from a stress array; the plastic strain is optional."""
 
     given: FloatArray
     strain: FloatArray | None
@@ -63,7 +63,7 @@ class GivenPaths:
 
 @dataclass(frozen=True)
 class StatePaths:
-    """Source from states: cells of the body inside the grids of all states."""
+    """Stress history from several states, for the body cells inside the grids of all states."""
 
     states: Sequence[State]
     body: int
@@ -111,7 +111,7 @@ class StatePaths:
 
 @dataclass(frozen=True)
 class SteadyPaths:
-    """Source from one state: material that moves through it along an axis."""
+    """Stress history from one steady state, for material that moves through it along an axis."""
 
     state: State
     body: int

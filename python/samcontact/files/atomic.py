@@ -25,24 +25,25 @@ TERMINATION_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 @contextmanager
 def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
-    """Yield a new file in the folder of `path`, which replaces `path` at the end.
+    """Yield a temporary file in the folder of `path`; at the end it replaces the file at `path`.
 
-    On failure, the new file is removed and an existing file is kept. For a symbolic link, its
-    target is replaced. In a folder under `recording`, only files of this package are replaced.
+    On failure, the temporary file is removed and an existing file is kept. If `path` is a symbolic
+    link, the target of the link is replaced. In a folder under `recording`, only files of this
+    package are replaced.
 
     Parameters
     ----------
-    path : path
+    path : str or path
         File to write, in an existing folder.
     ending : str, optional
-        Suffix of the new file, for writers that choose the format by the suffix.
+        Suffix of the temporary file, for writers that choose the format by the suffix.
 
     Raises
     ------
     OSError
         The folder is missing or cannot be written, or `path` is a folder, device or pipe.
     ValueError
-        The folder is recorded, and this package did not write `path`.
+        The folder is under `recording`, and this package did not write the existing file.
     """
     record = record_of(Path(path).parent)
     if record is not None:
@@ -64,7 +65,7 @@ def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
         os.replace(temporary, target)
     except BaseException as error:
         temporary.unlink(missing_ok=True)
-        # the error names no file, or the new file
+        # the error names no file, or the temporary file
         if isinstance(error, OSError) and error.errno and error.filename in (None, str(temporary)):
             raise _about(target, error) from error
         raise
@@ -73,7 +74,7 @@ def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
 
 
 def with_ending(path: str | os.PathLike[str], ending: str) -> Path:
-    """Return the path with the suffix added if missing; raises ValueError without a file name."""
+    """Return the path with the suffix, added if missing; raise ValueError without a file name."""
     target = Path(path)
     if target.name in ("", ".."):
         raise ValueError(f"path must be the name of a file, got {in_short(str(path))}, a folder")
@@ -81,7 +82,7 @@ def with_ending(path: str | os.PathLike[str], ending: str) -> Path:
 
 
 def _checked(path: Path) -> Path:
-    """Return the target of a path, which may be missing; its folder must exist."""
+    """Resolve a symbolic link; raise OSError unless its folder exists and it can be a file."""
     target = Path(os.path.realpath(path)) if path.is_symlink() else path
     if not target.parent.is_dir():
         raise FileNotFoundError(errno.ENOENT, "the folder does not exist", str(path))
@@ -92,7 +93,7 @@ def _checked(path: Path) -> Path:
 
 
 def _part(target: Path, ending: str) -> tuple[int, Path]:
-    """Create a new file next to the target, with a lock that distinguishes it from leftovers."""
+    """Create a temporary file next to the target; a lock shows that a process is writing it."""
     prefix = f".{target.name}.samcontact-"
     while True:
         handle, name = tempfile.mkstemp(f".part{ending}", prefix, target.parent)
@@ -105,11 +106,11 @@ def _part(target: Path, ending: str) -> tuple[int, Path]:
 
 @contextmanager
 def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
-    """Yield a file object for HDF5 that replaces `path` at the end, with the digest of `checksum`.
+    """Yield a file object for HDF5; at the end, the file gets a digest and replaces `path`.
 
-    Ctrl-C is delayed until the file is complete. Disk errors are OSErrors that name `path`. A
-    MemoryError is raised in advance if HDF5 would run out of memory. An existing file that this
-    package did not write is refused with a ValueError.
+    Ctrl-C is delayed until the file is complete. Disk errors are raised as OSError with the name
+    `path`. A MemoryError is raised in advance if HDF5 would run out of memory. A ValueError is
+    raised for an existing file that this package did not write.
     """
     require_marked(_checked(Path(path)))
     require_address_space(f"writing {os.fspath(path)!r}", HDF5_FILE_BYTES)
@@ -129,8 +130,8 @@ def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
 class _ErrorHoldingFile:
     """File that stores its first write error and ignores later writes.
 
-    HDF5 does not survive a full disk: its errors are of many kinds, recur when objects are freed,
-    and the process may crash at its end.
+    HDF5 cannot handle a full disk: it raises many kinds of errors, raises them again when objects
+    are freed, and may crash the process at exit.
     """
 
     def __init__(self, file: BinaryIO) -> None:
@@ -162,7 +163,7 @@ class _ErrorHoldingFile:
 
 @contextmanager
 def undisturbed() -> Iterator[None]:
-    """Delay Ctrl-C and other terminating signals, so that no finished results are lost."""
+    """Delay Ctrl-C and other termination signals within the context, to lose no results."""
     if threading.current_thread() is not threading.main_thread():
         yield  # signals are handled by the main thread
         return
@@ -182,5 +183,5 @@ def undisturbed() -> Iterator[None]:
 
 
 def _about(path: Path, error: OSError) -> OSError:
-    """Return the error with the file name that the user specified."""
+    """Return a copy of an OSError with the file name that the user specified."""
     return OSError(error.errno, error.strerror or str(error), str(path))

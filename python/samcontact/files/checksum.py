@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Digest appended to an HDF5 file, which reveals any later change of its bytes.
+"""SHA-256 digest at the end of an HDF5 file, by which any later change of the file is detected.
 
-HDF5 ignores bytes after the end stated in its header. The digest is checked before the file is
-opened, because the HDF5 library may crash on damaged metadata.
+HDF5 ignores bytes after the end of file stated in the file header. The digest is checked before the
+file is opened, because the HDF5 library may crash on damaged metadata.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ _BLOCK = 1 << 20
 
 
 def seal(path: str | os.PathLike[str]) -> None:
-    """Append the digest to a complete file. Programs that change the file later remove it."""
+    """Append the digest to a complete file. HDF5 programs that change the file cut it off."""
     with open(path, "r+b") as file:
         digest = _digest(file, os.fstat(file.fileno()).st_size)
         file.write(_MARK + digest + b"\n")
 
 
 def check_seal(path: str | os.PathLike[str]) -> bool:
-    """Whether the file has a digest.
+    """Whether the file ends with a digest.
 
-    Raises ValueError if its bytes have changed.
+    Raises ValueError if the content of the file does not match the digest.
     """
     with open(path, "rb") as file:
         length = max(0, os.fstat(file.fileno()).st_size - SEAL_BYTES)
@@ -36,16 +36,16 @@ def check_seal(path: str | os.PathLike[str]) -> bool:
         end = file.read(SEAL_BYTES)
         if not end.startswith(_MARK) or len(end) < SEAL_BYTES:
             if _MARK.strip() in end or any(end.endswith(_MARK[:n]) for n in range(4, len(_MARK))):
-                raise ValueError("the file is truncated, or data was appended")
+                raise ValueError("the file is incomplete, or data was appended to it")
             return False
         file.seek(0)
         if end != _MARK + _digest(file, length) + b"\n":
-            raise ValueError("its bytes have changed since it was written")
+            raise ValueError("the file has changed since it was written")
     return True
 
 
 def _digest(file: BinaryIO, length: int) -> bytes:
-    """Return the digest of the next `length` bytes of a file."""
+    """Return the SHA-256 digest of the next `length` bytes of a file."""
     digest = hashlib.sha256()
     while length > 0:
         block = file.read(min(_BLOCK, length))

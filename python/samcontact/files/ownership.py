@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Identification of files written by this package; others are replaced only if the user names them.
+"""Identification of files written by this package, so that no other files are replaced.
 
-HDF5 files have a mark in their content. Files of other formats, if written under names chosen by
-this package, are listed with their digests in a record in their folder.
+HDF5 files contain a mark. Files of other formats are listed with their digests in a record in their
+folder if this package has chosen their names; if the user has named them, they are replaced.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _recording: ContextVar[OwnershipRecord | None] = ContextVar("recording", default
 
 
 def is_regular(file: Path) -> bool:
-    """Whether a path is a regular file: no link, folder, pipe or device."""
+    """Whether a path is a regular file, not a link, folder, pipe or device."""
     try:
         return stat.S_ISREG(file.lstat().st_mode)
     except OSError:
@@ -42,7 +42,7 @@ def is_regular(file: Path) -> bool:
 
 
 def is_marked(file: Path) -> bool:
-    """Whether an HDF5 file was written by this package, intact or damaged, or is empty."""
+    """Whether an HDF5 file, intact or damaged, was written by this package; True if empty."""
     if not is_regular(file):
         return False
     with file.open("rb") as opened:
@@ -56,8 +56,8 @@ def is_marked(file: Path) -> bool:
             return content.find(_MARK) >= 0
 
 
-def require_marked(file: Path, remedy: str = "move it, or use another name") -> None:
-    """Raise ValueError for an existing file that was not written by this package."""
+def require_marked(file: Path, remedy: str = "move this file, or use another name") -> None:
+    """Raise ValueError if a file exists that was not written by this package."""
     if os.path.lexists(file) and not is_marked(file):
         raise ValueError(f"{file} {_kind(file)}: {remedy}")
 
@@ -71,9 +71,9 @@ def _kind(file: Path) -> str:
 
 
 class OwnershipRecord:
-    """List of the files without a mark in a folder.
+    """Record of the files that this package has written to a folder without a mark.
 
-    A line is added before its file appears, so that no file appears foreign after a kill.
+    A file is recorded before it appears, so that it is recognised even if the process is killed.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -88,7 +88,9 @@ class OwnershipRecord:
         text = self.file.read_text(encoding="utf-8", errors="replace") if regular else ""
         self._begun = text.startswith(_HEAD)
         if not regular or not (self._begun or _HEAD.startswith(text)):  # truncated by a full disk
-            raise ValueError(f"{self.file} {_kind(self.file)}: move it, or use another folder")
+            raise ValueError(
+                f"{self.file} {_kind(self.file)}: move this file, or use another folder"
+            )
         for line in text.splitlines()[1:]:
             with contextlib.suppress(ValueError, TypeError):  # truncated by a full disk
                 digest, name = json.loads(line)
@@ -102,14 +104,14 @@ class OwnershipRecord:
         return named and is_regular(file) and (_digest(file), file.name) in self._known
 
     def require(self, file: Path) -> None:
-        """Raise ValueError for an existing file that must not be replaced."""
+        """Raise ValueError if a file exists that this package did not write."""
         if os.path.lexists(file) and not self.owns(file):
             raise ValueError(
-                f"{file} {_kind(file)}: move it, or use another folder for the results"
+                f"{file} {_kind(file)}: move this file, or use another folder for the results"
             )
 
     def add(self, part: Path, name: str) -> None:
-        """Add a complete file to the list before it is renamed to its name."""
+        """Record a complete temporary file under its final name, before it is renamed."""
         entry = (_digest(part), name)
         if Path(name).suffix in SEALED_SUFFIXES or entry in self._known:
             return
@@ -121,7 +123,7 @@ class OwnershipRecord:
         self._known.add(entry)
 
     def clear(self, *but: Path, marked: re.Pattern[str]) -> None:
-        """Remove all unchanged listed files, and marked files by their names, except `but`."""
+        """Remove own unchanged files that are recorded or match `marked`, except `but`."""
         names = {name for _, name in self._known}
         for file in list(self.folder.iterdir()):
             listed = file.name in names or marked.fullmatch(file.name)
@@ -142,7 +144,7 @@ def _digest(file: Path) -> str:
 
 @contextmanager
 def recording(folder: Path) -> Iterator[OwnershipRecord]:
-    """Record the files written to a folder within; foreign files are not replaced."""
+    """Record the files written to a folder within the context, and replace no foreign files."""
     if (record := record_of(folder)) is not None:  # one shared list per folder
         yield record
         return
@@ -155,15 +157,15 @@ def recording(folder: Path) -> Iterator[OwnershipRecord]:
 
 
 def record_of(folder: Path) -> OwnershipRecord | None:
-    """Return the current record of a folder; None without one."""
+    """Return the record of a folder under `recording`; None for any other folder."""
     record = _recording.get()
     return record if record is not None and record.folder.resolve() == folder.resolve() else None
 
 
 def remove_leftovers(folder: Path, name: str | None = None) -> None:
-    """Remove incomplete files of killed processes: all, or for one file name.
+    """Remove temporary files left in a folder by killed processes; with `name`, of one file only.
 
-    A running process holds a lock on the file that it is writing.
+    Files that another process is writing are locked and are not removed.
     """
     for entry in os.listdir(folder):
         found = PARTIAL_FILE_NAME.fullmatch(entry) if entry.startswith(".") else None

@@ -2,7 +2,7 @@
 """Closed-form Hertz contact: point, elliptic and line contact, with their stresses.
 
 Symbols follow K. L. Johnson, *Contact Mechanics* (1985), doi:10.1017/CBO9781139171731.
-Pressure is positive in compression, stress in tension; z points into the body.
+Pressure is positive in compression. Stress is positive in tension. z points into the body.
 """
 
 from .elliptic_contact import EllipticContact, elliptic

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Dimensionless stresses on the axis of Hertz contacts: over p0, at depths over a (or b)."""
+"""Stresses on the axis of Hertz contacts, divided by the maximum pressure p0.
+
+Depths are divided by the contact radius a, the half-width b or the semi-axis a_x. nu is Poisson's
+ratio.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +17,7 @@ from .._util.lazy_scipy import scipy
 
 
 def _maximum(function: Callable[[float], float], upper: float) -> tuple[float, float]:
-    """Maximum of `function` on [0, upper], including the surface, and its position."""
+    """Return the maximum of a function of depth on [0, upper], and the depth of the maximum."""
     found = scipy.optimize.minimize_scalar(
         lambda s: -function(s), bounds=(0.0, upper), method="bounded", options={"xatol": 1e-10}
     )
@@ -24,13 +28,13 @@ def _maximum(function: Callable[[float], float], upper: float) -> tuple[float, f
 
 
 def _von_mises(sxx: FloatArray, syy: FloatArray, szz: FloatArray) -> float:
-    """Von Mises stress from principal stresses."""
+    """Return the von Mises stress of three principal stresses."""
     squares = (sxx - syy) ** 2 + (syy - szz) ** 2 + (szz - sxx) ** 2
     return math.sqrt(0.5 * float(squares))
 
 
 def point_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray]:
-    """sigma_rr / p0 and sigma_zz / p0 at depth s = z/a."""
+    """Return sigma_rr/p0 and sigma_zz/p0 below a point contact at the depth s = z/a."""
     axial = -1.0 / (1.0 + s**2)
     # cancellation grows like eps s^2; two terms of the series are exact from 1e3 on
     far = np.maximum(s, 1.0) ** -2
@@ -40,7 +44,7 @@ def point_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray]:
 
 
 def point_max_von_mises(nu: float) -> tuple[float, float]:
-    """Maximum on-axis von Mises stress over p0, and its depth over a [-]."""
+    """Return the maximum von Mises stress / p0 on the axis of a point contact, and depth / a."""
     nu = poisson_ratio("nu", nu)
 
     def von_mises(s: float) -> float:
@@ -51,7 +55,7 @@ def point_max_von_mises(nu: float) -> tuple[float, float]:
 
 
 def line_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """sigma_xx, sigma_yy, sigma_zz over p0 at depth s = z/b, plane strain."""
+    """Return sigma_xx, sigma_yy, sigma_zz, over p0, below a line contact at the depth s = z/b."""
     root = np.sqrt(1.0 + s**2)
     # (1 + 2 s^2)/root - 2 s = (root - s)^2 / root, and root - s = 1/(root + s): no cancellation
     sxx = -1.0 / (root * (root + s) ** 2)
@@ -60,17 +64,18 @@ def line_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray, FloatAr
 
 
 def line_max_von_mises(nu: float) -> tuple[float, float]:
-    """Maximum on-axis von Mises stress over p0, and its depth over b [-]."""
+    """Return the maximum von Mises stress / p0 on the axis of a line contact, and depth / b."""
     nu = poisson_ratio("nu", nu)
 
     return _maximum(lambda s: _von_mises(*line_axis(np.float64(s), nu)), 2.0)
 
 
 def elliptic_axis(s: FloatArray, k: float, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """sigma_xx, sigma_yy, sigma_zz over p0 at depth s = z/a_x under an ellipse a_y = k a_x.
+    """Return sigma_xx, sigma_yy, sigma_zz, over p0, at the depth s = z/a_x, with k = a_y/a_x.
 
-    From the potentials of the pressure (Johnson 1985, sections 3.2 and 3.5): the integrals of
-    Sackfield and Hills (1983) in Carlson's form, without cancellation near a circle or a line.
+    The stresses follow from the potentials of the pressure (Johnson 1985, sections 3.2 and 3.5).
+    The integrals of Sackfield and Hills (1983) are evaluated in Carlson's form, which avoids
+    cancellation near a circle or a line.
     """
     s = np.asarray(s, dtype=np.float64)
     A, B = np.hypot(1.0, s), np.hypot(k, s)
@@ -83,6 +88,6 @@ def elliptic_axis(s: FloatArray, k: float, nu: float) -> tuple[FloatArray, Float
 
 
 def elliptic_max_von_mises(k: float, nu: float) -> tuple[float, float]:
-    """Maximum on-axis von Mises stress over p0, and its depth over the shorter semi-axis [-]."""
+    """Return the maximum von Mises stress / p0 on the axis, and its depth / shorter semi-axis."""
     nu, k = poisson_ratio("nu", nu), max(k, 1.0 / k)
     return _maximum(lambda s: _von_mises(*elliptic_axis(np.float64(s), k, nu)), 2.0)

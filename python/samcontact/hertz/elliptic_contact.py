@@ -48,12 +48,12 @@ class EllipticContact(HtmlTable):
     approach: float
 
     def pressure(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
-        """Pressure [Pa] at x, y [m] (broadcast); zero outside the contact."""
+        """Pressure [Pa] at the points x, y [m] (broadcast); zero outside the contact."""
         across, along = together(x=x, y=y)
         return semi_ellipsoid(self.p0, across / self.a_x, along / self.a_y)
 
     def axis_stress(self, z: ArrayLike, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Elastic stresses below the centre, which are principal stresses.
+        """Elastic stresses on the axis below the centre; they are principal stresses.
 
         Parameters
         ----------
@@ -65,7 +65,7 @@ class EllipticContact(HtmlTable):
         Returns
         -------
         sigma_xx, sigma_yy, sigma_zz : ndarray
-            Stresses along x, y and z [Pa], in the shape of `z`.
+            Normal stresses along x, y and z [Pa], in the shape of `z`.
 
         Raises
         ------
@@ -74,8 +74,8 @@ class EllipticContact(HtmlTable):
 
         Notes
         -----
-        Closed form equivalent to that of Sackfield and Hills (1983), Journal of Strain Analysis 18,
-        101. The error is rounding, about 1e-15 of the axial stress.
+        The closed form is equivalent to the solution of Sackfield and Hills (1983), Journal of
+        Strain Analysis 18, 101. Rounding errors are about 1e-15 of the axial stress.
         """
         s = depth_ratio(z, self.a_x)
         sxx, syy, szz = elliptic_axis(s, self.k, poisson_ratio("nu", nu))
@@ -87,14 +87,15 @@ class EllipticContact(HtmlTable):
         return ratio * self.p0, depth * min(self.a_x, self.a_y)
 
 
-_MAX_RADIUS_RATIO = 1e100  # of radii; avoids overflow of squares
+_MAX_RADIUS_RATIO = 1e100  # larger over smaller radius; avoids overflow of squares
 
 
 def _axis_ratio(radius_ratio: float) -> float:
-    """Ratio (>= 1) of the semi-axes of a contact, from the ratio (>= 1) of its radii.
+    """Return the ratio k of the semi-axes (>= 1) for a ratio of the equivalent radii (>= 1).
 
-    lambda = (E k^2 - K) / (K - E) is 0/0 for a circle. Carlson's R_D (DLMF 19.25.1) gives the
-    equivalent form R_D(0, 1, k^-2) / R_D(0, k^-2, 1), without cancellation.
+    The ratio of the radii is (E k^2 - K) / (K - E) with the complete elliptic integrals K and E,
+    which is 0/0 for a circle. Carlson's R_D (DLMF 19.25.1) gives the equivalent form
+    R_D(0, 1, k^-2) / R_D(0, k^-2, 1), without cancellation.
     """
     target = math.log(radius_ratio)
     if target == 0.0:
@@ -118,27 +119,27 @@ def elliptic(
     approach: float | None = None,
     p0: float | None = None,
 ) -> EllipticContact:
-    """Exact Hertz elliptic contact from exactly one of load, approach or maximum pressure.
+    """Exact Hertz elliptic contact for a given load, approach or maximum pressure.
 
-        Parameters
-        ----------
-        Rx, Ry : float
-            Equivalent principal radii in the planes y = 0 and x = 0 [m]; either may be larger.
-        E_star : float
-            Contact modulus [Pa].
-        load, approach, p0 : float, optional
-            Normal load [N], rigid-body approach [m], maximum pressure [Pa]; give one.
-    Normal load [N], rigid-body approach [m], maximum pressure [Pa]. Exactly one must be given.
-        Returns
-        -------
-        EllipticContact
-            Johnson (1985), (3.60)-(3.62) with complete elliptic integrals.
+    Parameters
+    ----------
+    Rx, Ry : float
+        Equivalent principal radii in the planes y = 0 and x = 0 [m]; either may be larger.
+    E_star : float
+        Contact modulus [Pa].
+    load, approach, p0 : float, optional
+        Normal load [N], rigid-body approach [m] or maximum pressure [Pa]. Exactly one is required.
 
-        Raises
-        ------
-        ValueError
-            An argument is not finite and positive (for an infinite radius see `line`), not exactly
-            one of the three is given, or the contact dimensions overflow.
+    Returns
+    -------
+    EllipticContact
+        Contact after Johnson (1985), equations (3.60) to (3.62), with complete elliptic integrals.
+
+    Raises
+    ------
+    ValueError
+        An argument is not finite and positive (for an infinite radius see `line`); load, approach
+        and p0 are all missing, or several are given; or the contact dimensions overflow.
     """
     Rx, Ry, E_star = positive("Rx", Rx), positive("Ry", Ry), positive("E_star", E_star)
     given = exactly_one(load=load, approach=approach, p0=p0)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Dimensionless stress at any point below a sliding point contact: over p0, at x, y, z over a.
+"""Stress / p0 at any point below a sliding point contact; coordinates are divided by a.
 
-The potential of a Hertz pressure is that of point forces on an imaginary line,
+The potential of a Hertz pressure equals the potential of point forces on an imaginary line,
 
     integral of sqrt(1 - s^2)/distance over the disc = pi/2 integral of (1 - t^2)/R(z + i t) dt
 
 over -1 < t < 1 with R(zeta) = sqrt(r^2 + zeta^2) (Copson 1947; Green and Zerna 1968, section
-5.7). So a Hertz pressure replaces a harmonic function f of a point force by
--2 pi (Re f_2 - Im f_3)(z + i), f_n the n-th primitive of f in z. The harmonic functions of
+5.7). Let f be a harmonic function in the solution for a point force, and f_n its n-th primitive in
+z. For a Hertz pressure, -2 pi (Re f_2 - Im f_3)(z + i) then replaces f. The harmonic functions of
 Boussinesq's and Cerruti's solutions (Johnson 1985, section 3.2) have elementary primitives h_n,
 with h_0 = 1/R and T = R + zeta.
 """
@@ -26,7 +26,10 @@ def _disc(second: NDArray[np.complex128], third: NDArray[np.complex128]) -> Floa
 
 
 def field(x: FloatArray, y: FloatArray, z: FloatArray, nu: float, friction: float) -> FloatArray:
-    """Stress xx, yy, zz, yz, xz, xy over p0, shape (6, ...), at depths z >= 0 (equal shapes)."""
+    """Return the stress / p0, components xx, yy, zz, yz, xz, xy, shape (6, ...).
+
+    x, y, z: coordinates over a, in arrays of equal shape; z >= 0.
+    """
     zeta = z + 1j
     # z = 0 takes the limit from below the surface: the root with the positive imaginary part
     r2 = x**2 + y**2
@@ -36,7 +39,7 @@ def field(x: FloatArray, y: FloatArray, z: FloatArray, nu: float, friction: floa
     # z/R tends to zero at the rim, where R does
     z_R = np.divide(z, R, out=np.zeros_like(R), where=z > 0.0)
 
-    # (1/r d/dr)^k h_n as "hn_k"; those in 1/R, always needed times z, as "z_hn_k"
+    # (1/r d/dr)^k h_n as "hn_k"; functions in 1/R, always multiplied by z, as "z_hn_k"
     z_h0, z_h1_1, z_h2_2, z_h3_3 = z_R, z_R / T, z_R / T**2, z_R / T**3
     h1, h2 = log_T, zeta * log_T - R
     h2_1, h3_1 = -1.0 / T, -0.5 * (log_T + q)
@@ -82,11 +85,11 @@ def _von_mises(stress: FloatArray) -> FloatArray:
 
 
 def sliding_max_von_mises(nu: float, friction: float) -> tuple[float, float, float]:
-    """Maximum von Mises stress over p0 of a sliding contact, and its x/a and z/a; y = 0.
+    """Return the maximum von Mises stress / p0 of a sliding contact, and its x/a and z/a (y = 0).
 
-    The field has two competing maxima, one below the surface and one on its diameter. Both vary
-    smoothly with the angle t in x = -cos t, the second up to the rim (t = 0), where it is finite
-    and increases linearly with t.
+    The stress has two competing maxima: one below the surface, and one on the diameter of the
+    contact at the surface. It is a smooth function of the angle t in x = -cos t. At the edge of
+    the contact (t = 0) the surface stress is finite and increases linearly with t.
     """
 
     def von_mises(t: FloatArray, z: FloatArray) -> FloatArray:

@@ -17,7 +17,9 @@ from .points import coordinates, depth_ratio, require_range, semi_ellipsoid
 
 @dataclass(frozen=True)
 class LineContact(HtmlTable):
-    """Hertz contact of a cylinder (axis y) and a half-space in plane strain (section 4.2(c)).
+    """Hertz contact of a cylinder along y and a half-space (Johnson 1985, section 4.2(c)).
+
+    The bodies are in plane strain.
 
     Attributes
     ----------
@@ -40,17 +42,20 @@ class LineContact(HtmlTable):
     p0: float
 
     def pressure(self, x: ArrayLike) -> FloatArray:
-        """Pressure [Pa] at x [m], zero outside the contact; (4.44)."""
+        """Pressure [Pa] at x [m], zero outside the contact; Johnson (4.44)."""
         return semi_ellipsoid(self.p0, coordinates(x=x)[0] / self.b)
 
     def axis_stress(self, z: ArrayLike, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Elastic stresses sigma_xx, sigma_yy, sigma_zz [Pa] at depths z [m]; (4.46)."""
+        """Elastic stresses sigma_xx, sigma_yy, sigma_zz [Pa] on the axis; Johnson (4.46).
+
+        z: depths [m], >= 0. nu: Poisson's ratio of the loaded body.
+        """
         s = depth_ratio(z, self.b)
         sxx, syy, szz = line_axis(s, poisson_ratio("nu", nu))
         return self.p0 * sxx, self.p0 * syy, self.p0 * szz
 
     def stress(self, x: ArrayLike, z: ArrayLike, nu: float, friction: float = 0.0) -> FloatArray:
-        """Elastic stress at any point of a half-space under this pressure, at rest or sliding.
+        """Elastic stress at any point of a half-space under the Hertz pressure, at rest or sliding.
 
         Parameters
         ----------
@@ -59,12 +64,13 @@ class LineContact(HtmlTable):
         nu : float
             Poisson's ratio of the loaded body, in [0, 0.5].
         friction : float, optional
-            Coefficient mu >= 0: the shear mu p acts on the body along +x [-].
+            Coefficient of friction mu [-], >= 0: the shear traction mu p acts on the body along +x.
 
         Returns
         -------
         ndarray, shape (6, ...)
-            xx, yy, zz, yz, xz, xy [Pa], tension positive; at z = 0 the limit from below.
+            Stress components xx, yy, zz, yz, xz, xy [Pa], positive in tension; at z = 0, the limit
+            from inside the body.
 
         Raises
         ------
@@ -73,9 +79,9 @@ class LineContact(HtmlTable):
 
         Notes
         -----
-        Closed form from the complex potential of the pressure (Johnson 1985, section 2.5;
-        Muskhelishvili 1953), equivalent to that of McEwen (1949). The effect of shear on the normal
-        displacement, zero for identical materials, is neglected.
+        The closed form is derived from the complex potential of the pressure (Johnson 1985, section
+        2.5; Muskhelishvili 1953) and is equivalent to the solution of McEwen (1949). The effect of
+        shear on the normal displacement is neglected; it is zero for identical materials.
         """
         across, depth = together(x=x, z=z)
         points = across / self.b, depth_ratio(depth, self.b)
@@ -94,9 +100,9 @@ def line(
     load_per_length: float | None = None,
     p0: float | None = None,
 ) -> LineContact:
-    """Hertz line contact from load per length or maximum pressure.
+    """Hertz line contact for a given load per unit length or maximum pressure.
 
-    The approach of a line contact depends on the datum and is not available.
+    The approach is not available, because in a line contact it depends on the choice of datum.
 
     Parameters
     ----------
@@ -105,18 +111,18 @@ def line(
     E_star : float
         Contact modulus [Pa].
     load_per_length, p0 : float, optional
-        Load per unit length [N/m], maximum pressure [Pa]. Exactly one must be given.
+        Load per unit length [N/m] or maximum pressure [Pa]. Exactly one must be given.
 
     Returns
     -------
     LineContact
-        Johnson (1985), (4.43)-(4.45).
+        Contact after Johnson (1985), equations (4.43) to (4.45).
 
     Raises
     ------
     ValueError
-        An argument is not finite and positive, not exactly one of the two is given, or the contact
-        dimensions overflow.
+        An argument is not finite and positive, load_per_length and p0 are both missing or both
+        given, or the contact dimensions overflow.
     """
     R, E_star = positive("R", R), positive("E_star", E_star)
     given = exactly_one(load_per_length=load_per_length, p0=p0)

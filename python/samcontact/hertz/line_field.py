@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Dimensionless stress at any point below a line contact: over p0, at x, z over the half-width.
+"""Stress / p0 at any point below a line contact in plane strain; coordinates are divided by b.
 
 E. McEwen, *Stresses in elastic cylinders in contact along a generatrix*, Phil. Mag. 40 (1949) 454;
-Johnson (1985), (4.49). Plane strain.
+Johnson (1985), equation (4.49).
 """
 
 from __future__ import annotations
@@ -13,7 +13,10 @@ from .._util.checks import FloatArray
 
 
 def line_field(x: FloatArray, z: FloatArray, nu: float) -> FloatArray:
-    """Stress xx, yy, zz, yz, xz, xy over p0, shape (6, ...), at depths z >= 0 (equal shapes)."""
+    """Return the stress / p0, components xx, yy, zz, yz, xz, xy, shape (6, ...).
+
+    x, z: coordinates over the half-width b, in arrays of equal shape; z >= 0.
+    """
     # m + i n is the root of 1 - (x - i z)^2; on the surface the limit from below
     squared = (1.0 - x**2 + z**2) + 2j * x * z
     root = np.sqrt(squared)

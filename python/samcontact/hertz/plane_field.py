@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Dimensionless stress at any point below a sliding line contact: over p0, at x, z over b.
+"""Stress / p0 at any point below a sliding line contact; coordinates are divided by b.
 
-The stress of plane strain follows from F(zeta) = 1/pi integral of p(s)/(zeta - s) ds, zeta =
-x + i z, which is zeta - sqrt(zeta^2 - 1) for a Hertz pressure (Muskhelishvili 1953; Johnson 1985,
-section 2.5): a point force has F = P/(pi zeta), and its stress is (2.18) and (2.22).
+In plane strain the stress follows from the function F(zeta) = 1/pi integral of p(s)/(zeta - s) ds
+with zeta = x + i z (Muskhelishvili 1953; Johnson 1985, section 2.5). For a line force P,
+F = P/(pi zeta); its stress is given by Johnson's equations (2.18) and (2.22). For a Hertz pressure,
+F = zeta - sqrt(zeta^2 - 1).
 """
 
 from __future__ import annotations
@@ -14,7 +15,10 @@ from .._util.checks import FloatArray
 
 
 def plane_field(x: FloatArray, z: FloatArray, nu: float, friction: float) -> FloatArray:
-    """Stress xx, yy, zz, yz, xz, xy over p0, shape (6, ...), at depths z >= 0 (equal shapes)."""
+    """Return the stress / p0, components xx, yy, zz, yz, xz, xy, shape (6, ...).
+
+    x, z: coordinates over the half-width b, in arrays of equal shape; z >= 0.
+    """
     zeta = x + 1j * z
     root = np.sqrt(zeta - 1.0) * np.sqrt(zeta + 1.0)
     F = 1.0 / (zeta + root)  # zeta - root without cancellation

@@ -44,12 +44,12 @@ class PointContact(HtmlTable):
     approach: float
 
     def pressure(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
-        """Pressure [Pa] at x, y [m] (broadcast), zero outside the contact; (4.24)."""
+        """Pressure [Pa] at x, y [m] (broadcast), zero outside the contact; Johnson (4.24)."""
         across, along = together(x=x, y=y)
         return semi_ellipsoid(self.p0, across / self.a, along / self.a)
 
     def gap(self, x: ArrayLike, y: ArrayLike = 0.0) -> FloatArray:
-        """Gap under load [m] at x, y [m] (broadcast), zero inside the contact; (3.42)."""
+        """Gap under load [m] at x, y [m] (broadcast), zero inside the contact; Johnson (3.42)."""
         r = np.maximum(np.hypot(*together(x=x, y=y)) / self.a, 1.0)
         # approach - displacement - r^2/2R, all lengths in contact radii
         outside = (2.0 - r**2) * np.arcsin(1.0 / r) + np.sqrt(r**2 - 1.0)
@@ -57,7 +57,7 @@ class PointContact(HtmlTable):
         return np.asarray(scale * (0.5 * r**2 - 1.0 + outside / math.pi), dtype=np.float64)
 
     def axis_stress(self, z: ArrayLike, nu: float) -> tuple[FloatArray, FloatArray]:
-        """Elastic stresses below the centre, Johnson (3.45).
+        """Elastic stresses on the axis below the centre; Johnson (3.45).
 
         Parameters
         ----------
@@ -69,7 +69,8 @@ class PointContact(HtmlTable):
         Returns
         -------
         sigma_rr, sigma_zz : ndarray
-            Radial (= circumferential) and axial stress [Pa], in the shape of `z`.
+            Radial stress, which equals the circumferential stress, and axial stress [Pa], in the
+            shape of `z`.
         """
         s = depth_ratio(z, self.a)
         radial, axial = point_axis(s, poisson_ratio("nu", nu))
@@ -78,7 +79,7 @@ class PointContact(HtmlTable):
     def stress(
         self, x: ArrayLike, y: ArrayLike, z: ArrayLike, nu: float, friction: float = 0.0
     ) -> FloatArray:
-        """Elastic stress at any point of a half-space under this pressure, at rest or sliding.
+        """Elastic stress at any point of a half-space under the Hertz pressure, at rest or sliding.
 
         Parameters
         ----------
@@ -87,12 +88,13 @@ class PointContact(HtmlTable):
         nu : float
             Poisson's ratio of the loaded body, in [0, 0.5].
         friction : float, optional
-            Coefficient mu >= 0: the shear mu p acts on the body along +x [-].
+            Coefficient of friction mu [-], >= 0: the shear traction mu p acts on the body along +x.
 
         Returns
         -------
         ndarray, shape (6, ...)
-            xx, yy, zz, yz, xz, xy [Pa], tension positive; at z = 0 the limit from below.
+            Stress components xx, yy, zz, yz, xz, xy [Pa], positive in tension; at z = 0, the limit
+            from inside the body.
 
         Raises
         ------
@@ -101,11 +103,11 @@ class PointContact(HtmlTable):
 
         Notes
         -----
-        Closed form equivalent to that of Hamilton (1983), doi:10.1243/PIME_PROC_1983_197_076_02,
-        derived from the potentials of Boussinesq and Cerruti (Johnson 1985, section 3.2). The error
-        is rounding, about 1e-15 p0 near the contact and r/a times as much at the distance r. The
-        pressure is that of Hertz: the effect of shear on the normal displacement, zero for
-        identical materials, is neglected.
+        The closed form is derived from the potentials of Boussinesq and Cerruti (Johnson 1985,
+        section 3.2) and is equivalent to the solution of Hamilton (1983),
+        doi:10.1243/PIME_PROC_1983_197_076_02. Rounding errors are about 1e-15 p0 near the contact,
+        and r/a times larger at a distance r. The effect of shear on the normal displacement is
+        neglected; it is zero for identical materials.
         """
         across, along, depth = together(x=x, y=y, z=z)
         points = across / self.a, along / self.a, depth_ratio(depth, self.a)
@@ -125,7 +127,7 @@ def point(
     approach: float | None = None,
     p0: float | None = None,
 ) -> PointContact:
-    """Hertz point contact from exactly one of load, approach or maximum pressure.
+    """Hertz point contact for a given load, approach or maximum pressure.
 
     Parameters
     ----------
@@ -134,18 +136,18 @@ def point(
     E_star : float
         Contact modulus [Pa], see `effective_modulus`.
     load, approach, p0 : float, optional
-        Normal load [N], rigid-body approach [m], maximum pressure [Pa]. Exactly one must be given.
+        Normal load [N], rigid-body approach [m] or maximum pressure [Pa]. Exactly one is required.
 
     Returns
     -------
     PointContact
-        Johnson (1985), (4.22)-(4.24).
+        Contact after Johnson (1985), equations (4.22) to (4.24).
 
     Raises
     ------
     ValueError
-        An argument is not finite and positive, not exactly one of the three is given, or the
-        contact dimensions overflow.
+        An argument is not finite and positive; load, approach and p0 are all missing, or several
+        are given; or the contact dimensions overflow.
     """
     R, E_star = positive("R", R), positive("E_star", E_star)
     given = exactly_one(load=load, approach=approach, p0=p0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of points and sizes of a contact, and its pressure."""
+"""Checks of coordinates and contact dimensions, and the Hertz pressure."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .._util.checks import FloatArray, finite_array, real_array
 
 
 def require_range(given: str, **sizes: float) -> None:
-    """Raise ValueError unless all sizes of a contact are finite numbers > 0."""
+    """Raise ValueError unless all dimensions of a contact are finite and > 0."""
     for name, size in sizes.items():
         if not 0.0 < size < math.inf:
             raise ValueError(
@@ -21,13 +21,16 @@ def require_range(given: str, **sizes: float) -> None:
 
 
 def semi_ellipsoid(p0: float, *ratios: FloatArray) -> FloatArray:
-    """Pressure p0 sqrt(1 - sum ratio^2), zero outside the contact."""
+    """Return the Hertz pressure p0 sqrt(1 - sum of ratio^2), zero outside the contact.
+
+    ratios: coordinates divided by the semi-axes.
+    """
     inside = 1.0 - sum(np.square(ratio) for ratio in ratios)
     return np.asarray(p0 * np.sqrt(np.maximum(inside, 0.0)), dtype=np.float64)
 
 
 def coordinates(**given: ArrayLike) -> list[FloatArray]:
-    """Check coordinates, each of its own shape."""
+    """Return coordinates as arrays of finite numbers; their shapes may differ."""
     return [finite_array(name, values) for name, values in given.items()]
 
 

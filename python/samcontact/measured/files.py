@@ -35,19 +35,20 @@ def read(
     ----------
     path : str or path
         File in any format of SurfaceTopography (.al3d, .sur, .x3p, .opd, .vk4, .nc, text, ...), or
-        a plain array or text (.npy, and .txt, .dat, .asc with blanks, .csv with commas or
-        semicolons; decimal points) without a header of sizes: rows of heights, which require `dx`;
-        two columns x and z of a profile; or three columns x, y, z of points that fill a grid, in
-        any order.
+        a plain array (.npy) or plain text with decimal points and without sizes in its header.
+        Columns of .txt, .dat and .asc are separated by blanks, of .csv by commas or semicolons. A
+        plain file contains one of the following: rows of heights, which require `dx`; two columns x
+        and z of a profile; or three columns x, y, z of points that fill a grid, in any order.
     format : str, optional
-        Reader: its name in SurfaceTopography ("sur", "x3p", "nms", ...), "array" for rows of
+        Name of a reader in SurfaceTopography ("sur", "x3p", "nms", ...), "array" for rows of
         heights, or "xyz" for columns of positions. Default: determined from content and suffix.
     channel : int or str, optional
         Number (from 0) or name of the map in the file. Default: the first map of heights.
     detrend : {"center", "height", "slope", "curvature"} or None
-        As `MeasuredSurface.detrended`; None leaves the heights unchanged.
+        Trend to remove, see `MeasuredSurface.detrended`. None leaves the heights unchanged.
     undefined : {"fill", "error", "keep"}
-        Treatment of undefined points: `MeasuredSurface.filled`, an error, or NaN.
+        Treatment of undefined points: interpolate them (`MeasuredSurface.filled`), raise
+        ValueError, or keep them as NaN.
     dx, dy : float, optional
         Sample spacing [m], if the file does not contain it. Default of dy: dx.
     unit : str, optional
@@ -57,30 +58,30 @@ def read(
     Returns
     -------
     MeasuredSurface
-        Surface with `attrs` source, format, channel, unit of the file, trend and number of filled
-        points, and if available instrument and acquisition_time. A profile has one row, heights of
-        shape (n, 1). If its points are not equally spaced, it is interpolated, and `attrs` contains
-        the original steps.
+        Surface. Its `attrs` contain source, format, channel, unit of the file, trend and number of
+        filled points, and, if available, instrument and acquisition_time. A profile has heights of
+        shape (n, 1). A profile with unequal steps is interpolated, and `attrs` contains the
+        original steps.
 
     Raises
     ------
     ValueError
-        The file cannot be read, is not a map or profile of heights, lacks a size or unit that is
-        not given, or contains one that is given; or an argument is outside its range.
+        The file cannot be read, or is not a map or profile of heights. A spacing or unit is missing
+        in both the arguments and the file, or present in both. An argument is outside its range.
     ImportError
         SurfaceTopography is required and not installed.
 
     Warns
     -----
     UnitWarning
-        Implausible sizes or slopes: longer than 1 m, an rms slope above 2, or a height range
-        larger than the length.
+        The surface is implausible: it is longer than 1 m, has an rms slope above 2, or has a height
+        range larger than its length.
 
     Notes
     -----
-    The first index of the heights runs along x, for every format. A line of a plain text contains
-    the ny heights at one x, as NumPy writes such an array. A text with a header, from an instrument
-    or from SurfaceTopography, is an image, whose lines contain the nx heights at one y.
+    In every format the first index of the heights runs along x. A line of a plain text contains the
+    ny heights at one x, as written by NumPy. A text with a header, from an instrument or from
+    SurfaceTopography, is an image: a line contains the nx heights at one y.
     """
     choice("undefined", undefined, ("fill", "error", "keep"))
     choice("detrend", detrend, (*TRENDS, None))
@@ -88,7 +89,7 @@ def read(
     step_x = None if dx is None else positive("dx", dx)
     step_y = step_x if dy is None else positive("dy", dy)
     if step_y is not None and step_x is None:
-        raise ValueError(f"dx is required with dy = {in_short(dy)}, got None")
+        raise ValueError(f"dx is required with dy = {in_short(dy)}, got None: give both steps [m]")
     steps = None if step_x is None or step_y is None else (step_x, step_y)
     surface = _read(source, require_format(format), ReaderArguments(channel, steps, unit))
     warn_of_size(surface.heights, surface.steps, str(source), stacklevel=2)
@@ -123,7 +124,7 @@ def _read(source: Path, format: str | None, given: ReaderArguments) -> MeasuredS
 
 
 def _of_rows(source: Path, given: ReaderArguments) -> MeasuredSurface:
-    """Read rows of heights."""
+    """Read a surface from a plain file with rows of heights."""
     heights = plain_heights(source)
     if given.steps is None:
         raise ValueError(f"dx is required, because {source} does not contain it")
@@ -140,26 +141,28 @@ def _of_rows(source: Path, given: ReaderArguments) -> MeasuredSurface:
 def _of_columns(
     source: Path, found: Table, which: tuple[int, ...], given: ReaderArguments
 ) -> MeasuredSurface:
-    """Read a profile of two columns x and z, or a map of three columns x, y, z."""
+    """Read a profile from two columns x and z, or a map from three columns x, y, z."""
     names = ("x", "z") if len(which) == 2 else ("x", "y", "z")
     what = "a profile, columns x and z" if len(names) == 2 else "points, columns x, y and z"
-    rows = f'{source} contains {what} (rows of heights: format="array")'
+    rows = f'{source} contains {what} (if it contains rows of heights, set format="array")'
     if len(names) == 3:
         grid_of_points(found.values, source)
     if given.steps is not None:
-        raise ValueError(f"dx must be None: {rows}")
+        raise ValueError(f"dx must be None, got {in_short(given.steps[0])}: {rows}")
     if given.channel not in _DEFAULT_CHANNELS:
-        raise ValueError(f"channel must be 0: {source} has one, got {in_short(given.channel)}")
+        raise ValueError(f"channel must be 0: {source} has one map, got {in_short(given.channel)}")
     units = [found.units[column] for column in which]
     if given.unit is None and None in units:
         known = [f"{name} in {unit}" for name, unit in zip(names, units, strict=True) if unit]
-        tells = f"specifies only {' and '.join(known)}" if known else "specifies none"
-        raise ValueError(f'unit is required, e.g. unit="um": {rows}, and {tells}')
+        stated = f"specifies only {' and '.join(known)}" if known else "specifies none"
+        raise ValueError(f'unit is required, e.g. unit="um": {rows}, and {stated}')
     if given.unit is not None and None not in units:
-        raise ValueError(f"unit must be None: {source} has its own, {units[0]}")
-    told = [given.unit if unit is None else unit for unit in units]
-    points = found.values[:, list(which)] * [metres(str(unit)) for unit in told]
-    attrs = {"source": str(source), "format": "xyz", "unit": told[-1]}
+        raise ValueError(
+            f"unit must be None, got {in_short(given.unit)}: {source} has the unit {units[0]}"
+        )
+    known_units = [given.unit if unit is None else unit for unit in units]
+    points = found.values[:, list(which)] * [metres(str(unit)) for unit in known_units]
+    attrs = {"source": str(source), "format": "xyz", "unit": known_units[-1]}
     if len(names) == 3:
         heights, step_x, step_y = grid_of_points(points, source)
         return MeasuredSurface(heights, step_x, step_y, attrs)

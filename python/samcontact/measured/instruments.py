@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Instrument files, read by SurfaceTopography."""
+"""Reading of instrument files by SurfaceTopography."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from .plain import error_text, profile, written_positions
 from .surface import MeasuredSurface, library
 
 OWN_FORMATS = ("array", "xyz")
-"""Formats read without SurfaceTopography; it also supports the second one."""
+"""Formats read without SurfaceTopography, which also supports "xyz"."""
 _COMPRESSION_MAGIC = {b"\x1f\x8b": "gzip", b"BZh": "bzip2", b"\xfd7zXZ": "xz"}
-_NMS_STEPS = 1376  # where NanoFocus files hold the steps along x and y
-_NMS_FIELDS = 2e-5, 5e-2  # of microscope objectives [m]
+_NMS_STEPS = 1376  # byte offset of the steps along x and y in NanoFocus files
+_NMS_FIELDS = 2e-5, 5e-2  # smallest and largest field of view of the microscopes [m]
 
 
 class ReaderArguments(NamedTuple):
@@ -36,7 +36,7 @@ class _ReaderError(Exception):
 
 
 def require_format(name: str | None) -> str | None:
-    """Return the name of a reader in lower case; ValueError with the closest names if unknown."""
+    """Return the name of a reader in lower case; raise ValueError if there is no such reader."""
     if name is None:
         return None
     if not isinstance(name, str):
@@ -54,7 +54,7 @@ def require_format(name: str | None) -> str | None:
 
 
 def metres(unit: str) -> float:
-    """Length of a unit in metres."""
+    """Return the length of a unit in metres, e.g. 1e-6 for "um"."""
     conversion = library("SurfaceTopography.Support.UnitConversion")
     try:
         if not isinstance(unit, str):
@@ -67,8 +67,11 @@ def metres(unit: str) -> float:
 
 
 def with_library(path: Path, format: str | None, given: ReaderArguments) -> MeasuredSurface:
-    """Surface from the first suitable reader; without one, ValueError with the reasons of the
-    readers that recognise the format."""
+    """Read a surface with the first suitable reader.
+
+    Raises ValueError if no reader is suitable, with the errors of the readers that recognise the
+    format.
+    """
     io = library("SurfaceTopography.IO")
     reasons: list[tuple[int, str]] = []
     try:
@@ -88,8 +91,8 @@ def with_library(path: Path, format: str | None, given: ReaderArguments) -> Meas
                     reasons.append((rank, f"{reader.name()} ({reader.format()}): {refusal}"))
     except OSError as error:
         raise ValueError(f"path: cannot read heights from {path}: {error_text(error)}") from error
-    told = [text for rank, text in sorted(reasons, key=lambda r: r[0]) if rank < _UNKNOWN_FORMAT]
-    reason = told[0] if told else f"no format supported by SurfaceTopography{_expected(io, path)}"
+    texts = [text for rank, text in sorted(reasons, key=lambda r: r[0]) if rank < _UNKNOWN_FORMAT]
+    reason = texts[0] if texts else f"no format supported by SurfaceTopography{_expected(io, path)}"
     raise ValueError(f"path: cannot read heights from {path}: {reason}")
 
 
@@ -97,8 +100,11 @@ _UNKNOWN_FORMAT = 2
 
 
 def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterator[tuple[Any, int]]:
-    """Readers for a file with their rank: matching its mark (0), the suffix of its name (1), or
-    neither (2); texts in the order of the library, in which some readers must precede others."""
+    """Yield possible readers of a file with their rank, the most likely reader first.
+
+    Rank 0: the reader recognises the content; 1: only the suffix of the file name; 2: neither.
+    Text readers remain in the order of the library, because some of them must precede others.
+    """
     if format is not None:
         yield io.lookup_reader_by_format[format], 0
         return
@@ -118,7 +124,7 @@ def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterat
 
 
 def _expected(io: Any, path: Path) -> str:
-    """Hint that the content of a file does not match the suffix of its name."""
+    """Return a hint that the content does not match the suffix; "" for an unknown suffix."""
     ending = path.suffix.lower()[1:]
     names = [reader.name() for reader in io.readers if ending in reader.file_extensions()]
     return f"; it does not begin like a {names[0]} file" if names else ""
@@ -127,7 +133,7 @@ def _expected(io: Any, path: Path) -> str:
 def _read(
     io: Any, path: Path, file: BinaryIO, format: str, given: ReaderArguments
 ) -> MeasuredSurface:
-    """Surface in an open file; _ReaderError if the reader fails, other errors for arguments."""
+    """Read a surface; raise _ReaderError if a reader fails, ValueError for an invalid argument."""
     reader = _tried(io, lambda: io.open_topography(file, format=format))
     with reader:
         if not len(_tried(io, lambda: list(reader.channels))):
@@ -155,7 +161,7 @@ def _read(
 
 
 def _tried(io: Any, call: Any) -> Any:
-    """Result of a reader; _ReaderError for any error, since damaged files raise all kinds."""
+    """Call a reader; raise _ReaderError for any error, as damaged files cause all kinds."""
     try:
         return call()
     except (ImportError, _ReaderError):
@@ -164,16 +170,16 @@ def _tried(io: Any, call: Any) -> Any:
         raise _ReaderError(error_text(error)) from error
     except Exception as error:
         raise _ReaderError(
-            f"its reader failed ({type(error).__name__}: {error_text(error)}): the file is "
-            "damaged, or a variant that SurfaceTopography does not support"
+            f"the reader failed ({type(error).__name__}: {error_text(error)}): the file is "
+            "damaged, or is a variant of the format that SurfaceTopography does not support"
         ) from error
 
 
 def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None) -> MeasuredSurface:
     """Convert a line scan to a surface with one row of samples.
 
-    written: its positions [m] if known from the file; the library regards steps as equal if their
-    positions differ by less than 1e-6 of any unit.
+    written: positions [m] as written in the file, if known. The library regards steps as equal if
+    positions differ by less than 1e-6, in any unit.
     """
     x, z = np.asarray(topography.positions(), dtype=float), np.ma.asarray(topography.heights())
     if written is not None and len(written) == len(x):
@@ -187,7 +193,10 @@ def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None)
 
 
 def _nms_steps(file: BinaryIO, shape: tuple[int, ...], steps: Any) -> Any:
-    """Sample spacing of a NanoFocus file [m]: stored in nm, which the library may take for mm."""
+    """Return the sample spacing of a NanoFocus file [m].
+
+    The spacing is stored in nm; the library may interpret it as mm.
+    """
     file.seek(_NMS_STEPS)
     own = [1e-9 * step for step in struct.unpack("<2d", file.read(16))]
     low, high = _NMS_FIELDS
@@ -196,7 +205,7 @@ def _nms_steps(file: BinaryIO, shape: tuple[int, ...], steps: Any) -> Any:
 
 
 def _provenance(path: Path, format: str, info: Any, topography: Any) -> dict[str, Any]:
-    """Attributes about the origin of heights."""
+    """Return attributes that state the origin of the heights: file, format, instrument, time."""
     attrs = {"source": str(path), "format": format, "channel": info.name}
     if info.unit is not None:
         attrs["unit"] = info.unit
@@ -207,7 +216,7 @@ def _provenance(path: Path, format: str, info: Any, topography: Any) -> dict[str
 
 
 def _channel(reader: Any, channel: int | str | None, path: Path) -> Any:
-    """Selected channel of a file. Default: the first one of heights."""
+    """Return the selected channel of a file; by default, the first channel with heights."""
     channels = list(reader.channels)
     listed = ", ".join(f"{info.index}: {info.name!r}" for info in channels)
     if channel is None:
@@ -228,10 +237,10 @@ def _channel(reader: Any, channel: int | str | None, path: Path) -> Any:
 def _missing(
     info: Any, steps: tuple[float, float] | None, unit: str | None, path: Path
 ) -> dict[str, Any]:
-    """Quantities that a file does not specify for a channel, from the arguments."""
+    """Return the sizes and unit that are missing in the file, taken from the arguments."""
     for name, known, given in (("dx", info.physical_sizes, steps), ("unit", info.unit, unit)):
         if known is not None and given is not None:
-            raise ValueError(f"{name} must be None: {path} has its own")
+            raise ValueError(f"{name} must be None, got {in_short(given)}: {path} contains it")
         if known is None and given is None:
             raise ValueError(f"{name} is required, because {path} does not contain it")
     metadata: dict[str, Any] = {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plain arrays and texts: rows of heights, or columns of positions and heights."""
+"""Reading of plain arrays and texts: rows of heights, or columns of positions and heights."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _READ_ERRORS = (
     SyntaxError, TokenError, BadZipFile, KeyError, NotImplementedError,
 )  # fmt: skip
 _MIN_POSITION_ROWS = 4  # minimum number of rows for columns of positions
-# a comment that holds no value: those stand after a colon (in Japanese a wide one) or equals sign
+# a comment without a value: values follow a colon (full-width in Japanese) or an equals sign
 _COMMENT = re.compile("\\s*(#[^:=\N{FULLWIDTH COLON}]*)?")
 _UNITS = {
     "nm": r"nm|nanomet\w+",
@@ -37,14 +37,14 @@ _UNITS = {
 
 
 class Table(NamedTuple):
-    """Numbers of a file, and the unit in the label of each column, if any."""
+    """Numbers of a file, and the unit in the label of each column (None without a unit)."""
 
     values: FloatArray
     units: tuple[str | None, ...]
 
 
 def error_text(error: BaseException) -> str:
-    """Text of an error on one line, without operating-system error numbers."""
+    """Return the text of an error on one line, without operating-system error numbers."""
     if isinstance(error, OSError) and error.strerror:
         return error.strerror.lower()
     text = " ".join(str(error).split())
@@ -52,7 +52,7 @@ def error_text(error: BaseException) -> str:
 
 
 def is_array(path: Path) -> bool:
-    """Whether a file begins like one of numpy.save; ValueError for a pipe or device."""
+    """Whether a file begins like a file of numpy.save; raise ValueError for a pipe or device."""
     try:
         mode = path.stat().st_mode
         if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
@@ -76,7 +76,7 @@ def is_plain(path: Path) -> bool:
 
 
 def plain_heights(path: Path) -> FloatArray:
-    """Rows of numbers from a plain file; ValueError naming the file if it cannot be read."""
+    """Read rows of numbers from a plain file; raise ValueError if the file cannot be read."""
     try:
         if path.suffix.lower() == ".npy" or is_array(path):
             heights: Any = _array(path)
@@ -92,7 +92,7 @@ def plain_heights(path: Path) -> FloatArray:
 
 
 def table(path: Path) -> Table | None:
-    """Two or three columns that may be positions and heights; None for other files."""
+    """Read two or three columns that may be positions and heights; None for other files."""
     if is_array(path):
         values, header = plain_heights(path), []
     elif path.suffix.lower() in _TABLE_FORMATS:
@@ -115,7 +115,7 @@ def table(path: Path) -> Table | None:
 
 
 def written_positions(path: Path) -> FloatArray | None:
-    """Positions x of a profile as written in its text, with any header; None for another file."""
+    """Read the positions x of a profile from a text with any header; None for other files."""
     try:
         lines = _lines(path)
         values = _rows(lines, path.suffix.lower() == ".csv", skip=_header(lines))
@@ -126,7 +126,7 @@ def written_positions(path: Path) -> FloatArray | None:
 
 
 def _unit_of(label: str) -> str | None:
-    """Length unit in the label of a column."""
+    """Return the length unit in the label of a column; None if the label has no unit."""
     for unit, words in _UNITS.items():
         if re.search(rf"(?<![^\W_])(?:{words})(?![^\W_])", label):
             return unit
@@ -134,9 +134,9 @@ def _unit_of(label: str) -> str | None:
 
 
 def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
-    """Indices of the columns x, (y,) z; None if the table is rows of heights.
+    """Return the indices of the columns x, (y,) z; None if the file contains rows of heights.
 
-    ValueError if it is neither: x of a profile that reverses, or points without a grid.
+    Raises ValueError if x of a profile reverses. It is not checked that points fill a grid.
     """
     if len(values) < _MIN_POSITION_ROWS or not np.isfinite(values[:, :-1]).all():
         return None
@@ -163,18 +163,21 @@ def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
 
 
 def _counts(column: FloatArray) -> bool:
-    """Whether a column numbers its rows."""
+    """Whether a column contains consecutive row numbers."""
     return bool(np.array_equal(column - column[0], np.arange(len(column))))
 
 
 def _rises(column: FloatArray) -> float:
-    """Fraction of steps in the predominant direction."""
+    """Return the fraction of the steps between rows that have the more frequent sign."""
     steps = np.diff(column)
     return float(max((steps > 0).mean(), (steps < 0).mean()))
 
 
 def profile(x: FloatArray, z: FloatArray) -> tuple[FloatArray, float, str]:
-    """Heights at equal steps along x, the step, and a note on the original steps (or none)."""
+    """Return heights at equal steps along x, the step, and a note on unequal original steps.
+
+    The note is empty if the steps of the profile are equal.
+    """
     if x[0] > x[-1]:
         x, z = x[::-1], z[::-1]
     count = np.arange(len(x))
@@ -192,7 +195,7 @@ def profile(x: FloatArray, z: FloatArray) -> tuple[FloatArray, float, str]:
 
 
 def _last_digit(x: FloatArray, step: float) -> float:
-    """Rounding unit of positions [m]; 0 if they have too many digits to find it."""
+    """Return the unit to which positions are rounded [m]; 0 if they have too many digits."""
     for digits in range(4):
         unit = 10.0 ** (np.floor(np.log10(step) + 1e-9) - digits)
         if np.abs(x / unit - np.round(x / unit)).max() < 1e-4:
@@ -201,9 +204,10 @@ def _last_digit(x: FloatArray, step: float) -> float:
 
 
 def grid_of_points(points: FloatArray, path: Path) -> tuple[FloatArray, float, float]:
-    """Heights [i][j] of points x, y, z in any order, and their steps along x and y.
+    """Return the heights of points x, y, z as an array [i][j], and the steps along x and y.
 
-    ValueError unless each node of a regular grid has one point.
+    The points may be in any order. Raises ValueError unless each node of a regular grid has one
+    point.
     """
     axes = [_places(points[:, axis]) for axis in (0, 1)]
     (i, x), (j, y) = axes
@@ -211,8 +215,8 @@ def grid_of_points(points: FloatArray, path: Path) -> tuple[FloatArray, float, f
     if missing or len(points) != len(x) * len(y) or min(len(x), len(y)) < 2:
         raise ValueError(
             f"path: the three columns of {path} are interpreted as points x, y, z, which must fill "
-            f"a grid: {len(points)} points lie at {len(x)} x and {len(y)} y. Interpolate them to a "
-            'grid, or, for lines that are rows of heights, set format="array"'
+            f"a grid, got {len(points)} points at {len(x)} values of x and {len(y)} of y: "
+            'interpolate them to a grid, or, for lines that are rows of heights, set format="array"'
         )
     steps = []
     for name, places in (("x", x), ("y", y)):
@@ -229,7 +233,7 @@ def grid_of_points(points: FloatArray, path: Path) -> tuple[FloatArray, float, f
 
 
 def _places(column: FloatArray) -> tuple[Any, FloatArray]:
-    """Index of the position of each point along an axis, and the positions."""
+    """Return the index of each point along an axis, and the distinct positions on this axis."""
     order = np.argsort(column, kind="stable")
     steps = np.diff(column[order])
     number = np.zeros(len(column), dtype=int)
@@ -249,15 +253,15 @@ def _is_data(line: str) -> bool:
 
 
 def _header(lines: list[str]) -> list[str]:
-    """Lines before the first numbers."""
+    """Return the lines before the first line of numbers."""
     return list(takewhile(lambda line: not _is_data(line), lines))
 
 
 def _lines(path: Path) -> list[str]:
-    """Lines of a text from a spreadsheet or instrument, with or without a byte-order mark."""
+    """Read the lines of a text in UTF-8 or UTF-16, with or without a byte-order mark."""
     content = path.read_bytes()
     is_wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
-    # a file that is not text has no numbers, and is refused as such
+    # a file that is not text contains no numbers, and is refused for that reason
     return content.decode("utf-16" if is_wide else "utf-8-sig", errors="replace").splitlines()
 
 
@@ -266,12 +270,12 @@ def _array(path: Path) -> Any:
         start = file.read(6)
     # NumPy would take others for pickles, and advise unsafe loading
     if not start.startswith((b"\x93NUMPY", b"PK")):
-        raise ValueError(f"it begins with {start!r} and is not a file of numpy.save")
+        raise ValueError(f"the file begins with {start!r} and was not written by numpy.save")
     return np.load(path, allow_pickle=False)
 
 
 def _rows(lines: list[str], is_csv: bool, skip: list[str] | None = None) -> FloatArray:
-    """Numbers of a text; a comma is never taken as decimal. skip: lines before them."""
+    """Return the rows of numbers in a text; a decimal comma is refused. skip: header lines."""
     first = next((line for line in lines if _is_data(line)), "")
     delimiter = ";" if ";" in first else "," if is_csv and "," in first else None
     if "," in first and delimiter != ",":

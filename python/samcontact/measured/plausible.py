@@ -20,37 +20,37 @@ MAX_RMS_SLOPE = 2.0
 def warn_of_size(
     heights: FloatArray, steps: tuple[float, float], source: str, *, stacklevel: int
 ) -> None:
-    """Warn of heights whose unit or sample spacing is probably in another unit.
+    """Warn if the unit of heights or sample spacings is probably wrong.
 
-    heights: shape (nx, ny) [m], NaN where undefined; steps: sample spacing [m]. Issues a
-    UnitWarning if the area is longer than 1 m, the rms slope is above 2, or the height range
-    exceeds the longer side.
+    heights: shape (nx, ny) [m], NaN where undefined; steps: sample spacing along x and y [m].
+    Issues a UnitWarning if the measured area is longer than 1 m, the rms slope is above 2, or the
+    height range exceeds the longer side.
     """
     size = [n * step for n, step in zip(heights.shape, steps, strict=True)]
     sides = size[:1] if heights.shape[1] == 1 else size
     known = heights[np.isfinite(heights)]
     span = float(np.ptp(known)) if known.size else 0.0
     slope = _rms_slope(heights, steps)
-    doubts = []
+    findings = []
     if max(sides) > MAX_LENGTH:
-        doubts.append(f"its area is longer than {MAX_LENGTH:g} m")
+        findings.append(f"its area is longer than {MAX_LENGTH:g} m")
     if slope > MAX_RMS_SLOPE:
-        doubts.append(f"its rms slope is {slope:.3g}")
+        findings.append(f"its rms slope is {slope:.3g}")
     if span > max(sides):
-        doubts.append("its height range exceeds its length")
-    if not doubts:
+        findings.append("its height range exceeds its length")
+    if not findings:
         return
     over = lengths(*sides) if len(sides) == 2 else quantity(sides[0], "m")
     warnings.warn(
         f"likely unit error: {source} has a height range of {quantity(span, 'm')} over {over}, and "
-        f"{' and '.join(doubts)}: check the units of heights and steps",
+        f"{' and '.join(findings)}: check the units of heights and steps",
         UnitWarning,
         stacklevel=stacklevel + 1,
     )
 
 
 def _rms_slope(heights: FloatArray, steps: tuple[float, float]) -> float:
-    """Root-mean-square slope between neighbours, along x and y together."""
+    """Return the rms slope between neighbouring samples [-], along x and y together."""
     total = 0.0
     with np.errstate(over="ignore", invalid="ignore"):
         for axis, step in enumerate(steps):

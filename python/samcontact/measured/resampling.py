@@ -20,8 +20,8 @@ _SPLINE_DECAY_SAMPLES = (
 class Sampling:
     """Options for the evaluation of heights.
 
-    method, average, fill: as in `MeasuredSurface.on`; periodic: axes along which the measured area
-    is periodic; edgeless: whether fill may be -inf, no body.
+    method, average, fill: as in `MeasuredSurface.on`. periodic: axes along which the measured area
+    is periodic. edgeless: whether fill may be -inf, i.e. no body outside the measured area.
     """
 
     method: str = "cubic"
@@ -49,10 +49,11 @@ def resampled(
     cell: tuple[float, float],
     sampling: Sampling,
 ) -> FloatArray:
-    """Heights at all pairs of x and y, relative to the centre of the measured area [m].
+    """Return the heights [m] at all pairs of x and y.
 
-    heights: shape (nx, ny), all defined; one row (ny = 1) applies at every y. cell: cell lengths
-    along x and y [m]. ValueError if points lie outside the measured area and there is no fill.
+    heights: shape (nx, ny), all defined; a profile (ny = 1) applies at every y. points: x and y [m]
+    from the centre of the measured area. cell: cell lengths along x and y [m]. Raises ValueError if
+    points lie outside the measured area and there is no fill.
     """
     is_profile = heights.shape[1] == 1
     axes, orders, parts, inside = [], [], [], []
@@ -87,7 +88,7 @@ def resampled(
 
 
 def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling: Sampling) -> Any:
-    """Whether positions, with an edge around them, are measured; without fill all must be."""
+    """Whether positions +- edge [m] are in the measured area; if not, fill is required."""
     half = 0.5 * size
     inside = np.abs(positions) + edge <= half * (1.0 + 1e-9)
     if sampling.fill is None and not inside.all():
@@ -100,6 +101,6 @@ def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling
 
 
 def _parts(positions: FloatArray, cell: float, step: float) -> FloatArray:
-    """Points that divide each cell into equal parts no longer than a step, one row per cell."""
+    """Return the centres of equal parts of each cell, no longer than a step; one row per cell."""
     count = max(1, int(np.ceil(cell / step - 1e-9)))
     return np.asarray(positions[:, None] + ((np.arange(count) + 0.5) / count - 0.5) * cell)

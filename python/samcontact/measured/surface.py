@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Heights on a regular grid of samples, for use on the grid of a simulation.
+"""Measured heights on a regular grid of samples, for use on the grid of a simulation.
 
-Tilt and curvature are removed, and undefined points filled, by SurfaceTopography
-(https://contactengineering.github.io/SurfaceTopography), an optional dependency.
+Tilt and curvature of maps are removed, and undefined points are filled, by the optional dependency
+SurfaceTopography (https://contactengineering.github.io/SurfaceTopography).
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def library(module: str = "SurfaceTopography") -> Any:
     """Import a module of SurfaceTopography; ImportError with instructions if it is missing."""
     try:
         with warnings.catch_warnings():
-            # it reports missing MPI, which is not needed here
+            # importing it warns of missing MPI, which is not needed here
             warnings.simplefilter("ignore", ImportWarning)
             return importlib.import_module(module)
     except ImportError as error:
@@ -44,7 +44,7 @@ def library(module: str = "SurfaceTopography") -> Any:
 
 
 def undefined_as_nan(heights: ArrayLike) -> FloatArray:
-    """Copy heights that may be masked, with NaN in masked cells."""
+    """Return a copy of heights with NaN in masked samples."""
     if isinstance(heights, (list, tuple)) and any(np.ma.isMaskedArray(row) for row in heights):
         heights = np.ma.stack(heights)
     if np.ma.isMaskedArray(heights):
@@ -59,18 +59,19 @@ class MeasuredSurface(ShortRepr):
     Parameters
     ----------
     heights : array_like, shape (nx, ny) or (nx,)
-        Heights [m], positive out of the body; the first index runs along x. NaN, or masked, where
-        undefined. At least two samples in each direction, or one along y for a profile, which
-        applies at every y.
+        Heights [m], positive out of the body; the first index runs along x. Undefined samples are
+        NaN or masked. There must be at least two samples in each direction; a profile has one
+        sample along y and applies at every y.
     dx, dy : float
         Sample spacing along x and y [m]. Default of dy: dx.
     attrs : mapping, optional
-        Attributes about the origin of the heights.
+        Attributes that describe the origin of the heights.
 
     Raises
     ------
     ValueError
-        Heights have another shape, are infinite or all undefined; a spacing is not positive.
+        The heights have an invalid shape, or are infinite or all undefined; or a spacing is not
+        positive.
 
     Notes
     -----
@@ -115,12 +116,12 @@ class MeasuredSurface(ShortRepr):
 
     @property
     def is_profile(self) -> bool:
-        """Whether there is a single row of samples along x, which applies at every y."""
+        """Whether the surface is a profile, one row of samples along x that applies at every y."""
         return bool(self.heights.shape[1] == 1)
 
     @property
     def undefined(self) -> int:
-        """Number of samples without a height."""
+        """Number of samples with an undefined height."""
         return int(np.isnan(self.heights).sum())
 
     def _topography(self) -> Any:
@@ -132,15 +133,16 @@ class MeasuredSurface(ShortRepr):
         return replace(self, heights=filled, attrs={**self.attrs, **attrs})
 
     def detrended(self, trend: str = "height") -> MeasuredSurface:
-        """Return the surface without a trend, fitted to its defined points.
+        """Return the surface without a trend; the trend is fitted to the defined points.
 
         Parameters
         ----------
         trend : {"center", "height", "slope", "curvature"}
-            "center": mean; "height": plane of minimum rms height; "slope": plane of minimum rms
-            slope; "curvature": second-order polynomial, which also removes the shape of a ball. For
-            maps, all but the mean require SurfaceTopography. Profiles: line instead of plane, and
-            parabola.
+            Trend to subtract. "center": mean height; "height": plane with minimum rms height of the
+            residual; "slope": plane with minimum rms slope of the residual; "curvature":
+            second-order polynomial, which also removes the shape of a ball. For maps, every trend
+            except the mean requires SurfaceTopography. For profiles, the trend is a line instead of
+            a plane, or a parabola.
 
         Returns
         -------
@@ -163,9 +165,9 @@ class MeasuredSurface(ShortRepr):
     def filled(self) -> MeasuredSurface:
         """Return the surface with undefined points interpolated.
 
-        Maps are interpolated by harmonic functions, profiles linearly. It requires
-        SurfaceTopography if there are any in a map (ImportError). `attrs` contains their number;
-        above 5 % of all points a UserWarning is issued.
+        Maps are interpolated by harmonic functions, and profiles linearly. For a map with undefined
+        points, SurfaceTopography is required (ImportError). `attrs` contains the number of
+        interpolated points; above 5 % of all points, a UserWarning is issued.
         """
         count = self.undefined
         if count == 0:
@@ -186,8 +188,9 @@ class MeasuredSurface(ShortRepr):
     def mirrored(self, axis: str = "y") -> MeasuredSurface:
         """Return the surface with x or y reversed.
 
-        A body is measured from outside, but body 1 faces down: a surface measured on it must be
-        turned over. Its heights remain positive out of the body.
+        A body is measured with its surface facing up, but in a simulation body 1 faces down. A
+        surface measured on body 1 must therefore be turned over. Heights remain positive out of the
+        body.
 
         Parameters
         ----------
@@ -223,21 +226,23 @@ class MeasuredSurface(ShortRepr):
         method : {"cubic", "linear"}
             Spline through the samples: bicubic (exact for cubic polynomials) or bilinear.
         average : bool, optional
-            Whether to average over each cell instead of using the value at its centre, which
-            removes wavelengths shorter than a cell. For cells larger than the sample spacing.
+            Whether to average over each cell, which removes wavelengths shorter than a cell,
+            instead of using the value at its centre. Use it for cells larger than the sample
+            spacing.
         fill : float, optional
-            Height outside the measured area [m], or -inf: no body there. By default the grid must
+            Height outside the measured area [m]; -inf if there is no body. By default the grid must
             lie inside the measured area.
         periodic : {"", "x", "y", "xy"}, optional
-            Directions in which the measured area, nx dx long and ny dy wide, is one period, with
-            any number of samples; it is repeated without a step at its ends. A grid that is
-            periodic along such a direction must be a whole number of periods long.
+            Directions in which the measured area, nx dx long and ny dy wide, is repeated as one
+            period; the spline is smooth across its ends. If the grid is periodic along such a
+            direction, its length must be a whole number of periods.
 
         Returns
         -------
         ndarray, shape (grid.nx, grid.ny)
-            Heights [m], positive out of the body: `surfaces.from_heights(grid, heights)` for body
-            2, `surfaces.from_heights(grid, lower, -heights)` for body 1.
+            Heights [m], positive out of the body. For a surface of body 2, the initial gap is
+            `surfaces.from_heights(grid, heights)`; for a surface of body 1,
+            `surfaces.from_heights(grid, lower, -heights)`.
 
         Raises
         ------
@@ -262,29 +267,30 @@ class MeasuredSurface(ShortRepr):
         average: bool = False,
         fill: float | None = None,
     ) -> Relief:
-        """Convert all heights along x to a relief that moves with a body.
+        """Convert the surface, over its whole length along x, to a `Relief` that moves with a body.
 
         Parameters
         ----------
         grid : Grid
-            Grid of the simulation; the measured area must be as wide, unless `fill` is given.
+            Grid of the simulation. Without `fill`, the measured area must be at least as wide.
         x, y : float, optional
             Position of the centre of the measured area on the body [m].
         periodic : bool, optional
-            Whether to repeat it along x. By default the body is flat (height 0) beyond it.
+            Whether to repeat the measured area along x. By default the body is flat (height 0)
+            beyond it.
         method, average, fill : optional
             As in `on`.
 
         Returns
         -------
         Relief
-            Argument `relief1` or `relief2` of a `Simulation`. For body 1 use the surface
-            `mirrored`.
+            Relief for the argument `relief1` or `relief2` of a `Simulation`. For body 1, convert
+            the `mirrored` surface.
 
         Raises
         ------
         ValueError
-            As `on`; or the measured area is shorter than a cell.
+            `on` raises an error, or the measured area is shorter than a cell.
         """
         require_surface(grid)
         centre = finite("x", x)
@@ -303,7 +309,7 @@ class MeasuredSurface(ShortRepr):
     def _at(
         self, points: tuple[FloatArray, FloatArray], cell: tuple[float, float], sampling: Sampling
     ) -> FloatArray:
-        """Heights at all pairs of x and y, relative to the centre of the measured area."""
+        """Return the heights [m] at all pairs of x and y [m] from the centre of the area."""
         if self.undefined:
             first = tuple(int(i) for i in np.argwhere(np.isnan(self.heights))[0])
             raise ValueError(
@@ -313,7 +319,7 @@ class MeasuredSurface(ShortRepr):
         return resampled(self.heights, self.steps, points, cell, sampling)
 
     def _require_periods(self, grid: SurfaceGrid, periodic: str) -> None:
-        """Raise ValueError unless a periodic grid is a whole number of periods long."""
+        """Raise ValueError unless a periodic grid contains a whole number of measured periods."""
         for axis, (n, d) in enumerate(((grid.nx, grid.dx), (grid.ny, grid.dy))):
             name = "xy"[axis]
             if name not in periodic or name not in getattr(grid, "periodic", ""):

@@ -9,10 +9,10 @@ from .._util.checks import FloatArray
 
 
 def detrended_profile(z: FloatArray, trend: str) -> FloatArray:
-    """Heights of an equally spaced profile without its trend, fitted to the defined points.
+    """Return the heights of an equally spaced profile minus a trend, fitted to the defined points.
 
-    trend: "height", line of minimum rms height; "slope", line of minimum rms slope, level at the
-    mean; "curvature", parabola of minimum rms height.
+    trend: "height", line with minimum rms height of the residual; "slope", line with minimum rms
+    slope of the residual, which then has zero mean; "curvature", parabola with minimum rms height.
     """
     s = np.linspace(-1.0, 1.0, len(z))
     known = np.isfinite(z)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loading paths: lists of keyword dictionaries for `Simulation.step`."""
+"""Loading paths: lists of dictionaries with the arguments of `Simulation.step`."""
 
 from .fretting import fretting_loop, tangential
 from .passes import rolling, sliding

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Paths of tangential forces and motions with partial slip."""
+"""Paths of tangential forces and displacements in contacts with partial slip."""
 
 from __future__ import annotations
 
@@ -30,23 +30,25 @@ def tangential(
     load, approach : float
         Constant load [N], >= 0, or approach [m]. Exactly one must be given.
     force : pair of float
-        Force on body 2 at the end, along x and y [N]; excludes `shift`.
+        Force on body 2 at the end, along x and y [N]. Cannot be combined with `shift`.
     shift : pair of float
-        Total tangential rigid-body displacement of body 1 relative to body 2 [m]; excludes `force`.
+        Total tangential rigid-body displacement of body 1 relative to body 2, along x and y [m].
+        Cannot be combined with `force`.
     start : pair of float
-        Force before the first step [N].
+        Force before the first step [N]; only with `force`.
     increments : int
         Number of steps, from 1 to 100000.
 
     Returns
     -------
     list of dict
-        For `Simulation.run` with friction=samcontact.Coulomb(mu).
+        Steps for `Simulation.run` with ``friction=samcontact.Coulomb(mu)``.
 
     Raises
     ------
     ValueError
-        Both or neither of load and approach, or of force and shift; a value outside its range.
+        Both or neither of load and approach, or of force and shift, are given; or a value is
+        outside its range.
 
     Examples
     --------
@@ -57,7 +59,7 @@ def tangential(
     count = step_count("increments", increments)
     if name == "shift":
         if np.any(finite_array("start", start, (2,))):
-            raise ValueError(f"start must be 0 with shift (it is a force), got {in_short(start)}")
+            raise ValueError(f"start must be 0 with shift, got {in_short(start)}: start is a force")
         return _to(_pressed(load, approach), name, [end / count] * count)
     first = finite_array("start", start, (2,))
     fractions = np.arange(1, count + 1)[:, None] / count
@@ -75,31 +77,32 @@ def fretting_loop(
 ) -> Path:
     """Cycle a tangential force or displacement under constant load or approach.
 
-    The path goes from 0 to the amplitude; each cycle then goes to its opposite and back.
+    The path goes from 0 to the amplitude. Each cycle then goes to the opposite amplitude and back.
 
     Parameters
     ----------
     load, approach : float
         Constant load [N], >= 0, or approach [m]. Exactly one must be given.
     force : pair of float
-        Amplitude of the force on body 2 along x and y [N]; excludes `shift`.
+        Amplitude of the force on body 2 along x and y [N]. Cannot be combined with `shift`.
     shift : pair of float
-        Amplitude of the tangential rigid-body displacement of body 1 relative to body 2 [m];
-            excludes `force`.
+        Amplitude of the tangential rigid-body displacement of body 1 relative to body 2, along x
+        and y [m]. Cannot be combined with `force`.
     cycles : int
         Number of cycles, from 1 to 100000.
     increments : int
-        Steps from 0 to the amplitude; a cycle has four times as many.
+        Number of steps from 0 to the amplitude; a cycle has four times as many steps.
 
     Returns
     -------
     list of dict
-        For `Simulation.run` with friction=samcontact.Coulomb(mu).
+        Steps for `Simulation.run` with ``friction=samcontact.Coulomb(mu)``.
 
     Raises
     ------
     ValueError
-        Both or neither of load and approach, or of force and shift; a value outside its range.
+        Both or neither of load and approach, or of force and shift, are given; or a value is
+        outside its range.
     """
     name, amplitude = _force_or_shift(force, shift)
     quarter, count = step_count("increments", increments), step_count("cycles", cycles)
@@ -119,7 +122,7 @@ def _pressed(load: float | None, approach: float | None) -> dict[str, Any]:
 def _force_or_shift(
     force: Sequence[float] | None, shift: Sequence[float] | None
 ) -> tuple[str, FloatArray]:
-    """Argument of a step, and its pair of components."""
+    """Return the name of the step argument for a force or displacement, and its x and y values."""
     if force is not None and shift is None:
         return "tangential_load", finite_array("force", force, (2,))
     if shift is not None and force is None:

@@ -22,20 +22,20 @@ from .._util.checks import (
 
 Steps = list[dict[str, Any]]
 
-# Fraction of a step below which the rest of a distance is rounding, not a further step.
+# Fraction of a step below which the rest of a distance is a rounding error, not a further step.
 _ROUNDING_ERROR = 1e-9
 
 
 @dataclass(frozen=True)
 class CreepageInput:
-    """Lateral creepage, spin and longitudinal force of a contact with partial slip."""
+    """Lateral creepage [-], spin [1/m] and longitudinal force [N] of a rolling contact."""
 
     lateral: float = 0.0
     spin: float = 0.0
     force_x: float | None = None
 
     def over(self, length: float) -> dict[str, Any]:
-        """Arguments of a step over a length."""
+        """Return the tangential arguments of a step in which the contact travels `length` [m]."""
         given: dict[str, Any] = {}
         if self.lateral != 0.0:
             given["shift"] = (None if self.force_x is not None else 0.0, self.lateral * length)
@@ -102,7 +102,7 @@ class RollingPasses:
 
     def _advance(self, length: float) -> tuple[float, float]:
         first, second = self.shares
-        return 0.0 - first * length, 0.0 - second * length  # 0 - 0: no minus zero
+        return 0.0 - first * length, 0.0 - second * length  # 0.0 - 0.0 avoids minus zero
 
     def _moved(self, length: float) -> dict[str, Any]:
         step = {self.quantity: self.value, "advance": self._advance(length)}
@@ -112,14 +112,14 @@ class RollingPasses:
         return self._timed({self.quantity: value}, self.step)
 
     def _timed(self, step: dict[str, Any], length: float) -> dict[str, Any]:
-        """Add to a step the time in which the contact travels a length."""
+        """Return a step with the duration in which the contact travels `length` [m]."""
         if self.speed is not None:
             step["duration"] = abs(length) / positive("speed", self.speed)
         return step
 
 
 def _lengths(distance: float, step: float) -> list[float]:
-    """Signed steps that add up to a distance: full steps and a remainder."""
+    """Divide a signed distance [m] into full steps and a remainder with the same sign."""
     total, whole = finite("distance", distance), positive("step", step)
     if total == 0.0:
         raise ValueError("distance must not be 0")
@@ -157,8 +157,8 @@ def rolling(
 ) -> Steps:
     """Load, roll over both bodies and unload, once per pass.
 
-    Each pass starts at the initial position. The path begins and ends unloaded, at the end of the
-    last pass.
+    Each pass starts at the initial position. The path begins and ends unloaded. After the last
+    pass, the contact does not return to the initial position.
 
     Parameters
     ----------
@@ -166,31 +166,32 @@ def rolling(
         Load [N] or approach [m] while rolling, > 0. Exactly one must be given.
     distance : float
         Distance that the contact travels over the bodies in a pass [m]: positive towards +x. With
-        sliding, the mean of the distances over both bodies.
+        `slide_to_roll`, the mean of the distances over the two bodies.
     step : float
         Length of a step [m], > 0; preferably a whole number of cells dx. The last step of a pass is
         shorter if the steps do not divide the distance.
     passes : int
-        Number of passes, >= 1. Between passes the bodies return unloaded, in one step.
+        Number of passes, >= 1. Between two passes the unloaded bodies return in one step.
     increments, unload_increments : int
-        Number of steps of each loading and unloading, in place. Default for unloading: as loading.
+        Number of steps of each loading and of each unloading; the contact does not travel in these
+        steps. Default of `unload_increments`: `increments`.
     slide_to_roll : float
         Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) of the surface speeds u1, u2 of the bodies
-        through the contact, in [-2, 2] [-]: the bodies move (1 + slide_to_roll/2) and
-        (1 - slide_to_roll/2) times the distance. With full sliding, body 1 must slide towards +x:
-        distance and slide_to_roll then have opposite signs. With `Coulomb` any sign is allowed; it
-        is minus the creepage of `samcontact.rolling.steady`.
+        through the contact, in [-2, 2] [-]: bodies 1 and 2 move (1 + slide_to_roll/2) and (1 -
+        slide_to_roll/2) times the distance. With full sliding, body 1 must slide towards +x:
+        distance and slide_to_roll then have opposite signs. With `Coulomb`, both signs are allowed;
+        slide_to_roll is minus the creepage of `samcontact.rolling.steady`.
     lateral_creepage, spin : float
         With `Coulomb`: motion of body 1 relative to body 2 along y [-], and rotation about z [1/m],
-        per distance of the contact towards +x, as in `samcontact.rolling.steady`.
+        per distance that the contact travels towards +x, as in `samcontact.rolling.steady`.
     tangential_load_x : float, optional
         With `Coulomb`: force on body 2 while rolling [N], which determines the creepage.
     back_and_forth : bool
         Whether passes alternate in direction under load, with a single loading and unloading.
     speed : float, optional
         Speed of the contact over the bodies [m/s], > 0, for a simulation with heat.history: each
-        step, also of a return, lasts its length over the speed, and each load increment lasts as
-        long as a full step. The `velocity` of the heat should be that of the bodies: for
+        rolling or return step lasts its length divided by the speed, and each load increment lasts
+        as long as a full step. Set `velocity` of the heat to the velocities of the bodies: for
         distance > 0, -speed (1 + slide_to_roll/2) and -speed (1 - slide_to_roll/2).
     heat_factor : float or pair of floats, optional
         Heat flux per unit pressure from the first step on [m/s].
@@ -198,13 +199,13 @@ def rolling(
     Returns
     -------
     list of dict
-        For `Simulation.run`.
+        Steps for `Simulation.run`.
 
     Raises
     ------
     ValueError
-        Both or neither of load and approach; a value outside its range; slide_to_roll combined with
-        tangential_load_x.
+        Both or neither of load and approach are given; a value is outside its range; or
+        slide_to_roll is combined with tangential_load_x.
 
     Examples
     --------
@@ -276,18 +277,18 @@ def sliding(
     slider : {1, 2}
         The body on which the contact stays.
     speed : float, optional
-        Sliding speed [m/s], > 0, as in `rolling`. The `velocity` of the heat should be 0 for the
-        slider and, for distance > 0, -speed for the other body.
+        Sliding speed [m/s], > 0, as in `rolling`. Set `velocity` of the heat to 0 for the slider
+        and, for distance > 0, to -speed for the other body.
 
     Returns
     -------
     list of dict
-        For `Simulation.run`.
+        Steps for `Simulation.run`.
 
     Raises
     ------
     ValueError
-        Both or neither of load and approach, or a value outside its range.
+        Both or neither of load and approach are given, or a value is outside its range.
 
     Examples
     --------

@@ -24,7 +24,7 @@ Path = list[dict[str, Any]]
 
 
 def fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
-    """Increasing fractions of a ramp, the last exactly 1, as used by `ramp`."""
+    """Return the fractions of a ramp that are reached after each step; the last is exactly 1."""
     choice("spacing", spacing, ("linear", "power"))
     count = step_count("increments", increments)
     parts = np.arange(1, count + 1, dtype=np.float64) / count
@@ -44,7 +44,7 @@ def _with_parts(
     duration: float | None,
     heat_factor: float | Sequence[float] | None,
 ) -> Path:
-    """Add equal parts of a travel and a duration to steps; the first sets the heat factor."""
+    """Divide travel and duration equally among steps, and add the heat factor to the first step."""
     if advance is not None:
         first, second = (float(s) / len(steps) for s in finite_array("advance", advance, (2,)))
         steps = [{**step, "advance": (first, second)} for step in steps]
@@ -84,12 +84,12 @@ def hold(
     Returns
     -------
     list of dict
-        For `Simulation.run`.
+        Steps for `Simulation.run`.
 
     Raises
     ------
     ValueError
-        Both or neither of load and approach, or a value outside its range.
+        Both or neither of load and approach are given, or a value is outside its range.
     """
     name, value = load_or_approach(load, approach)
     count = step_count("increments", increments)
@@ -108,7 +108,7 @@ def ramp(
     duration: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
 ) -> Path:
-    """Change load or approach from `start` (excluded) to the target (included, exactly).
+    """Change load or approach from `start` to a target, which the last step reaches exactly.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def ramp(
     increments : int
         Number of steps, from 1 to 100000.
     start : float
-        Value before the first step [N] or [m].
+        Load [N] or approach [m] before the first step.
     spacing : {"linear", "power"}
         "power" uses fractions (i/increments)^exponent: small steps first for exponent > 1.
     exponent : float
@@ -128,12 +128,12 @@ def ramp(
     Returns
     -------
     list of dict
-        For `Simulation.run`, e.g. ``[{"load": 100.0}, {"load": 200.0}]``.
+        Steps for `Simulation.run`, e.g. ``[{"load": 100.0}, {"load": 200.0}]``.
 
     Raises
     ------
     ValueError
-        Both or neither of load and approach, or a value outside its range.
+        Both or neither of load and approach are given, or a value is outside its range.
 
     Examples
     --------
@@ -165,21 +165,22 @@ def load_unload(
     load, approach : float
         Peak load [N] or approach [m]. Exactly one must be given.
     increments, unload_increments : int
-        Number of steps up and down, from 1 to 100000. Default for unloading: as loading.
+        Numbers of loading and unloading steps, from 1 to 100000. Default of `unload_increments`:
+        `increments`.
     end : float
-        Value of the last step [N] or [m], below the peak; a load < 0 as in `ramp`.
+        Load [N] or approach [m] of the last step, below the peak; a load < 0 only with attraction.
     spacing, exponent
-        As in `ramp`; unloading mirrors loading, so that small steps are near zero load.
+        As in `ramp`. Unloading mirrors loading, so that the small steps are near zero load.
 
     Returns
     -------
     list of dict
-        For `Simulation.run`.
+        Steps for `Simulation.run`.
 
     Raises
     ------
     ValueError
-        Both or neither of load and approach, or a value outside its range.
+        Both or neither of load and approach are given, or a value is outside its range.
     """
     name, peak = load_or_approach(load, approach)
     last = finite("end", end)

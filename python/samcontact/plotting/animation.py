@@ -32,21 +32,22 @@ def rolling_animation(
 ) -> FuncAnimation:
     """Animate a moving contact: pressure, longitudinal section and residual imprint of each state.
 
-    All fields are shown in the plane y = 0 and in the frame of the body, so that the contact moves
-    and the track is at rest.
+    All fields are shown in the plane y = 0 and in the frame of reference of the body: the contact
+    moves, and the track is at rest.
 
     Parameters
     ----------
     states : sequence of State
-        States in the order of the path, with layers; ``states[::2]`` halves the computing time.
+        States on a grid with layers, in the order of the path; ``states[::2]`` halves the computing
+        time.
     body : {1, 2}
         Body whose frame of reference, section and residual imprint are shown.
     quantity : {"von_mises", "residual_von_mises", "equivalent_plastic_strain"}
         Quantity of the section. With "von_mises", the stress under load is shown inside the grid,
-        which moves with the contact and is framed. Outside the grid, the residual stress is shown
-        where the body has yielded. Cells without a computed stress are grey.
+        which moves with the contact and is marked by a frame. Outside the grid, the residual stress
+        is shown where the body has yielded. Cells without a computed stress are grey.
     interval : float, optional
-        Time between two frames on a screen [ms], > 0.
+        Interval between frames during playback [ms], > 0.
 
     Returns
     -------
@@ -56,7 +57,7 @@ def rolling_animation(
     Raises
     ------
     ValueError
-        No states, no layers, or an unknown body or quantity.
+        There are no states or no layers, or body or quantity is unknown.
     """
     if len(states) == 0:
         raise ValueError("states must contain at least one state, got none")
@@ -79,7 +80,7 @@ def rolling_animation(
         _section(state, body, quantity, row, window, x)
         for state, window in zip(states, windows, strict=True)
     ]
-    prints = [_print(state, body, row) for state in states]
+    imprints = [_imprint(state, body, row) for state in states]
     pressures = [state.pressure[:, row] * CONTACT["pressure"].factor for state in states]
 
     shown = CONTACT[quantity]
@@ -90,7 +91,7 @@ def rolling_animation(
     pressure_line = _pressure_panel(above, pressures)
     largest = shown.factor * max(float(np.nanmax(s)) for s in sections)
     image, frame = _section_panel(middle, across, depth, quantity, largest)
-    print_line = _print_panel(below, prints, body)
+    imprint_line = _imprint_panel(below, imprints, body)
     below.set_xlim(across[0], across[-1])
 
     def draw(number: int) -> list[Any]:
@@ -98,19 +99,19 @@ def rolling_animation(
         place = -state.travel[body - 1]
         pressure_line.set_data((np.asarray(grid.x) - state.origin + place) * 1e6, pressures[number])
         image.set_data(sections[number].T * shown.factor)
-        print_line.set_data(prints[number][0] * 1e6, prints[number][1] * 1e6)
+        imprint_line.set_data(imprints[number][0] * 1e6, imprints[number][1] * 1e6)
         ends = edges(windows[number], grid.dx)[[0, -1]] * 1e6
         for line, end in zip(frame, ends, strict=True):
             line.set_xdata([end, end])
         above.set_title(
             f"load {state.load:.4g} N, contact at {place * 1e6 + 0.0:.4g} µm", fontsize="medium"
         )
-        return [pressure_line, image, print_line, *frame]
+        return [pressure_line, image, imprint_line, *frame]
 
     draw(0)
     figure.align_ylabels()
     figure.draw_without_rendering()
-    figure.set_layout_engine("none")  # panels must not shift between frames
+    figure.set_layout_engine("none")  # panels must not move between frames
     return FuncAnimation(
         figure, draw, frames=len(states), interval=interval, cache_frame_data=False, blit=False
     )
@@ -150,9 +151,9 @@ def _section_panel(
     return image, frame
 
 
-def _print_panel(ax: Axes, prints: list[tuple[FloatArray, FloatArray]], body: int) -> Line2D:
+def _imprint_panel(ax: Axes, imprints: list[tuple[FloatArray, FloatArray]], body: int) -> Line2D:
     (line,) = ax.plot([], [], "-", linewidth=1.2, color="C0")
-    heights = np.concatenate([u for _, u in prints]) * 1e6
+    heights = np.concatenate([u for _, u in imprints]) * 1e6
     margin = 0.08 * float(np.ptp(heights)) or 1.0
     ax.set_ylim(float(heights.max()) + margin, float(heights.min()) - margin)
     ax.set_xlabel(f"x on body {body} [µm]")
@@ -164,7 +165,7 @@ def _print_panel(ax: Axes, prints: list[tuple[FloatArray, FloatArray]], body: in
 def _section(
     state: State, body: int, quantity: str, row: int, window: FloatArray, x: FloatArray
 ) -> FloatArray:
-    """Return a field in the plane y = 0 of the body, shape (len(x), nz); NaN: not computed."""
+    """Return a field in the plane y = 0 of the body, shape (len(x), nz); NaN if not computed."""
     # outside the track nothing has yielded, but stresses exist
     beyond = 0.0 if quantity == "equivalent_plastic_strain" else np.nan
     values = np.full((len(x), len(state.depths)), beyond)
@@ -181,7 +182,7 @@ def _section(
     return values
 
 
-def _print(state: State, body: int, row: int) -> tuple[FloatArray, FloatArray]:
+def _imprint(state: State, body: int, row: int) -> tuple[FloatArray, FloatArray]:
     track = state.track(body=body)
     return track.x, track.residual_displacement()[:, row]
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of asperity collisions ("asperities"), for the series of one or several collisions.
+"""Figures of one or several asperity collisions.
 
 Each function takes an `ax` and returns it. With `critical` (e.g. `samcontact.critical.green`),
-values are relative to their values at first yield. Boucly (2008), figures 4.7 to 4.11.
+values are relative to their values at first yield, as in Boucly (2008), figures 4.7 to 4.11.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ Results = Sequence["xr.Dataset"]
 
 
 def _offset(series: xr.Dataset) -> FloatArray:
-    """Return the offset of the centres, relative to the equivalent radius."""
+    """Return the offset of the sphere centres divided by the equivalent radius R [-]."""
     first, second = (float(series.attrs[name]) for name in ("R1", "R2"))
     offset: FloatArray = series["offset"].values / (first * second / (first + second))
     return offset
@@ -67,7 +67,7 @@ def force(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     component : {"x", "z"}
-        Tangential force (required to move the upper sphere along +X), or normal force.
+        "x": tangential force, required to move the upper sphere along +X; "z": normal force.
     number : int
         Number of the pass, from 1.
     critical : CriticalSphere, optional
@@ -84,8 +84,8 @@ def force(
     for series in passes:
         force, label = series[name].values * factor, _label(series, critical)
         ax.plot(_offset(series), force, ".-", markersize=3, linewidth=1.0, label=label)
-    beside = f"[{unit}]" if critical is None else "/ critical load"
-    ax.set_ylabel(f"{ASPERITIES[name].heading} {beside}")
+    unit_text = f"[{unit}]" if critical is None else "/ critical load"
+    ax.set_ylabel(f"{ASPERITIES[name].heading} {unit_text}")
     return _against_offset(ax, critical)
 
 
@@ -118,8 +118,8 @@ def net_energy(
     Parameters
     ----------
     results : sequence of xarray.Dataset
-        `CollisionResult.series` of each collision, with equal numbers of passes; one point for
-        each.
+        `CollisionResult.series` of each collision, with equal numbers of passes; one point is drawn
+        for each.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     critical : CriticalSphere, optional
@@ -156,8 +156,8 @@ def residual_displacement(
             ]
             label = f"body {body}, pass {number}"
             ax.plot(_interferences(results, critical), depths, style, markersize=3, label=label)
-    of = "[m]" if critical is None else "/ critical interference"
-    ax.set_ylabel(f"residual imprint depth {of}")
+    unit_text = "[m]" if critical is None else "/ critical interference"
+    ax.set_ylabel(f"residual imprint depth {unit_text}")
     return _finished(ax, _interference_label(critical))
 
 

@@ -86,7 +86,7 @@ def draw_pressure(
     position: float,
     label: str = "computed",
 ) -> Axes:
-    """Draw `pressure_profile`, also for prescribed tractions, which may be tensile."""
+    """Draw a `pressure_profile`; prescribed tractions, which may be tensile, are also accepted."""
     style: dict[str, Any] = {"marker": "o", "markersize": 3}
     ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
     s = np.asarray(grid.x if axis == "x" else grid.y)
@@ -135,9 +135,9 @@ def load_approach(
 ) -> Axes:
     """Draw the load–approach curve, with the Hertz curve (load ~ approach^1.5).
 
-    Increments are points. Between two increments, the approach along the thin line is linear in
-    load^(2/3), as for elastic loading and unloading, also in an imprint (Johnson, Contact
-    Mechanics, section 6.4). On periodic grids the line is straight and only shows the order.
+    Points are increments. The thin line between two increments is linear in load^(2/3), as for
+    elastic loading and unloading, including elastic unloading of an imprint (Johnson 1985, section
+    6.4). On periodic grids the line is straight and only shows the order of the increments.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def load_approach(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     hertz : PointContact or EllipticContact, optional
-        Hertz contact of these bodies at any load.
+        Hertz contact of the two bodies; its load is arbitrary.
 
     Returns
     -------
@@ -171,7 +171,7 @@ def load_approach(
 
 
 def _between(points: FloatArray) -> FloatArray:
-    """Return the points with additional points on the straight lines between them."""
+    """Return the points of a curve, with additional points by linear interpolation."""
     count, parts = points.shape[1], 24
     fine = np.linspace(0.0, count - 1.0, parts * (count - 1) + 1)
     return np.stack([np.interp(fine, np.arange(count), row) for row in points])
@@ -282,7 +282,7 @@ def axis_profile(
     components : sequence of str
         Any of "von_mises", "hydrostatic", "xx", "yy", "zz", "yz", "xz", "xy".
     body : Material or Layered, optional
-        Body; adds its initial yield stress and initial normal stresses.
+        Body whose initial yield stress and initial normal stresses are added.
     interfaces : array_like, shape (n,), optional
         Depths of the interfaces between layers [m], e.g. `Layered.interfaces`.
 

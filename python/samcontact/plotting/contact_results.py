@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Data for the figures of a run: its results, with one body selected."""
+"""Data for the figures of a run: results of the contact, with one body selected."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class ContactResults:
-    """Results of a contact, one of its bodies, and the Hertz contact at the load of the peak."""
+    """Results of a contact, the number of the body shown, and the Hertz contact at the `peak`."""
 
     dataset: xr.Dataset
     body: int
@@ -40,12 +40,12 @@ class ContactResults:
 
     @cached_property
     def peak(self) -> int:
-        """Position of the increment with maximum stress."""
+        """Index (from 0) of the increment with the maximum stress."""
         return peak_of_dataset(self.dataset)
 
     @cached_property
     def hottest(self) -> int | None:
-        """Position of the increment with the hottest surface; None without heating."""
+        """Index (from 0) of the increment with the hottest surface; None without heating."""
         rise = self.dataset.get(f"surface_temperature_body{self.body}")
         return None if rise is None else int(np.argmax(rise.values.max(axis=(1, 2))))
 
@@ -60,11 +60,11 @@ class ContactResults:
         return graded_of(self.dataset, self.body)
 
     def number(self, position: int) -> int:
-        """Return the number of an increment, from 1."""
+        """Return the number (from 1) of the increment at an index (from 0)."""
         return int(self.dataset["increment"].values[position])
 
     def surface(self, name: str, position: int) -> FloatArray:
-        """Return a surface field of the contact or of the body, or the repulsion."""
+        """Return a surface field at an increment index (from 0); names without the body number."""
         if name == "repulsion":
             known: FloatArray = repulsion_of(self.dataset).values[position]
             return known
@@ -73,14 +73,14 @@ class ContactResults:
         return field
 
     def has(self, name: str, number: int) -> bool:
-        """Whether a volume field of the body is stored for all cells at the increment."""
+        """Whether a volume field of the body is stored for all cells at an increment number."""
         stored = self.dataset.get(f"{name}_body{self.body}")
         if stored is None or number not in self.dataset["output_increment"].values:
             return False
         return "x" in stored.dims or "strain" in name  # strains are zero where not stored
 
     def field(self, name: str, number: int) -> FloatArray:
-        """Return a stored volume field of the body at an increment."""
+        """Return a stored volume field of the body at an increment number (from 1)."""
         if name == "residual_von_mises":
             return von_mises(self.field("residual_stress", number))
         stored = self.dataset[f"{name}_body{self.body}"].sel(output_increment=number)
@@ -91,7 +91,7 @@ class ContactResults:
         return field
 
     def row(self, field: FloatArray, across: str = "y") -> float:
-        """Return the position of the most informative line or plane through a field [m]."""
+        """Return the position across a section [m]: the middle, or the maximum of the field."""
         axis = "xy".index(across)
         others = tuple(n for n in range(field.ndim) if n != axis)
         centres = getattr(self.grid, across)
@@ -104,7 +104,7 @@ class ContactResults:
 
     @property
     def map_look(self) -> tuple[str, tuple[float, float]]:
-        """Coordinate from left to right in maps, and size of their figures [in]."""
+        """Coordinate from left to right in maps, and size of a figure with a map [in]."""
         grid = self.grid
         long, wide = grid.ny * grid.dy, grid.nx * grid.dx
         if long <= MIN_LONG_CONTACT_RATIO * wide:
@@ -113,6 +113,6 @@ class ContactResults:
 
     @property
     def section_height(self) -> float:
-        """Height of the figure of a section of the grid [in], for a width of 5 in."""
+        """Height of a figure with a section of the grid [in], for a figure width of 5 in."""
         grid = self.grid
         return section_height(5.0, grid.nx * grid.dx, grid.nz * (grid.dz or 0.0))

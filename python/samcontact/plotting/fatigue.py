@@ -30,12 +30,12 @@ def fatigue_depth(
     *,
     limit: float | None = None,
 ) -> Axes:
-    """Draw the maximum over each layer versus depth, for one or several criteria.
+    """Draw the maximum criterion value in each layer versus depth, for one or several criteria.
 
     Parameters
     ----------
     fields : FatigueField, or several
-        Fields of states, with a common unit; the maxima are marked.
+        Fields computed from states, with a common unit. The maximum of each field is marked.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     limit : float, optional
@@ -48,7 +48,7 @@ def fatigue_depth(
     Raises
     ------
     ValueError
-        There are no fields, or fields have no depths or different units.
+        No fields are given, a field has no depths, or the units differ.
     """
     several = list(fields) if isinstance(fields, Sequence) else [fields]
     if not several:
@@ -56,7 +56,7 @@ def fatigue_depth(
     for field in several:
         _require_axes(field, "z")
     if len({field.unit for field in several}) > 1:
-        raise ValueError("fields must have a common unit: draw stress and strain in two figures")
+        raise ValueError("fields must have the same unit: draw stress and strain in two figures")
     factor, unit = _quantity(several[0]).factor, _UNITS[several[0].unit]
     ax = axes_or_new(ax)
     for field in several:
@@ -71,7 +71,7 @@ def fatigue_depth(
     if len(several) == 1 and limit is None:
         ax.set_xlabel(f"{_name(several[0])} [{unit}]")
     else:
-        ax.set_xlabel(f"maximum over the layer [{unit}]")
+        ax.set_xlabel(f"maximum criterion value at this depth [{unit}]")
         ax.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     ax.set_ylabel("depth z [µm]")
     return finish(ax)
@@ -89,12 +89,12 @@ def fatigue_section(
     Parameters
     ----------
     field : FatigueField
-        Field of states.
+        Field computed from states.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     plane : {"y", "x"}, optional
-        Coordinate that is constant on the section; default "y". For material that passes through a
-        steady contact there is only the section across the direction of motion.
+        Coordinate that is constant on the section. Default: "y". For a `steady_cycle`, the only
+        section is across the direction of motion.
     position : float, optional
         Value of this coordinate [m]; default: position of the maximum of the field.
 
@@ -127,12 +127,12 @@ def fatigue_section(
 
 
 def fatigue_map(field: FatigueField, ax: Axes | None = None) -> Axes:
-    """Draw a map of the maximum over depth below each surface point.
+    """Draw a map of the maximum criterion value over the depth below each surface point.
 
     Parameters
     ----------
     field : FatigueField
-        Field of states of a pass or loop.
+        Field computed from the states of a pass or loop.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
 

@@ -35,7 +35,7 @@ _CONTACT_BAR_STYLE: dict[str, Any] = {
 
 
 class Plane(NamedTuple):
-    """Cell edges [m] along both sides of a figure."""
+    """Cell edges [m] along the horizontal and the vertical axis of a figure."""
 
     across: FloatArray
     down: FloatArray
@@ -46,7 +46,7 @@ class Plane(NamedTuple):
         return float((self.down[-1] - self.down[0]) / (self.across[-1] - self.across[0]))
 
     def smooth(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return coordinates [µm] and values at centres, extended constantly to the edges."""
+        """Return coordinates [µm] and values at cell centres; edges have the nearest value."""
         sides = [
             np.concatenate([side[:1], 0.5 * (side[1:] + side[:-1]), side[-1:]]) * 1e6
             for side in (self.across, self.down)
@@ -67,9 +67,9 @@ def show_section(
 ) -> Axes:
     """Draw a plane of a volume field with a colour bar, depth downward.
 
-    `values` is the field in SI units, `name` the name of the coordinate. `titled`: the label is the
-    title; it always is for sections too flat for a label at the colour bar. `equal`: equal scales
-    along both sides. `cells`: cell by cell.
+    values: field in SI units. name: name of the horizontal coordinate. titled: whether the label is
+    the title of the figure; this is always so if the section is too flat for a label at the colour
+    bar. equal: whether both axes have equal scales. cells: whether to show one colour per cell.
     """
     ax = axes_or_new(ax)
     titled = titled or plane.ratio < _FLAT_SECTION_RATIO
@@ -93,8 +93,8 @@ def show_surface(
 ) -> Axes:
     """Draw a map of a surface field with a colour bar.
 
-    `name` is the name of the coordinate along x; a `note` follows the name of the quantity. Points
-    at which `inside` is not positive are white.
+    name: name of the horizontal coordinate. note: text after the name of the quantity. inside:
+    field that is positive where the map is drawn; the rest is white.
     """
     ax = axes_or_new(ax)
     if inside is not None and cells:
@@ -127,32 +127,32 @@ def clip(ax: Axes, drawn: list[Any], plane: Plane, inside: FloatArray) -> None:
 
 
 def outline(ax: Axes, plane: Plane, inside: FloatArray, **style: Any) -> None:
-    """Draw the zero line of a field."""
+    """Draw the line along which a field is zero."""
     ax.contour(*plane.smooth(inside), levels=[0.0], **(EDGE_STYLE | style))
 
 
 def inside_of_contact(contact: FloatArray) -> FloatArray:
     """Return a field that is positive in the contact and crosses zero along its edge.
 
-    `contact` is the pressure, or 1, where the bodies touch, else 0. Near the edge of smooth bodies
-    the squared pressure is about linear in the distance from it.
+    contact: pressure, or 1 in contact cells and 0 elsewhere. Between smooth bodies, the squared
+    pressure is approximately proportional to the distance from the edge.
     """
     return _crossing(np.square(contact))
 
 
 def inside_of_slip(slip: FloatArray, touching: BoolArray) -> FloatArray:
-    """Return a field that is positive in the slip zone and crosses zero along its edge.
+    """Return a field that is positive in the slip zone and crosses zero along its inner edge.
 
-    The slip grows with the power 3/2 of the distance from that edge.
+    The slip is proportional to the distance from the stick zone to the power 3/2.
     """
     return _crossing(np.cbrt(np.square(spread(slip, touching))))
 
 
 def _crossing(values: FloatArray) -> FloatArray:
-    """Continue values below zero in the cells in which they are zero.
+    """Replace zeros outside a positive region by negative values, extrapolated from the region.
 
-    In cells at the edge, the line through the two nearest positive values is continued. If these do
-    not decrease, the mean slope of all edges is used.
+    The extrapolation is linear, from the two nearest positive values. If they do not decrease
+    towards the edge, the mean slope at the edge of the region is used.
     """
     there = values > 0
     cross = scipy.ndimage.generate_binary_structure(2, 1)
@@ -171,7 +171,7 @@ def _crossing(values: FloatArray) -> FloatArray:
 
 
 def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
-    """Return values in the contact; outside it, values of the nearest contact cell."""
+    """Return a field whose cells outside the contact have the value of the nearest contact cell."""
     nearest = scipy.ndimage.distance_transform_edt(
         ~touching, return_distances=False, return_indices=True
     )
@@ -188,7 +188,7 @@ def touching_along(
 
 
 def scale_of(values: FloatArray, quantity: Quantity) -> tuple[Normalize, FloatArray, FloatArray]:
-    """Return colour scale, edges of the colour bands, and contour levels, in the units shown."""
+    """Return the colour scale, the edges of the colour bands and the contour levels of a field."""
     low, high = float(np.nanmin(values)), float(np.nanmax(values))
     if quantity.from_zero:
         low = 0.0
@@ -204,7 +204,7 @@ def scale_of(values: FloatArray, quantity: Quantity) -> tuple[Normalize, FloatAr
     first, last = np.floor(low / band), np.floor(high / band) + 2
     bands = np.arange(first, last) * band
     if quantity.signed:
-        bands = np.arange(first, last + 1) * band - 0.5 * band  # zero is in the middle of one
+        bands = np.arange(first, last + 1) * band - 0.5 * band  # zero is in the middle of a band
     elif quantity.kind == "strain" and high > 0:
         bands[0] = _MIN_SHOWN_STRAIN * high
     return norm, bands, lines[(lines > low) & (lines < high) & (np.abs(lines) > 1e-3 * band)]
@@ -224,7 +224,7 @@ def _show(
 ) -> list[Any]:
     """Draw a field with its colour bar at the side or below.
 
-    A field that is identically zero has a text instead of a colour bar.
+    If the field is zero everywhere, a text is shown instead of a colour bar.
     """
     boolean("cells", cells)
     shown, label = values * quantity.factor, quantity.label + note

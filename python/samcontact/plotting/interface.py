@@ -52,8 +52,8 @@ def interface_profile(
     """Draw normal, shear and in-plane stress at an interface.
 
     The in-plane stress is discontinuous: it is drawn for the layers above and below. Normal and
-    shear traction are continuous: the mean of both sides is drawn, because the cells of the plastic
-    strain cause a small difference. A side without stress, such as a rigid substrate, is omitted.
+    shear traction are continuous: the mean of both sides is drawn, because the discretised plastic
+    strain causes a small difference. A side without stress, such as a rigid substrate, is omitted.
     The maximum tension is marked.
 
     Parameters
@@ -109,7 +109,7 @@ def interface_profile(
 
 
 def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
-    """Draw the stress of both sides along one axis, shape (2, 6, n), and mark maximum tension."""
+    """Draw the stress on both sides of an interface, shape (2, 6, n), and mark maximum tension."""
     shown = sides * CONTACT["stress"].factor
     known = [n for n in (0, 1) if shown[n].any()] or [0, 1]
     passing = shown[known].mean(axis=0)
@@ -136,9 +136,10 @@ def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
 
 
 def interface_figure(scene: ContactResults, number: int) -> Figure:
-    """Draw the interfaces of a body at an increment, or those with the highest tension.
+    """Return a figure of the stress at the interfaces of a body, with one panel per interface.
 
-    Panels are stacked, along the row of cells in which the in-plane stress varies most.
+    Profiles pass through the row of cells in which the in-plane stress varies most. If there are
+    many interfaces, only the ones with the highest tension are shown.
     """
     stress, grid = scene.field("interface_stress", number), scene.grid
     tension = stress[:, [0, 2]].max(axis=(0, 1, 2, 3))

@@ -56,9 +56,9 @@ def surface_map(
     label : str, optional
         Text that replaces the name of the quantity in the label.
     contact : array_like, shape (nx, ny), optional
-        Positive in contact cells; with the pressure, the edge is located between cells. Default:
-        cells with pressure, or with a gap below 1e-6 of its maximum. For other quantities, the edge
-        is drawn only if this argument is given.
+        Field that is positive in contact cells; from the pressure, the edge is located between
+        cells. Default: cells with pressure, or with a gap below 1e-6 of its maximum. For other
+        quantities, the edge is drawn only if this argument is given.
     across : {"x", "y"}, optional
         Coordinate from left to right. "y" rotates the map by 90°, with x downward, for contacts
         that are long along y.
@@ -88,11 +88,12 @@ def surface_map(
 
 
 def peak_map(scene: ContactResults, name: str, ax: Axes) -> Axes:
-    """Draw `surface_map` of pressure or gap of a run at its peak, also for given tractions."""
+    """Draw a `surface_map` of pressure or gap at the increment with maximum stress of a run."""
     values, repulsion = scene.surface(name, scene.peak), scene.surface("repulsion", scene.peak)
     shown = of_either_sign(name, values, scene.grid)
     solved = np.isfinite(scene.dataset["approach"].values[scene.peak])
-    known = name if solved or name == "pressure" else None  # given tractions close no gap
+    # prescribed tractions do not close the gap
+    known = name if solved or name == "pressure" else None
     return _draw(values, scene.grid, ax, known, shown, repulsion, scene.map_look[0], cells=False)
 
 

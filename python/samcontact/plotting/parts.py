@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Common parts of the figures: figures without pyplot, labels and units, lines through fields."""
+"""Common functions of the figures: creation without pyplot, labels, units, lines through fields."""
 
 from __future__ import annotations
 
@@ -53,9 +53,9 @@ _in_column: ContextVar[str] = ContextVar("_in_column", default="screen")
 
 @contextmanager
 def journal_column(width: str = "single") -> Iterator[None]:
-    """Create figures with the width and font size of a journal column.
+    """Set width and font size of figures for a journal column within the context.
 
-    Create and save figures within it: ``with plotting.journal_column("double"):
+    Create and save the figures in the context: ``with plotting.journal_column("double"):
     summary_figures(...)``. Figures with several panels side by side take the double column.
     Functions that receive an `ax` draw into its figure.
 
@@ -83,7 +83,7 @@ def journal_column(width: str = "single") -> Iterator[None]:
 
 
 def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
-    """Return a figure of this size [in], scaled to the column width within `column`."""
+    """Return a figure of a given size [in], scaled to the column width within `journal_column`."""
     given = _in_column.get()
     name = "double" if given == "single" and width > _MIN_DOUBLE_COLUMN_WIDTH else given
     size = _COLUMNS[name][0] / 25.4 if name in _COLUMNS else width
@@ -95,7 +95,7 @@ def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
 
 
 def save(figure: Figure | None, path: Path) -> Path:
-    """Write a figure without blank margins; the figure of an axes must not be None."""
+    """Write a figure to a file without blank margins, and return the path."""
     assert figure is not None
     with replacing(path) as part:
         draw(figure, part, format=path.suffix[1:] or "png", **_SAVE_OPTIONS.get(path.suffix, {}))
@@ -106,12 +106,12 @@ _SAVE_OPTIONS: dict[str, dict[str, Any]] = {
     ".pdf": {"dpi": 400, "metadata": {"CreationDate": None}},
     ".svg": {"dpi": 400, "metadata": {"Date": None}},
 }
-"""Options of vector files: fields are rasterised, and no date is stored, so that repeated runs give
+"""Options of vector files: resolution of rasterised fields, and no date, so that repeated runs give
 identical files."""
 
 
 def draw(figure: Figure, target: Path | BinaryIO, **options: Any) -> None:
-    """Write a figure to a file or a buffer, with options of Matplotlib."""
+    """Write a figure to a file or a buffer; options: arguments of `Figure.savefig`."""
     box: Any = "tight"
     try:
         if figure.get_gid() == _COLUMN_WIDTH_ID:  # full column width, not cropped
@@ -139,12 +139,12 @@ def require_volume(grid: Grid) -> None:
 
 
 def section_height(width: float, across: float, depth: float) -> float:
-    """Return the height of the figure of one section [in] that leaves no blank space."""
+    """Return the figure height [in] at which a single section leaves no blank space."""
     return min(max(0.75 * width * depth / across, 0.5), 1.5 * width) + 0.95
 
 
 def map_height(width: float, across: float, down: float) -> float:
-    """Return the height of the figure of a map [in]; flat maps have their colour bar below."""
+    """Return the figure height [in] of a map, with space for the colour bar below a flat map."""
     return section_height(width, across, down) + (
         0.55 if down < MAX_FLAT_MAP_RATIO * across else 0.0
     )
@@ -162,7 +162,7 @@ def finish(ax: Axes) -> Axes:
 
 
 def counted(ax: Axes) -> Axes:
-    """Place ticks along x at whole numbers only, for passes, cycles and increments."""
+    """Place the x ticks at whole numbers only (passes, cycles, increments), and return the axes."""
     ax.xaxis.set_major_locator(FittedLocator(integer=True))
     left, right = ax.get_xlim()
     if right - left < 1.0:  # a single number
@@ -175,9 +175,9 @@ def nearest(values: ArrayLike, position: float) -> int:
 
 
 def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
-    """Return the index of the middle row, or of the row with a clearly larger magnitude.
+    """Return the index of the middle row, or of the row with a clearly larger maximum.
 
-    `values` has the maximum magnitude of each row.
+    values: maximum magnitude in each row. coordinate: positions of the rows [m].
     """
     sizes = np.asarray(values, dtype=np.float64)
     middle = nearest(coordinate, 0.0)
@@ -189,13 +189,13 @@ def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
 
 
 def place(name: str, value: float) -> str:
-    """Return the position of a row as text."""
+    """Return the position of a row as text, e.g. "y = 12 µm"; value: position [m]."""
     shown = value * 1e6 + 0.0
     return f"{name} = {shown:{'.4g' if abs(shown) < 1e4 else '.0f'}} µm"
 
 
 def elsewhere(name: str, value: float, cell: float) -> str:
-    """Return the position of a row as text; "" for the middle row."""
+    """Return the position of a row as text, or "" for the middle row."""
     return "" if abs(value) <= 0.5 * cell else place(name, value)
 
 
@@ -204,7 +204,7 @@ def add_to_title(ax: Axes, *texts: str) -> None:
 
 
 def prefixed(largest: float, unit: str) -> tuple[float, str]:
-    """Return factor and unit, with a suitable prefix for values up to the largest."""
+    """Return the factor and the prefixed unit in which values up to `largest` are shown."""
     place = int(np.clip(np.floor(np.log10(largest) / 3), -4, 3)) if largest > 0 else 0
     return 10.0 ** (-3 * place), "pnµm kMG"[place + 4].strip() + unit
 
@@ -217,7 +217,7 @@ def edges(centres: ArrayLike, step: float) -> FloatArray:
 def surface_line(
     field: ArrayLike, name: str, grid: Grid, axis: str, position: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return coordinates and values of a surface field along an axis, in the nearest row."""
+    """Return the coordinates [m] and values of a surface field in a row of cells along an axis."""
     choice("axis", axis, ("x", "y"))
     values = finite_array(name, field, (grid.nx, grid.ny))
     finite("position", position)

@@ -109,8 +109,9 @@ def strain_per_cycle(
     Returns
     -------
     matplotlib.axes.Axes
-        Axes with strains relative to the yield strain, on a logarithmic scale. Solid: net plastic
-        strain; dashed: plastic flow. Solved cycles are dots; extrapolated cycles are gaps.
+        Axes with strains relative to the yield strain, on a logarithmic scale. Solid lines: net
+        plastic strain. Dashed lines: plastic flow. Dots: solved cycles; extrapolated cycles have
+        no dots.
     """
     return draw_cycles(
         [cycle.number for cycle in result.cycles],
@@ -122,7 +123,7 @@ def strain_per_cycle(
 
 
 def draw_cycles(numbers: ArrayLike, net: ArrayLike, flow: ArrayLike, label: str, ax: Axes) -> Axes:
-    """Draw `strain_per_cycle` from strains relative to the yield strain."""
+    """Draw the curves of `strain_per_cycle`; net, flow: strains divided by the yield strain."""
     (line,) = ax.plot(numbers, net, "o-", markersize=3, label=label)
     ax.plot(numbers, flow, "--", color=line.get_color(), linewidth=1)
     ax.set_yscale("log")

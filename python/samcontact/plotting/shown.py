@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantity of a drawn field, and its plausibility."""
+"""Quantity shown in a figure, and plausibility checks of the values drawn."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 _ROUNDING_ERROR = 1e-6
 """Negative values up to this fraction of the maximum, or of the grid size, are rounding errors."""
 _HEAT_ROUNDING_ERROR = 1e-3
-"""Error of transforms and quadrature in the temperature outside a source, relative."""
+"""Relative error of transforms and quadrature in the temperature outside a source."""
 _MAX_VALUES = {"strain": 1e2, "heat": 1e6}
 _MAX_LENGTH_RATIO = 1e3
 """Maximum plausible length, relative to the size of the grid."""
@@ -31,7 +31,7 @@ def quantity_of(
     argument: str = "field",
     label: str | None = None,
 ) -> Quantity:
-    """Return the quantity of this name, with its label; without a name a neutral quantity.
+    """Return the quantity with this name, or a quantity without unit if no name is given.
 
     Values without a name are shown without conversion, with a diverging colour map if both signs
     occur. Raises ValueError for values that are impossible for the named quantity.
@@ -45,7 +45,7 @@ def quantity_of(
 
 
 def of_either_sign(name: str, values: FloatArray, grid: Grid) -> Quantity:
-    """Return the quantity of this name, with a diverging colour map for negative values.
+    """Return the quantity with this name, with a diverging colour map if values are negative.
 
     Prescribed tractions may be tensile, and may cause interpenetration.
     """
@@ -54,12 +54,12 @@ def of_either_sign(name: str, values: FloatArray, grid: Grid) -> Quantity:
 
 
 def signed(quantity: Quantity) -> Quantity:
-    """Return the quantity with a diverging colour map, white for zero."""
+    """Return the quantity with a diverging colour map in which zero is white."""
     return quantity._replace(kind="signed")
 
 
 def require_possible(argument: str, values: FloatArray, quantity: Quantity, grid: Grid) -> None:
-    """Raise ValueError for impossible values, which indicate a wrong field or unit."""
+    """Raise ValueError for values that are impossible for a quantity (wrong field or unit)."""
     least, largest = float(np.nanmin(values)), float(np.nanmax(np.abs(values)))
     unit = "" if quantity.unit == "1" else f" {quantity.unit}"
     another = "check the quantity; `section` and `surface_map` show any field if it is omitted"

@@ -25,7 +25,7 @@ _CONTACT_MARGIN = 0.15  # margin around the contact, relative to its size
 
 
 class ForceHistory(NamedTuple):
-    """Motion and force of all increments, in the units of their labels."""
+    """Displacement and force of all increments, in the units shown on the axes."""
 
     across: FloatArray
     force: FloatArray
@@ -33,7 +33,7 @@ class ForceHistory(NamedTuple):
 
 
 def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) -> FuncAnimation:
-    """Animate stick and slip zones, next to the tangential force versus displacement.
+    """Animate stick and slip zones next to a plot of tangential force against displacement.
 
     For rolling bodies, the force is shown versus the distance rolled.
 
@@ -42,7 +42,7 @@ def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) 
     states : sequence of State
         States in the order of the path, from a simulation with `Coulomb` friction.
     interval : float, optional
-        Time between two frames on a screen [ms], > 0.
+        Interval between frames during playback [ms], > 0.
 
     Returns
     -------
@@ -78,14 +78,14 @@ def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) 
 
     draw(0)
     figure.draw_without_rendering()
-    figure.set_layout_engine("none")  # panels must not shift between frames
+    figure.set_layout_engine("none")  # panels must not move between frames
     return FuncAnimation(
         figure, draw, frames=len(states), interval=interval, cache_frame_data=False, blit=False
     )
 
 
 def course_of(states: Sequence[State]) -> ForceHistory:
-    """Return force and motion in the direction of the maximum force, or about z without a force."""
+    """Return displacement and force along the axis of maximum force, or twist and torque."""
     forces = np.array([state.tangential_load for state in states])
     motions = np.array([state.shift for state in states])
     direction = int(np.argmax(np.abs(forces).max(axis=0)))
@@ -107,7 +107,7 @@ def course_of(states: Sequence[State]) -> ForceHistory:
 
 
 def _limits(states: Sequence[State], grid: Grid) -> list[tuple[float, float]]:
-    """Return the limits of the contact of all states along x and y [µm]."""
+    """Return the limits along x and y [µm] of a region that contains the contact in all states."""
     touched = np.any([state.in_contact for state in states], axis=0)
     if not touched.any():
         raise ValueError("states must contain at least one state in contact, got none")

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def slip_figures(scene: ContactResults) -> dict[str, Figure]:
-    """Return the figures of a run with partial slip, by name; none with full sliding."""
+    """Return the figures of a run with partial slip by name; an empty dict with full sliding."""
     data = scene.dataset
     if "friction_work" not in data or not np.any(
         in_contact(repulsion_of(data).values[chosen(data)])
@@ -53,7 +53,7 @@ def slip_figures(scene: ContactResults) -> dict[str, Figure]:
 
 
 def _of_rolling(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
-    """Return the figures of the force versus distance rolled and versus varying creepage."""
+    """Return figures of the force versus distance rolled and, if it varies, versus creepage."""
     figures = {"rolling_force": new_figure()}
     rolling_force(dataset, figures["rolling_force"].subplots(), direction=direction)
     xi, force = creepages(dataset, direction)
@@ -74,7 +74,7 @@ def _of_rolling(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
 
 
 def chosen(dataset: xr.Dataset) -> int:
-    """Return the position of the increment whose slip is shown: the last with maximum force."""
+    """Return the index of the last increment with maximum tangential force, for the slip map."""
     pulls = np.hypot(*(dataset[f"tangential_load_{axis}"].values for axis in "xy"))
     if not pulls.max() > ROUNDING_ERROR * float(dataset["load"].max()):
         pulls = np.abs(dataset["torque"].values)
@@ -84,7 +84,7 @@ def chosen(dataset: xr.Dataset) -> int:
 
 
 def driven(dataset: xr.Dataset) -> list[str]:
-    """Return the directions with force and motion, the largest force first."""
+    """Return the directions ("x", "y", "z") with force and displacement, largest force first."""
     moved = moved_along(dataset)
     found = [
         name

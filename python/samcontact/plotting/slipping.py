@@ -99,7 +99,7 @@ def partial_slip_map(
 
 
 def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, plane: Plane) -> None:
-    """Draw stick and slip zones in their colours, and the contact edge."""
+    """Colour the stick zone and the slip zone, and draw the contact edge."""
     inside, slips = inside_of_contact(pressure), inside_of_slip(slip, in_contact(pressure))
     levels = [slips.min() - 1.0, 0.0, slips.max() + 1.0]
     parts = ax.contourf(*plane.smooth(slips), levels=levels, colors=STICK_AND_SLIP_COLOURS)
@@ -108,7 +108,7 @@ def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, plane: Plane) -> No
 
 
 def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], plane: Plane) -> float:
-    """Draw arrows in a regular selection of cells, and return the maximum slip."""
+    """Draw arrows of the slip in every n-th cell, and return the maximum slip."""
     size: FloatArray = np.hypot(*slip)
     largest = float(size.max(initial=0.0))
     if not largest > 0:
@@ -159,7 +159,7 @@ def shear_profile(
     grid : Grid
         Grid of both fields.
     friction : float or Coulomb
-        Coefficient of friction >= 0 [-], or a friction law; `math.inf`: no limits.
+        Coefficient of friction >= 0 [-], or a friction law; with `math.inf`, no limits are drawn.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     component : {"x", "y"}
@@ -254,14 +254,14 @@ def creep_curve(
     Parameters
     ----------
     creepage : array_like, shape (n,)
-        Rigid slip per distance rolled [-].
+        Creepage: rigid-body slip per distance rolled [-].
     force : array_like, shape (n,)
         Tangential force [N].
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     largest : float, optional
-        Force at full sliding, coefficient of friction times load [N]: a dashed line, for each sign
-        that occurs.
+        Force at full sliding, coefficient of friction times load [N]; drawn as a dashed line for
+        each sign of the force that occurs.
     label : str, optional
         Label of the curve.
 
@@ -291,7 +291,7 @@ def creep_curve(
 
 
 def _bounds(ax: Axes, forces: FloatArray, largest: float) -> None:
-    """Draw lines of the maximum force, for each sign that occurs."""
+    """Draw a line at the force of full sliding for each sign of the force that occurs."""
     small = 1e-6 * np.abs(forces).max(initial=0.0)
     sides = [side for side in (-1, 1) if np.any(side * forces > small)]
     for side in sides:
@@ -324,7 +324,7 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
     require_slip(dataset)
     choice("direction", direction, ("x", "y"))
     if "travel_body1" not in dataset:
-        raise ValueError("dataset must be of rolling bodies, but has no travel")
+        raise ValueError("dataset must be from rolling bodies, got one without travel")
     force = CONTACT[FORCE_AND_MOTION[direction][0]]
     way = -0.5 * sum(dataset[f"travel_body{body}"].values for body in (1, 2))
     pull = np.where(
@@ -341,13 +341,16 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
 
 
 def require_slip(dataset: xr.Dataset) -> None:
-    """Raise ValueError for results without partial slip."""
+    """Raise ValueError if the results are of full sliding."""
     if "friction_work" not in dataset:
-        raise ValueError("dataset must be of a contact with partial slip: use friction=Coulomb(mu)")
+        raise ValueError(
+            "dataset must be from a contact with partial slip, got one with full sliding: use "
+            "friction=Coulomb(mu)"
+        )
 
 
 def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArray]:
-    """Return slip per distance rolled [-] and force [N] of increments that roll under load."""
+    """Return creepage [-] and force [N] of the increments in which bodies roll under load."""
     force, motion = FORCE_AND_MOTION[direction]
     ways = [np.diff(dataset[f"travel_body{body}"].values, prepend=0.0) for body in (1, 2)]
     way = -0.5 * (ways[0] + ways[1])
@@ -357,7 +360,7 @@ def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArr
 
 
 def largest_force(dataset: xr.Dataset) -> float | None:
-    """Return the maximum friction limit of all increments [N]; None if slip is prevented."""
+    """Return the force of full sliding at maximum load [N]; None if slip is prevented."""
     law = law_of_attributes(dataset.attrs)
     if law is None or law.prevents_slip:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Standard figures of a run, as files."""
+"""Standard figures of a run, written to files."""
 
 from __future__ import annotations
 
@@ -43,10 +43,10 @@ def summary_figures(
     hertz: HertzContact | None = None,
     format: str = "png",
 ) -> list[Path]:
-    """Write the standard figures of a run as files.
+    """Write the standard figures of a run to files.
 
-    Profiles and sections are through the middle, or through the row of cells with the maximum, as
-    on rough surfaces.
+    Profiles and sections pass through the middle of the grid. If values are clearly larger
+    elsewhere, as on rough surfaces, they pass through the row of cells with the maximum.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def summary_figures(
         Body whose stresses and residual imprint are shown. Default: the body of [output], or the
         body with volume fields.
     hertz : PointContact or EllipticContact, optional
-        Hertz contact at the load of the peak.
+        Hertz contact at the load of the increment with maximum stress.
     format : {"png", "pdf", "svg"}
         File format; in the last two, lines and text are vectors.
 
@@ -88,14 +88,14 @@ def summary_figures(
     scene = ContactResults(dataset, body, hertz)
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
-    figures = _of_the_peak(scene)
+    figures = _peak_figures(scene)
     figures["load_approach"] = _panel()
     load_approach(dataset, figures["load_approach"].axes[0], hertz=hertz)
     figures |= slip_figures(scene)
-    figures |= _of_the_hottest(scene)
+    figures |= _temperature_figures(scene)
     if scene.track is not None:
         travel = dataset[f"travel_body{body}"].values
-        figures |= _of_the_track(scene.track)
+        figures |= _track_figures(scene.track)
         if "z" in scene.track.sizes:
             figures |= track_summary(scene.track, travel)
     elif f"residual_displacement_body{body}" in dataset:
@@ -108,7 +108,7 @@ def summary_figures(
 
 
 def increments_shown(dataset: xr.Dataset, body: int) -> set[int]:
-    """Return the increments whose volume fields are shown: peak, hottest and last increment."""
+    """Return the numbers of the increments with maximum stress and temperature, and of the last."""
     scene = ContactResults(dataset, body, None)
     shown = {scene.peak, dataset.sizes["increment"] - 1}
     if scene.hottest is not None:
@@ -122,12 +122,12 @@ def _panel(width: float = _WIDTH, height: float = 3.6) -> Figure:
     return figure
 
 
-def _moment(scene: ContactResults, position: int) -> str:
+def _load_text(scene: ContactResults, position: int) -> str:
     return f"load {float(scene.dataset['load'].values[position]):.6g} N"
 
 
-def _of_the_peak(scene: ContactResults) -> dict[str, Figure]:
-    """Draw pressure, gap and stresses at maximum stress."""
+def _peak_figures(scene: ContactResults) -> dict[str, Figure]:
+    """Draw pressure, gap and stresses at the increment with the maximum stress."""
     grid, number = scene.grid, scene.number(scene.peak)
     _, size = scene.map_look
     figures = {"pressure": _panel(), "pressure_map": _panel(*size), "gap_map": _panel(*size)}
@@ -135,7 +135,7 @@ def _of_the_peak(scene: ContactResults) -> dict[str, Figure]:
     y = scene.row(pressure)
     ax = figures["pressure"].axes[0]
     draw_pressure(pressure, grid, ax, scene.hertz, "x", y)
-    add_to_title(ax, _moment(scene, scene.peak), elsewhere("y", y, grid.dy))
+    add_to_title(ax, _load_text(scene, scene.peak), elsewhere("y", y, grid.dy))
     for name in ("pressure", "gap"):
         peak_map(scene, name, figures[f"{name}_map"].axes[0])
     if scene.has("stress", number):
@@ -166,7 +166,7 @@ def _sections(scene: ContactResults, number: int) -> Figure:
     return figure
 
 
-def _of_the_hottest(scene: ContactResults) -> dict[str, Figure]:
+def _temperature_figures(scene: ContactResults) -> dict[str, Figure]:
     """Draw the temperature rise of a heated body."""
     if scene.hottest is None:
         return {}
@@ -174,7 +174,7 @@ def _of_the_hottest(scene: ContactResults) -> dict[str, Figure]:
     figures = {"flash_temperature": _panel()}
     y = scene.row(rise)
     ax = temperature_profile(rise, grid, figures["flash_temperature"].axes[0], position=y)
-    add_to_title(ax, _moment(scene, scene.hottest), elsewhere("y", y, grid.dy))
+    add_to_title(ax, _load_text(scene, scene.hottest), elsewhere("y", y, grid.dy))
     if scene.has("temperature", number := scene.number(scene.hottest)):
         figures["temperature"] = _panel(_WIDTH, scene.section_height)
         field, ax = scene.field("temperature", number), figures["temperature"].axes[0]
@@ -189,7 +189,7 @@ def _imprint_figures(scene: ContactResults) -> dict[str, Figure]:
     figures = {"imprint": _panel(), "imprint_map": _panel(*size)}
     y = scene.row(depth)
     ax = imprint_profile(depth, grid, figures["imprint"].axes[0], position=y)
-    add_to_title(ax, _moment(scene, -1), elsewhere("y", y, grid.dy))
+    add_to_title(ax, _load_text(scene, -1), elsewhere("y", y, grid.dy))
     pressed = scene.surface("repulsion", scene.peak)
     below: Any = {"quantity": "imprint", "contact": pressed, "across": across}
     surface_map(depth, grid, figures["imprint_map"].axes[0], **below)
@@ -210,7 +210,7 @@ def _imprint_figures(scene: ContactResults) -> dict[str, Figure]:
     return figures
 
 
-def _of_the_track(track: xr.Dataset) -> dict[str, Figure]:
+def _track_figures(track: xr.Dataset) -> dict[str, Figure]:
     """Draw residual imprint and residual stress of the whole track of a moving contact."""
     grid, length = grid_of(track), float(np.ptp(track["x"].values))
     figures = {"imprint": _panel()}

@@ -21,7 +21,7 @@ _MIN_LABEL_GAPS = (
 
 
 class FittedLocator(MaxNLocator):
-    """Locator of as many round numbers as fit on the axis; a single number on very short axes."""
+    """Tick locator that places as many round numbers as fit on the axis, but at least one."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__(9, steps=[1, 2, 2.5, 5, 10], **options)

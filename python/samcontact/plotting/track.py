@@ -223,7 +223,7 @@ def _section(
 
 
 def imprint_along(track: xr.Dataset, ax: Axes) -> Axes:
-    """Draw the residual imprint along x, through its deepest row of cells."""
+    """Draw the residual imprint along x, in the row of cells with the deepest imprint."""
     field, x, y = (track[name].values for name in ("residual_displacement", "x", "y"))
     field = np.abs(field)
     row = row_of_interest(field.max(axis=0), y)
@@ -234,7 +234,7 @@ def imprint_along(track: xr.Dataset, ax: Axes) -> Axes:
 
 
 def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
-    """Return a figure of the residual stress along a track, in the row of its maximum.
+    """Return a figure of the residual stress along a track, in the row with the maximum stress.
 
     width: width of the figure [in].
     """
@@ -254,7 +254,7 @@ def _row_of_residual(track: xr.Dataset) -> float:
 
 
 def _strained_part(track: xr.Dataset) -> xr.Dataset:
-    """Return the yielded part of a track with layers, extended by half of its length."""
+    """Return the yielded part of a track, extended by half the length of this part at each end."""
     x, strain = track["x"].values, track["equivalent_plastic_strain"].values
     left, right = _extent(x, strain.max(axis=(1, 2)))
     part: xr.Dataset = track.isel(x=(x >= left) & (x <= right))
@@ -262,7 +262,7 @@ def _strained_part(track: xr.Dataset) -> xr.Dataset:
 
 
 def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
-    """Return the limits of the nonzero part, extended by at most its own length."""
+    """Return the limits of the part above 2 % of the maximum, extended by half at each end."""
     there = x[sizes > 0.02 * sizes.max()] if np.any(sizes) else x
     margin = 0.5 * float(np.ptp(there)) + 2.0 * float(x[1] - x[0])
     return max(float(x[0]), float(there[0]) - margin), min(float(x[-1]), float(there[-1]) + margin)

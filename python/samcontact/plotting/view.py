@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Interactive three-dimensional view of a body, cut open below the contact.
 
-Drawn by PyVista (extra ``3d``), in a notebook or on a separate page.
+Views are drawn by PyVista (extra ``3d``), in a notebook or on a separate page.
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ def _drawn(pv: Any, scene: ContactResults, number: int, quantity: str) -> Any:
 
 
 def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
-    """Return the surface of the body without the quarter towards +x and -y of the maximum."""
+    """Return the surface of the body, with the quarter towards +x and -y of the maximum removed."""
     size = np.abs(field)
     middle = [
         float(0.5 * (side[at] + side[at + 1]))
@@ -129,7 +129,7 @@ def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
 
 
 def _edge(scene: ContactResults, repulsion: FloatArray) -> list[FloatArray]:
-    """Return the lines around the contact on the surface [µm]."""
+    """Return the edge of the contact as lines on the surface [µm]."""
     import contourpy  # a dependency of Matplotlib
 
     if not repulsion.any() or np.all(in_contact(repulsion)):
@@ -142,7 +142,7 @@ def _edge(scene: ContactResults, repulsion: FloatArray) -> list[FloatArray]:
 
 
 def _loop(pv: Any, sides: tuple[FloatArray, ...], depth: float) -> Any:
-    """Return the line around the body at a depth [µm]."""
+    """Return a closed line around the sides of the body at a depth [µm]."""
     x, y = sides[0][[0, -1, -1, 0, 0]], sides[1][[0, 0, -1, -1, 0]]
     return pv.lines_from_points(np.column_stack([x, y, np.full(5, depth)]))
 

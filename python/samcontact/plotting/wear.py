@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of wear and running-in. Each takes an `ax` (a new figure by default) and returns it.
+"""Figures of wear and running-in. Functions draw on an `ax` (of a new figure) and return it.
 
-Like `samcontact.plotting`: no pyplot, lengths in micrometres, depth downward.
+As in `samcontact.plotting`, pyplot is not used, lengths are in micrometres, and depth is downward.
 """
 
 from __future__ import annotations
@@ -82,14 +82,14 @@ def worn_profile(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        Worn body; default: the last one.
+        Worn body. Default: the last of the worn bodies.
     axis : {"x", "y"}
         Direction of the profile.
     position : float, optional
         Coordinate of the profile across its direction [m]; the nearest row of cells is used.
         Default: the middle row, or the row of maximum wear if that is much deeper.
     cycles : sequence of int, optional
-        Numbers of cycles; 0: before the first. Default: all.
+        Numbers of cycles; 0: before the first cycle. Default: all.
 
     Returns
     -------
@@ -140,7 +140,7 @@ def surface_map(
     cycle: int = -1,
     cells: bool = False,
 ) -> Axes:
-    """Draw a map of the heights of a worn body after a cycle (0: before the first).
+    """Draw a map of the heights of a worn body after a cycle; cycle 0 is the initial surface.
 
     Parameters
     ----------
@@ -149,7 +149,7 @@ def surface_map(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        Worn body; default: the last one.
+        Worn body. Default: the last of the worn bodies.
     cycle : int
         Number of the cycle; default: the last one.
     cells : bool, optional
@@ -171,7 +171,7 @@ def surface_map(
 
 
 def _heights(dataset: xr.Dataset, body: int | None) -> tuple[FloatArray, FloatArray]:
-    """Return the heights of a worn body after each cycle, and their x coordinates."""
+    """Return the heights of a worn body after each cycle [m], and the x coordinates [m]."""
     worn = tuple(dataset["body"].values.tolist())
     chosen = choice("body", worn[-1] if body is None else body, worn)
     return dataset[f"heights_body{chosen}"].values, dataset[f"x_body{chosen}"].values
@@ -210,7 +210,7 @@ def wear_rate(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 def fretting_panels(
     first: Sequence[State], last: Sequence[State], *, position: float | None = None
 ) -> Figure:
-    """Draw pressure and sliding distance per repeat along x, for the first and the last cycle.
+    """Draw pressure and sliding distance per repeat along x, in the first and the last cycle.
 
     Parameters
     ----------
@@ -261,7 +261,7 @@ def cycle_panels(
     width: float | None = None,
     depth: float | None = None,
 ) -> Figure:
-    """Draw pressure and Tresca stress under load, and mean stress and plastic strain after it.
+    """Draw pressure and Tresca stress under load, mean stress and plastic strain after unloading.
 
     Parameters
     ----------

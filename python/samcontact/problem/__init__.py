@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Setup of a contact: grid, surfaces, friction, heating and settings."""
+"""Definition of a contact problem: grid, surfaces, friction, heating and settings."""

@@ -20,7 +20,7 @@ from .grid import Grid
 def shear_components(
     grid: Grid, shear: ArrayLike | None
 ) -> tuple[FloatArray | None, FloatArray | None]:
-    """Split shear of shape (nx, ny) or (2, nx, ny) into contiguous s_x, s_y [Pa]."""
+    """Split the shear traction, shape (nx, ny) or (2, nx, ny), into arrays along x and y [Pa]."""
     require_type("grid", grid, Grid)
     if shear is None:
         return None, None
@@ -32,7 +32,7 @@ def shear_components(
 
 
 def depths_of(z: ArrayLike) -> FloatArray:
-    """Check depths [m], a scalar or one-dimensional."""
+    """Check depths [m], given as a number or a list, and return a one-dimensional array."""
     depths = np.atleast_1d(real_array("z", z))
     if depths.ndim != 1 or not ((depths <= 1e75) & (depths >= 0)).all():
         raise ValueError(
@@ -42,7 +42,7 @@ def depths_of(z: ArrayLike) -> FloatArray:
 
 
 def depth_major(grid: Grid, name: str, tensor: ArrayLike) -> FloatArray:
-    """Check a (6, nx, ny, nz) tensor field and return it as the core stores it, (6, nz, nx, ny)."""
+    """Check a tensor field of shape (6, nx, ny, nz) and return it in the shape (6, nz, nx, ny)."""
     require_type("grid", grid, Grid)
     checked = finite_array(name, tensor, (6, *grid.volume_shape))
     return np.ascontiguousarray(np.moveaxis(checked, 3, 1))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Consistency of material layers with the layers of cells."""
+"""Checks that the material layers of a body match the layers of grid cells."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from .grid import Grid
 
 
 def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
-    """Whether the layers of bodies may yield; ValueError if plastic flow in one is unsupported."""
+    """Whether any layered body can yield; raise ValueError if plastic flow is not supported."""
     flows = False
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Layered) or not body.is_plastic:
@@ -22,15 +22,14 @@ def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bo
         if residual_stress == "exact":
             raise ValueError(
                 f'residual_stress must be "fast" because body{n} has layers, got "exact": there '
-                "are "
-                "no closed-form kernels for layered bodies"
+                "are no closed-form kernels for layered bodies"
             )
         for place, depth in enumerate(body.interfaces if grid.dz is not None else ()):
             cells = depth / grid.dz
             if abs(cells - round(cells)) > 1e-6:
                 raise ValueError(
                     f"the bottom of layers[{place}] of body{n}, at {float(depth)!r} m, must "
-                    f"coincide with an interface of cells, got grid.dz = {grid.dz!r}: use an "
-                    "integer fraction of the thickness"
+                    f"coincide with an interface of cells, got grid.dz = {grid.dz!r}: use a whole "
+                    "fraction of the layer thickness (1/4, 1/8, ...)"
                 )
     return flows

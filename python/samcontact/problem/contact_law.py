@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact laws: lower bound of the pressure across a gap, and the cells in contact.
+"""Contact laws: lower bound of the pressure as a function of the gap, and the cells in contact.
 
-Only this module compares pressures with zero.
+The criterion of contact, a positive repulsion, is defined only in this module.
 """
 
 from __future__ import annotations
@@ -23,20 +23,19 @@ from ..heat import Heat
 
 @dataclass(frozen=True)
 class ContactLaw(HtmlTable):
-    """Contact law, with its parameters as fields.
+    """Contact law; the dataclass fields are the parameters, with their units as metadata.
 
-    The pressure is p = r - a(g), with a repulsion r >= 0 carried by closed cells and an attraction
-    a(g) >= 0 across the gap g. With an attractive law, friction depends on the repulsion only, the
-    grid is not enlarged, a simulation starts with separated bodies under the maximum tension, and
-    `advance`, prescribed pressure and heat are refused. The unit of a parameter is metadata of its
-    field.
+    The pressure is p = r - a(g). The repulsion r is >= 0 in closed cells and 0 elsewhere; a(g) >= 0
+    is the attraction across the gap g. With an attractive law, friction depends on the repulsion
+    only and the grid is not enlarged. A simulation starts with separated bodies under the maximum
+    tension. `advance`, a prescribed pressure and heat are not supported.
     """
 
     kind: ClassVar[str]
     """Name of the law in case files, results and the core."""
 
     def to_core(self) -> _core.ContactLaw:
-        """Contact law of the core."""
+        """Return the law as an object of the core."""
         return _core.ContactLaw(self.kind, list(astuple(self)))
 
     @cached_property
@@ -61,7 +60,7 @@ class ContactLaw(HtmlTable):
         Raises
         ------
         ValueError, TypeError
-            Something that the law excludes, or an argument of the wrong kind.
+            The law does not support an argument, or an argument has the wrong type.
         """
         if not self.attracts:
             return
@@ -73,8 +72,8 @@ class ContactLaw(HtmlTable):
             )
         if given.get("pressure") is not None:
             raise ValueError(
-                f"pressure cannot be combined with contact_law = {self!r}: the contact is not "
-                "solved"
+                f"pressure cannot be combined with contact_law = {self!r}: with a prescribed "
+                "pressure there is no contact to solve"
             )
         ways: Sequence[float] = given.get("advance", (0.0, 0.0))
         if np.any(ways):
@@ -96,12 +95,13 @@ class TensileLimit(ContactLaw):
     """Constant tensile limit, for `ContactSolver` and `Simulation`: p >= -limit.
 
     Surfaces separate where the tension reaches the limit, and open cells carry this tension at any
-    gap: Dugdale's attraction (1960, doi:10.1016/0022-5096(60)90013-2) with infinite range. An
-    evacuated gap acts in this way, and so does a liquid in the gap whose pressure is lower by the
-    limit (capillary pressure). For attraction across gaps, the law is the limit of a range that is
-    large compared with the gaps, as in the adhesion theory of Derjaguin, Muller and Toporov. The
-    solution is unique and independent of the path. The attractive force is the limit times the area
-    of the grid; on a grid that is not periodic it grows with the grid and bends the surfaces.
+    gap: the attraction of Dugdale (1960, doi:10.1016/0022-5096(60)90013-2) with infinite range. The
+    law describes an evacuated gap, and a gap filled with liquid at a pressure below ambient by the
+    limit (capillary pressure). For adhesion, it is the limiting case of an attraction with a range
+    much larger than the gaps, as in the theory of Derjaguin, Muller and Toporov. The solution is
+    unique and independent of the path. The attractive force is the tensile limit times the area of
+    the grid. On a grid that is not periodic, it therefore increases with the size of the grid and
+    bends the surfaces.
 
     Attributes
     ----------
@@ -126,9 +126,9 @@ LAWS: tuple[type[ContactLaw], ...] = (HardContact, TensileLimit)
 
 
 def law_of(tree: Mapping[str, Any]) -> ContactLaw:
-    """Contact law from a tree of `ContactLaw.to_tree`.
+    """Return the contact law that `ContactLaw.to_tree` has stored as a dictionary.
 
-    Raises ValueError for an unknown kind, TypeError for parameters of another law.
+    Raises ValueError for an unknown kind of law, and TypeError for wrong parameters.
     """
     parameters = dict(tree)
     kind = parameters.pop("kind")
@@ -146,6 +146,6 @@ def require_law(name: str, value: Any) -> ContactLaw:
 
 
 def in_contact(repulsion: ArrayLike) -> NDArray[np.bool_]:
-    """Whether cells are in contact, from their repulsion (for hard contact, the pressure)."""
+    """Whether cells are in contact; repulsion: pressure without attraction in each cell [Pa]."""
     found: NDArray[np.bool_] = np.asarray(repulsion) > 0
     return found

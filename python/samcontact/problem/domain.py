@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grid with the surfaces of both bodies."""
+"""Contact domain: a grid with the undeformed surfaces of both bodies."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _SAME_HEIGHT_TOLERANCE = 1e-9  # relative to the heights
 
 @dataclass(frozen=True, eq=False)
 class Domain:
-    """Grid with the initial gap and the reliefs of both bodies."""
+    """Grid with the initial gap, and the moving topography (relief) of each body."""
 
     grid: Grid
     initial_gap: FloatArray
@@ -37,7 +37,7 @@ class Domain:
 
 @dataclass(frozen=True, eq=False)
 class SurfaceGeometry:
-    """Gap and reliefs of two bodies: fields on one grid, or functions of any grid."""
+    """Gap and reliefs of two bodies, as arrays on one grid or as functions of the grid."""
 
     gap: ArrayLike | Callable[[Grid], ArrayLike]
     relief1: Relief | Callable[[Grid], Relief] | None = None
@@ -45,12 +45,12 @@ class SurfaceGeometry:
 
     @property
     def are_known(self) -> bool:
-        """Whether they are known on any grid."""
+        """Whether gap and reliefs are functions, and can thus be computed on any grid."""
         reliefs = (self.relief1, self.relief2)
         return callable(self.gap) and all(r is None or callable(r) for r in reliefs)
 
     def over(self, grid: Grid) -> Domain:
-        """Return the checked domain of a grid."""
+        """Check the surfaces on a grid, and return them with the grid."""
         gap = self.gap(grid) if callable(self.gap) else self.gap
         reliefs = [r(grid) if callable(r) else r for r in (self.relief1, self.relief2)]
         for number, relief in enumerate(reliefs, 1):
@@ -60,7 +60,7 @@ class SurfaceGeometry:
 
 
 def require_consistent_overlap(larger: Domain, window: Domain) -> None:
-    """Raise ValueError unless a larger domain has the surfaces of a smaller one in its centre."""
+    """Raise ValueError unless the surfaces of two domains agree in the cells of the smaller one."""
     i = (larger.grid.nx - window.grid.nx) // 2
     j = (larger.grid.ny - window.grid.ny) // 2
     columns = slice(j, j + window.grid.ny)
@@ -73,10 +73,14 @@ def require_consistent_overlap(larger: Domain, window: Domain) -> None:
     for name, field, known in shown:
         body = np.isfinite(known)
         if not np.array_equal(np.isfinite(field), body):
-            raise ValueError(f"{name} must be infinite in the same cells on a larger grid")
+            raise ValueError(
+                f"{name} must give the same result on every grid: on a larger "
+                "grid, the cells without a body (infinite values) are "
+                "different ones"
+            )
         off = np.abs(field[body] - known[body])
         if not np.all(off <= _SAME_HEIGHT_TOLERANCE * float(np.ptp(known[body]))):
             raise ValueError(
-                f"{name} is inconsistent between grids: on a larger grid, heights in the common "
-                f"cells differ by up to {off.max():.3g} m"
+                f"{name} must give the same result on every grid: on a larger grid, "
+                f"heights in the common cells differ by up to {off.max():.3g} m"
             )

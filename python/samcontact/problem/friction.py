@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction laws: each class corresponds to the law of this name in the core.
+"""Friction laws. Each class corresponds to a law of the core with the same name.
 
-The core defines the parameters of a law, their ranges and its shear bound; checks, case files,
-results and checkpoints follow from these definitions.
+The core defines the parameters of a law, their ranges and the bound of the shear traction. Checks,
+case files, results and checkpoints use these definitions.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ LAWS: dict[str, type[FrictionLaw]] = {}
 
 @dataclass(frozen=True)
 class FrictionLaw(HtmlTable):
-    """Bound of the shear as a function of the pressure."""
+    """Friction law: bound of the shear traction as a function of the pressure."""
 
     law: ClassVar[str]
     """Name of the law in case files and results."""
     sticks: ClassVar[bool]
-    """Whether the bodies stick below the bound; otherwise full sliding along x everywhere."""
+    """Whether cells stick below the bound; if not, all cells slide along x."""
     constants: ClassVar[Mapping[str, Constant]]
     """Parameters of the law and their ranges."""
 
@@ -51,40 +51,40 @@ class FrictionLaw(HtmlTable):
         self.to_core()  # checks the ranges
 
     def to_core(self) -> _core.FrictionLaw:
-        """Friction law of the core; raises ValueError naming a parameter that is out of range."""
+        """Return the law as an object of the core; raise ValueError for an invalid parameter."""
         return _core.FrictionLaw(self.law, asdict(self))
 
     def bound(self, pressure: ArrayLike) -> FloatArray:
-        """Maximum shear under a pressure [Pa]: 0 out of contact, inf without slip."""
+        """Return the maximum shear [Pa] for a pressure [Pa]: 0 out of contact, inf without slip."""
         bound: FloatArray = self.to_core().bound(finite_array("pressure", pressure))
         return bound
 
     def ratio(self, pressure: float) -> float:
-        """Maximum shear over pressure [-]; it does not increase with the pressure."""
+        """Return maximum shear / pressure [-], which never increases with the pressure [Pa]."""
         return self.to_core().ratio(non_negative("pressure", pressure))
 
     @property
     def sliding_ratio(self) -> float:
-        """Shear over pressure in full sliding [-]; 0 for laws with partial slip."""
+        """Shear / pressure in full sliding [-]; 0 for laws with partial slip."""
         return 0.0 if self.sticks else self.ratio(0.0)
 
     @property
     def is_frictionless(self) -> bool:
-        """Whether there is no shear."""
+        """Whether the law allows no shear traction."""
         return float(self.bound(1.0)) == 0.0
 
     @property
     def prevents_slip(self) -> bool:
-        """Whether the shear has no bound."""
+        """Whether the shear traction is unbounded, so that no cell slips."""
         return math.isinf(float(self.bound(1.0)))
 
     @property
     def given(self) -> float | FrictionLaw:
-        """Value of the argument `friction` for this law."""
+        """Value of the argument `friction` that selects this law."""
         return self
 
     def to_tree(self) -> dict[str, Any]:
-        """Name and parameters, from which `law_of` restores the law."""
+        """Return the name and parameters, from which `law_of` restores the law."""
         return {"law": self.law, **asdict(self)}
 
     def _rows(self) -> Rows:
@@ -94,7 +94,7 @@ class FrictionLaw(HtmlTable):
 
 @dataclass(frozen=True, repr=False)
 class GrossSliding(FrictionLaw):
-    """Full sliding along x with the shear mu p; given as the number mu."""
+    """Full sliding along x with the shear traction mu p; selected by a number mu as friction."""
 
     coefficient: float
 
@@ -111,12 +111,13 @@ class GrossSliding(FrictionLaw):
 class Coulomb(FrictionLaw):
     """Coulomb friction with partial slip, for `ContactSolver` and `Simulation`.
 
-    The shear is at most mu p. Cells stick where it is smaller, and slip along it where it is mu p.
+    The shear traction is at most mu p. Cells with a smaller shear traction stick. Cells in which it
+    equals mu p slip in the direction of the shear traction.
 
     Attributes
     ----------
     coefficient : float
-        mu >= 0 [-]; `math.inf`: no slip.
+        Coefficient of friction mu [-], >= 0. `math.inf` prevents slip.
 
     Raises
     ------
@@ -131,14 +132,14 @@ class Coulomb(FrictionLaw):
 class Tresca(FrictionLaw):
     """Friction with a constant shear strength of the interface, independent of the pressure.
 
-    The shear is at most k in all contact cells. It jumps at the edge of the contact: with
-    dissimilar materials, cells at the edge may then neither touch nor separate, and there may be no
-    solution to a small tolerance.
+    The shear traction is at most the shear strength k in all contact cells. It is discontinuous at
+    the edge of the contact. With dissimilar materials, neither contact nor separation may then be
+    consistent in cells at the edge, and a small tolerance may not be reached.
 
     Attributes
     ----------
     limit : float
-        k >= 0 [Pa]; `math.inf`: no slip.
+        Shear strength k [Pa], >= 0. `math.inf` prevents slip.
 
     Raises
     ------
@@ -153,14 +154,14 @@ class Tresca(FrictionLaw):
 class CappedCoulomb(FrictionLaw):
     """Coulomb friction with a shear limit, such as the shear strength of the softer body.
 
-    The shear is at most min(mu p, k).
+    The shear traction is at most min(mu p, k).
 
     Attributes
     ----------
     coefficient : float
-        mu >= 0 [-], finite.
+        Coefficient of friction mu [-], >= 0 and finite.
     limit : float
-        k >= 0 [Pa]; `math.inf`: Coulomb friction.
+        Shear limit k [Pa], >= 0. `math.inf` gives Coulomb friction without a limit.
 
     Raises
     ------
@@ -180,12 +181,12 @@ def is_law(friction: Any) -> bool:
 def friction_law(
     friction: float | FrictionLaw, of_number: Callable[[float], FrictionLaw] = GrossSliding
 ) -> FrictionLaw:
-    """Friction law of a value that is a law or, for full sliding, a coefficient."""
+    """Return the friction law for a law, or for the coefficient of full sliding."""
     return friction if isinstance(friction, FrictionLaw) else of_number(friction)
 
 
 def sticking_law(friction: Any) -> FrictionLaw:
-    """Return a law that allows stick; raise TypeError for anything else, including full sliding."""
+    """Return a friction law with partial slip; raise TypeError for other values or full sliding."""
     if not (isinstance(friction, FrictionLaw) and friction.sticks):
         raise TypeError(
             f"friction must be a law such as samcontact.Coulomb(mu), got {in_short(friction)}"
@@ -194,7 +195,10 @@ def sticking_law(friction: Any) -> FrictionLaw:
 
 
 def law_of(tree: Mapping[str, Any]) -> FrictionLaw:
-    """Friction law from its name and parameters; raises LookupError, TypeError or ValueError."""
+    """Return the law that `FrictionLaw.to_tree` has stored as a dictionary.
+
+    Raises LookupError, TypeError or ValueError for other content.
+    """
     given = dict(tree)
     return LAWS[given.pop("law")](**given)
 
@@ -203,12 +207,12 @@ _ATTRIBUTE_PREFIX = "friction_"
 
 
 def attributes_of(law: FrictionLaw) -> dict[str, Any]:
-    """Attributes for results: friction_law, and each parameter, e.g. friction_coefficient."""
+    """Return the attributes of results: friction_law and the parameters (friction_...)."""
     return {f"{_ATTRIBUTE_PREFIX}{name}": value for name, value in law.to_tree().items()}
 
 
 def law_of_attributes(attributes: Mapping[Any, Any]) -> FrictionLaw | None:
-    """Friction law of a results file; None if it has none."""
+    """Return the friction law from the attributes of results; None if they contain none."""
     law = LAWS.get(str(attributes.get(f"{_ATTRIBUTE_PREFIX}law")))
     if law is None:
         return None

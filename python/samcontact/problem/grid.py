@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Regular grid of all fields."""
+"""Regular grid on which all fields are defined."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from .._util.frozen import read_only
 class Grid(HtmlTable):
     """Regular grid of cells.
 
-    Cell centres are x_i = (i - (nx - 1)/2) dx, likewise y. Layer k spans [k dz, (k + 1) dz], with z
-    positive into the body; its point is at mid-depth.
+    Cell centres are x_i = (i - (nx - 1)/2) dx and y_j = (j - (ny - 1)/2) dy. Layer k spans the
+    depths from k dz to (k + 1) dz, with z positive into the body. Its values refer to mid-depth.
 
     Parameters
     ----------
@@ -33,26 +33,26 @@ class Grid(HtmlTable):
         strain and the stress below the contact; see `State.depths`. Neither nz nor the sides of the
         grid limit the extent of plastic flow.
     dz : float, optional
-        Layer thickness [m]. Default: surface only.
+        Layer thickness [m], > 0. By default, the grid has no layers.
     periodic : {"", "x", "y", "xy"}, optional
         Directions in which bodies, tractions and strains are periodic, with the period nx dx or
-        ny dy of the grid. Default: none; beyond the grid the surfaces are free. The number of cells
-        along a periodic direction is even, or one: "y" with ny = 1 is a line contact in plane
-        strain.
+        ny dy. By default, no direction is periodic, and the surfaces beyond the grid are free of
+        traction. Along a periodic direction, the number of cells must be even, or 1: "y" with
+        ny = 1 is a line contact in plane strain.
 
     Raises
     ------
     ValueError, TypeError
-        A count or size is not positive, a size is below 1e-75 or above 1e75 m, nz is given without
-        dz, the number of cells along a periodic direction is odd and not one, or cells are longer
-        than eight periods across.
+        A count or size is not positive. A size is below 1e-75 or above 1e75 m. nz is given without
+        dz. The number of cells along a periodic direction is odd and not 1, or cells are longer
+        than eight periods of the other direction.
 
     Notes
     -----
-    On a grid periodic in both directions, surface displacement is relative to its mean, and the
-    approach is that of the mean planes of the undeformed gap. If one direction is periodic,
-    displacement has no limit far away; it is zero at the distance nx dx (ny dy with periodic="x")
-    from a line load. See docs/theory/periodic.md.
+    On a grid periodic in both directions, the mean surface displacement is zero, and the approach
+    refers to the mean planes of the undeformed surfaces. On a grid periodic in one direction, the
+    displacement does not tend to a limit far from the contact. It is set to zero at a distance
+    nx dx (ny dy with periodic="x") from a line load. See docs/theory/periodic.md.
     """
 
     nx: int
@@ -139,8 +139,8 @@ class Grid(HtmlTable):
         """Shape of a scalar volume field, (nx, ny, nz); ValueError if nz is not given."""
         if self.nz == 0 and self.has_volume:
             raise ValueError(
-                "nz is not given: the number of layers of a field depends on the state, see "
-                "State.depths"
+                "volume_shape requires a grid with nz: without nz, the number of layers "
+                "depends on the state; use the length of State.depths"
             )
         return (self.nx, self.ny, self.nz)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of heat against bodies and grid, and its conversion for the core."""
+"""Checks of frictional heating against bodies and grid, and conversion for the core."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .grid import Grid
 NO_HEAT = Heat(0.0)
 """Absence of heating."""
 MAX_PECLET_NUMBER = 1e7
-"""Maximum of speed times grid length divided by diffusivity [-]: the work is proportional to it."""
+"""Maximum of speed times grid length divided by diffusivity [-]; it limits the computing time."""
 MIN_DIFFUSION_LENGTH = 0.02
 """Minimum diffusion length in the shortest step of a history, in cells; it bounds the time and
 memory of transient heating."""
@@ -28,7 +28,7 @@ Bodies = tuple[Body, Body]
 
 
 def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: FrictionLaw) -> Heat:
-    """Check heat for bodies, grid and friction. Default: none. Raises ValueError, TypeError."""
+    """Check `heat` against bodies, grid and friction law, and return it; None: no heat."""
     checked = NO_HEAT if heat is None else heat
     require_type("heat", checked, Heat)
     heating(checked, bodies, grid)
@@ -37,15 +37,15 @@ def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: Fricti
 
 
 def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = None) -> list[Any]:
-    """Return one entry for each body; refuse heating that is not supported.
+    """Return the heating of each body for the core; raise ValueError if it is not supported.
 
-    duration: of an increment of transient heating [s].
+    duration: length of the increment under transient heating [s].
     """
     age = math.inf if heat.time is None else heat.time
     reference = 1.0 if heat.reference is None else heat.reference
     entries = []
     of_slip = heat.partition is not None
-    name = "fraction of the heat" if of_slip else "heat.factor"
+    name = "heat.partition: fraction of the heat" if of_slip else "heat.factor"
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
         if isinstance(body, Layered):
             if factor > 0:
@@ -63,7 +63,7 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
                     "steady state"
                 )
             if body.is_rigid:
-                raise ValueError(f"{name} of body{n} must be 0 because it is rigid, got {factor!r}")
+                raise ValueError(f"{name} must be 0 for rigid body{n}, got {factor!r}")
             if body.thermal is None:
                 raise ValueError(
                     f"{name} of body{n} must be 0 without thermal constants, got {factor!r}: "
@@ -82,7 +82,7 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
 
 
 def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> None:
-    """Refuse a speed beyond the range of the heat kernels."""
+    """Raise ValueError for a speed outside the range of the heat kernels."""
     extent = max(grid.nx * grid.dx, grid.ny * grid.dy)
     fastest = MAX_PECLET_NUMBER * diffusivity / extent
     if speed > fastest:
@@ -98,14 +98,15 @@ def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> N
 
 
 def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float) -> None:
-    """Refuse too short a step of the history before anything is solved."""
+    """Raise ValueError if the shortest step of the history is too short for the cells."""
     cell = max(grid.dx, grid.dy)
     if math.sqrt(diffusivity * shortest) < MIN_DIFFUSION_LENGTH * cell:
         least = (MIN_DIFFUSION_LENGTH * cell) ** 2 / diffusivity
         raise ValueError(
             f"heat.history must have a shortest step >= {least:.4g} s for body {body}, got "
-            f"{shortest:.4g} s: heat must diffuse over {MIN_DIFFUSION_LENGTH:g} of a cell of "
-            f"{cell:.4g} m (diffusivity {diffusivity:.4g} m^2/s)"
+            f"{shortest:.4g} s: in this time heat must diffuse over at least "
+            f"{MIN_DIFFUSION_LENGTH:g} of the cell length {cell:.4g} m "
+            f"(diffusivity {diffusivity:.4g} m^2/s)"
         )
 
 
@@ -116,7 +117,7 @@ def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> Non
 
 
 def core_law(body: Body) -> Callable[[FloatArray], FloatArray] | None:
-    """Return the softening law of a body in the form (nx, ny, nz) -> depth-major array."""
+    """Return the thermal softening law of a body, with results of shape (nz, nx, ny); or None."""
     law = body.softening
     if law is None:
         return None
@@ -129,7 +130,7 @@ def core_law(body: Body) -> Callable[[FloatArray], FloatArray] | None:
 
 
 def require_reference(heat: Heat) -> None:
-    """Require a reference distance for steady heat at rest under approach control."""
+    """Raise ValueError if a steady stationary heat source has no reference distance."""
     if heat.reference is not None or heat.time is not None or heat.history is not None:
         return
     if any(f > 0 and not any(v) for f, v in zip(heat.shares, heat.velocity, strict=True)):
@@ -140,7 +141,7 @@ def require_reference(heat: Heat) -> None:
 
 
 def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
-    """Raise ValueError if the kind of heat does not suit the friction law."""
+    """Raise ValueError unless heat.factor or heat.partition is the one for the friction law."""
     if friction.sticks and any(heat.factor):
         raise ValueError(
             f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: with "

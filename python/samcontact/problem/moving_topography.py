@@ -27,17 +27,17 @@ class Relief(ShortRepr):
     Parameters
     ----------
     heights : array_like, shape (rows, ny)
-        Heights [m], positive out of the body, on cells equal in size to those of the grid; any
-        number of rows along x.
+        Heights [m], positive out of the body, in cells of the same size as the grid cells. The
+        number of rows along x is arbitrary.
     first : int, optional
-        Grid row of the first of these rows; may be negative. As a body moves towards +x, rows
-        before it enter the grid.
+        Index of the grid row at which the first row of heights lies initially; may be negative. As
+        the body moves towards +x, rows with negative indices enter the grid.
     periodic : bool, optional
-        Whether the rows repeat along x. By default the surface is flat (0) beyond them.
+        Whether the rows repeat along x. By default the surface is flat (height 0) beyond the rows.
     worn : array_like, shape (rows, ny), optional
-        Depth of material already removed by wear [m], >= 0. Yield profile and residual stress of
-        the body are counted from the unworn surface. The heights are not changed. Default: 0; 0
-        beyond these rows.
+        Depth of material already removed by wear [m], >= 0. The depths of yield profile and
+        residual stress are then measured from the unworn surface. The heights are not changed by
+        this argument. Default: 0, which also applies beyond the rows.
 
     Raises
     ------
@@ -67,7 +67,7 @@ class Relief(ShortRepr):
 
 
 def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool, Any] | None:
-    """Convert a relief to the arguments of the core."""
+    """Check a relief against the grid, and return it as arguments of the core; None for None."""
     if relief is None:
         return None
     if not isinstance(relief, Relief):
@@ -80,7 +80,7 @@ def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int,
 
 
 def heights_over(relief: Relief, first: int, count: int) -> FloatArray:
-    """Heights in some rows of the grid [m], shape (count, ny)."""
+    """Return the heights of a relief [m] in `count` grid rows from `first`, shape (count, ny)."""
     rows = len(relief.heights)
     places = np.arange(first, first + count) - relief.first
     if relief.periodic:
@@ -90,12 +90,12 @@ def heights_over(relief: Relief, first: int, count: int) -> FloatArray:
 
 
 def rows_within(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray, int]:
-    """Positions of the rows of cells within a radius of x, and the index of the first row."""
+    """Return x of the cell rows within `radius` of a position x [m], and the first row index."""
     middle = 0.5 * (grid.nx - 1)
     if not (abs(x) + radius) / grid.dx < MAX_ROWS:
         raise ValueError(
-            f"x and its extent along x must be within {MAX_ROWS} cells of {grid.dx!r} m, "
-            f"got {x!r} m and {radius!r} m"
+            f"x plus the extent along x must be within {MAX_ROWS} cells of {grid.dx!r} m, "
+            f"got x = {x!r} m and extent {radius!r} m"
         )
     first = int(np.ceil((x - radius) / grid.dx + middle))
     last = max(first, int(np.floor((x + radius) / grid.dx + middle)))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings of solver and simulation, each with its default and its range.
+"""Settings of `ContactSolver` and `Simulation`, with their defaults and ranges.
 
-Checks, repr, checkpoints, section [contact] of case files and arguments of the core follow from it.
+Argument checks, repr, checkpoints, section [contact] of case files and the core use them.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .friction import FrictionLaw, friction_law, is_law
 
 @dataclass(frozen=True)
 class RangeSetting:
-    """Limits of a finite number; None: no limit."""
+    """Range of a setting that is a finite number; None: no limit."""
 
     gt: float | None = None
     ge: float | None = None
@@ -45,7 +45,7 @@ class RangeSetting:
         return f"in {ends[0]}{least}, {most}{ends[1]}"
 
     def check(self, name: str, value: Any) -> float:
-        """Return the value as a float within the limits."""
+        """Return the value as a float; raise ValueError if it is out of range."""
         given = number(name, value)
         inside = (
             math.isfinite(given)
@@ -61,7 +61,7 @@ class RangeSetting:
 
 @dataclass(frozen=True)
 class CountSetting:
-    """Integer of at least 1."""
+    """Range of a setting that is an integer >= 1."""
 
     def check(self, name: str, value: Any) -> int:
         return integer(name, value, 1)
@@ -69,7 +69,7 @@ class CountSetting:
 
 @dataclass(frozen=True)
 class ChoiceSetting:
-    """One of several words."""
+    """Range of a setting that is one of several words."""
 
     allowed: tuple[str, ...]
 
@@ -80,7 +80,7 @@ class ChoiceSetting:
 
 @dataclass(frozen=True)
 class FrictionSetting(RangeSetting):
-    """Coefficient of friction, or a friction law."""
+    """Range of the setting `friction`: a coefficient, or a friction law."""
 
     def check(self, name: str, value: Any) -> Any:
         return value.given if is_law(value) else super().check(name, value)
@@ -88,7 +88,7 @@ class FrictionSetting(RangeSetting):
 
 @dataclass(frozen=True)
 class ContactLawSetting:
-    """Contact law."""
+    """Range of the setting `contact_law`: any contact law."""
 
     def check(self, name: str, value: Any) -> ContactLaw:
         return require_law(name, value)
@@ -98,18 +98,18 @@ Allowed = RangeSetting | CountSetting | ChoiceSetting | ContactLawSetting
 
 
 def _setting(default: Any, allowed: Allowed) -> Any:
-    """Field of a setting; it may be None if that is its default."""
+    """Return the dataclass field of a setting with this default and range."""
     return field(default=default, metadata={"allowed": allowed})
 
 
 def allowed(settings: type[ContactSettings]) -> Mapping[str, Allowed]:
-    """Allowed values of each setting, by its name."""
+    """Return the allowed values of each setting by name."""
     return {item.name: item.metadata["allowed"] for item in fields(settings)}
 
 
 @dataclass(frozen=True)
 class ContactSettings:
-    """Settings of `ContactSolver`, which documents them."""
+    """Settings of a contact; they are documented in `ContactSolver`."""
 
     friction: float | FrictionLaw = _setting(0.0, FrictionSetting(ge=0.0))  # noqa: RUF009 (a field)
     tol: float = _setting(1e-8, RangeSetting(ge=1e-13, lt=1.0))
@@ -127,27 +127,27 @@ class ContactSettings:
 
     @classmethod
     def checked(cls, name: str, value: Any) -> Any:
-        """Check the value of a setting."""
+        """Check the value of the setting with this name, and return the checked value."""
         return allowed(cls)[name].check(name, value)
 
     @property
     def law(self) -> FrictionLaw:
-        """Friction law, also if friction is given as a number."""
+        """Friction law; a number `friction` selects full sliding."""
         return friction_law(self.friction)
 
     def arguments(self) -> dict[str, Any]:
-        """Settings by name."""
+        """Return the values of the settings by name."""
         return {item.name: getattr(self, item.name) for item in fields(self)}
 
     def __str__(self) -> str:
-        """Settings other than None, written as arguments."""
+        """Return the settings that are not None, written as Python arguments."""
         given = {name: value for name, value in self.arguments().items() if value is not None}
         return ", ".join(f"{name}={value!r}" for name, value in given.items())
 
 
 @dataclass(frozen=True)
 class Settings(ContactSettings):
-    """Settings of `Simulation`, which documents them."""
+    """Settings of a simulation; they are documented in `Simulation`."""
 
     tol: float = _setting(1e-6, RangeSetting(ge=1e-11, lt=1.0))
     max_iterations: int = _setting(60, CountSetting())
@@ -159,7 +159,7 @@ class Settings(ContactSettings):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        # Near tol, the difference of two solutions is dominated by their residuals.
+        # For increment_tol near tol, residuals dominate the difference of two solutions.
         if self.increment_tol is not None and self.increment_tol < 10 * self.tol:
             raise ValueError(
                 f"increment_tol must be in [10 tol, 1) with tol = {self.tol!r}, "
@@ -167,7 +167,7 @@ class Settings(ContactSettings):
             )
 
     def to_core(self, dx: float) -> _core.Settings:
-        """Settings for the core, on cells of length dx along x [m]."""
+        """Return the settings for the core; dx: cell size along x [m]."""
         given = self.arguments()
         del given["friction"], given["contact_law"]  # passed separately
         given["increment_tol"] = self.increment_tol or 0.0
@@ -177,7 +177,7 @@ class Settings(ContactSettings):
 
 
 class Configured(FixedAttributes):
-    """Base class with its settings as attributes."""
+    """Base class of solver and simulation, with the settings as attributes."""
 
     friction: Any  # float, or a law
     tol: float
@@ -193,7 +193,7 @@ class Configured(FixedAttributes):
 
 
 def memory_of_contact(friction: FrictionLaw, bodies: tuple[Body, Body], heat: Heat) -> float:
-    """Memory of an elastic contact per surface cell [bytes]."""
+    """Return the memory required by an elastic contact per surface cell [bytes]."""
     body1, body2 = bodies
     return memory.of_contact(
         coupled=not friction.is_frictionless and body1._core.stack != body2._core.stack,

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class SimulationSetup:
-    """Arguments of a simulation, except for its grid and heat, which may change."""
+    """Arguments of a simulation except grid and heat, which may change during a simulation."""
 
     body1: Body
     body2: Body
@@ -29,26 +29,26 @@ class SimulationSetup:
 
     @property
     def bodies(self) -> tuple[Body, Body]:
-        """Upper and lower body."""
+        """Body 1 (upper) and body 2 (lower)."""
         return self.body1, self.body2
 
     @cached_property
     def friction(self) -> FrictionLaw:
-        """Friction law, also if friction is given as the coefficient of full sliding."""
+        """Friction law; a number `friction` selects full sliding."""
         return self.settings.law
 
     @property
     def contact_law(self) -> ContactLaw:
-        """Contact law."""
+        """Contact law (hard contact or an attractive law)."""
         return self.settings.contact_law
 
     def on_grid(self, grid: Grid, heat: Heat) -> dict[str, Any]:
-        """Arguments of `Simulation`, with the surfaces in their original form."""
+        """Return the arguments of `Simulation`, with the surfaces as the user gave them."""
         surfaces = {name: getattr(self.surfaces, name) for name in ("gap", "relief1", "relief2")}
         return self._others(heat) | {"grid": grid} | surfaces
 
     def on_domain(self, domain: Domain, heat: Heat) -> dict[str, Any]:
-        """Arguments of `Simulation`, with the surfaces as arrays over a domain."""
+        """Return the arguments of `Simulation`, with the surfaces as arrays on a domain."""
         given = vars(domain) | self._others(heat)
         return given | {"gap": given.pop("initial_gap")}
 

@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 
 REQUIRED_VARIABLES = ("force_x", "force_z", "work", "net_energy", "energy_imbalance")
 MAX_MISSING_ENERGY = 0.05
-"""Limit of the unaccounted energy of a pass, relative to the maximum energy of any pass: a later
-pass may need almost none. It decreases with the number of increments."""
+"""Limit of the unaccounted energy of a pass, relative to the maximum energy of any pass, as a later
+pass may need almost none. The unaccounted energy decreases with the number of increments."""
 MAX_MISSING_WORK = 0.02
-"""Limit of the unaccounted energy of a pass, relative to the maximum work within the pass, most of
-which is recovered."""
+"""Limit of the unaccounted energy of a pass, relative to the maximum work within the pass; most of
+this work is recovered."""
 MAX_FINAL_FORCE = 1e-6
 """Limit of the force at the end of a pass, relative to the maximum force."""
 _PASS_VARIABLES = (
@@ -55,8 +55,8 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
         float(np.abs(dataset[name]).max())
         for name in ("net_energy", "dissipation", "residual_energy")
     )
-    if float(dataset["dissipation"].max()) > 0:  # elastic passes take none
-        name = "energy balance: unaccounted energy, relative to the maximum of a pass"
+    if float(dataset["dissipation"].max()) > 0:  # elastic passes dissipate no energy
+        name = "energy balance: unaccounted energy, relative to the maximum energy of a pass"
         yield Check(name, float(missing.max()) / taken, MAX_MISSING_ENERGY)
     exchanged = np.nanmax(np.abs(dataset["work"].values), axis=1)
     met = exchanged > 0

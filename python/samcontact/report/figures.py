@@ -47,7 +47,7 @@ _LEGEND_ABOVE: Any = {
 
 
 class ReportFigure(NamedTuple):
-    """Figure with caption, description for screen readers, and image."""
+    """Figure of a report: caption, description for screen readers, and image as text."""
 
     caption: str
     description: str
@@ -57,15 +57,15 @@ class ReportFigure(NamedTuple):
 def contact_figures(
     dataset: xr.Dataset, body: int, hertz: HertzContact | None
 ) -> list[ReportFigure]:
-    """Return all figures of a contact that the stored fields allow."""
+    """Return all figures of a contact for which the required fields are stored."""
     scene = ContactResults(dataset, body, hertz)
     drawn = []
-    for part in (_contact, slipping.figures, _volume, _temperature, _remains, _track, _convergence):
+    for part in (_contact, slipping.figures, _volume, _temperature, _imprint, _track, _convergence):
         drawn += [embedded(*made) for made in part(scene)]
     return drawn
 
 
-def _moment(scene: ContactResults, number: int) -> str:
+def _increment_text(scene: ContactResults, number: int) -> str:
     load = float(scene.dataset["load"].sel(increment=number))
     return f"increment {number}, {load:.6g} N"
 
@@ -74,7 +74,7 @@ Made = tuple[str, str, Figure]
 
 
 def embedded(caption: str, description: str, figure: Figure) -> ReportFigure:
-    """Return the figure with its image as text, so that the page needs no other file."""
+    """Encode the image of a figure as text, so that the page does not need a separate file."""
     buffer = io.BytesIO()
     draw(figure, buffer, format="png", dpi=DOTS_PER_INCH)
     text = base64.b64encode(buffer.getvalue()).decode("ascii")
@@ -92,12 +92,12 @@ def _contact(scene: ContactResults) -> Iterator[Made]:
         add_to_title(ax, elsewhere(across, row, cell))
         text = f"Pressure along {axis} at {place(across, row)}{beside}; the maximum in the grid is "
         text += f"{pressure.max() * 1e-9:.4g} GPa."
-        yield f"Pressure along {axis}, {_moment(scene, number)}", text, figure
+        yield f"Pressure along {axis}, {_increment_text(scene, number)}", text, figure
     for name in ("pressure", "gap"):
         figure = new_figure(*scene.map_look[1])
         peak_map(scene, name, figure.subplots())
         text = f"Map of the {name} on the whole grid."
-        yield f"Map of the {name}, {_moment(scene, number)}", text, figure
+        yield f"Map of the {name}, {_increment_text(scene, number)}", text, figure
     if not np.any(np.isfinite(scene.dataset["approach"])):
         return
     figure = new_figure()
@@ -116,7 +116,7 @@ def _volume(scene: ContactResults) -> Iterator[Made]:
         plotting.axis_profile(
             stress, scene.grid, figure.subplots(), body=scene.graded, interfaces=scene.interfaces
         )
-        when = f"body {scene.body}, {_moment(scene, number)}"
+        when = f"body {scene.body}, {_increment_text(scene, number)}"
         text = f"Stresses along the axis versus depth.{_utilisation(scene, stress)}"
         yield f"Stress along the axis, {when}", text, figure
     if scene.has("interface_stress", number):
@@ -135,7 +135,7 @@ def _interfaces(scene: ContactResults, number: int) -> Made:
         "Stress on both sides of the interfaces, along x. Maxima over the interfaces: in-plane "
         f"tension {along} MPa, normal tension {across} MPa, shear {sheared} MPa."
     )
-    when = f"body {scene.body}, {_moment(scene, number)}"
+    when = f"body {scene.body}, {_increment_text(scene, number)}"
     return f"Stress at the interfaces, {when}", text, interface_figure(scene, number)
 
 
@@ -148,7 +148,7 @@ def _utilisation(scene: ContactResults, stress: FloatArray) -> str:
     n = np.unravel_index(int(np.argmax(ratio)), ratio.shape)
     centres = zip("xyz", (grid.x, grid.y, grid.z), n, strict=True)
     where = ", ".join(f"{axis} = {at[i] * 1e6:.4g} µm" for axis, at, i in centres)
-    return f" Maximum von Mises stress / initial yield stress = {ratio.max():.4g}, at {where}."
+    return f" Maximum of von Mises stress / initial yield stress: {ratio.max():.4g}, at {where}."
 
 
 def _section(scene: ContactResults, quantity: str, number: int) -> Made:
@@ -167,11 +167,11 @@ def _section(scene: ContactResults, quantity: str, number: int) -> Made:
     add_to_title(ax, elsewhere("y", y, scene.grid.dy))
     low, high = (f"{shown.factor * float(value):.4g}" for value in (values.min(), values.max()))
     text = (
-        f"Section in the plane {place('y', y)} of the {shown.heading}, from {low} to {high} "
-        f"{shown.shown} in the volume."
+        f"Section of the {shown.heading} in the plane {place('y', y)}. In the whole volume it is "
+        f"from {low} to {high} {shown.shown}."
     )
     name = f"{shown.heading[0].upper()}{shown.heading[1:]}"
-    return f"{name}, body {scene.body}, {_moment(scene, number)}", text, figure
+    return f"{name}, body {scene.body}, {_increment_text(scene, number)}", text, figure
 
 
 def _temperature(scene: ContactResults) -> Iterator[Made]:
@@ -182,12 +182,12 @@ def _temperature(scene: ContactResults) -> Iterator[Made]:
     ax = plotting.temperature_profile(rise, scene.grid, figure.subplots(), position=y)
     add_to_title(ax, elsewhere("y", y, scene.grid.dy))
     text = f"Temperature rise of the surface along x, up to {rise.max():.4g} K."
-    when = f"body {scene.body}, {_moment(scene, scene.number(scene.hottest))}"
+    when = f"body {scene.body}, {_increment_text(scene, scene.number(scene.hottest))}"
     yield f"Flash temperature, {when}", text, figure
 
 
-def _remains(scene: ContactResults) -> Iterator[Made]:
-    """Yield residual imprint and residual stress after the last increment, without a track."""
+def _imprint(scene: ContactResults) -> Iterator[Made]:
+    """Yield residual imprint and stress after the last increment, for a body without a track."""
     if scene.track is not None:
         return
     data, number = scene.dataset, scene.number(-1)
@@ -201,16 +201,18 @@ def _remains(scene: ContactResults) -> Iterator[Made]:
             ax.lines[-1].set_linestyle("--" if deepest else "-")  # the imprints may coincide
             deepest.append(f"{values.max() * 1e9:.4g} nm in body {body}")
     if deepest:
-        ax.legend(frameon=False)  # with their styles
+        ax.legend(frameon=False)  # again, with the line styles
         text = f"Residual displacement of the surface along x, at most {', '.join(deepest)}."
-        yield f"Residual imprint, {_moment(scene, number)}", text, figure
+        yield f"Residual imprint, {_increment_text(scene, number)}", text, figure
     if f"residual_displacement_body{scene.body}" in data:
         values = scene.surface("residual_displacement", -1)
         across, size = scene.map_look
         pressed, figure = scene.surface("repulsion", scene.peak), new_figure(*size)
         seen: Any = {"quantity": "imprint", "contact": pressed, "across": across}
         plotting.surface_map(values, scene.grid, figure.subplots(), **seen)
-        caption = f"Map of the residual imprint, body {scene.body}, {_moment(scene, number)}"
+        caption = (
+            f"Map of the residual imprint, body {scene.body}, {_increment_text(scene, number)}"
+        )
         yield caption, "Map of the residual displacement of the whole surface.", figure
     if scene.has("residual_stress", number):
         yield _section(scene, "residual_von_mises", number)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Assembly of the page of a report."""
+"""Assembly of the HTML page of a report."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
 
     The page shows the main results with their estimated errors, a comparison with Hertz contact
     where applicable, figures, the `checks` of the results, the parameters, and the values and the
-    convergence of each increment. Reports of asperity collisions have the values of each pass,
-    reports of wear those of each cycle.
+    convergence of each increment. Reports of asperity collisions contain the values of each pass,
+    and reports of wear the values of each cycle.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `samcontact.results.to_dataset`, `open_results`, `CollisionResult.series` or
+        Results from `samcontact.results.to_dataset`, `open_results`, `CollisionResult.series` or
         `WearResult.to_dataset`.
     path : str or Path
         File to write, customarily ending in .html, in an existing folder. An existing file is
@@ -50,7 +50,7 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
     Raises
     ------
     ValueError
-        A dataset is not from a run.
+        A dataset does not contain the results of a run.
     OSError
         The file cannot be written.
     """
@@ -85,7 +85,7 @@ def checks(dataset: xr.Dataset) -> list[Check]:
     Parameters
     ----------
     dataset : xarray.Dataset
-        From `samcontact.results.to_dataset`, `open_results`, `CollisionResult.series` or
+        Results from `samcontact.results.to_dataset`, `open_results`, `CollisionResult.series` or
         `WearResult.to_dataset`.
 
     Returns
@@ -100,7 +100,7 @@ def checks(dataset: xr.Dataset) -> list[Check]:
     Raises
     ------
     ValueError
-        The dataset is not from a run.
+        The dataset does not contain the results of a run.
     """
     with parts_of_a_run():
         return [*_end(dataset), *_kind(dataset).checks(dataset)]
@@ -119,7 +119,7 @@ def _kind(dataset: xr.Dataset) -> ModuleType:
 
 
 def _end(dataset: xr.Dataset) -> list[Check]:
-    """Return a failed check for an incomplete run, and nothing for a complete one."""
+    """Return a failed check if the run is incomplete, and an empty list if it is complete."""
     if dataset.attrs.get("complete", 1):
         return []
     dim = next(dim for dim in ("pass", "cycle", "increment") if dim in dataset.sizes)

@@ -32,9 +32,10 @@ DEFAULT_TOL = 1e-6  # tolerance [-] assumed for files without one
 
 
 def all_checks(dataset: xr.Dataset, case: Case | None) -> list[Check]:
-    """Check balance, complementarity, yield, edges, resolution, strain and errors, if stored.
+    """Return the checks of a contact: equilibrium, yield, edges, resolution, strain and errors.
 
-    Plausibility checks of the input are included, marked `of_input`.
+    A check is omitted if the required variables are not stored. Plausibility checks of the input
+    are marked `of_input`.
     """
     tol = float(dataset.attrs.get("tol", DEFAULT_TOL))
     return [
@@ -51,7 +52,7 @@ def all_checks(dataset: xr.Dataset, case: Case | None) -> list[Check]:
 
 
 def _load_balance(dataset: xr.Dataset, case: Case | None, tol: float) -> Check:
-    """Compare the integrated pressure with the load of the case, or else with the stored load."""
+    """Compare the integrated pressure with the load of the case, or without a case as stored."""
     area = cell_size(dataset, "x") * cell_size(dataset, "y")
     total = area * dataset["pressure"].values.sum(axis=(1, 2))
     wanted = dataset["load"].values.copy()
@@ -150,12 +151,12 @@ def _plausibility(dataset: xr.Dataset, case: Case) -> Iterator[Check]:
     heat = NO_HEAT if case.heat is None else case.heat.build()
     bodies = case.body1.build(), case.body2.build()
     grid = grid_of(dataset) if case.grid is None else case.grid.build()
-    for doubt in plausibility_checks(contact, grid, bodies, heat):
-        yield replace(doubt.check, of_input=True)
+    for finding in plausibility_checks(contact, grid, bodies, heat):
+        yield replace(finding.check, of_input=True)
 
 
 def cells_across_contact(cells: float, suffix: str = "", few: int = MINIMUM_CELLS) -> Check:
-    """Return the check whether the grid resolves the contact.
+    """Check whether the grid resolves the contact.
 
     suffix: addition to the name of the check, such as the Hertz estimate.
     """
@@ -164,7 +165,7 @@ def cells_across_contact(cells: float, suffix: str = "", few: int = MINIMUM_CELL
 
 
 def layers_across_plastic_zone(layers: ArrayLike, body: int) -> Iterator[Check]:
-    """Check whether the layers resolve the plastic zone; no check without plastic strain."""
+    """Check whether the layers resolve the plastic zone; yield no check without plastic strain."""
     highest = np.max(np.nan_to_num(layers))
     if highest > 0:
         name = f"layers across the plastic zone, body {body}"
@@ -180,9 +181,9 @@ def _strains(dataset: xr.Dataset) -> Iterator[Check]:
 
 
 def _errors(dataset: xr.Dataset) -> Iterator[Check]:
-    """Check the maximum estimated error, or each error with a prescribed accuracy.
+    """Check the maximum estimated error or, with a prescribed accuracy, the error of each quantity.
 
-    For surfaces known on the grid only, also check the slope in short wavelengths.
+    For surfaces that are only given on the grid, also check the slope at short wavelengths.
     """
     rows = error_rows(dataset)
     estimated = [row for row in rows if row.asked is None and np.isfinite(row.relative)]

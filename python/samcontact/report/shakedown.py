@@ -17,7 +17,7 @@ _CYCLE_LABELS = {"flow": "equivalent plastic strain increment", "net": "net plas
 
 
 def require_cycles(dataset: xr.Dataset) -> None:
-    """Raise ValueError unless the dataset is that of repeated cycles."""
+    """Raise ValueError unless the dataset is from repeated cycles."""
     known = {*map(str, dataset.variables), *map(str, dataset.attrs)}
     needed = (*_CYCLE_LABELS, "cycle", "response", "yield_strain")
     if lacking := [name for name in needed if name not in known]:
@@ -28,7 +28,7 @@ def require_cycles(dataset: xr.Dataset) -> None:
 
 
 def table(dataset: xr.Dataset) -> Table:
-    """Return the strains of each cycle that was solved."""
+    """Return a table of net plastic strain and plastic strain increment of each solved cycle."""
     numbers = dataset["cycle"].values.tolist()
     columns = [dataset[name].values for name in _CYCLE_LABELS]
     rows = [

@@ -29,7 +29,7 @@ MAX_MISSING_ENERGY = 0.05
 
 
 def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check]:
-    """Check friction law, tangential forces and energy; no checks with full sliding."""
+    """Check friction law, tangential forces and energy; yield no checks with full sliding."""
     if "friction_work" not in dataset:
         return
     law = law_of_attributes(dataset.attrs)
@@ -44,8 +44,11 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
     steps = case.steps() if case is not None else []
     pulled = any("tangential_load" in step for step in steps)
     if pulled and len(steps) == dataset.sizes["increment"] and most:
-        name = "tangential force balance: difference from the prescribed force, relative to maximum"
-        yield Check(name, _missed(dataset, shear, steps) / most, tol)
+        name = (
+            "tangential force balance: difference from the prescribed force, relative to the "
+            "maximum force"
+        )
+        yield Check(name, _force_difference(dataset, shear, steps) / most, tol)
     work = np.diff(dataset["friction_work"].values, prepend=0.0)
     yield Check("minimum frictional work in an increment", float(work.min()), 0.0, True, "J")
     if (balance := balance_of(dataset)) is not None:
@@ -54,13 +57,13 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
 
 
 def _shear(dataset: xr.Dataset) -> FloatArray:
-    """Return the shear, shape (2, increment, x, y); zero in a direction that is not stored."""
+    """Return the shear traction [Pa], shape (2, increment, x, y); 0 in directions not stored."""
     shape = dataset["pressure"].shape
     names = ("shear_x", "shear_y")
     return np.stack([dataset[n].values if n in dataset else np.zeros(shape) for n in names])
 
 
-def _missed(dataset: xr.Dataset, shear: FloatArray, steps: list[dict[str, Any]]) -> float:
+def _force_difference(dataset: xr.Dataset, shear: FloatArray, steps: list[dict[str, Any]]) -> float:
     area = cell_size(dataset, "x") * cell_size(dataset, "y")
     totals = area * shear.sum(axis=(2, 3))
     missed = [
@@ -73,7 +76,7 @@ def _missed(dataset: xr.Dataset, shear: FloatArray, steps: list[dict[str, Any]])
 
 
 def figures(scene: ContactResults) -> Iterator[tuple[str, str, Figure]]:
-    """Caption, description and figure."""
+    """Yield caption, description and figure for each figure of partial slip."""
     data = scene.dataset
     for name, figure in slip_figures(scene).items():
         title = figure.axes[0].get_title()

@@ -41,7 +41,7 @@ _ROUNDING_ERROR = 1e-13  # relative to the maximum of a column
 
 
 class Row(NamedTuple):
-    """Parameter: section, field, value with unit."""
+    """Parameter of a case: section, field name, and value with unit."""
 
     section: str
     name: str
@@ -49,14 +49,14 @@ class Row(NamedTuple):
 
 
 class Cell(NamedTuple):
-    """Number as shown, and exact number in SI units."""
+    """Cell of a table: number as shown, and exact number in SI units."""
 
     shown: str
     exact: str
 
 
 class Table(NamedTuple):
-    """Columns with headings, and rows of cells that begin with a number or a name."""
+    """Table with column headings; each row has a number or name, and cells."""
 
     headings: list[str]
     rows: list[tuple[str, list[Cell]]]
@@ -162,12 +162,12 @@ _CONVERGENCE = (
 
 
 def scalars_table(dataset: xr.Dataset) -> Table:
-    """Return the scalars of each increment."""
+    """Return a table of the scalar results of each increment."""
     return values_table(dataset, "increment", CONTACT, _SCALARS)
 
 
 def results_table(dataset: xr.Dataset) -> Table:
-    """Return the maxima of the scalars over all increments, for results without error estimates."""
+    """Return a table of the maxima of the scalar results over all increments, without errors."""
     table = maxima_table(dataset, "increment", CONTACT, _SCALARS[:-2])
     return table._replace(note=f"{table.note} Errors were not estimated.")
 
@@ -175,7 +175,7 @@ def results_table(dataset: xr.Dataset) -> Table:
 def maxima_table(
     dataset: xr.Dataset, dim: str, quantities: Mapping[str, Quantity], names: Sequence[str]
 ) -> Table:
-    """Return the maximum magnitude of each variable along a dimension, and its position."""
+    """Return a table of the maximum magnitude of each variable along a dimension (increment...)."""
     numbers, rows = dataset[dim].values, []
     for name in names:
         if quantities[name].shown in ("cells", "layers"):  # of the resolution
@@ -187,13 +187,15 @@ def maxima_table(
                 shown = quantities[name].fitting(float(sizes[at]))
                 cells = [cell(numbers[at], 1.0), cell(values[at], shown.factor)]
                 rows.append((shown.of(body), cells))
-    return Table([dim, "value"], rows, "quantity", f"Maximum magnitude, and the {dim} it is from.")
+    return Table(
+        [dim, "value"], rows, "quantity", f"Maximum magnitude, and the {dim} in which it occurs."
+    )
 
 
 def slipping_tables(dataset: xr.Dataset) -> list[tuple[str, str, Table]]:
-    """Return the tangential scalars of each increment, and the energy balance.
+    """Return tables of the tangential results of each increment and of the energy balance.
 
-    There are no tables with full sliding.
+    With full sliding, the list is empty.
     """
     names = moved_along(dataset)
     if not names:
@@ -224,7 +226,7 @@ def _energy_table(balance: EnergyBalance) -> Table:
 
 
 def errors_table(dataset: xr.Dataset) -> Table:
-    """Return quantities at their maxima, with errors; no rows without error estimates."""
+    """Return a table of maxima with estimated errors; without estimates it has no rows."""
     found = error_rows(dataset)
     more = {
         heading: [getattr(row, name) for row in found]
@@ -264,14 +266,14 @@ def _percent(share: float | None) -> Cell:
 
 
 def convergence_table(dataset: xr.Dataset) -> Table:
-    """Return iterations, residuals and resolution of each increment."""
+    """Return a table of iterations, residuals and resolution of each increment."""
     return values_table(dataset, "increment", CONTACT, _CONVERGENCE)
 
 
 def values_table(
     dataset: xr.Dataset, dim: str, quantities: Mapping[str, Quantity], names: Sequence[str]
 ) -> Table:
-    """Return variables along a dimension, with a column for each body where they differ."""
+    """Return a table of variables along a dimension; variables of a body have a column per body."""
     found = []
     for name in names:
         for body, values in _of_bodies(dataset, name):
@@ -287,7 +289,7 @@ def values_table(
 
 
 def _of_bodies(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, FloatArray]]:
-    """Yield body and values; the body is None for variables of both bodies together."""
+    """Yield the body and the values of a variable; body None: the variable is not of one body."""
     if name in dataset and "body" not in dataset[name].dims:
         yield None, dataset[name].values
     elif name in dataset:
@@ -299,7 +301,7 @@ def _of_bodies(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, Flo
 
 
 def cell(value: Any, factor: float, small: float = 0.0) -> Cell:
-    """Return a number in the unit shown, as zero below `small`, with the exact number."""
+    """Return a table cell for a value in SI units; below `small` [SI], it is shown as zero."""
     number = float(value)
     if not np.isfinite(number):
         return Cell("none", "")
@@ -309,7 +311,7 @@ def cell(value: Any, factor: float, small: float = 0.0) -> Cell:
 def hertz_table(
     dataset: xr.Dataset, peak: int, reference: HertzContact, body: int
 ) -> list[tuple[str, str, str, str]]:
-    """Return rows of name, Hertz value, simulated value and difference."""
+    """Return rows for a comparison: quantity, Hertz value, simulated value and difference [%]."""
     return [
         (
             row.heading,

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Restart after an interruption: files, identity and lock of a run."""
+"""Restart of interrupted runs: checkpoint files, identity of a run, and locks of folders."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files in a folder of checkpoints: files of this package, which may be removed, and others."""
+"""Distinction of own and foreign files in a folder of checkpoints; only own files are removed."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ CASE_MARK = "samcontact run "
 
 
 def foreign(folder: Path) -> Path | None:
-    """Return a file or folder at this path that this package did not write; None without one."""
+    """Return the first foreign file at or below a path; None if there is none."""
     if not os.path.lexists(folder):
         return None
     if folder.is_symlink() or not folder.is_dir():
@@ -27,7 +27,7 @@ def foreign(folder: Path) -> Path | None:
 
 
 def remove_checkpoints(folder: Path) -> None:
-    """Remove a folder of checkpoints; foreign files and their folders are kept."""
+    """Remove a folder of checkpoints, except foreign files and the folders that contain them."""
     if folder.is_symlink() or not folder.is_dir():
         return
     for file in _files(folder):
@@ -39,7 +39,7 @@ def remove_checkpoints(folder: Path) -> None:
 
 
 def _files(folder: Path) -> Iterator[Path]:
-    """Yield everything that is not a folder, at any depth; links are not followed."""
+    """Yield all files and symbolic links below a folder, at any depth; links are not followed."""
     for path, folders, files in os.walk(folder):
         yield from (Path(path, name) for name in sorted(files))
         yield from (Path(path, name) for name in folders if Path(path, name).is_symlink())

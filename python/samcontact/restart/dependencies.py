@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Canonical text of functions and objects of users: code, and all data on which it depends."""
+"""Canonical texts of user-defined functions and objects, from their code and the data it uses."""
 
 from __future__ import annotations
 
@@ -31,7 +31,8 @@ _COMPILED_TYPES = (
     BuiltinFunctionType, MethodDescriptorType, MethodWrapperType, WrapperDescriptorType, np.ufunc,
 )  # fmt: skip
 _PACKAGE_FOLDERS = {"site-packages", "dist-packages"}
-"""Folders of packages, whose code is identified by its version; all other code is user code."""
+"""Folders of installed packages, whose code is identified by its version; other code is user
+code."""
 _STATELESS_SLOTS = {"__dict__", "__weakref__", "__doc__", "__module__", "__annotations__"}
 _STATELESS_SLOTS |= {
     "__firstlineno__",
@@ -42,7 +43,7 @@ _STATELESS_SLOTS |= {
 
 
 class UnidentifiedError(ValueError):
-    """Function or object whose dependencies cannot be determined."""
+    """Error for a function or object whose dependencies cannot be determined."""
 
 
 def text_of_object(value: Any, text: Text) -> str:
@@ -53,7 +54,7 @@ def text_of_object(value: Any, text: Text) -> str:
     value : object
         Function, method, partial, class, module, or instance of any class.
     text : callable
-        Function that returns the canonical text of its parts.
+        Function that returns the canonical text of any part of the value.
 
     Raises
     ------
@@ -98,7 +99,7 @@ def _function(function: FunctionType, text: Text) -> str:
 
 
 def _code(code: CodeType) -> list[Any]:
-    """Return the content of a code object, without its position in the source."""
+    """Return the content of a code object, without the file name and line numbers."""
     constants = [_code(c) if isinstance(c, CodeType) else c for c in code.co_consts]
     names = [code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars]
     counts = [code.co_argcount, code.co_posonlyargcount, code.co_kwonlyargcount, code.co_flags]
@@ -115,9 +116,10 @@ def _globals(code: CodeType, scope: dict[str, Any]) -> Iterator[tuple[str, Any]]
 def _used(
     names: set[str], scope: dict[str, Any], prefix: str, seen: set[int]
 ) -> Iterator[tuple[str, Any]]:
-    """Yield the used parts of a scope by name; for user modules, their possibly used parts.
+    """Yield name and value of the parts of a scope that a function uses.
 
-    Attributes are selected by name only, wherever they occur: additional parts do no harm.
+    User modules are replaced by the parts of the module with names that occur in the function. This
+    may include parts that the function does not use, which does no harm.
     """
     for name in sorted(names & set(scope)):
         value = scope[name]
@@ -146,7 +148,7 @@ def _is_slot(part: Any) -> bool:
 
 
 def _instance(value: Any, text: Text) -> str:
-    """Return the text of the pickled form of an object; raises if it cannot be pickled."""
+    """Return the text of the pickled form of an object; raise UnidentifiedError without one."""
     try:
         made = value.__reduce_ex__(4)
     except Exception as error:  # the user class may raise anything
@@ -169,7 +171,7 @@ def _compiled(value: Any, text: Text) -> str:
     known = module or getattr(owner, "__name__", None) or "numpy"
     library = _library(str(known))
     if library is None and str(known).partition(".")[0] not in sys.builtin_module_names:
-        raise UnidentifiedError(f"{name} is compiled code outside of an installed package")
+        raise UnidentifiedError(f"{name} is compiled code that belongs to no installed package")
     return f"{known}.{name} of {library}"
 
 
@@ -178,7 +180,7 @@ def _module(module: ModuleType) -> str:
 
 
 def _from_library(value: Any) -> str | None:
-    """Return the text of a function or class of an installed package; None for others."""
+    """Return the text of a function or class of an installed package; None for user code."""
     module, name = value.__module__, value.__qualname__
     library = _library(str(module))
     found: Any = sys.modules.get(str(module))
@@ -189,7 +191,7 @@ def _from_library(value: Any) -> str | None:
 
 @functools.cache
 def _library(module: str) -> str | None:
-    """Return the package of a module with its version; None for a user module."""
+    """Return name and version of the package that contains a module; None for a user module."""
     top = module.partition(".")[0]
     if top in sys.stdlib_module_names and top != "__main__":
         return f"Python {sys.version_info.major}.{sys.version_info.minor}"

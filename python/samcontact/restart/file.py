@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checkpoint files: HDF5 of a common format, with an appended digest."""
+"""Checkpoint files: HDF5 files in a common format, with a digest at the end."""
 
 from __future__ import annotations
 
@@ -27,29 +27,29 @@ READ_ERRORS = (
     OSError, KeyError, ValueError, TypeError, AttributeError, IndexError, OverflowError,
     RuntimeError, MemoryError,
 )  # fmt: skip
-"""Exceptions of h5py, NumPy and the core for a file with an invalid part."""
+"""Exceptions that h5py, NumPy and the core raise for a file with invalid content."""
 
 
 class CheckpointError(ValueError):
-    """File that is not a checkpoint of this package, or is damaged."""
+    """Error for a file that is not a checkpoint of this package, or is damaged."""
 
 
 class DamagedCheckpointError(CheckpointError):
-    """Damaged checkpoint of this package; an earlier checkpoint may be usable."""
+    """Error for a damaged checkpoint of this package; an earlier checkpoint may be usable."""
 
 
 class ForeignCheckpointError(CheckpointError):
-    """Checkpoint of another run."""
+    """Error for a checkpoint of another run."""
 
 
 def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckpointError:
-    """Return the error for a file whose content cannot be used."""
+    """Return the error for a checkpoint with unusable content."""
     return DamagedCheckpointError(f"{os.fspath(path)!r} is damaged: {error}")
 
 
 @contextmanager
 def readable(path: str | os.PathLike[str]) -> Iterator[None]:
-    """Convert errors due to an invalid part of a file to DamagedCheckpointError."""
+    """Convert errors in the context that are due to invalid content to DamagedCheckpointError."""
     try:
         yield
     except CheckpointError:
@@ -59,7 +59,10 @@ def readable(path: str | os.PathLike[str]) -> Iterator[None]:
 
 
 def write(path: str | os.PathLike[str], kind: str, tree: Mapping[str, Any]) -> None:
-    """Write a tree to a file; on failure an existing file is kept. kind: type of the content."""
+    """Write a dictionary of data to a checkpoint file; on failure an existing file is kept.
+
+    kind: type of the content, e.g. "simulation", which is checked by `read`.
+    """
     file_path("path", path)
     with replacing_hdf5(path) as opened, h5py.File(opened, "w") as file:
         file.attrs.update(
@@ -72,10 +75,10 @@ def write(path: str | os.PathLike[str], kind: str, tree: Mapping[str, Any]) -> N
 
 
 def read(path: str | os.PathLike[str], kind: str) -> Tree:
-    """Read a tree written by `write`.
+    """Read the dictionary of data that `write` has written to a file.
 
-    Raises FileNotFoundError, CheckpointError for a file of another program, format or kind, and
-    DamagedCheckpointError if the bytes have changed.
+    Raises FileNotFoundError if there is no file, CheckpointError for a file of another program,
+    format or kind, and DamagedCheckpointError if the file has changed since it was written.
     """
     if not file_path("path", path).is_file():
         raise FileNotFoundError(f"no checkpoint at {os.fspath(path)!r}")
@@ -93,7 +96,7 @@ def read(path: str | os.PathLike[str], kind: str) -> Tree:
 
 
 def other_version(path: str | os.PathLike[str], tree: Tree) -> str:
-    """Return a text if another version of this package wrote a tree; "" otherwise."""
+    """Return a message if another version of this package wrote the checkpoint; "" otherwise."""
     version = tree.get("samcontact_version")
     if version == _core.version:
         return ""
@@ -101,18 +104,18 @@ def other_version(path: str | os.PathLike[str], tree: Tree) -> str:
 
 
 def _unsealed(path: str | os.PathLike[str]) -> ValueError:
-    """Return the error for a file without a digest: foreign or damaged."""
+    """Return the error for a file without a digest, which is either foreign or damaged."""
     with open(path, "rb") as file:
         is_hdf5 = file.read(len(_SIGNATURE)) == _SIGNATURE
     if not is_hdf5:
-        return ValueError("it is not an HDF5 file")
+        return ValueError("the file is not an HDF5 file")
     if not is_marked(Path(path)):
         return CheckpointError(f"{os.fspath(path)!r} is not a samcontact checkpoint")
-    return ValueError("the digest at its end is missing: the file was truncated or changed")
+    return ValueError("the checksum at the end is missing: the file is incomplete or was changed")
 
 
 def require_self_contained(file: h5py.Group) -> None:
-    """Raise ValueError for an HDF5 file with parts in other files."""
+    """Raise ValueError if parts of an HDF5 file are stored in other files."""
     found: list[str] = []  # h5py drops exceptions raised within a visit
 
     def check_link(name: str, link: Any) -> None:
@@ -130,17 +133,20 @@ def require_self_contained(file: h5py.Group) -> None:
 
 
 def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> None:
-    """Raise ForeignCheckpointError for the file of another computation."""
+    """Raise ForeignCheckpointError if a checkpoint is of another run or another version.
+
+    now: identity of the present run. tree: content of the checkpoint.
+    """
     before = tree.get("run")
-    if told := other_version(path, tree):
+    if text := other_version(path, tree):
         raise ForeignCheckpointError(
-            f"{told}, whose results may differ in the last digits: continue with that version, or "
-            "start again with another path"
+            f"{text}, so results may differ in the last digits: continue with the version that "
+            "wrote the checkpoint, or start again with another path"
         )
     if now != before:
-        told = differences(now, before) if isinstance(before, dict) else "a single simulation"
+        text = differences(now, before) if isinstance(before, dict) else "a single simulation"
         raise ForeignCheckpointError(
-            f"{os.fspath(path)!r} is of another run ({told}): remove it, or use another path"
+            f"{os.fspath(path)!r} is of another run ({text}): remove this file, or use another path"
         )
 
 

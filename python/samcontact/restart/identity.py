@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Identity of a computation: canonical text of every argument that affects its results."""
+"""Identity of a run: canonical text of each argument that affects the results."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ import numpy as np
 from .dependencies import IDENTITY_ATTRIBUTE, UnidentifiedError, text_of_object
 
 Identity = dict[str, str]
-"""Text of each part by name, or its digest if the text is long."""
+"""Canonical text of each argument by name, or the digest of the text if it is long."""
 _MAX_SHOWN_CHARACTERS = 60
 _MAX_EXACT_INTEGER = 1 << 53
-"""Limit above which not all integers are exact in float64."""
+"""Largest integer up to which all integers are exact in float64."""
 _UNIDENTIFIED_PREFIX = "unidentified: "
 
 
 def identity(**parts: Any) -> Identity:
-    """Return the texts of numbers, arrays, dataclasses and functions, also in nested lists.
+    """Return the canonical texts of arguments: numbers, arrays, dataclasses, functions, lists.
 
-    For a part that cannot be identified, the text is the reason: see `require_identified`.
+    For an argument that cannot be identified, the text states the reason for `require_identified`.
     """
     return {name: _identified(part) for name, part in parts.items()}
 
@@ -37,52 +37,52 @@ def _identified(part: Any) -> str:
 
 
 def require_identified(who: Identity) -> None:
-    """Raise UnidentifiedError if the identity of a run cannot be determined."""
+    """Raise UnidentifiedError if an argument of a run cannot be identified."""
     for name, text in who.items():
         if text.startswith(_UNIDENTIFIED_PREFIX):
             raise UnidentifiedError(
-                f"{name} has no identity that distinguishes checkpoints of different runs: "
-                f"{text.removeprefix(_UNIDENTIFIED_PREFIX)}. Set its attribute "
-                f"`{IDENTITY_ATTRIBUTE}` to everything it "
-                "depends on, e.g. law.identity = ('my law', 2e-4), or run without a checkpoint"
+                f"{name} cannot be identified, so checkpoints of different runs cannot be "
+                f"distinguished: {text.removeprefix(_UNIDENTIFIED_PREFIX)}. Set the attribute "
+                f"`{IDENTITY_ATTRIBUTE}` of {name} to everything on which {name} depends, e.g. "
+                "law.identity = ('my law', 2e-4), or run without a checkpoint"
             )
 
 
 def digest(who: Identity) -> str:
-    """Return the digest of an identity."""
+    """Return one digest of all arguments of an identity."""
     return _hash(repr(sorted(who.items())).encode())
 
 
 def differences(now: Identity, before: Identity) -> str:
-    """Return the differences of two identities as text."""
+    """Describe the differences between two identities, e.g. "load 2.0 instead of 1.0"."""
 
-    def told(name: str) -> str:
+    def change_of(name: str) -> str:
         new, old = (str(who.get(name, "nothing")) for who in (now, before))
         digests = new.count("#") + old.count("#")
         return f"different {name}" if digests else f"{name} {new} instead of {old}"
 
-    return ", ".join(told(n) for n in {**now, **before} if now.get(n) != before.get(n))
+    return ", ".join(change_of(n) for n in {**now, **before} if now.get(n) != before.get(n))
 
 
 def canonical(value: Any) -> str:
-    """Return a text that is equal in every process; numbers of equal value are equal: 1 is 1.0.
+    """Return the canonical text of a value: equal in every process, and for 1 and 1.0.
 
-    Raises UnidentifiedError for a function or object whose dependencies cannot be determined.
+    Raises UnidentifiedError for a function or object with unknown dependencies.
     """
     try:
         return _IdentityTexts().text(value)
     except RecursionError:
-        raise UnidentifiedError("it is nested too deeply, or without end") from None
+        raise UnidentifiedError("the value is nested too deeply, or contains itself") from None
 
 
 class _IdentityTexts:
-    """Texts of nested values, whose objects may refer to themselves."""
+    """Canonical texts of nested values, including objects that refer to themselves."""
 
     def __init__(self) -> None:
         self._open: dict[int, int] = {}
-        """Objects whose text is in progress: depth by id."""
+        """Nesting depth by id of the objects for which the text is being built."""
         self._done: dict[int, tuple[str, Any]] = {}
-        """Finished texts by id, with their objects, so that no id is reused."""
+        """Finished texts by id of the object. Objects are stored too, so that no id is reused."""
 
     def text(self, value: Any) -> str:
         plain = _plain(value)
@@ -119,7 +119,7 @@ class _IdentityTexts:
 
 
 def _plain(value: Any) -> str | None:
-    """Return the text of a value without parts; None for any other value."""
+    """Return the text of a number, text or other value without parts; None for other values."""
     if type(value) in (bool, np.bool_) or value is None:
         return repr(value if value is None else bool(value))
     if type(value) in (int, float) or isinstance(value, (np.integer, np.floating)):

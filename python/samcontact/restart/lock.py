@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Locks that allow one run at a time in a folder, or with a file."""
+"""Locks that allow only one run at a time to write to a folder or file."""
 
 from __future__ import annotations
 
@@ -15,35 +15,38 @@ from ..files.ownership import is_regular, remove_leftovers
 
 LOCK_FILE = ".samcontact.lock"
 LOCK_FILES = (LOCK_FILE, ".cycle.h5.lock")
-"""Names of locks in folders of checkpoints: of the folder, and of the file of a wear simulation."""
+"""Names of lock files in a folder of checkpoints: for the folder, and for a wear checkpoint."""
 
 
 @contextmanager
 def locked(
     directory: Path, remedy: str = "use another folder", name: str = LOCK_FILE
 ) -> Iterator[None]:
-    """Create the folder and lock it against other runs; a killed process leaves no lock.
+    """Create a folder and lock it against other runs within the context.
+
+    The lock ends with the process, also if the process is killed.
 
     Parameters
     ----------
     directory : Path
+        Folder to create and lock.
     remedy : str, optional
         Remedy in the error message if the folder is locked.
     name : str, optional
-        Name of the lock file; the lock of a single file protects that file only.
+        Name of the lock file. With another name than the default, the lock protects a single file.
 
     Raises
     ------
     OSError
-        Another run has the lock, the folder cannot be created or written, or a foreign file has the
-        name of the lock.
+        Another run holds the lock, the folder cannot be created or written, or a foreign file has
+        the name of the lock file.
     """
     try:
         directory.mkdir(parents=True, exist_ok=True)
     except (FileExistsError, NotADirectoryError):
         raise OSError(
-            f"{directory} must be a folder, or not exist, but it or a part of the path is a file: "
-            f"{remedy}"
+            f"{directory} must be a folder or must not exist, but the path or part of it is a "
+            f"file: {remedy}"
         ) from None
     except OSError as error:
         raise _unusable(directory, error, remedy) from error
@@ -57,11 +60,11 @@ def locked(
 
 
 def _take(directory: Path, remedy: str, name: str) -> int:
-    """Return the opened lock file, which contains the id of this process."""
+    """Lock the lock file, write the process id to it, and return the open file handle."""
     path = directory / name
     while True:
         if os.path.lexists(path) and not is_regular(path):
-            raise _of_others(path, remedy)
+            raise _foreign_lock(path, remedy)
         try:
             handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o666)
         except OSError as error:
@@ -81,7 +84,7 @@ def _take(directory: Path, remedy: str, name: str) -> int:
         if _is(path, handle):
             if not re.fullmatch(rb"\d*\s*", os.read(handle, 20)):
                 os.close(handle)
-                raise _of_others(path, remedy)
+                raise _foreign_lock(path, remedy)
             try:
                 os.truncate(handle, 0)
                 os.lseek(handle, 0, os.SEEK_SET)
@@ -101,12 +104,12 @@ def _is(path: Path, handle: int) -> bool:
         return False
 
 
-def _of_others(path: Path, remedy: str) -> OSError:
-    return OSError(f"{path} is not a lock of samcontact: move it, or {remedy}")
+def _foreign_lock(path: Path, remedy: str) -> OSError:
+    return OSError(f"{path} is not a lock file of samcontact: move this file, or {remedy}")
 
 
 def _unusable(directory: Path, error: OSError, remedy: str) -> OSError:
-    """Return the error for a folder that cannot be written."""
+    """Return the error for a folder to which files cannot be written."""
     readable = {errno.EACCES: "permission denied", errno.EROFS: "read-only file system"}
     reason = readable.get(error.errno or 0, error.strerror or "it cannot be used")
     return OSError(f"cannot write to the folder {directory}: {reason}: {remedy}")

@@ -13,11 +13,14 @@ from .._util.checks import FloatArray
 
 Tree = dict[str, Any]
 _ARRAY_TYPES = (np.dtype(np.float64), np.dtype(np.int64), np.dtype(np.uint32))
-"""Options of datasets for arrays."""
+"""Data types allowed for arrays."""
 
 
 def write_tree(group: h5py.Group, tree: Mapping[str, Any]) -> None:
-    """Write a tree to a group; numbers, texts and lists become attributes, None is omitted."""
+    """Write a nested dictionary to a group.
+
+    Arrays become datasets; numbers, texts and lists become attributes. None is omitted.
+    """
     for name, value in tree.items():
         if isinstance(value, Mapping):
             same = [n for n, other in tree.items() if n in group and _equal(other, value)]
@@ -46,7 +49,7 @@ def _dataset(group: h5py.Group, name: str, values: FloatArray) -> None:
 
 
 def read_tree(group: h5py.Group) -> Tree:
-    """Read a tree written by `write_tree`; raises ValueError for other content."""
+    """Read the nested dictionary that `write_tree` has written; raise ValueError if invalid."""
     tree: Tree = {name: _plain(name, value) for name, value in group.attrs.items()}
     for name, part in group.items():
         tree[name] = _array(name, part) if isinstance(part, h5py.Dataset) else read_tree(part)
@@ -54,14 +57,14 @@ def read_tree(group: h5py.Group) -> Tree:
 
 
 def _plain(name: str, value: Any) -> Any:
-    """Return an attribute as a number, text or list of numbers."""
+    """Convert an HDF5 attribute to a number, text or list of numbers."""
     if isinstance(value, np.ndarray) and value.dtype.kind in "iuf":
         return value.tolist()
     if isinstance(value, (np.bool_, np.integer, np.floating)):
         return value.item()
     if isinstance(value, str):
         return value
-    raise ValueError(f"{name} is neither a number nor a text")
+    raise ValueError(f"{name} must be a number or a text")
 
 
 def _array(name: str, values: h5py.Dataset) -> Any:
@@ -73,13 +76,14 @@ def _array(name: str, values: h5py.Dataset) -> Any:
 def array(
     tree: Tree, name: str, shape: tuple[int | None, ...], *, may_end: bool = False
 ) -> FloatArray:
-    """Return an array of finite float64; raises ValueError for others, KeyError if missing.
+    """Return an array of finite float64 values from a dictionary.
 
-    shape: None: any extent. may_end: +inf is allowed, a gap outside a body.
+    shape: expected shape; None for any extent. may_end: whether +inf is allowed, e.g. for the gap
+    outside a body. Raises KeyError if there is no array, and ValueError if it is invalid.
     """
     values: FloatArray = tree[name]
     if not isinstance(values, np.ndarray) or values.dtype != np.float64:
-        raise ValueError(f"{name} is not an array of float64")
+        raise ValueError(f"{name} must be an array of type float64")
     fits = len(values.shape) == len(shape) and all(
         extent in (None, found) for extent, found in zip(shape, values.shape, strict=True)
     )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Labelled results of a simulation: an xarray dataset with units, stored as netCDF4 (HDF5).
 
-Names ending in _body1 or _body2 refer to that body. Tensor components are labelled
-xx, yy, zz, yz, xz, xy (tensor shear strains).
+Variables with names ending in _body1 or _body2 refer to body 1 or body 2. Tensor components are
+labelled xx, yy, zz, yz, xz, xy; shear strains are tensor components (half the engineering strains).
 """
 
 from .._util.tensors import COMPONENTS

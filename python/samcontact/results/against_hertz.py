@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Comparison of values at the peak with elastic Hertz contact."""
+"""Comparison of results at the increment of maximum stress with elastic Hertz contact."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 def hertz_rows(
     dataset: xr.Dataset, peak: int, reference: PointContact | EllipticContact, body: int
 ) -> list[tuple[Quantity, float, float]]:
-    """Return the rows of the comparison.
+    """Return one row per compared quantity: its name, its Hertz value and its computed value.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         Results.
     peak : int
-        Position of the increment, from 0.
+        Index of the increment, from 0.
     reference : PointContact or EllipticContact
         Hertz contact at the load of the increment.
     body : {1, 2}
@@ -50,7 +50,7 @@ def hertz_rows(
 
 
 def hertz_area(contact: PointContact | EllipticContact) -> float:
-    """Return the area of the contact [m^2]."""
+    """Return the contact area of a Hertz contact [m^2]."""
     if isinstance(contact, PointContact):
         return math.pi * contact.a**2
     return math.pi * contact.a_x * contact.a_y

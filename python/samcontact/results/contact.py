@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact in the results dataset."""
+"""Contact pressure and repulsion in the results dataset."""
 
 from __future__ import annotations
 
@@ -10,5 +10,5 @@ if TYPE_CHECKING:
 
 
 def repulsion_of(dataset: xr.Dataset) -> xr.DataArray:
-    """Return the repulsion of each increment [Pa]; in hard contact it is the pressure."""
+    """Return the repulsion [Pa] in each increment; in hard contact it equals the pressure."""
     return dataset["repulsion" if "repulsion" in dataset else "pressure"]

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Sequence[int]) -> None:
-    """Add residuals, maximum plastic strains, and distances from the edges of the grid.
+    """Add residuals, maximum plastic strains, and distances of contact and yielding to grid edges.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
 def _add_area_uncertainty(
     dataset: xr.Dataset, states: Sequence[State], solved: Sequence[np.bool_]
 ) -> None:
-    """Add the area uncertainty of contacts with several spots."""
+    """Add the uncertainty of the contact area for contacts with several spots."""
     found = [
         area_uncertainty(state.repulsion, state.grid.periodic)
         if there and spots(state.repulsion, state.grid.periodic) > 1
@@ -84,9 +84,10 @@ def _add_area_uncertainty(
 
 
 def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], list[float]]:
-    """Return the distance from the volume edge and the number of yielded layers per increment.
+    """Return the distance of the plastic zone to the grid edge [cells] and its thickness [layers].
 
-    Plastic strain of a moving body leaves the grid along x: the sides across x do not count.
+    Both lists have one value per increment. Plastic strain of a moving body leaves the grid along
+    x, so the two sides across x are ignored.
     """
     margins, layers, moved = [], [], False
     for state in states:
@@ -100,7 +101,7 @@ def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], lis
 
 
 def extent_of(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Return the first and last cell inside along each axis; empty without cells inside."""
+    """Return the first and last marked cell along each axis; an empty list if no cell is marked."""
     return [(int(at.min()), int(at.max())) for at in np.nonzero(inside) if at.size]
 
 
@@ -110,23 +111,23 @@ def free_cells(
     along_x: bool = True,
     along_y: bool = True,
 ) -> float:
-    """Return the minimum number of cells between the cells inside and the edge of the grid.
+    """Return the minimum number of cells between a region of cells and the edge of the grid.
 
-    Edges are the sides and, in a volume, the bottom.
+    The edge consists of the sides and, in a volume, of the bottom.
 
     Parameters
     ----------
     extent : sequence of (int, int)
-        First and last cell inside, along x, y and, in a volume, z.
+        First and last cell of the region along x, y and, in a volume, z.
     shape : sequence of int
         Shape of the grid.
     along_x, along_y : bool, optional
-        Whether the sides across x and across y count.
+        Whether the two sides across x, and those across y, are part of the edge.
 
     Returns
     -------
     float
-        Whole number, 0 at the edge; NaN without cells inside, or if no side counts.
+        Whole number, 0 at the edge; NaN if the region or the edge is empty.
     """
     free = []
     counted = along_x, along_y, True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Dataset of a simulation."""
+"""Results of a simulation as one labelled dataset."""
 
 from __future__ import annotations
 
@@ -74,29 +74,32 @@ def to_dataset(
     simulation : Simulation
         Simulation with grid, bodies and materials.
     states : sequence of State
-        One state per increment. If the grid was enlarged, all states are mapped to the largest.
+        One state per increment. If the grid was enlarged, all states are mapped to the largest
+        grid.
     case : Case, optional
         Case whose title, text and [output] settings are used.
     body : {1, 2}, optional
         Body whose stresses are stored even if it is elastic. Default: the body of the case, or
         body 2, or body 1 if body 2 is rigid. Elastic-plastic bodies are always stored.
     volume : {"none", "last", "peak_and_last", "all"} or sequence of int, optional
-        Increments whose volume fields are stored, by a word or by their numbers. Default: from the
-        case, or "peak_and_last". The peak is the increment of maximum von Mises stress; if several
-        agree to 0.1 %, of maximum pressure among them, then of maximum load.
+        Increments for which volume fields are stored, as a word or as increment numbers. Default:
+        the setting of the case, or "peak_and_last". The peak is the increment with the maximum von
+        Mises stress. Among increments with stresses that agree to 0.1 %, it is the increment with
+        the maximum pressure, then with the maximum load.
     stopped_by : str, optional
-        Reason why a run did not reach the end of its path, e.g. the text of the error that has the
-        states as its attribute `states`. The attribute ``complete`` is then 0.
+        Reason why a run did not reach the end of its path, e.g. the text of the error that holds
+        the completed states in its attribute `states`. The attribute ``complete`` of the dataset is
+        then 0.
 
     Returns
     -------
     xarray.Dataset
         Dimensions increment, x, y and, for a grid with layers, output_increment, z, component. If
-        the plastic strain of a body is in several subdomains, the dimension is cell_body1 or
-        cell_body2 instead of x, y, z (see `on_grid`). With partial slip, the dataset has tangential
-        forces and motions, slip, sticking cells and the energy balance. For an elastic-plastic body
-        that moved, track_position_body1 or track_position_body2 is the dimension of its whole track
-        at the end. Every variable has ``units`` (SI) and ``long_name``.
+        the plastic strain of a body is in several subdomains, its volume fields have the dimension
+        cell_body1 or cell_body2 instead of x, y, z (see `on_grid`). With partial slip, the dataset
+        has tangential forces and motions, slip, sticking cells and the energy balance. For an
+        elastic-plastic body that moved, the dimension track_position_body1 or track_position_body2
+        spans its whole track at the end. Every variable has ``units`` (SI) and ``long_name``.
 
     Raises
     ------
@@ -138,7 +141,7 @@ def to_dataset(
 
 
 def completeness(stopped_by: str) -> dict[str, int | str]:
-    """Return attributes that state whether a run is complete, or what stopped it."""
+    """Return dataset attributes that say whether the run is complete or what stopped it."""
     return {"complete": 0, "stopped_by": stopped_by} if stopped_by else {"complete": 1}
 
 
@@ -147,7 +150,7 @@ def _coordinates(domain: Domain) -> dict[str, xr.Variable]:
 
 
 def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
-    """Return states with the depth of the deepest stored state and of the last, for its track."""
+    """Give all states as many layers as the deepest of the stored states and the last state."""
     layers = max(len(state.depths) for state in (*stored, states[-1]))
     return [state.at_layers(layers) for state in states]
 
@@ -179,7 +182,7 @@ def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
 def _add_temperatures(
     dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]
 ) -> list[int]:
-    """Add time and surface temperatures, and return the heated bodies."""
+    """Add time and surface temperatures; return the numbers of the heated bodies."""
     if any(state.time for state in states):
         add(dataset, "time", "increment", [state.time for state in states])
     bodies = (simulation.body1, simulation.body2)
@@ -213,7 +216,7 @@ def _inelastic(simulation: Simulation) -> list[int]:
 
 
 def _stored_bodies(simulation: Simulation, body: int) -> dict[int, bool]:
-    """Return the bodies with volume fields, and whether each is elastic-plastic."""
+    """Return the bodies with volume fields; the value is True if the body is elastic-plastic."""
     stored = {number: True for number in _inelastic(simulation)}
     if body not in stored and _material(simulation, body).law != "rigid":
         stored[body] = False
@@ -230,7 +233,7 @@ def _add_maxima(dataset: xr.Dataset, states: Sequence[State], bodies: dict[int, 
 
 
 def _chosen(dataset: xr.Dataset, volume: str | Sequence[int]) -> list[int]:
-    """Return the positions of the increments whose volume fields are stored."""
+    """Return the positions (from 0) of the increments for which volume fields are stored."""
     count = dataset.sizes["increment"]
     if not isinstance(volume, str):
         return sorted({integer("volume", number, 1, count) - 1 for number in volume})
@@ -271,7 +274,7 @@ def _add_volume(
 
 
 def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> None:
-    """Add interface stresses of a layered body, if tractions and fields have common cells."""
+    """Add interface stresses of a layered body, unless its fields are offset from the grid."""
     layered = stored[0].setup.bodies[body - 1]
     if not isinstance(layered, Layered) or any(state.offset(body) for state in stored):
         return
@@ -284,7 +287,7 @@ def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> 
 
 
 def _of_body(prefix: str, body: Body) -> dict[str, Any]:
-    """Return the material of a body as attributes whose names begin with the prefix."""
+    """Return the material of a body as attributes; each name begins with the given prefix."""
     found: dict[str, Any] = {f"{prefix}law": body.law}
     if isinstance(body, Layered):
         found[f"{prefix}thickness"] = body.parameters["thickness"]

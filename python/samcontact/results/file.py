@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of datasets: netCDF4 with an appended digest."""
+"""Results files: netCDF4 files of datasets, with an appended digest."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
     """Write a dataset as compressed netCDF4, atomically.
 
     The file appears under its name only when it is complete; an existing file is replaced. The
-    attributes `Conventions` (CF) and `history` are added; each file adds a line to the history.
+    attributes `Conventions` (CF) and `history` are added; each save adds a line to the history.
 
     Parameters
     ----------
@@ -55,22 +55,22 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
         for name, variable in dataset.data_vars.items()
         if variable.ndim > 1
     }
-    told = dataset.assign_attrs(Conventions=CONVENTIONS, history=_history(dataset))
+    labelled = dataset.assign_attrs(Conventions=CONVENTIONS, history=_history(dataset))
     with replacing_hdf5(target) as opened, h5netcdf.File(opened, "w") as file:
         # in memory: to_netcdf would let HDF5 write directly to disk
-        told.dump_to_store(xr.backends.H5NetCDFStore(file), encoding=encoding)
+        labelled.dump_to_store(xr.backends.H5NetCDFStore(file), encoding=encoding)
     return target
 
 
 def _history(dataset: xr.Dataset) -> str:
-    """Return the history, one line per operation, oldest first as in the CF conventions."""
+    """Return the history with one line per operation, oldest first, by the CF conventions."""
     now = datetime.now(timezone.utc).isoformat(timespec="seconds")
     before = dataset.attrs.get("history")
     return (f"{before}\n" if before else "") + f"{now}: written by samcontact {version}"
 
 
 def open_results(path: str | Path) -> xr.Dataset:
-    """Open a results file; fields are read on access.
+    """Open a results file; each field is read from the file when it is first used.
 
     The bytes of a file written by `save` are compared with its digest. A file modified by another
     program has no digest and is first read completely by a separate process: HDF5 may crash on
@@ -97,19 +97,21 @@ def open_results(path: str | Path) -> xr.Dataset:
     if not source.is_file():
         raise FileNotFoundError(f"no results file at {source}")
     try:
-        if not check_seal(source):  # modified by another program, or damaged
+        unchanged = check_seal(source)
+        if not unchanged:  # modified by another program, or damaged
             try_to_read(source)
         _check_structure(source)
-        _try(source)
+        if not unchanged:
+            _try(source)
         dataset = xr.open_dataset(source, engine="h5netcdf")
     except PermissionError:
         raise
     except (*READ_ERRORS, xr.SerializationWarning) as error:
         # without the advice of h5netcdf, which concerns its own arguments
-        told = next(iter(str(error).splitlines()), type(error).__name__).strip()
-        raise ValueError(f"path must be a netCDF4 file, got {source}: {told}") from error
+        text = next(iter(str(error).splitlines()), type(error).__name__).strip()
+        raise ValueError(f"path must be a netCDF4 file, got {source}: {text}") from error
     if "samcontact_version" not in dataset.attrs or "format_version" in dataset.attrs:
-        found = dataset.attrs.get("format", "of another program")
+        found = dataset.attrs.get("format", "a file of another program")
         dataset.close()
         raise ValueError(
             f"path must be a results file written by samcontact, got {source}: {found}"
@@ -118,9 +120,9 @@ def open_results(path: str | Path) -> xr.Dataset:
 
 
 def _check_structure(path: Path) -> None:
-    """Refuse values in other files, and dimension links to objects that are no dimensions.
+    """Raise ValueError if values are stored in other files, or if a link leads to no dimension.
 
-    HDF5 follows dimension links without checking their type and crashes on other numbers.
+    HDF5 follows dimension links without checking their type, and crashes if they are plain numbers.
     """
 
     def check(name: str, part: h5py.Group | h5py.Dataset) -> None:
@@ -129,7 +131,7 @@ def _check_structure(path: Path) -> None:
                 found = part.attrs.get_id(link)
                 fits = found.shape == (part.ndim,) if is_one is _is_list else len(found.shape) == 1
                 if not (is_one(found.dtype) and fits):
-                    raise ValueError(f"the attribute {link} of {name} does not link dimensions")
+                    raise ValueError(f"the attribute {link} of {name} must link to dimensions only")
 
     with h5py.File(path, "r") as file:
         require_self_contained(file)
@@ -149,7 +151,7 @@ def _is_table(dtype: np.dtype[np.generic]) -> bool:
 
 
 def _try(path: Path) -> None:
-    """Read the metadata; xarray would leave open a file that it cannot use."""
+    """Try to read the metadata of a file; xarray would leave an unusable file open."""
     with (
         h5netcdf.File(path, "r", decode_vlen_strings=True) as file,  # as in xarray
         warnings.catch_warnings(),
@@ -159,7 +161,7 @@ def _try(path: Path) -> None:
 
 
 def scalars(dataset: xr.Dataset) -> pd.DataFrame:
-    """Return a table of the quantities with one value per increment.
+    """Return a table of all quantities that have one value per increment.
 
     Parameters
     ----------

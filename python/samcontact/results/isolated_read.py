@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Trial reading of a file of unknown origin, in a separate process.
 
-HDF5 may crash on damaged metadata, or not terminate. A file without a digest, as written by other
-programs, is therefore first read completely by another process, in which the time of each call is
-limited.
+HDF5 may crash on damaged metadata, or not terminate. A file without a digest was modified or
+written by another program. It is therefore first read completely by a separate process, in which
+the processor time of each call is limited.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from pathlib import Path
 import h5py
 
 Begin = Callable[..., None]
-"""Function that restarts the time limit, for a call that reads a number of bytes."""
+"""Function that restarts the time limit for a call that reads the given number of bytes."""
 
 CALL_TIME = 2.0
-"""Limit of the processor time of one HDF5 call [s], without the time for the values it reads."""
+"""Limit of the processor time of one HDF5 call [s], excluding the time to read values."""
 MIN_BYTES_PER_SECOND = 2e7
-"""Bytes of values decompressed per second on a slow machine."""
+"""Bytes of values that a slow machine decompresses per second."""
 BLOCK_BYTES = 1 << 24
-"""Bytes of values without chunks that are read in one call."""
+"""Number of bytes that are read in one call from variables without chunks."""
 MAX_COMPRESSION_RATIO = 2000
 """Maximum compression ratio: deflate reaches 1032."""
 
@@ -44,10 +44,10 @@ def try_to_read(path: Path, call: float = CALL_TIME) -> None:
     ----------
     path : Path
     call : float, optional
-        Limit of the processor time of a call [s].
+        Maximum processor time of a call of HDF5 [s].
     """
     if not sys.executable:
-        raise ValueError("it has no digest, and there is no Python interpreter to check it")
+        raise ValueError("the file has no digest and cannot be checked: no Python was found")
     here = [json.dumps(sys.path), __file__, str(path), repr(call)]
     command = [sys.executable, "-I", "-c", _READER_PROGRAM, *here]
     done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
@@ -65,8 +65,8 @@ def try_to_read(path: Path, call: float = CALL_TIME) -> None:
 def read_all(path: str, call: float) -> None:
     """Read all attributes, dimension scales and values of a file.
 
-    The process ends if a call takes too long. On an error, its exit code is not 0, and the last
-    line of stderr is the error.
+    The process ends if a call takes too long. If reading fails, the exit code is not 0 and the last
+    line of stderr is the error message.
     """
     try:
         _read_all(Path(path), call)
@@ -88,11 +88,13 @@ def _read_all(path: Path, call: float) -> None:
             part.attrs.get(found.name)
         if isinstance(part, h5py.Dataset):
             if part.nbytes > MAX_COMPRESSION_RATIO * size:
-                raise ValueError(f"{name} claims {part.nbytes} bytes, more than a file of {size}")
+                raise ValueError(
+                    f"{name} has {part.nbytes} bytes, too many for a file of {size} bytes"
+                )
             for dimension in part.dims:
                 begin()
                 len(dimension)
-            if not (part.external or part.is_virtual):  # such values are refused later
+            if not (part.external or part.is_virtual):  # values in other files are refused later
                 _read_values(part, begin)
 
     begin()
@@ -106,7 +108,7 @@ def _read_all(path: Path, call: float) -> None:
 
 
 def _read_values(part: h5py.Dataset, begin: Begin) -> None:
-    """Read the values chunk by chunk, or in blocks of rows."""
+    """Read all values of a variable chunk by chunk, or in blocks of rows if it has no chunks."""
     if part.ndim == 0 or part.size == 0:
         part[()]
         return

@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
 
 def moving_bodies(states: Sequence[State]) -> list[int]:
-    """Return the bodies that moved through the contact."""
+    """Return the numbers of the bodies that moved through the contact."""
     return [body for body in (1, 2) if any(state.travel[body - 1] for state in states)]
 
 
 def add(dataset: xr.Dataset, name: str, dims: Any, data: Any, body: int | None = None) -> None:
-    """Add a variable from the table of quantities, for a body if given."""
+    """Add a variable to the dataset, with the unit and name from the table of quantities."""
     suffix = "" if body is None else f"_body{body}"
     dataset[name + suffix] = CONTACT[name].variable(dims, data, body)
 
@@ -30,7 +30,8 @@ def add_motion(
 ) -> None:
     """Add travel and, for elastic-plastic bodies that moved, their tracks at the end.
 
-    Without `volume` a track has the residual imprint only. Nothing is added if no body moved.
+    If `volume` is False, a track contains only the residual imprint. Nothing is added if no body
+    moved.
     """
     moved = moving_bodies(states)
     if not moved:
@@ -49,12 +50,12 @@ def add_motion(
 
 
 def _stored_names(body: int) -> dict[str, str]:
-    """Names in results files of the variables of a track, by their names in the track."""
+    """Map variable names of a track to variable names in results files."""
     return {name: f"track_{'position' if name == 'x' else name}_body{body}" for name in TRACK}
 
 
 def track_of(dataset: xr.Dataset, body: int) -> xr.Dataset | None:
-    """Return the track of a body in results, in the form of `Track.to_dataset`; None without."""
+    """Return the stored track of a body in the form of `Track.to_dataset`, or None."""
     names = _stored_names(body)
     if names["x"] not in dataset.coords:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""VTK files of all increments, and collections that ParaView shows as a time series.
+"""VTK files of all increments, and PVD collections that ParaView shows as a time series.
 
 A collection (.pvd) is a list of files with times: https://www.paraview.org/Wiki/ParaView/Data_formats.
 """
@@ -19,26 +19,28 @@ if TYPE_CHECKING:
 
 
 def to_pvd(dataset: xr.Dataset, path: str | Path, body: int | None = None) -> list[Path]:
-    """Write every increment by `to_vtk`, and collections of the files.
+    """Write all increments to VTK files, and collections of these files for ParaView.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         Result of `samcontact.results.to_dataset` or `open_results`.
     path : str or Path
-        Collection of the volume fields, for increments with volume fields. The collection of the
-        surface, for all increments, is written to ``*_surface.pvd``. Files of increments have five
-        digits after the name: ``*_00001.vtr`` (or .vtu), ``*_00001_surface.vtr``. The suffix .pvd
-        is added if missing. The folder must exist.
+        File of the collection of volume fields, with all increments for which they are stored. The
+        collection of surface fields, with all increments, is written to ``*_surface.pvd``. The
+        number of the increment is appended to the names of its files with five digits:
+        ``*_00001.vtr`` (or .vtu), ``*_00001_surface.vtr``. The suffix .pvd is added if missing. The
+        folder must exist.
     body : {1, 2}, optional
-        Body whose volume fields and residual imprint are written. Default: the body of [output], or
-        the body with volume fields.
+        Body for which volume fields and residual imprint are written. Default: the body of
+        [output], or the body with volume fields.
 
     Returns
     -------
     list of Path
-        Collections, then the files of each increment, then the files of a track. The time of an
-        increment is its end [s] with transient heating (`history`), otherwise its number.
+        Paths of the collections, of the files of each increment, and of the files of a track. The
+        time in a collection is the end of the increment [s] for transient heating (`history`),
+        otherwise the number of the increment.
 
     Raises
     ------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grid, bodies and materials of results, and errors for datasets of other programs."""
+"""Grid, bodies and materials read from a results dataset, and errors for foreign datasets."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ if TYPE_CHECKING:
 
 @contextmanager
 def parts_of_a_run() -> Iterator[None]:
-    """Convert errors due to variables of wrong shape or type to ValueError."""
+    """Convert errors caused by missing or wrong parts of a dataset to ValueError."""
     try:
         yield
     except (LookupError, TypeError, AttributeError, ArithmeticError) as error:
         raise ValueError(
-            "dataset must be from a run, but a part of it is missing or has another type: "
+            "dataset must be the result of a run, but a part is missing or has the wrong type: "
             f"{type(error).__name__}: {error}"
         ) from error
 
 
 def body_shown(dataset: xr.Dataset, body: int | None = None) -> int:
-    """Return the given body, or the body of [output], or the only body with volume fields."""
+    """Return the given body number or, if None, the body of [output] or with volume fields."""
     if body is not None:
         return int(choice("body", body, (1, 2)))
     selected = int(dataset.attrs.get("body", 2))

@@ -38,8 +38,8 @@ def add_slipping(
 ) -> None:
     """Add tangential forces and motions, frictional work, slip, sticking cells and energy balance.
 
-    The energy balance requires a volume field of elastic-plastic bodies, allowed by `volume`.
-    Nothing is added with full sliding.
+    For elastic-plastic bodies the energy balance requires volume fields and is added only if
+    `volume` is True. Nothing is added in full sliding.
     """
     if not friction_law(simulation.friction).sticks:
         return
@@ -61,7 +61,7 @@ def _add_balance(dataset: xr.Dataset, found: energy.EnergyBalance) -> None:
 
 
 def balance_of(dataset: xr.Dataset) -> energy.EnergyBalance | None:
-    """Return the energy balance of results; None if not stored."""
+    """Return the energy balance stored in a results dataset; None if there is none."""
     if "work_input" not in dataset:
         return None
     given = {name: float(dataset[name]) for name in _BALANCE}
@@ -74,7 +74,7 @@ def _share(state: State) -> float:
 
 
 def moved_along(dataset: xr.Dataset) -> list[str]:
-    """Return the names of the tangential scalars of increments, without rounding errors."""
+    """Return the names of tangential forces and motions that exceed rounding errors."""
     if "friction_work" not in dataset:
         return []
     values = {name: dataset[name].values for name in TANGENTIAL_QUANTITIES}
@@ -83,6 +83,6 @@ def moved_along(dataset: xr.Dataset) -> list[str]:
 
 
 def without_rounding(values: FloatArray) -> FloatArray:
-    """Return values for tables, with zero for values below the tolerance of the solver."""
+    """Return values for tables; values below the tolerance of the solver are set to 0."""
     small = ROUNDING_ERROR * np.nanmax(np.abs(values), initial=0.0)
     return np.where(np.abs(values) < small, 0.0, values)

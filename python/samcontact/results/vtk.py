@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""VTK files of the fields of one increment, and of tracks, for ParaView.
+"""VTK files for ParaView: fields of one increment, and residual fields of tracks.
 
-Written by VTK itself (extra ``vtk``), which names tensor components and keeps units.
+The files are written by the package vtk (extra ``vtk``), with names of tensor components and with
+units.
 """
 
 from __future__ import annotations
@@ -39,9 +40,10 @@ def to_vtk(
     For a body that has moved, the residual fields along its whole track at the end of the run are
     also written; x = 0 is the initial contact position on the body.
 
-    The axes are x and y of the contact and z upwards, out of body 2: body 2 is at z < 0, body 1 at
-    z > 0, so that both can be shown together. Shear components xz and yz of body 2 have the sign of
-    these axes, opposite to the dataset. Values are cell values in SI units.
+    The axes x and y are those of the contact; z points upwards, out of body 2. Body 2 is at z < 0
+    and body 1 at z > 0, so both can be shown together. Shear components xz and yz of body 2 refer
+    to these axes: their sign is opposite to that in the dataset. Values are cell values in SI
+    units.
 
     Parameters
     ----------
@@ -52,16 +54,18 @@ def to_vtk(
         ``*_track.vtr`` and ``*_track_surface.vtr``. The folder must exist. The suffix .vtr is added
         if missing.
     increment : int, optional
-        Number of the increment, from 1. Negative numbers count from the end of the increments with
-        volume fields, if there are any.
+        Number of the increment, from 1. Negative numbers count back from the last increment with
+        volume fields or, if none are stored, from the last increment.
     body : {1, 2}, optional
-        Body whose volume fields and residual imprint are written, without "_body1" or "_body2" in
-        their names. Default: the body of [output], or the body with volume fields.
+        Body for which volume fields and residual imprint are written; their names in the file have
+        no suffix "_body1" or "_body2". Default: the body of [output], or the body with volume
+        fields.
 
     Returns
     -------
     list of Path
-        Files of the volume (if volume fields are stored), of the surface, and of a track.
+        Files of the volume (if volume fields are stored), of the surface, and of the track (if
+        any).
 
     Raises
     ------
@@ -88,7 +92,7 @@ def _write_all(dataset: xr.Dataset, target: Path, increment: int, body: int) -> 
 
 
 def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
-    """Write the volume fields of an increment, and return the file."""
+    """Write the volume fields of an increment, and return the path of the file."""
     fields = dataset[volume_names(dataset, body)].sel(output_increment=number)
     edges = _volume_edges(dataset, number, body)
     cells = cells_of(next(iter(fields.data_vars.values())), dataset)
@@ -105,7 +109,7 @@ def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> P
 
 
 def write_surface(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
-    """Write the surface fields of an increment, and return the file."""
+    """Write the surface fields of an increment, and return the path of the file."""
     fields = dataset[_surface_names(dataset, body)].sel(increment=number)
     edges = [_edges(dataset, "x"), _edges(dataset, "y"), np.zeros(1)]
     _write(target, _rectilinear(edges), fields, body, number)
@@ -113,7 +117,7 @@ def write_surface(dataset: xr.Dataset, target: Path, number: int, body: int) -> 
 
 
 def write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
-    """Write the track of an elastic-plastic body that has moved, and return the files."""
+    """Write the track of an elastic-plastic body that moved, and return the paths of the files."""
     track = track_of(dataset, body)
     if track is None:
         return []
@@ -134,7 +138,7 @@ def write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
 
 
 def volume_names(dataset: xr.Dataset, body: int) -> list[str]:
-    """Return the names of the volume fields of a body."""
+    """Return the names of all volume fields of a body in the dataset."""
     return [
         str(name)
         for name, field in dataset.data_vars.items()
@@ -153,9 +157,9 @@ def stored_number(dataset: xr.Dataset, increment: int, volume: bool) -> int:
     if -len(stored) <= increment < 0:
         return int(stored[increment])
     if increment not in stored:
-        what = "with volume fields" if volume else "of the file"
+        what = "increments with volume fields" if volume else "increments of the file"
         listed = ", ".join(str(number) for number in stored)
-        raise ValueError(f"increment must be one of those {what}, {listed}, got {increment}")
+        raise ValueError(f"increment must be one of the {what}, {listed}, got {increment}")
     return increment
 
 
@@ -199,7 +203,7 @@ def _rectilinear(edges: list[FloatArray]) -> Any:
 
 
 def _voxels(edges: list[FloatArray], cells: NDArray[np.int64], body: int) -> Any:
-    """Return cells i, j, k of a grid as an unstructured grid."""
+    """Return the cells with indices i, j, k of a grid as a VTK unstructured grid."""
     vtk = _modules()
     counts = [len(axis) for axis in edges]
     i, j, k = cells
@@ -244,7 +248,7 @@ def _write(target: Path, grid: Any, fields: xr.Dataset, body: int, increment: in
 
 
 def _modules() -> dict[str, Any]:
-    """Return the required modules of VTK; loading all of VTK takes seconds."""
+    """Import and return the VTK modules that are needed; importing all of VTK takes seconds."""
     try:
         import vtkmodules.vtkCommonCore as core
         import vtkmodules.vtkCommonDataModel as data

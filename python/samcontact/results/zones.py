@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Volume fields of a body with several plastic subdomains, for cells with plastic strain only.
+"""Volume fields of a body with several plastic subdomains, only in cells with plastic strain.
 
-The fields have one dimension by the CF conventions (section 8.2, "Lossless Compression by
-Gathering"): its coordinate contains the numbers of the cells in the grid.
+These fields are "gathered" in the sense of the CF conventions (section 8.2, "Lossless Compression
+by Gathering"): one dimension replaces x, y and z, and its coordinate contains the cell numbers in
+the grid.
 """
 
 from __future__ import annotations
@@ -36,12 +37,12 @@ _FIELDS = {
 
 
 def is_gathered(states: Sequence[State], body: int) -> bool:
-    """Whether the fields of a body are gathered."""
+    """Whether the volume fields of a body are stored only for cells with plastic strain."""
     return any(len(state.zones(body)) > 1 for state in states)
 
 
 def max_von_mises(state: State, body: int) -> float:
-    """Return the maximum von Mises stress [Pa]; with several subdomains, the maximum in them."""
+    """Return the maximum von Mises stress [Pa], only within subdomains if there are several."""
     zones = state.zones(body)
     if len(zones) < 2:
         return float(state.von_mises(body=body).max())
@@ -57,7 +58,7 @@ def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> Non
     dataset.coords[dim] = dataset[dim].assign_attrs(compress=" ".join(_AXES))
     for name, has_components in _FIELDS.items():
         shape = (6, cells.size) if has_components else (cells.size,)
-        data = np.full((len(states), *shape), _beside(name))
+        data = np.full((len(states), *shape), _value_outside(name))
         for values, (numbers, fields) in zip(data, parts, strict=True):
             values[..., np.searchsorted(cells, numbers)] = fields.pop(name)
         dims = ("output_increment", *(["component"] if has_components else []), dim)
@@ -65,7 +66,7 @@ def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> Non
 
 
 def on_grid(field: xr.DataArray, dataset: xr.Dataset) -> xr.DataArray:
-    """Return a gathered field, or a part of it, with the dimensions x, y and z.
+    """Return a field stored for cells with plastic strain (or a part of it) on the grid x, y, z.
 
     Parameters
     ----------
@@ -89,7 +90,7 @@ def on_grid(field: xr.DataArray, dataset: xr.Dataset) -> xr.DataArray:
     shape = tuple(dataset.sizes[axis] for axis in _AXES)
     others = [other for other in field.dims if other != dim]
     rows = field.transpose(*others, dim).values
-    whole = np.full((*rows.shape[:-1], int(np.prod(shape))), _beside(str(field.name)))
+    whole = np.full((*rows.shape[:-1], int(np.prod(shape))), _value_outside(str(field.name)))
     whole[..., dataset[dim].values] = rows
     kept = {name: c for name, c in field.coords.items() if dim not in c.dims}
     coordinates = kept | {axis: dataset[axis] for axis in _AXES}
@@ -98,7 +99,7 @@ def on_grid(field: xr.DataArray, dataset: xr.Dataset) -> xr.DataArray:
 
 
 def cells_of(field: xr.DataArray, dataset: xr.Dataset) -> NDArray[np.int64] | None:
-    """Return the indices i, j, k of gathered cells, shape (3, cells); None for a full grid."""
+    """Return the indices i, j, k of the stored cells, shape (3, cells); None if all are stored."""
     for dim in field.dims:
         if "compress" in dataset[dim].attrs:
             shape = tuple(dataset.sizes[axis] for axis in _AXES)
@@ -106,13 +107,13 @@ def cells_of(field: xr.DataArray, dataset: xr.Dataset) -> NDArray[np.int64] | No
     return None
 
 
-def _beside(name: str) -> float:
-    """Return the value of a field in cells without plastic strain; NaN for unknown stress."""
+def _value_outside(name: str) -> float:
+    """Return the value of a field in cells without plastic strain: 0, or NaN for stresses."""
     return 0.0 if "strain" in name else np.nan
 
 
 def _of_state(state: State, body: int) -> tuple[NDArray[np.int64], dict[str, FloatArray]]:
-    """Return the numbers of the cells with plastic strain, and their fields, [component][cell]."""
+    """Return the numbers of cells with plastic strain, and the field in them, [component][cell]."""
     shape = (*state.grid.surface_shape, len(state.depths))
     numbers = []
     parts: dict[str, list[FloatArray]] = {name: [] for name in _FIELDS}

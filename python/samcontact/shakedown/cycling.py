@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repetition of a cycle until its long-term response is clear."""
+"""Repetition of a load cycle until the long-term plastic response is clear."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from .._util.checks import FloatArray, boolean, in_cells, integer, number, require_type, step_list
+from .._util.errors import attach
 from .._util.frozen import read_only
 from .._util.progress import progress_bar
 from ..bodies.layered import materials_of
@@ -31,9 +32,9 @@ from .results import (
 )
 
 _MAX_FLOW_CHANGE = 0.02
-"""Maximum change of the flow per cycle, relative to that of the preceding cycle."""
+"""Maximum difference between the plastic flows of successive cycles, relative to the last."""
 _MAX_RATE_CHANGE = 0.1
-"""Maximum change of the ratcheting rate over `_RATE_CYCLES` cycles, relative."""
+"""Maximum relative change of the ratcheting rate over `_RATE_CYCLES` cycles."""
 _RATE_CYCLES = 20
 
 
@@ -47,56 +48,58 @@ def run(
     progress: bool = True,
     checkpoint: str | os.PathLike[str] | None = None,
 ) -> ShakedownResult:
-    """Repeat a cycle until plastic flow has ceased, is closed in each cycle, or continues steadily.
+    """Repeat a cycle until plastic flow ceases, cancels over each cycle, or adds strain steadily.
 
     Parameters
     ----------
     simulation : Simulation
-        Simulation with an elastic-plastic body; afterwards it is in the state at the end of the
-        last cycle. Its grid must contain all plastic strain.
+        Simulation with an elastic-plastic body. The grid must contain all plastic strain. The
+        simulation is left in the state at the end of the last cycle.
     cycle : iterable of dict
         Steps of `Simulation.step` that return both bodies to their initial position: `passes`, or
         ``[*paths.rolling(...), {"load": 0.0, "advance": (s, s)}]``, or a fretting loop.
     cycles : int, optional
         Maximum number of solved cycles, >= 2.
     tol : float, optional
-        Strains below tol times the yield strain are neglected; in [1e-6, 0.1].
+        Tolerance, in [1e-6, 0.1]: strains below tol times the yield strain are neglected.
     accelerate : bool, optional
         Extrapolate over cycles if the changes in successive cycles form a geometric series. The
         next cycle must confirm the extrapolation, otherwise it is undone.
     progress : bool, optional
         Show a progress bar.
     checkpoint : path, optional
-        Folder for a checkpoint of each cycle. An equal call with a new simulation resumes from it,
-        with bit-identical results. Delete it when it is no longer needed.
+        Folder for a checkpoint of each cycle. A call with equal arguments and a new simulation
+        resumes from this folder, with bit-identical results. Delete the folder when it is no longer
+        needed.
 
     Returns
     -------
     ShakedownResult
         "elastic shakedown": a cycle adds less than tol yield strains of equivalent plastic strain.
-        "plastic shakedown": it ends within tol of its initial plastic strain, and its flow equals
-        that of the preceding cycle to 2 %. "ratcheting": the added strain has changed by less than
-        10 % over the last 20 cycles; a more slowly decreasing rate cannot be distinguished from a
-        steady one.
+        "plastic shakedown": a cycle changes the plastic strain by less than tol yield strains, and
+        its plastic flow equals the flow of the preceding cycle to 2 %. "ratcheting": the strain
+        added per cycle has changed by less than 10 % over the last 20 cycles; a rate that decreases
+        more slowly than this cannot be distinguished from a steady rate.
 
     Raises
     ------
     ValueError
-        No body can yield; the cycle has no steps or does not return a body; plastic strain lies
-        outside the volume fields; a value is outside its range. An error in a later cycle, or
-        Ctrl-C, holds the result of the completed cycles in its attribute `result`.
+        No body can yield; the cycle has no steps or does not return both bodies to their initial
+        position; plastic strain lies outside the volume fields; a value is outside its range. If a
+        later cycle fails, or is interrupted by Ctrl-C, the exception holds the result of the
+        completed cycles in its attribute `result`.
     TypeError
         simulation is not a Simulation.
 
     Warns
     -----
     NotSteadyWarning
-        The response is not clear after all cycles: the result is "undecided".
+        The response is not clear after the maximum number of cycles: the result is "undecided".
 
     Notes
     -----
-    The ends of a track constrain a contact that passes in one direction: use a surface that is
-    periodic along x, with `passes`, or a track much longer than the contact.
+    If the contact always passes in one direction, the ends of the track constrain the plastic flow:
+    use a surface that is periodic along x, with `passes`, or a track much longer than the contact.
     """
     require_type("simulation", simulation, Simulation)
     boolean("accelerate", accelerate)
@@ -119,15 +122,16 @@ def run(
                 bar.set_postfix(strain_per_cycle=f"{repeated.cycles[-1].net:.3g}")
         except BaseException as error:  # Ctrl-C too
             if repeated.cycles:
-                error.result = repeated.result()  # type: ignore[attr-defined]
+                attach(error, result=repeated.result())
             raise
         finally:
             repeated.take_back()
     if repeated.response == UNDECIDED:
         last = repeated.cycles[-1]
         warnings.warn(
-            f"response is not steady after {last.number} cycles: the last adds a plastic strain of "
-            f"{last.net:.3g}, with plastic flow of {last.flow:.3g}; increase cycles = {count}",
+            f"response is not steady after {last.number} cycles: the last cycle adds a "
+            f"plastic strain of {last.net:.3g} and has a plastic flow of {last.flow:.3g}; "
+            f"increase cycles, which is {count}",
             NotSteadyWarning,
             stacklevel=2,
         )
@@ -154,7 +158,7 @@ def _require_closed(simulation: Simulation, steps: Sequence[Mapping[str, Any]]) 
 
 
 class _RepeatedCycles:
-    """Cycles solved so far."""
+    """Cycles solved so far, and the extrapolations between them."""
 
     def __init__(
         self, simulation: Simulation, steps: list[dict[str, Any]], tol: float, accelerate: bool
@@ -196,7 +200,7 @@ class _RepeatedCycles:
             self._changes = []
         flow, net = (max(getattr(c, name) for c in found.values()) for name in ("flow", "net"))
         self.cycles.append(Cycle(self._number, flow, net))
-        self.response = self._judged()
+        self.response = self._classified()
         if self.response == UNDECIDED and self.accelerate and len(self._changes) == 3:
             self._jump = jump(self.simulation, self._changes, self._most)
             if self._jump is not None:
@@ -220,7 +224,7 @@ class _RepeatedCycles:
         return self.simulation.state
 
     def _confirmed(self, found: Changes) -> bool:
-        """Whether the cycle after a jump was as predicted; otherwise undo the jump."""
+        """Return whether the cycle after a jump agrees with the prediction; if not, undo it."""
         made, self._jump = self._jump, None
         assert made is not None
         if made.confirmed(found):
@@ -234,13 +238,13 @@ class _RepeatedCycles:
         return False
 
     def take_back(self) -> None:
-        """Undo a jump that no cycle has confirmed, if there is one."""
+        """Undo the last jump if no cycle has confirmed it."""
         if self._jump is not None:
             self.simulation.engine.stand_at(self._jump.state)
             self._number -= self._jump.cycles
             self._jump = None
 
-    def _judged(self) -> str:
+    def _classified(self) -> str:
         last = self.cycles[-1]
         if last.flow <= self.small:
             return SHAKEDOWN if any(c.flow > 0 for c in self.cycles) else ELASTIC
@@ -253,10 +257,10 @@ class _RepeatedCycles:
         earlier = [c.net for c in self.cycles if c.number <= last.number - _RATE_CYCLES]
         steady = bool(earlier) and abs(earlier[-1] - last.net) <= _MAX_RATE_CHANGE * last.net
         settled = len(self._changes) == 3  # the first cycle after a jump corrects the jump
-        return RATCHETING if steady and settled and self._alike() else UNDECIDED
+        return RATCHETING if steady and settled and self._adds_equal_strain() else UNDECIDED
 
-    def _alike(self) -> bool:
-        """Whether the last two cycles left approximately equal plastic strain."""
+    def _adds_equal_strain(self) -> bool:
+        """Whether the last two cycles added approximately equal plastic strains."""
         older, last = (
             [c.of("plastic_strain") for c in each.values()] for each in self._changes[-2:]
         )

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Extrapolation over cycles, from the changes in the last three.
+"""Extrapolation of the plastic strain over many cycles, from its changes in the last three.
 
-The changes d of successive cycles tend to a limit like a geometric series; the limit is zero if
-flow ceases. With e = d_n - d_(n-1), which is mu times the preceding difference,
+Let d_n be the change of the plastic strain in cycle n. The changes tend to a limit like a geometric
+series; the limit is zero if flow ceases. The difference e = d_n - d_(n-1) is mu times the preceding
+difference, so
 
     d_(n+j) = d_n + (mu + ... + mu^j) e .
 
-A jump over many cycles (Cojocaru and Karlsson 2006, Int. J. Fatigue 28, 1677-1689) adds their sum.
-It is made where it is expected to hold, and kept if the next cycle agrees with the prediction.
+A jump over many cycles (Cojocaru and Karlsson 2006, Int. J. Fatigue 28, 1677-1689) adds the sum of
+these changes to the strain. The jump is made if the expected error is small, and is undone unless
+the next cycle agrees with the prediction.
 """
 
 from __future__ import annotations
@@ -29,7 +31,7 @@ MAX_JUMP_CYCLES = 20
 _MAX_PREDICTION_ERROR = 0.3
 """Maximum error of the sum over a jump and of the next cycle, relative to the change per cycle."""
 _MIN_REMAINING_FRACTION = 0.1
-"""Fraction of decaying changes that is left to solved cycles."""
+"""Fraction of decaying changes that a jump leaves to solved cycles."""
 _MAX_DECAY_RATIO = 0.98
 Changes = Mapping[int, PlasticChange]
 
@@ -40,7 +42,7 @@ def norm(fields: Sequence[FloatArray]) -> float:
 
 @dataclass(frozen=True)
 class Trend:
-    """Trend of a field of all bodies over the last three cycles."""
+    """Trend of a field: its changes in each of the last three cycles, for every body."""
 
     oldest: list[FloatArray]
     older: list[FloatArray]
@@ -48,44 +50,44 @@ class Trend:
 
     @cached_property
     def steps(self) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Differences between successive changes, earlier and latest."""
+        """Differences between successive changes, first the earlier one, then the latest."""
         pairs = (self.oldest, self.older), (self.older, self.last)
         then, now = ([b - a for a, b in zip(*pair, strict=True)] for pair in pairs)
         return then, now
 
     @cached_property
     def factor(self) -> float:
-        """Factor mu, in [0, 0.98]."""
+        """Ratio mu of successive differences, in [0, 0.98]."""
         then, now = self.steps
         size = norm(then) ** 2
         cross = sum(product(a, b) for a, b in zip(then, now, strict=True))
         return min(max(cross / size, 0.0), _MAX_DECAY_RATIO) if size > 0 else 0.0
 
     @cached_property
-    def unlike(self) -> float:
+    def misfit(self) -> float:
         """Norm of the latest difference minus mu times the earlier one."""
         return norm([b - self.factor * a for a, b in zip(*self.steps, strict=True)])
 
     def weight(self, cycles: int) -> float:
-        """Weight of the latest difference in the change of a cycle a number of cycles later."""
+        """Return mu + ... + mu^cycles, the factor of the latest difference in `later`."""
         return float(np.sum(self.factor ** np.arange(1, cycles + 1)))
 
     def total(self, cycles: int) -> float:
-        """Sum of the weights of all cycles up to that one."""
+        """Return the sum of `weight` over the following cycles, up to the given number."""
         return float(np.sum(self.factor ** np.arange(1, cycles + 1) * np.arange(cycles, 0, -1)))
 
     def later(self, cycles: int) -> list[FloatArray]:
-        """Change in the cycle a number of cycles later."""
+        """Return the predicted change in one cycle, the given number of cycles after the last."""
         weight = self.weight(cycles)
         return [d + weight * e for d, e in zip(self.last, self.steps[1], strict=True)]
 
     def summed(self, cycles: int) -> list[FloatArray]:
-        """Change in all cycles up to a number of cycles later."""
+        """Return the predicted change in all of the following cycles, up to the given number."""
         total = self.total(cycles)
         return [cycles * d + total * e for d, e in zip(self.last, self.steps[1], strict=True)]
 
     def safe_cycles(self, most: int) -> int:
-        """Number of cycles over which the error of the sum is small."""
+        """Return the number of cycles over which the predicted change has a small error."""
         size = norm(self.last)
         if size == 0:
             return 0
@@ -93,12 +95,12 @@ class Trend:
             most = min(most, math.ceil(math.log(_MIN_REMAINING_FRACTION) / math.log(self.factor)))
         counts = range(1, most + 1)
         # The misfit may accumulate like the differences, and at least like that of a single cycle.
-        missed = [self.unlike * max(self.total(n), n) for n in counts]
+        missed = [self.misfit * max(self.total(n), n) for n in counts]
         return sum(miss <= _MAX_PREDICTION_ERROR * size for miss in missed)
 
 
 def trend(changes: Sequence[Changes], field: str) -> Trend | None:
-    """Trend of a field over three successive cycles; None if their cells differ."""
+    """Return the trend of a field over three cycles; None if its cells differ between cycles."""
     of_bodies = [
         at_common_depth([each[body].of(field) for each in changes]) for body in changes[-1]
     ]
@@ -115,10 +117,10 @@ class Jump:
     state: State
     cycles: int
     trend: Trend
-    """Trend of the plastic strain before it."""
+    """Trend of the plastic strain before the jump."""
 
     def away(self, found: Changes, after: int = 1) -> list[FloatArray]:
-        """Deviation of a cycle after the jump from its prediction."""
+        """Return the plastic strain change in a cycle after the jump minus the predicted change."""
         real = (change.of("plastic_strain") for change in found.values())
         expected = self.trend.later(self.cycles + after)
         pairs = [at_common_depth(pair) for pair in zip(real, expected, strict=True)]
@@ -132,10 +134,11 @@ class Jump:
         )
 
     def error(self, first: Changes, second: Changes | None = None) -> float:
-        """Estimated error of the plastic strain left by the jump [-], from the cycles after it.
+        """Estimate the plastic strain error due to the jump [-], from the cycles after the jump.
 
-        The first cycle corrects the error of the jump; a deviation of the second has grown
-        uniformly over the skipped cycles. Without a second cycle, all of the deviation has.
+        The deviation of the first cycle corrects the error of the jump. The deviation of the second
+        cycle is assumed to have grown uniformly over the skipped cycles; without a second cycle,
+        the deviation of the first is used instead.
         """
         missed = max(map(max_equivalent, self.away(first)))
         grown = (
@@ -147,7 +150,7 @@ class Jump:
 
 
 def jump(simulation: Simulation, changes: Sequence[Changes], most: int) -> Jump | None:
-    """Jump from the last three cycles if that is safe; otherwise None."""
+    """Jump over as many cycles as is safe, and return the jump; None if no jump is safe."""
     flow = trend(changes, "plastic_strain")
     if flow is None or (cycles := flow.safe_cycles(most)) < 2:
         return None

@@ -26,14 +26,14 @@ _PATH_POSITIONS = np.concatenate(
         [1e4],
     ]
 )
-"""Positions of a material point relative to the contact, in half-widths; denser at edges."""
+"""Positions of a material point relative to the contact, in half-widths; denser at the edges."""
 _MAX_FRICTION = 10.0
 EXACT, UPPER, LOWER = "exact", "upper", "lower"
 
 
 @dataclass(frozen=True)
 class ShakedownLimit(HtmlTable):
-    """Limit of the Hertz pressure.
+    """Limit of the maximum Hertz pressure, and the depth at which it is determined.
 
     Attributes
     ----------
@@ -41,11 +41,11 @@ class ShakedownLimit(HtmlTable):
         Maximum Hertz pressure p0 over the shear yield stress k [-]. k is the uniaxial yield stress
         divided by 2 (Tresca) or by the square root of 3 (von Mises).
     depth : float
-        Depth at which the body yields first above the limit, over the half-width or radius of the
-        contact along the rolling direction [-]; 0 at the surface.
+        Depth at which the body yields first above the limit, relative to the half-width or radius
+        of the contact along the rolling direction [-]; 0 at the surface.
     kind : str
-        "exact"; "upper", a bound above which there is certainly no elastic shakedown; or "lower",
-        a bound below which there certainly is.
+        "exact"; "upper": there is no elastic shakedown above this bound; or "lower": there is
+        always elastic shakedown below this bound.
     """
 
     ratio: float
@@ -70,11 +70,11 @@ def _coefficient(friction: float) -> float:
 
 
 def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
-    """Maximum of the required k/p0 over all depths, and its depth."""
-    asked = [strength(depth) for depth in _DEPTHS]
-    worst = int(np.argmax(asked))
+    """Return the maximum over all depths of the required k/p0, and the depth of this maximum."""
+    required_k = [strength(depth) for depth in _DEPTHS]
+    worst = int(np.argmax(required_k))
     if worst == 0:
-        return asked[0], 0.0
+        return required_k[0], 0.0
     bounds = (_DEPTHS[worst - 1], _DEPTHS[min(worst + 1, len(_DEPTHS) - 1)])
     found = scipy.optimize.minimize_scalar(
         lambda depth: -strength(depth),
@@ -82,33 +82,33 @@ def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
         method="bounded",
         options={"xatol": 1e-7},
     )
-    return max((-float(found.fun), float(found.x)), (asked[worst], float(_DEPTHS[worst])))
+    return max((-float(found.fun), float(found.x)), (required_k[worst], float(_DEPTHS[worst])))
 
 
 def _deviator(stress: FloatArray) -> FloatArray:
-    """Points whose distances are the square root of J2, in the plane y = 0, shape (n, 3)."""
+    """Map stresses in the plane y = 0 to points, shape (n, 3), with distance sqrt(J2) from 0."""
     xx, yy, zz, _, xz, _ = stress
     across = (yy - 0.5 * (xx + zz)) / math.sqrt(3.0)
     return np.stack([0.5 * (xx - zz), across, xz], axis=-1)
 
 
 def _smallest_ball(deviator: FloatArray) -> float:
-    """Radius of the smallest ball that encloses points of `_deviator`."""
+    """Return the radius of the smallest ball that encloses all points from `_deviator`."""
     shears = np.zeros((len(deviator), 6, 1))
     shears[:, 3:, 0] = deviator  # the sum of their squares is J2
     return float(crossland(shears, slope=0.0).max_value)
 
 
 def _both_signs(deviator: FloatArray) -> FloatArray:
-    """Path with mirrored shear, which no residual shear can shift to one side."""
+    """Return a path and its image with reversed shear, which residual shear cannot make smaller."""
     return np.concatenate([deviator, deviator * [1.0, 1.0, -1.0]])
 
 
 def _tresca(deviator: FloatArray) -> float:
-    """Minimum k by Tresca's criterion, for free residual stresses xx and yy."""
+    """Return the minimum k by Tresca's criterion if the residual stresses xx and yy are free."""
     half, across, shear = deviator[:, 0], math.sqrt(3.0) * deviator[:, 1], deviator[:, 2]
 
-    def asked(shift: float) -> float:
+    def required_k(shift: float) -> float:
         # In-plane stresses lie within the radius of their mean, yy at `across` from it. The optimum
         # residual yy places the mean at both ends of (across - radius, across + radius).
         radius = np.hypot(half - shift, shear)
@@ -116,7 +116,7 @@ def _tresca(deviator: FloatArray) -> float:
         return float(max(radius.max(), out_of_plane))
 
     found = scipy.optimize.minimize_scalar(
-        asked, bounds=(half.min(), half.max()), method="bounded", options={"xatol": 1e-10}
+        required_k, bounds=(half.min(), half.max()), method="bounded", options={"xatol": 1e-10}
     )
     return float(found.fun)
 
@@ -136,50 +136,50 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> S
     """Elastic shakedown of a line contact on a perfectly plastic body, by Melan's theorem.
 
     A body shakes down if some residual stress keeps the whole passage within the yield surface.
-    Residual stress after repeated passages is uniform along the surface. Equilibrium then leaves
-    only sigma_xx and sigma_yy free, independently at each depth, so this limit is exact.
+    Residual stress after repeated passages is uniform along the surface. Equilibrium then allows
+    only the components sigma_xx and sigma_yy, with any variation with depth, so this limit is
+    exact.
 
     Parameters
     ----------
     friction : float, optional
-        Traction over pressure of a contact in full sliding, in [0, 10] [-].
+        Ratio of shear traction to pressure in full sliding, in [0, 10] [-].
     nu : float, optional
-        Poisson's ratio, in [0, 0.5]; it has an effect if sigma_yy has.
+        Poisson's ratio, in [0, 0.5]; it affects the limit only through sigma_yy.
     criterion : {"tresca", "von_mises"}, optional
         Yield criterion.
 
     Returns
     -------
     ShakedownLimit
-        4.000 without friction, at a depth of half a half-width, where the shear sigma_xz
-        alternates. With Tresca's criterion 1/friction at the surface for friction >= 0.367.
+        Without friction p0/k = 4.000, at a depth of 0.5 half-widths, where the shear stress
+        sigma_xz alternates. With Tresca's criterion and friction >= 0.367, p0/k = 1/friction at the
+        surface.
 
     Raises
     ------
     ValueError
         An argument is outside its range.
 
-    Notes
-    -----
-    Johnson (1985), section 9.2; Melan (1938); Johnson and Jefferis (1963). The shear is that of
-    full sliding.
+    Notes ----- Johnson (1985), section 9.2; Melan (1938); Johnson and Jefferis (1963). The shear
+    traction is friction times pressure (full sliding).
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     if choice("criterion", criterion, ("tresca", "von_mises")) == "tresca":
-        asked, depth = _worst_depth(lambda z: _tresca(_line_path(z, nu, friction)))
+        required_k, depth = _worst_depth(lambda z: _tresca(_line_path(z, nu, friction)))
     else:
-        asked, depth = _worst_depth(
+        required_k, depth = _worst_depth(
             lambda z: _smallest_ball(_both_signs(_line_path(z, nu, friction)))
         )
-    return ShakedownLimit(1.0 / asked, depth, EXACT)
+    return ShakedownLimit(1.0 / required_k, depth, EXACT)
 
 
 def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Elastic shakedown of a line contact on a body with linear kinematic hardening.
 
-    The backstress is free everywhere: the body shakes down if the path of the stress deviator of
-    each point fits into the yield surface, wherever its centre. Above the limit there is plastic
-    shakedown, and never ratcheting.
+    The backstress can take any value at each point. The body therefore shakes down if the path of
+    the stress deviator at each point fits into the yield surface, shifted by any backstress. Above
+    the limit there is plastic shakedown, and never ratcheting.
 
     Parameters
     ----------
@@ -201,16 +201,17 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Melan (1938); Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
-    asked, depth = _worst_depth(lambda z: _smallest_ball(_line_path(z, nu, friction)))
-    return ShakedownLimit(1.0 / asked, depth, EXACT)
+    required_k, depth = _worst_depth(lambda z: _smallest_ball(_line_path(z, nu, friction)))
+    return ShakedownLimit(1.0 / required_k, depth, EXACT)
 
 
 def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Upper bound of elastic shakedown of a circular contact on a perfectly plastic body.
 
-    Residual stress cannot shrink the path of the deviator of a point, so its smallest enclosing
-    ball is a bound; without friction, given by the maximum orthogonal shear, 0.21389 p0. At the
-    surface residual shear sigma_xz must vanish, which gives a bound of 1/friction or less.
+    Residual stress shifts the path of the stress deviator at a point but cannot shrink it, so the
+    smallest ball that encloses this path gives a bound. Without friction the bound follows from the
+    maximum orthogonal shear stress, 0.21389 p0. At the surface the residual shear stress sigma_xz
+    must vanish, which gives p0/k <= 1/friction.
 
     Parameters
     ----------
@@ -220,35 +221,33 @@ def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Returns
     -------
     ShakedownLimit
-        Limit with von Mises' criterion at points in the plane y = 0; 4.675 without
-        friction.
+        Limit with von Mises' criterion at points in the plane y = 0; p0/k = 4.675 without friction.
 
     Raises
     ------
     ValueError
         An argument is outside its range.
 
-    Notes
-    -----
-    Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the surface
-    residual shear is admitted without regard to equilibrium: with friction the limit may be lower.
+    Notes ----- Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the
+    surface any residual shear stress is admitted, even if it is not in equilibrium. With friction
+    the true limit may therefore be lower.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
 
-    def asked(depth: float) -> float:
+    def required_k(depth: float) -> float:
         path = _point_path(depth, nu, friction)
         return _smallest_ball(path if depth > 0.0 else _both_signs(path))
 
-    largest, depth = _worst_depth(asked)
+    largest, depth = _worst_depth(required_k)
     return ShakedownLimit(1.0 / largest, depth, UPPER)
 
 
 def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Lower bound of elastic shakedown of a circular contact on a perfectly plastic body.
 
-    Residual stress sigma_xx along the rolling direction can have any profile transverse to it: it
-    is in equilibrium by itself. By Melan's theorem a body shakes down if this stress keeps the
-    passage within the yield surface; other residual stresses may give a higher bound.
+    A residual stress sigma_xx that is uniform along the rolling direction x is in equilibrium for
+    any variation with y and z. By Melan's theorem a body shakes down if this stress keeps the whole
+    passage within the yield surface; other residual stresses may allow a higher pressure.
 
     Parameters
     ----------
@@ -258,8 +257,8 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Returns
     -------
     ShakedownLimit
-        Limit with von Mises' criterion at points in the plane y = 0, where it is lowest;
-        3.23 without friction, 3 % below `point` for a coefficient of 0.4.
+        Limit with von Mises' criterion at points in the plane y = 0, where the limit is lowest:
+        p0/k = 3.23 without friction, and 3 % below `point` for a coefficient of friction of 0.4.
 
     Raises
     ------
@@ -269,7 +268,7 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     along = np.array([0.5, -0.5 / math.sqrt(3.0), 0.0])  # shift of the centre due to sigma_xx
 
-    def asked(depth: float) -> float:
+    def required_k(depth: float) -> float:
         path = _point_path(depth, nu, friction)
         reach = 2.0 * float(np.abs(path).max())
         found = scipy.optimize.minimize_scalar(
@@ -280,7 +279,7 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
         )
         return float(found.fun)
 
-    largest, depth = _worst_depth(asked)
+    largest, depth = _worst_depth(required_k)
     return ShakedownLimit(1.0 / largest, depth, LOWER)
 
 
@@ -295,7 +294,7 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     Returns
     -------
     ShakedownLimit
-        As `line_kinematic`, at points in the plane y = 0, where it is lowest.
+        Limit with von Mises' criterion at points in the plane y = 0, where the limit is lowest.
 
     Raises
     ------
@@ -303,29 +302,31 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
         An argument is outside its range.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
-    asked, depth = _worst_depth(lambda z: _smallest_ball(_point_path(z, nu, friction)))
-    return ShakedownLimit(1.0 / asked, depth, EXACT)
+    required_k, depth = _worst_depth(lambda z: _smallest_ball(_point_path(z, nu, friction)))
+    return ShakedownLimit(1.0 / required_k, depth, EXACT)
 
 
 def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
-    """Upper bound of elastic shakedown of an elliptic contact, from its maximum orthogonal shear.
+    """Upper bound of elastic shakedown of an elliptic contact, from the orthogonal shear stress.
 
-    The shear sigma_xz alternates between +-tau_0 as the contact passes. Neither residual stress nor
-    kinematic hardening reduces its range, so p0/k <= p0/tau_0. Friction shifts both ends equally.
+    The shear stress sigma_xz alternates between +tau_0 and -tau_0 as the contact passes. Neither
+    residual stress nor kinematic hardening reduces the range of this stress, so p0/k <= p0/tau_0.
+    Friction shifts both extremes equally.
 
     Parameters
     ----------
     k : float
-        Semi-axis transverse to the rolling direction over the semi-axis along it, > 0 [-], e.g. `k`
-        of `hertz.elliptic` for rolling along x.
+        Semi-axis transverse to the rolling direction divided by the semi-axis along this direction,
+        > 0 [-], e.g. `k` of `hertz.elliptic` for rolling along x.
     friction : float, optional
-        Traction over pressure, in [0, 10] [-]. The surface of a perfectly plastic body yields above
-        1/friction, because residual shear vanishes there.
+        Ratio of shear traction to pressure, in [0, 10] [-]. The surface of a perfectly plastic body
+        yields in each pass for p0/k above 1/friction, because the residual shear stress vanishes at
+        the surface.
 
     Returns
     -------
     ShakedownLimit
-        4.675 for a circle (k = 1), 4.000 for a line.
+        Upper bound; p0/k = 4.675 for a circular contact (axis ratio 1), 4.000 for a line contact.
 
     Raises
     ------
@@ -355,19 +356,19 @@ def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
 def first_yield(
     friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca"
 ) -> ShakedownLimit:
-    """First yield of a line contact: the elastic limit, below shakedown.
+    """Elastic limit of a line contact: pressure at first yield, below the shakedown limit.
 
     Parameters and errors as for `line`.
 
     Returns
     -------
     ShakedownLimit
-        From the maximum stress at any point (`hertz.LineContact.stress`).
+        Limit from the maximum stress at any point (`hertz.LineContact.stress`).
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     tresca = choice("criterion", criterion, ("tresca", "von_mises")) == "tresca"
 
-    def asked(depth: float) -> float:
+    def required_k(depth: float) -> float:
         half, across, shear = _line_path(depth, nu, friction).T
         radius = np.hypot(half, shear)
         if tresca:
@@ -375,5 +376,5 @@ def first_yield(
             return float(np.maximum(radius, beside).max())
         return float(np.hypot(radius, across).max())
 
-    largest, depth = _worst_depth(asked)
+    largest, depth = _worst_depth(required_k)
     return ShakedownLimit(1.0 / largest, depth, EXACT)

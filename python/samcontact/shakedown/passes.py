@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cycle of a pressure that passes over a periodic surface."""
+"""Load cycle of a prescribed pressure that passes over a periodic surface."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ from ..problem.grid import Grid
 def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, Any]]:
     """Move a prescribed pressure once over a surface that is periodic along x.
 
-    It moves towards +x through one period, from its given position. Every point of the surface
-    undergoes an equal history, as below a train of equal rollers, one per period. The contact is
-    not solved. In full sliding the shear along +x moves with the pressure.
+    The pressure moves towards +x through one period, starting at its given position. All points at
+    one depth and one y have the same stress history, as under a train of equal rollers, one per
+    period. The contact is not solved. With friction given as a number, the shear traction along +x
+    moves with the pressure.
 
     Parameters
     ----------
@@ -26,12 +27,12 @@ def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, An
     pressure : array_like, shape (nx, ny)
         Contact pressure [Pa], e.g. of `hertz.line`, centred in a period of at least 6 half-widths.
     cells : int, optional
-        Number of cells between two steps; must divide nx.
+        Number of cells by which the pressure moves in each step; must divide nx.
 
     Returns
     -------
     list of dict
-        For `run` or `Simulation.run`.
+        Steps for `run` or `Simulation.run`.
 
     Raises
     ------
@@ -55,6 +56,6 @@ def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, An
         )
     step = integer("cells", cells, 1)
     if grid.nx % step:
-        raise ValueError(f"cells must divide nx = {grid.nx}, got {cells!r}")
+        raise ValueError(f"cells must be a divisor of nx ({grid.nx}), got {cells!r}")
     start = tractions("pressure", pressure, grid.surface_shape)
     return [{"pressure": np.roll(start, n, axis=0)} for n in range(0, grid.nx, step)]

@@ -21,7 +21,7 @@ _SHEAR_WEIGHTS = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])[:, None, None, None]
 
 @dataclass(frozen=True)
 class PlasticChange:
-    """Change of a body in one cycle; the first row of its cells is at row `first` of the grid."""
+    """Plastic change of a body in one cycle; row 0 of its fields is row `first` of the grid."""
 
     first: int
     before: dict[str, FloatArray]
@@ -41,19 +41,19 @@ class PlasticChange:
 
 
 def max_equivalent(strain: FloatArray) -> float:
-    """Maximum of sqrt(2/3 e:e)."""
+    """Return the maximum over all cells of sqrt(2/3 e:e), for a strain e."""
     squares: FloatArray = np.sum(_SHEAR_WEIGHTS * strain**2, axis=0)
     return math.sqrt(2.0 / 3.0 * float(squares.max()))
 
 
 def product(one: FloatArray, other: FloatArray) -> float:
-    """Sum over cells of a product; for tensors, over all nine components."""
+    """Return the sum over all cells of a product a:b; for tensors, of all nine components."""
     weights = _SHEAR_WEIGHTS if one.ndim > 3 else 1.0
     return float(np.sum(weights * one * other))
 
 
 def at_common_depth(fields: Sequence[FloatArray]) -> list[FloatArray]:
-    """Extend fields to an equal number of layers; there is no plastic strain below."""
+    """Extend fields by layers of zeros (no plastic strain) to an equal number of layers."""
     deepest = max(field.shape[-1] for field in fields)
     return [
         np.pad(field, [(0, 0)] * (field.ndim - 1) + [(0, deepest - field.shape[-1])])
@@ -62,7 +62,7 @@ def at_common_depth(fields: Sequence[FloatArray]) -> list[FloatArray]:
 
 
 def tracks(simulation: Simulation, state: State, bodies: Sequence[int]) -> dict[int, Track]:
-    """Tracks with all plastic strain of each body.
+    """Return the track of each elastic-plastic body, which must contain all plastic strain.
 
     Raises ValueError if plastic strain lies outside the volume fields.
     """
@@ -82,7 +82,7 @@ def tracks(simulation: Simulation, state: State, bodies: Sequence[int]) -> dict[
 
 
 def change(before: Track, after: Track) -> PlasticChange:
-    """Change of a body between two tracks."""
+    """Return the change of the plastic state of a body between two tracks."""
     pairs = {name: on_common_cells(before, after, name) for name in FIELDS}
     start = min(before.x[0], after.x[0])
     first = after.first - round((after.x[0] - start) / after.grid.dx)

@@ -27,9 +27,8 @@ class Cycle:
     flow: float
     """Maximum equivalent plastic strain added in the cycle [-]."""
     net: float
-    """Maximum magnitude of the plastic strain change over the cycle [-].
-
-    The magnitude is the square root of 2/3 e_ij e_ij, which reversed flow does not accumulate.
+    """Maximum magnitude sqrt(2/3 e_ij e_ij) of the plastic strain change e over the cycle [-].
+    Forward and reversed flow cancel in this change.
     """
 
 
@@ -41,22 +40,24 @@ class ShakedownResult(ShortRepr, HtmlTable):
     ----------
     response : str
         "elastic": no plastic flow. "elastic shakedown": flow has ceased. "plastic shakedown":
-        flow is closed in each cycle. "ratcheting": each cycle adds as much plastic strain as the
-        preceding one. "undecided": none of these yet.
+        plastic flow cancels over each cycle. "ratcheting": each cycle adds as much plastic strain
+        as the preceding one. "undecided": none of these responses is clear so far.
     rate : float
-        `net` of the last cycle: plastic strain left by each cycle [-].
+        Plastic strain that the last cycle left, `net` of this cycle [-].
     flow : float
-        `flow` of the last cycle [-].
+        Accumulated equivalent plastic strain added by the last cycle, `flow` of this cycle [-].
     cycles : tuple of Cycle
         Solved cycles, without undone extrapolations.
     solved : int
-        Number of all solved cycles, including those of undone extrapolations.
+        Number of all solved cycles, including cycles after extrapolations that were undone.
     error : float
-        Estimated error of any plastic strain component due to extrapolation [-]; 0 without it.
+        Estimated maximum error of the plastic strain due to extrapolation [-]; 0 without
+        extrapolation.
     rejected : int
-        Number of extrapolations that were not confirmed by a cycle, and undone.
+        Number of extrapolations that were undone because the next cycle did not confirm them.
     yield_strain : float
-        Yield stress over Young's modulus of the body that yields first, as a reference for strains.
+        Yield stress divided by Young's modulus, for the body that yields first: a reference for
+        strains.
     state : State
         State at the end of the last cycle.
     """
@@ -97,7 +98,7 @@ class ShakedownResult(ShortRepr, HtmlTable):
         return self._strain[choice("body", body, tuple(self._strain))]
 
     def residual_stress(self, body: int = 2) -> FloatArray:
-        """Residual stress at the end [Pa], shape (6, nx, ny, nz), see `State.residual_stress`."""
+        """Return the residual stress after the last cycle [Pa], see `State.residual_stress`."""
         return self.state.residual_stress(body)
 
     def _rows(self) -> Rows:

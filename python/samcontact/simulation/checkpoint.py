@@ -34,7 +34,7 @@ KIND = "simulation"
 
 
 def write_checkpoint(path: str | os.PathLike[str], kept: Snapshot, **more: Any) -> None:
-    """Write a checkpoint file; an old file stays if this fails. more: further trees to store."""
+    """Write a checkpoint file; if this fails, an old file remains. more: further data to store."""
     tree = {"scene": _scene(kept.arguments), "state": kept.state, "counters": kept.counters}
     write(path, KIND, tree | more)
 
@@ -42,7 +42,7 @@ def write_checkpoint(path: str | os.PathLike[str], kept: Snapshot, **more: Any) 
 def read_checkpoint(
     path: str | os.PathLike[str], softening: Sequence[Any]
 ) -> tuple[Snapshot, Tree]:
-    """Read a checkpoint file; return its snapshot and all its trees."""
+    """Read a checkpoint file; return the snapshot of the simulation and all data trees."""
     try:
         law1, law2 = softening
     except (TypeError, ValueError) as error:
@@ -56,7 +56,7 @@ def read_checkpoint(
 
 
 def _scene(given: Mapping[str, Any]) -> Tree:
-    """Convert the arguments of a simulation to a tree."""
+    """Convert the arguments of a simulation to a tree of plain data."""
     scene: Tree = {
         "grid": given["grid"].__getstate__(),
         "settings": {item.name: given[item.name] for item in fields(Settings)}
@@ -96,12 +96,15 @@ def _body_tree(body: Body) -> Tree:
 
 
 def _arguments(scene: Tree, *laws: Any) -> dict[str, Any]:
-    """Convert a tree back to the arguments of a simulation."""
+    """Convert a tree of plain data back to the arguments of a simulation."""
     given: dict[str, Any] = dict(scene["settings"])
     known = {item.name: item.default for item in fields(Settings)}
     required = {name for name, default in known.items() if default is not None}
     if not required <= set(given) <= set(known):
-        raise ValueError(f"unexpected settings in the checkpoint: {', '.join(given) or 'missing'}")
+        raise ValueError(
+            "checkpoint must contain the settings of this version, got "
+            f"{', '.join(given) or 'none'}"
+        )
     given["friction"] = law_of(given["friction"])
     given["contact_law"] = contact_law.law_of(given["contact_law"])
     given["heat"] = Heat(**scene["heat"])

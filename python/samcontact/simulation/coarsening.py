@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Coarsening of a setup to half as many cells along x, y and z, and its truncation error."""
+"""Coarsening of a simulation setup to half as many cells along x, y and z."""
 
 from __future__ import annotations
 
@@ -30,18 +30,18 @@ Path = Sequence[Mapping[str, Any]]
 
 
 def coarser(setup: SimulationSetup, domain: Domain) -> tuple[SimulationSetup, Domain]:
-    """Return the setup and domain on cells twice as long, wide and deep.
+    """Return the setup and domain of a simulation on cells twice as long, wide and deep.
 
-    With elastic-plastic layers, the coarse cells are two to three times as deep, so that they fit
-    the layers, or as deep as before. Surfaces given as functions are evaluated on the coarser grid.
-    Heights known on one grid only are averaged over its cells (interpolated for a smooth
-    paraboloid).
+    If the body has elastic-plastic layers, each layer must be a whole number of coarse cells thick:
+    the cells become two to three times as deep or, if this is impossible, keep their depth.
+    Surfaces given as functions are evaluated on the coarser grid. Surfaces given as an array of
+    heights are averaged over the coarser cells (interpolated for a smooth paraboloid).
 
     Raises
     ------
     ValueError
-        The cells along a periodic direction cannot be halved, or a relief is periodic with an odd
-        number of rows.
+        The number of cells along a periodic direction cannot be halved, or a periodic relief has an
+        odd number of rows.
     """
     grid, surfaces = coarser_grid(domain.grid, setup.bodies), setup.surfaces
     gap: Any = surfaces.gap
@@ -56,10 +56,11 @@ def coarser(setup: SimulationSetup, domain: Domain) -> tuple[SimulationSetup, Do
 
 
 def coarser_grid(grid: Grid, bodies: Sequence[Body] = ()) -> Grid:
-    """Return a grid of cells twice as large that covers at least the area of the given one.
+    """Return a grid of cells twice as large that covers at least the area of the given grid.
 
-    Interfaces of elastic-plastic layers remain between its layers of cells. An odd number of cells
-    stays odd, so that a point at the centre of a cell or between two cells remains there.
+    Interfaces of elastic-plastic layers still lie between two layers of cells. An odd number of
+    cells along x or y remains odd, so the origin remains at the centre of a cell; likewise, it
+    remains between two cells if the number is even.
     """
     given: dict[str, Any] = {}
     for axis, n, d in zip("xy", (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True):
@@ -91,9 +92,9 @@ def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
 
 
 def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int]]:
-    """Coarsen a path to whole cells of twice the length; also map its increments to the new ones.
+    """Convert a path to cells twice as long; return it and the new number of each increment.
 
-    Two increments that move by an equal odd number of cells are merged; others are unchanged.
+    Two successive increments with an equal odd number of cells of motion are merged into one.
     """
     steps: list[dict[str, Any]] = []
     which: list[int] = []
@@ -115,7 +116,7 @@ def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int
 
 
 def _of_both(step: Mapping[str, Any]) -> dict[str, Any]:
-    """Combine the motions of two equal increments; tangential forces are totals."""
+    """Combine two equal increments: add their motions; forces are those of the second increment."""
     moved: dict[str, Any] = {"advance": tuple(2 * s for s in step["advance"])}
     if step.get("shift") is not None:
         moved["shift"] = tuple(None if s is None else 2 * s for s in step["shift"])
@@ -125,7 +126,7 @@ def _of_both(step: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def coarser_strain(strain: FloatArray, fine: Grid, grid: Grid) -> FloatArray:
-    """Average strain (6, nx, ny, layers) over coarser cells; it is 0 outside the finer grid."""
+    """Average a strain (6, nx, ny, layers) over coarser cells; outside the fine grid it is 0."""
     for axis, (m, n) in enumerate(_counts(grid, fine), 1):
         if n > 1:
             pad = max(0, math.ceil(0.5 * (2 * m - n)))
@@ -139,7 +140,7 @@ def coarser_strain(strain: FloatArray, fine: Grid, grid: Grid) -> FloatArray:
 def _means_along(
     field: FloatArray, axis: int, zeros: tuple[int, int], edges: FloatArray
 ) -> FloatArray:
-    """Average a zero-padded field along one axis, between edges given in cells."""
+    """Pad a field with zeros along one axis, and average it between given edges [cells]."""
     width = [zeros if axis == other else (0, 0) for other in range(field.ndim)]
     lines = np.moveaxis(np.pad(field, width), axis, 0)
     means = _means(lines.reshape(len(lines), -1), edges, 0)
@@ -147,25 +148,26 @@ def _means_along(
 
 
 def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
-    """Fraction of the mean square slope of heights that a grid of half the cells cannot resolve.
+    """Fraction of the mean square slope of a surface that cells twice as large cannot resolve.
 
     Parameters
     ----------
     heights : array_like, shape (nx, ny)
-        [m]; a best-fit paraboloid is subtracted, and the edges are tapered (Hann window).
+        Heights of the surface [m]; a best-fit paraboloid is subtracted, and the edges are tapered
+        (Hann window).
     dx, dy : float
         Cell sizes [m].
 
     Returns
     -------
     float
-        In [0, 1]: waves shorter than 4 dx along x or 4 dy along y. NaN for a smooth surface, and
-        for fewer than 8 cells per side.
+        Fraction in [0, 1] that is due to waves shorter than 4 dx along x or 4 dy along y. NaN for a
+        smooth surface, and for fewer than 8 cells per side.
 
-    Notes
-    -----
-    If the slope spectrum is a power law of the wavenumber, as for a self-affine surface, the next
-    octave, beyond the grid itself, contains at least this fraction times the ratio of the last two.
+    Notes ----- The fraction is that of the last octave of wavenumbers on this grid. If the slope
+    spectrum is a power law of the wavenumber, as for a self-affine surface, the next octave, which
+    this grid cannot resolve, contains at least this fraction times the ratio of the last two
+    octaves.
     """
     field = np.asarray(heights, dtype=np.float64)
     finite_array("heights", field, field.shape)
@@ -187,7 +189,7 @@ def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
 
 def _gap(setup: SimulationSetup, domain: Domain, grid: Grid) -> FloatArray:
     body = np.isfinite(domain.initial_gap)
-    if not body.all():  # cells mostly covered by a body take its height
+    if not body.all():  # cells mostly covered by a body get its height
         share = _averaged(body.astype(np.float64), domain.grid, grid)
         height = _averaged(np.where(body, domain.initial_gap, 0.0), domain.grid, grid)
         kept = share >= 0.5
@@ -213,7 +215,7 @@ def _counts(grid: Grid, fine: Grid) -> list[tuple[int, int]]:
 
 
 def _averaged(field: FloatArray, fine: Grid, grid: Grid) -> FloatArray:
-    """Average a field over the cells of a coarser grid with a common centre."""
+    """Average a field over the cells of a coarser grid with the same centre."""
     for axis, (m, n) in enumerate(_counts(grid, fine)):
         if n == 1:
             continue
@@ -227,7 +229,7 @@ def _averaged(field: FloatArray, fine: Grid, grid: Grid) -> FloatArray:
 
 
 def _means(field: FloatArray, edges: FloatArray, axis: int) -> FloatArray:
-    """Average a field of cells between edges given in cells, along one axis."""
+    """Average a field of cells along one axis between given edges [cells]."""
     lines = np.moveaxis(field, axis, 0)
     sums = np.concatenate([np.zeros((1, lines.shape[1])), np.cumsum(lines, axis=0)])
     below = np.clip(np.floor(edges).astype(int), 0, len(lines) - 1)
@@ -239,7 +241,10 @@ def _relief(relief: Relief, fine: Grid, grid: Grid) -> Relief:
     """Average the rows of a relief over the cells of a coarser grid."""
     rows = len(relief.heights)
     if relief.periodic and rows % 2 != 0:
-        raise ValueError(f"a relief with a period of {rows} rows cannot be coarsened by two")
+        raise ValueError(
+            "a periodic relief must have an even number of rows so that every two rows "
+            f"can be merged, got {rows}"
+        )
     begins = relief.first - 0.5 * fine.nx  # from the centre of the grid, in fine cells
     first = math.floor(0.5 * begins + 0.5 * grid.nx)
     ends = math.ceil(0.5 * (begins + rows) + 0.5 * grid.nx)

@@ -14,7 +14,7 @@ def _friction(law: Any) -> str:
 
 
 def simulation_rows(simulation: Any) -> Rows:
-    """Rows of the setup and the current state of a simulation."""
+    """Return the table rows that describe the setup and the current state of a simulation."""
     grid, state = simulation.grid, simulation.state
     cells = counts(*(grid.volume_shape if grid.nz > 0 else grid.surface_shape))
     sizes = lengths(*(size for size in (grid.dx, grid.dy, grid.dz) if size is not None))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The solver of a simulation: increments on a grid that may be enlarged."""
+"""Solver of the increments of a simulation, on a grid that may be enlarged."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from typing import Any
 from .. import _core
 from .._core import ConvergenceError, GridTooSmallError
 from .._util import memory
-from ..contact.border_advice import ENLARGEMENT_HINT, advised, told_of_fixed
-from ..contact.enlargement import counts_for, even_more, told_in
+from ..contact.border_advice import ENLARGEMENT_HINT, add_border_remedies, advised
+from ..contact.enlargement import counts_for, enlarged_evenly, explain_failed_enlargement
 from ..contact.interpenetration import may_overlap, require_apart
 from ..diagnostics.hertz_estimate import ContactSetup, explain_digits, explain_size
 from ..diagnostics.monitor import Monitor
@@ -35,7 +35,7 @@ _logger = logging.getLogger("samcontact")
 
 
 class Engine:
-    """Solver of the increments of a simulation, on a grid with surfaces that may be enlarged.
+    """Solver of the increments of a simulation, on a domain (grid, surfaces) that may be enlarged.
 
     The domain is enlarged if the contact reaches its edge and the surfaces are known beyond it,
     except with on_border="warn".
@@ -54,9 +54,9 @@ class Engine:
         """The domain before any enlargement."""
 
     def _open(self, domain: Domain, stand: Callable[[Any], object] | None = None) -> None:
-        """Switch to another domain; `stand` sets the state of the new core, by default the start.
+        """Switch to another domain; `stand` sets the state of the new core (default: initial).
 
-        After an error or interrupt the old domain and core remain in use.
+        After an error or interrupt, the old domain and core remain in use.
         """
         core = self._core_over(domain)
         if stand is not None:
@@ -85,7 +85,7 @@ class Engine:
         )
 
     def _checked_domain(self, grid: Grid, current: Domain | None = None) -> Domain:
-        """Return the domain of a grid; its surfaces must agree with the `current` ones."""
+        """Return the domain of a grid; on common cells, its surfaces must equal `current`."""
         setup = self.setup
         scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
         cell = memory_of_contact(setup.friction, setup.bodies, self.heat)
@@ -108,13 +108,13 @@ class Engine:
         return self.state_of(self.core.state, self.heat)
 
     def state_of(self, core: Any, heat: Heat) -> State:
-        """Return the state of a core state, with the heating of the next increment."""
+        """Wrap a state of the core as a State, with the heating of the next increment."""
         return State(core, self.setup, self.domain, heat, lambda: dict(self.core.counters))
 
     def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, Any, Any]:
-        """Solve an increment; return its arguments and the core state.
+        """Solve an increment; return it with the core state before and the core state after it.
 
-        The second item is the core state before the increment if the bodies might overlap, or None.
+        The core state before the increment is None unless the bodies might overlap.
         """
         with self.access:
             while True:
@@ -122,7 +122,7 @@ class Engine:
                 target = step.target
                 self.setup.contact_law.require_possible(step.heat, given)
                 if monitor.checks_steps:
-                    monitor.doubt(self.estimate, step.heat, target, stacklevel=4)
+                    monitor.warn_of_units(self.estimate, step.heat, target, stacklevel=4)
                 if target and not any(step.heat.shares):
                     self.make_room(**target)
                 before = self.core.state if target and self._may_overlap else None
@@ -136,7 +136,7 @@ class Engine:
                     self._enlarge(error, **target)
 
     def advance(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[State, list[str]]:
-        """Advance by one increment; return its state and warnings about the edge of the grid."""
+        """Advance by one increment; return the new state, and warnings about the grid edge."""
         setup = self.setup
         step, before, core = self.solve(given, monitor)
         state = self.state_of(core, step.heat)
@@ -156,7 +156,7 @@ class Engine:
         return state, complaints
 
     def make_room(self, load: float | None = None, approach: float | None = None) -> None:
-        """Enlarge the domain to contain the expected Hertz contact, if there is one.
+        """Enlarge the domain to contain the expected Hertz contact, if the gap is a paraboloid.
 
         Raises GridTooSmallError if the domain cannot be enlarged.
         """
@@ -174,7 +174,7 @@ class Engine:
     def hold_strain(self, core: Any) -> bool:
         """Enlarge the domain to include all plastic strain of the current core state.
 
-        Return whether it was enlarged.
+        Return whether the domain was enlarged.
         """
         boxes = core.strain_beyond(0), core.strain_beyond(1)
         if not any(boxes):
@@ -185,18 +185,18 @@ class Engine:
             for axis, (n, first, cells) in enumerate(zip(shape, box[:2], box[2:4], strict=True)):
                 beside = max(-first, first + cells - n, 0)
                 needed[axis] = max(needed[axis], n + 2 * beside)
-        counts = [even_more(n, m) for n, m in zip(shape, needed, strict=True)]
-        if self._stays or tuple(counts) == shape:
+        counts = [enlarged_evenly(n, m) for n, m in zip(shape, needed, strict=True)]
+        if self._why_fixed or tuple(counts) == shape:
             return False
         try:
-            self._go_on_over(counts)
+            self._switch_to(counts)
         except (ValueError, MemoryError):  # the increment is done; a warning reports it
             return False
         return True
 
     @property
-    def _stays(self) -> str:
-        """Reason why the domain cannot be enlarged; empty if it can."""
+    def _why_fixed(self) -> str:
+        """Reason why the domain cannot be enlarged; empty if it can be enlarged."""
         setup = self.setup
         if setup.settings.on_border != "error" or self.domain.grid.periodic:
             return "it stays"
@@ -211,19 +211,19 @@ class Engine:
     def _enlarge(
         self, error: GridTooSmallError, load: float | None = None, approach: float | None = None
     ) -> None:
-        """Switch to a larger domain; raise the error if there is none."""
-        if why := self._stays:
+        """Switch to a larger domain; raise the error if the domain cannot be enlarged."""
+        if why := self._why_fixed:
             if why == ENLARGEMENT_HINT and not callable(self.setup.surfaces.gap):
-                told_of_fixed(error, self.estimate)
+                add_border_remedies(error, self.estimate)
             elif why != "it stays":
                 error.args = (f"{error}; {why}",)
             raise error
-        with told_in(error, self.domain.grid):
+        with explain_failed_enlargement(error, self.domain.grid):
             counts = counts_for(error, self.first.grid, self.estimate, load, approach)
-            self._go_on_over(counts)
+            self._switch_to(counts)
 
-    def _go_on_over(self, counts: Sequence[int]) -> None:
-        """Switch to a larger domain at the same state."""
+    def _switch_to(self, counts: Sequence[int]) -> None:
+        """Switch to a larger domain in the current state."""
         grid = replace(self.domain.grid, nx=counts[0], ny=counts[1])
         domain, smaller = self._checked_domain(grid, self.domain), self.core
         self._open(domain, lambda core: core.take_over(smaller))
@@ -231,7 +231,7 @@ class Engine:
 
     @property
     def enlargement(self) -> str:
-        """Text about the enlargement of the domain; empty without one."""
+        """Text that reports the enlargement of the grid; empty if it was not enlarged."""
         (a, b), (c, d) = self.first.grid.surface_shape, self.domain.grid.surface_shape
         return f"grid enlarged from {a} x {b} to {c} x {d} cells" if (a, b) != (c, d) else ""
 
@@ -254,8 +254,8 @@ class Engine:
             try:
                 require_consistent_overlap(domain, before)
             except ValueError as error:
-                told = f"the checkpoint was written for different surfaces: {error}"
-                raise ForeignCheckpointError(told) from error
+                message = f"the checkpoint was written for different surfaces: {error}"
+                raise ForeignCheckpointError(message) from error
         then = heat
         if heat.partition is None:
             then = replace(heat, factor=[state["heat_factor1"], state["heat_factor2"]])
@@ -274,7 +274,7 @@ class Engine:
 
 
 def _state_of(kept: Snapshot) -> State:
-    """Return the state of a snapshot, with its own engine."""
+    """Return the state of a snapshot, with an engine of its own."""
     engine = Engine(*kept.setup())
     engine.restore(kept)
     return engine.state

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities of a state that have an error estimate, interpolated between cells.
+"""Quantities of a state for which errors can be estimated; maxima are interpolated between cells.
 
-A maximum is that of parabolas through its cell and the neighbouring cells. Under grid refinement it
-jumps far less than the maximum over cells, and so does `contact_area` compared with a cell count.
+Maxima are interpolated by parabolas through the cell of the maximum and its neighbours. Under grid
+refinement interpolated maxima change more smoothly than maxima over cells, just as `contact_area`
+changes more smoothly than a count of cells.
 """
 
 from __future__ import annotations
@@ -31,8 +32,8 @@ BODY_QUANTITIES = (
     "max_residual_von_mises",
     "imprint_depth",
 )
-"""Quantities of a body, followed by `_body1` or `_body2`; all but the first require an
-elastic-plastic body."""
+"""Quantities of a body, whose names are followed by `_body1` or `_body2`; all but the first require
+an elastic-plastic body."""
 _FIELDS = {
     "max_von_mises": "stress",
     "max_equivalent_plastic_strain": "equivalent_plastic_strain",
@@ -41,7 +42,7 @@ _FIELDS = {
 
 
 def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list[str]:
-    """Names of all quantities of a case: of each elastic-plastic body, or else of the given one."""
+    """Return the names of all quantities, for each elastic-plastic body or, if none, for `body`."""
     inelastic = [n for n, material in enumerate(bodies, 1) if material.is_plastic]
     found = list(CONTACT_QUANTITIES)
     if not volume:
@@ -52,15 +53,16 @@ def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list
 
 
 def value(state: State, name: str) -> float:
-    """Return a quantity of a state by its name in results files [SI units]."""
+    """Return the value [SI units] of a quantity of a state, given its name in results files."""
     return max(parts(state, name))
 
 
 def parts(state: State, name: str) -> tuple[float, ...]:
-    """Return the values whose maximum is the quantity; each of them converges separately.
+    """Return the local maxima of which a quantity is the largest; each converges separately.
 
-    For a volume field these are the maximum below the surface and the maximum at the surface; for a
-    layer, the maxima inside it and at its faces. Which one is the largest may depend on the grid.
+    For a volume field they are the maximum below the surface and the maximum at the surface; for a
+    layer, the maximum inside the layer and those at its two faces. Which of them is the largest may
+    depend on the grid.
     """
     if name in ("load", "approach"):
         return (float(getattr(state, name)),)
@@ -89,7 +91,7 @@ def _bodies(state: State) -> tuple[Body, Body]:
 
 
 def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
-    """Return a field over the plastic box of a body, computed by the operators of the increment.
+    """Return a field over the plastic box of a body, computed by the operators of the solver.
 
     `name` is "stress" or "residual_stress" (deviators) or "residual_displacement". None without
     plastic strain, with several plastic subdomains, or after the body has moved.
@@ -108,7 +110,7 @@ def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
 
 
 def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
-    """Return scalar fields whose overall maximum is a quantity of the volume."""
+    """Return the scalar fields of which the overall maximum is the quantity."""
     zones = state.zones(body)
     if not zones and kind != "max_von_mises":
         return []
@@ -122,7 +124,7 @@ def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
 
 
 def _ranges(body: Body, grid: Grid) -> list[slice]:
-    """Return the cell layers of each material: stress jumps and plastic flow ends between them."""
+    """Return the range of cell layers of each material; fields may jump between these ranges."""
     if isinstance(body, Material) or grid.dz is None:
         return [slice(None)]
     cuts = np.rint(body.interfaces / grid.dz).astype(int).tolist()
@@ -130,20 +132,21 @@ def _ranges(body: Body, grid: Grid) -> list[slice]:
 
 
 def _parts_of_material(cells: FloatArray, *, is_layer: bool) -> list[float]:
-    """Return the maxima inside a material, at its top and, for a layer, at its bottom."""
+    """Return the maxima of a field inside a material, at its top and, for layers, at its bottom."""
     found = list(below_and_at_surface(cells))
     return [*found, below_and_at_surface(cells[:, :, ::-1])[1]] if is_layer else found
 
 
 def _count(materials: int) -> int:
-    """Number of parts for a number of materials."""
+    """Return the number of values from `parts` for a body with this number of materials."""
     return 3 * materials - 1
 
 
 def _bounds(state: State, body: int, ranges: Sequence[slice]) -> FloatArray:
-    """Return the yield stress of each material, an upper bound of the interpolated stress.
+    """Return upper bounds of the interpolated stress maxima [Pa]: the yield stress of each
+    material.
 
-    Infinite where it is unknown.
+    A bound is infinite if the yield stress is not known.
     """
     bounds = np.full(_count(len(ranges)), np.inf)
     if state.max_plastic_strain_magnitude(body) == 0:
@@ -161,19 +164,19 @@ def _bounds(state: State, body: int, ranges: Sequence[slice]) -> FloatArray:
 
 
 def has_parts(name: str, bodies: Sequence[Body]) -> int:
-    """Number of parts of a quantity."""
+    """Return the number of values that `parts` returns for a quantity."""
     if name[: -len("_body1")] not in _FIELDS:
         return 1
     return _count(len(materials_of(bodies[int(name[-1]) - 1])))
 
 
 def values(state: State, wanted: Sequence[str]) -> dict[str, float]:
-    """Return several quantities of a state by their names in results files [SI units]."""
+    """Return the values [SI units] of quantities of a state, by their names in results files."""
     return {name: value(state, name) for name in wanted}
 
 
 def peak_value(field: ArrayLike) -> float:
-    """Maximum of a field, interpolated between its cells.
+    """Return the maximum of a field, interpolated between its cells.
 
     Parameters
     ----------
@@ -183,8 +186,8 @@ def peak_value(field: ArrayLike) -> float:
     Returns
     -------
     float
-        Maximum over the cells, plus along each axis the rise above it of the parabola through its
-        cell and the two neighbouring cells.
+        Maximum over the cells plus, for each axis, the amount by which the peak of the parabola
+        through the cell of the maximum and its two neighbours exceeds this maximum.
     """
     values = np.asarray(field, dtype=np.float64)
     if values.size == 0:
@@ -193,7 +196,7 @@ def peak_value(field: ArrayLike) -> float:
 
 
 def _risen(values: FloatArray, at: tuple[np.intp, ...]) -> float:
-    """Value of a cell plus the rise of the parabolas through it and its neighbours above it."""
+    """Interpolate a maximum at a cell: add to its value the excess of the parabola of each axis."""
     risen = float(values[at])
     for axis in range(values.ndim):
         line = np.moveaxis(values, axis, -1)[tuple(np.delete(at, axis))]
@@ -206,10 +209,11 @@ def _risen(values: FloatArray, at: tuple[np.intp, ...]) -> float:
 
 
 def below_and_at_surface(field: FloatArray) -> tuple[float, float]:
-    """Maximum below the surface where values rise and fall with depth, and value at depth 0.
+    """Return the largest local maximum below the surface, and the maximum value at the surface.
 
-    The value at depth 0 is extrapolated by a parabola through the first three layers where values
-    increase towards the surface, and a line where the third layer has no value.
+    A local maximum is a value that neighbouring layers do not exceed. In columns with values that
+    increase towards the surface, the value at the surface is extrapolated by a parabola through the
+    first three layers, or by a line through two if the value in the third layer is zero.
     """
     layers = field.shape[2]
     if layers < 3:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Exclusive access of one thread to a simulation."""
+"""Exclusive access of one thread to a simulation during an increment."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import threading
 
 
 class ExclusiveAccess:
-    """Context that refuses a second thread, or a softening law, that would change a simulation."""
+    """Context in which no other thread, and no softening law, may change a simulation."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()

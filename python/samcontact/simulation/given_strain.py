@@ -29,7 +29,7 @@ def set_plastic_strain(
     backstress: ArrayLike | None,
     first: int | None,
 ) -> None:
-    """See `Simulation.set_plastic_strain`."""
+    """Set the plastic strain of a body, see `Simulation.set_plastic_strain`."""
     index = choice("body", body, (1, 2)) - 1
     terms = backstresses_of(engine.setup.bodies[index])
     fields = plastic_fields(engine.domain.grid, strain, equivalent, backstress, terms, first)
@@ -41,7 +41,7 @@ def set_plastic_strain(
 def add_eigenstrain(
     engine: Engine, body: int, strain: ArrayLike, first: Cells, cells: Cells | None
 ) -> None:
-    """See `Simulation.add_eigenstrain`."""
+    """Add an eigenstrain to a body, see `Simulation.add_eigenstrain`."""
     index = choice("body", body, (1, 2)) - 1
     place, field = eigenstrain_field(engine.domain.grid, strain, first, cells)
     with engine.access:
@@ -57,7 +57,7 @@ def plastic_fields(
     terms: int,
     first: int | None,
 ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-    """Depth-major arguments of `Simulation.set_plastic_strain`; terms: number of backstresses."""
+    """Check a plastic state; return its fields with depth first. terms: number of backstresses."""
     given = real_array("strain", strain).shape
     fits = len(given) == 4 and min(given) > 0
     rows = grid.nx
@@ -79,19 +79,19 @@ def plastic_fields(
 
 
 def _require_over_grid(grid: Grid, strain: FloatArray, first: int) -> None:
-    """Refuse a plastic strain that lies entirely outside the grid."""
+    """Raise ValueError for a plastic strain that lies entirely outside the grid."""
     rows = np.flatnonzero(strain.any(axis=(0, 2, 3))) + first
     if rows.size and not ((rows >= 0) & (rows < grid.nx)).any():
         raise ValueError(
-            f"strain must overlap the grid, rows 0 to {grid.nx - 1}, got first = {first}, "
-            f"rows {rows[0]} to {rows[-1]}"
+            f"strain must overlap the grid, which has the rows 0 to {grid.nx - 1} along x; "
+            f"got rows {rows[0]} to {rows[-1]} (first = {first})"
         )
 
 
 def eigenstrain_field(
     grid: Grid, strain: ArrayLike, first: Cells, cells: Cells | None
 ) -> tuple[tuple[int, int, int], FloatArray]:
-    """First cell and depth-major strain, the checked arguments of `Simulation.add_eigenstrain`."""
+    """Check an eigenstrain, and return its first cell and its field with depth as first axis."""
     place = _three("first", first, 0)
     if not grid.has_volume:
         raise ValueError(f"grid must have dz for an eigenstrain, got {grid!r}")
@@ -119,7 +119,7 @@ def eigenstrain_field(
 
 
 def _three(name: str, numbers: Cells, least: int) -> tuple[int, int, int]:
-    """Check and return three integers."""
+    """Return three checked integers."""
     try:
         i, j, k = numbers
     except (TypeError, ValueError) as error:

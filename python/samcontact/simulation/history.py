@@ -15,26 +15,26 @@ if TYPE_CHECKING:
 
 @dataclass
 class History:
-    """Increments of a simulation since its start, as far as they are known."""
+    """Record of the increments of a simulation since its start; empty if they are not all known."""
 
     heat: Heat
     """Heat of the first increment."""
     steps: list[dict[str, Any]] | None = field(default_factory=list)
-    """Arguments of `Simulation.step`; None after a start from deformed bodies."""
+    """Arguments of `Simulation.step` for each increment; None if they are not all known."""
     checked: int = 0
-    """Number of increments at the last estimate."""
+    """Number of increments at the last error estimate."""
 
     def add(self, given: Mapping[str, Any]) -> None:
-        """Add an increment; prescribed tractions end the record of the history."""
+        """Add an increment; one with prescribed tractions ends the record."""
         if given.get("pressure") is not None:
             self.forget()
         if self.steps is not None:
             self.steps.append(cleaned(given))
 
     def forget(self) -> None:
-        """Discard the history, for a state that does not result from its increments."""
+        """End the record, because the state no longer results from the recorded increments."""
         self.steps = None
 
     def is_due(self, factor: int) -> bool:
-        """Whether the number of increments has grown by a factor since the last estimate."""
+        """Whether the number of increments has grown by `factor` since the last error estimate."""
         return bool(self.steps) and len(self.steps or ()) >= factor * self.checked

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error of results due to the size of increments, from a run with another number of them."""
+"""Estimated error due to the size of increments, from a run with twice or half as many of them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from .._util.display import HtmlTable, Rows, percent
-from .._util.errors import IncrementWarning
+from .._util.errors import IncrementWarning, is_ignored
 from ..bodies.layered import materials_of
 from ..diagnostics.resolution import cells_across, spots
 from ..solutions.peak import peak
@@ -35,7 +35,7 @@ MAX_ERROR_WITHOUT_WARNING = 0.05
 """Relative error above which a warning is issued."""
 _MIN_CELLS = {True: 6.0, False: 16.0}
 """Cells across the contact on the coarsest grid used, with and without yielding. Without plastic
-flow, increments affect only few cells, between stick and slip zones."""
+flow, increments affect only a few cells, between stick and slip zones."""
 _MIN_INCREMENTS = 3
 _DOUBLING_FACTORS = 2.0, 2.0
 """Ratio of the error of n increments to the difference between n and 2n, for plastic strain and for
@@ -57,12 +57,14 @@ class IncrementErrors(HtmlTable):
     Attributes
     ----------
     fields : dict of float
-        For "pressure", "shear" and "equivalent_plastic_strain_bodyN": maximum error over all cells
-        and increments, relative to the maximum value of the run (for plastic strain at least the
-        yield strain, and only at the increment of maximum load and the last one).
+        Errors of "pressure", "shear" and "equivalent_plastic_strain_bodyN": maximum over all cells
+        and increments, relative to the maximum value of the run. The error of plastic strain is
+        relative to the maximum value or the yield strain, whichever is larger, and is determined
+        only at the increment of maximum load and the last increment.
     values : dict of float
-        Errors of the quantities with error control, by their names in results files, at these two
-        increments, relative to the larger value.
+        Errors of the quantities with error control, by their names in results files: the larger
+        error at the increment of maximum load and the last increment, relative to the larger value
+        at these increments.
     compared : str
         Description of the runs that were compared.
     """
@@ -87,7 +89,7 @@ class IncrementErrors(HtmlTable):
 
 
 def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
-    """Warn of errors above 5 %; return whether a warning was issued."""
+    """Warn of errors above 5 %; return whether the warning was issued."""
     if errors.max_error <= MAX_ERROR_WITHOUT_WARNING:
         return False
     times = math.ceil(errors.max_error / MAX_ERROR_WITHOUT_WARNING)
@@ -97,9 +99,10 @@ def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
 
 
 def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
-    """Whether some states depend on the number of increments.
+    """Whether some of the states depend on the number of increments.
 
-    They do if a body has yielded, unless `increment_tol` controls the error, or with partial slip.
+    States depend on it with partial slip, and if a body has yielded, unless `increment_tol`
+    controls the error.
     """
     last = states[-1]
     if setup.friction.sticks:
@@ -120,9 +123,9 @@ def check_errors(
     *,
     stacklevel: int,
 ) -> None:
-    """Warn, once in a simulation, of increments that are too large.
+    """Warn, once per simulation, of increments that are too large.
 
-    Nothing is estimated if a filter ignores the warning.
+    No error is estimated if a warning filter ignores the warning.
 
     states: the latest states. factor: minimum growth of the number of increments since the last
     estimate, which bounds the time of all estimates.
@@ -130,21 +133,13 @@ def check_errors(
     history = engine.history
     if not monitor.checks_increments or not states or not history.is_due(factor):
         return
-    if not is_path_dependent(engine.setup, states) or _is_ignored(IncrementWarning):
+    if not is_path_dependent(engine.setup, states) or is_ignored(IncrementWarning):
         return
     steps = history.steps or []
     found = estimated(engine, steps, states, history.heat, repeat)
     if found is not None:
         history.checked = len(steps)
         monitor.checks_increments = not warn_of_errors(found, stacklevel=stacklevel + 1)
-
-
-def _is_ignored(category: type[Warning]) -> bool:
-    """Whether Python's filters ignore all warnings of a category."""
-    for action, message, other, module, line in warnings.filters:
-        if issubclass(category, other) and not (message or module or line):
-            return action == "ignore"
-    return False
 
 
 def estimated(
@@ -158,8 +153,9 @@ def estimated(
 ) -> IncrementErrors | None:
     """Estimate the effect of smaller increments on a run that starts from undeformed bodies.
 
-    The path is solved with half as many increments if neighbours can be merged, else with twice as
-    many, on a grid coarsened as long as 6 cells (16 without plastic flow) span the contact.
+    The path is solved with half as many increments if neighbouring increments can be merged,
+    otherwise with twice as many. It is solved on a coarser grid, with at least 6 cells (16 without
+    plastic flow) across the contact.
 
     Parameters
     ----------
@@ -168,19 +164,20 @@ def estimated(
     path : sequence of dict
         All increments since the start.
     states : sequence of State
-        States of all increments or of the last ones.
+        States of all increments or of the last increments.
     heat : Heat
         Heat of the first increment.
     repeat : callable
-        Function that runs a setup on a grid, with an initial heat, along a path; returns states.
+        Function of a setup, a grid, an initial heat and a path that solves the path and returns the
+        states.
     certified : bool, optional
         Whether to compute `IncrementErrors.values`.
 
     Returns
     -------
     IncrementErrors or None
-        None if increments do not affect the result, or if the estimate fails (the logger
-        "samcontact" records why).
+        None if the size of increments does not affect the result, or if the estimate fails (the
+        logger "samcontact" records why).
     """
     path = [cleaned(step) for step in path]
     if not is_path_dependent(engine.setup, states) or any("pressure" in step for step in path):
@@ -239,14 +236,14 @@ def _compared(
 
 
 def _scaled(differences: Mapping[str, float], factors: Sequence[float]) -> dict[str, float]:
-    """Scale differences to errors; factors: for strains, for other fields."""
+    """Convert differences to errors; factors: for strains, and for other quantities."""
     return {
         name: factors[0 if "strain" in name else 1] * share for name, share in differences.items()
     }
 
 
 def _level(states: Sequence[State]) -> int:
-    """Number of times the cell size is doubled."""
+    """Return the number of times the cell size is doubled for the estimate."""
     top = max(states, key=lambda state: float(state.pressure.max()))
     periodic = top.grid.periodic
     yields = any(states[-1].max_equivalent_plastic_strain(body) > 0 for body in (1, 2))
@@ -260,7 +257,7 @@ Pairs = Sequence[tuple["State", "State"]]
 
 
 def _of_fields(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, float]:
-    """Maximum differences of fields, relative to the maximum values."""
+    """Return the maximum difference of each field, relative to the maximum value of the field."""
     names = ["pressure", "shear"] if setup.friction.sticks else ["pressure"]
     found = {}
     for name in names:
@@ -279,7 +276,7 @@ def _of_fields(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> dict[str, 
 
 
 def _difference(both: Sequence[tuple[FloatArray, ...]], least: float) -> float:
-    """Maximum difference, relative to the maximum value or to `least`."""
+    """Return the maximum difference, relative to the larger of the maximum value and `least`."""
     largest = max([least, *(float(np.abs(one).max()) for one, _ in both)])
     differences = [float(np.abs(np.subtract(*_common(*pair))).max()) for pair in both]
     return max(differences) / largest if largest > 0 else 0.0
@@ -302,7 +299,7 @@ def _common(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]
 
 
 def _of_values(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict[str, float]:
-    """Maximum differences of quantities with error control, relative to the larger value."""
+    """Return the differences of quantities with error control, relative to the larger value."""
     names = error_controlled_quantities.names(setup.bodies, volume=grid.has_volume)
     one, other = (
         [error_controlled_quantities.values(pair[which], names) for pair in marks]
@@ -318,7 +315,7 @@ def _of_values(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict[str, fl
 
 
 def error_summary(shares: Mapping[str, float]) -> str:
-    """Describe the errors of fields, the largest first."""
+    """Describe the errors of all fields in one text, largest error first."""
     found = sorted(shares.items(), key=lambda item: -item[1])
     parts = [f"the {_label(name)} by about {percent(share)}" for name, share in found]
     return f"more increments would change {', '.join(parts)}"

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 Step = Mapping[str, Any]
 Ends = list[tuple[int, int]]
-"""Numbers of the increments of two paths that end at a common target."""
+"""Pairs of increments of two paths that end at equal targets, by their positions (from 0)."""
 _TARGETS = ("load", "approach", "torque")
 _MOTIONS = ("twist", "duration")
 _MAX_SIZE_RATIO = 3.0
@@ -21,7 +21,7 @@ _MAX_REMAINING_FRACTION = 0.65
 
 
 def cleaned(step: Step) -> dict[str, Any]:
-    """Remove arguments that are omitted or zero."""
+    """Return the arguments of a step without those that are None, and without a zero advance."""
     kept = dict(step)
     for name, value in step.items():
         if value is None or (name == "advance" and tuple(value) == (0.0, 0.0)):
@@ -32,8 +32,8 @@ def cleaned(step: Step) -> dict[str, Any]:
 def doubled(
     path: Sequence[Step], states: Sequence[State], start: float, dx: float, heat: Heat
 ) -> tuple[list[dict[str, Any]], Ends]:
-    """Split each increment in two, except where parts would move by fractions of a cell, or be
-    shorter than the heat history allows.
+    """Split each increment in two, unless a half would move by a fraction of a cell or be shorter
+    than the heat history allows.
 
     start: approach at first contact [m]; dx: cell length.
     """
@@ -50,7 +50,8 @@ def halved(
 ) -> tuple[list[dict[str, Any]], Ends] | None:
     """Merge neighbouring increments that continue in one direction; leave the others unchanged.
 
-    None if this reveals too little: few can be merged, or an unmerged one is larger than those.
+    Return None if a comparison would reveal too little: only few increments can be merged, or an
+    unmerged increment is larger than all merged increments.
     """
     steps: list[dict[str, Any]] = []
     ends: Ends = []
@@ -59,9 +60,9 @@ def halved(
     while number < len(path):
         step = path[number]
         before = _before(number, path, states, start)
-        joins = number + 1 < len(path) and _goes_on(before, step, path[number + 1])
+        joins = number + 1 < len(path) and _continues(before, step, path[number + 1])
         if joins:
-            step = _joined(step, path[number + 1])
+            step = _merged(step, path[number + 1])
             number += 1
         for name, size in _sizes(before, step).items():
             sizes[joins][name] = max(size, sizes[joins].get(name, 0.0))
@@ -73,7 +74,7 @@ def halved(
 
 
 def _sizes(before: Step, step: Step) -> dict[str, float]:
-    """Magnitude of an increment in each of its targets and motions."""
+    """Return the magnitude of the change of each load and motion in an increment."""
     found = {name: abs(step[name] - before[name]) for name in _TARGETS if name in step}
     if "twist" in step:
         found["twist"] = abs(step["twist"])
@@ -88,7 +89,7 @@ def _sizes(before: Step, step: Step) -> dict[str, float]:
 def _before(
     number: int, path: Sequence[Step], states: Sequence[State], start: float
 ) -> dict[str, Any]:
-    """Targets reached before an increment, as prescribed or as computed."""
+    """Return load, approach and other targets before an increment, as prescribed or as computed."""
     if number == 0:
         return {"load": 0.0, "approach": start, "torque": 0.0, "tangential_load": (0.0, 0.0)}
     step, state = path[number - 1], states[number - 1]
@@ -128,8 +129,8 @@ def _halves(step: Step, before: Step, dx: float, heat: Heat) -> list[dict[str, A
     return [first, second]
 
 
-def _goes_on(before: Step, step: Step, after: Step) -> bool:
-    """Whether two increments continue in one direction from the targets reached before."""
+def _continues(before: Step, step: Step, after: Step) -> bool:
+    """Whether two successive increments change all loads and motions in one direction."""
     if step.keys() != after.keys():
         return False
     ways = [(before[name], step[name], after[name]) for name in _TARGETS if name in step]
@@ -148,13 +149,13 @@ def _goes_on(before: Step, step: Step, after: Step) -> bool:
 
 
 def _is_one_way(a: float, b: float | None, c: float | None) -> bool:
-    """Whether two changes have one direction and similar lengths."""
+    """Whether the changes from a to b and from b to c have equal signs and similar magnitudes."""
     if b is None or c is None:
         return b is None and c is None
     return a == b == c or (b != a and 1 / _MAX_SIZE_RATIO <= (c - b) / (b - a) <= _MAX_SIZE_RATIO)
 
 
-def _joined(step: Step, after: Step) -> dict[str, Any]:
+def _merged(step: Step, after: Step) -> dict[str, Any]:
     joined = dict(after)
     for name in _MOTIONS:
         if name in step:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs that survive being killed: a checkpoint after each increment, and resuming from them."""
+"""Checkpoints after each increment of a run, from which a killed run is resumed."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def describe(engine: Engine, **what: Any) -> Identity:
-    """Identify a run that is about to begin by its setup and by further data, e.g. its path.
+    """Return the identity of a run about to begin: its setup and further data, e.g. its path.
 
     Softening laws are separate parts, so that messages can name them.
     """
@@ -50,7 +50,7 @@ def describe(engine: Engine, **what: Any) -> Identity:
 def journal_of(
     folder: str | os.PathLike[str] | None, engine: Engine, **what: Any
 ) -> Iterator[Journal | None]:
-    """Journal of a run, in a folder locked for it; None without a folder."""
+    """Context with the journal of a run in a locked folder; None if no folder is given."""
     if folder is None:
         yield None
         return
@@ -70,13 +70,14 @@ class Journal:
     engine : Engine
         Solver of the increments.
     who : Identity
-        From `describe`, before the first increment. Checkpoints of any other run are refused.
+        Identity of the run, from `describe` before the first increment. Checkpoints of another run
+        are refused.
 
     Raises
     ------
     ValueError
-        The folder contains other files, or checkpoints of another run or version; or the run
-        cannot be identified, because a law has state that Python cannot read.
+        The folder contains other files, or checkpoints of another run or version; or the run cannot
+        be identified, because a softening law has data that Python cannot read.
     """
 
     def __init__(self, folder: str | os.PathLike[str], engine: Engine, who: Identity) -> None:
@@ -84,20 +85,20 @@ class Journal:
         require_identified(who)
         self.who = who
         self.count = 0
-        """Number of increments so far, restored or new."""
+        """Number of increments so far, both restored and newly solved."""
         self.folder.mkdir(parents=True, exist_ok=True)
         files = sorted(self.folder.glob("*.h5"))
         for file in files:
-            require_marked(file, "move it away, or choose another folder")
+            require_marked(file, "move this file, or choose another folder")
         for file in files:  # the first intact one identifies the run
             with suppress(DamagedCheckpointError):
                 require_same(self.folder, who, read(file, KIND))
                 break
 
     def next(self) -> State | None:
-        """Restore the next increment if its checkpoint exists, and return its state.
+        """If a checkpoint of the next increment exists, restore it and return its state.
 
-        A damaged checkpoint is ignored with a warning; its increment is solved again.
+        A damaged checkpoint is ignored with a warning; the increment is then solved again.
         """
         if not (file := self._file(self.count + 1)).exists():
             return None
@@ -119,13 +120,13 @@ class Journal:
             self.engine.restore(kept)
 
     def add(self, state: State | None = None) -> None:
-        """Store the simulation after a new increment, in its current state or an earlier one."""
+        """Store a checkpoint after a new increment, of the current state or of an earlier state."""
         kept = self.engine.snapshot(state)
         write_checkpoint(self._file(self.count + 1), kept, run=self.who)
         self.count += 1
 
     def add_all(self, states: Iterable[State]) -> None:
-        """Store all increments so far of a run that had no journal."""
+        """Store checkpoints of all increments so far, for a run that had no journal until now."""
         for state in states:
             self.add(state)
 

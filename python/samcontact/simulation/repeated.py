@@ -15,7 +15,7 @@ from .simulation import Simulation
 
 
 def _eigenstrain(simulation: Simulation, body: int) -> FloatArray:
-    """Eigenstrain of a body over the grid, at its initial position, shape (6, nx, ny, layers)."""
+    """Return the eigenstrain of a body in its initial position, shape (6, nx, ny, layers)."""
     track = simulation.state.track(body, margin=0)
     strain, rows = track.eigenstrain(), track.first + np.arange(track.grid.nx)
     field = np.zeros((6, *simulation.grid.surface_shape, strain.shape[3]))
@@ -25,7 +25,7 @@ def _eigenstrain(simulation: Simulation, body: int) -> FloatArray:
 
 
 def rebuilt(simulation: Simulation, **changes: Any) -> Simulation:
-    """Return the simulation at its start, with its eigenstrain and some arguments changed."""
+    """Return a copy of a simulation with changed arguments and the same initial eigenstrain."""
     setup = simulation.engine.setup
     arguments = setup.on_grid(simulation.grid, simulation.heat) | changes
     found: Simulation = without_estimates(type(simulation), arguments)
@@ -36,7 +36,7 @@ def rebuilt(simulation: Simulation, **changes: Any) -> Simulation:
 
 
 def coarsened(simulation: Simulation, heat: Heat) -> Simulation:
-    """Return the simulation at its start, on a grid coarsened by 2 along x, y and z.
+    """Return a new simulation at its start, with cells twice as large along x, y and z.
 
     Eigenstrain is averaged over the coarser cells.
 

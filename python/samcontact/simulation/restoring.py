@@ -30,7 +30,7 @@ Made = TypeVar("Made")
 def restored(cls: type[Made], kept: Snapshot, first: Domain | None = None, gap: Any = None) -> Made:
     """Restore a simulation of class `cls` from a snapshot.
 
-    first: its domain before any enlargement; gap: the function of a grid that gives its gap.
+    first: domain before any enlargement; gap: function of a grid that returns the gap.
     """
     changes = {} if gap is None else {"gap": gap}
     simulation = cls(**kept.arguments | changes)
@@ -42,7 +42,7 @@ def restored(cls: type[Made], kept: Snapshot, first: Domain | None = None, gap: 
 
 
 def reduced(cls: type[Any], engine: Engine, monitor: Monitor) -> tuple[Any, ...]:
-    """Arguments for pickling or copying a simulation; functions are kept as they are."""
+    """Return the data of a simulation for a pickle or copy; functions remain functions."""
     kept, surfaces = engine.snapshot(), vars(engine.setup.surfaces)
     functions = {name: shape for name, shape in surfaces.items() if callable(shape)}
     kept = replace(kept, arguments=kept.arguments | functions)
@@ -52,10 +52,12 @@ def reduced(cls: type[Any], engine: Engine, monitor: Monitor) -> tuple[Any, ...]
 def loaded(
     cls: type[Made], path: str | os.PathLike[str], softening: Sequence[Any], gap: Any = None
 ) -> Made:
-    """Load a simulation from a checkpoint file; gap: function of a grid that gives its gap."""
+    """Load a simulation from a checkpoint file; gap: function of a grid that returns the gap."""
     kept, tree = read_checkpoint(path, softening)
-    if told := other_version(path, tree):
-        warnings.warn(f"{told}: further increments may differ in their last digits", stacklevel=3)
+    if message := other_version(path, tree):
+        warnings.warn(
+            f"{message}: further increments may differ in their last digits", stacklevel=3
+        )
     with readable(path):
         return restored(cls, kept, gap=gap)
 

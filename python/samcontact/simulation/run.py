@@ -19,7 +19,7 @@ _logger = logging.getLogger("samcontact")
 
 
 def _log(state: State, number: int, count: int) -> None:
-    """Log one increment of a run."""
+    """Write one increment of a run to the log."""
     if not _logger.isEnabledFor(logging.INFO):
         return
     _logger.info(
@@ -44,8 +44,8 @@ def run_into(
     *,
     leave: bool = True,
 ) -> None:
-    """Append the state of each completed increment; `leave` the progress bar at the end."""
-    monitor.doubt(engine.estimate, engine.heat, largest_target(steps), stacklevel=3)
+    """Run a path, appending each state to `states`; leave: whether the progress bar stays."""
+    monitor.warn_of_units(engine.estimate, engine.heat, largest_target(steps), stacklevel=3)
     if not any(engine.heat.shares) and (load := largest_cold_load(steps)) is not None:
         engine.make_room(load)
     with (

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, boolean, require_fast, require_type, step_list
 from .._util.display import HtmlTable
+from .._util.errors import attach
 from ..bodies.layered import Body, require_bodies
 from ..diagnostics.monitor import Monitor
 from ..heat import Heat
@@ -39,7 +40,7 @@ class Simulation(Configured, HtmlTable):
 
     Each increment solves contact and plastic flow together, implicitly: the plastic strain
     increment is the fixed point of residual displacement -> contact -> stress -> radial return
-    (backward Euler), accelerated by Anderson mixing and halved where it does not converge.
+    (backward Euler), accelerated by Anderson mixing. An increment that does not converge is halved.
 
     Parameters
     ----------
@@ -48,45 +49,44 @@ class Simulation(Configured, HtmlTable):
     body1, body2 : Material or Layered
         Upper and lower body; at most one is rigid.
     gap : array_like, shape (nx, ny), or callable
-        Initial separation of the undeformed bodies [m], inf where one of them is absent; or a
-        function of a grid that returns it, e.g. ``lambda grid: surfaces.paraboloid(grid, R)``. With
+        Initial separation of the undeformed bodies [m], inf where a body is absent; or a function
+        of a grid that returns this array, e.g. ``lambda grid: surfaces.paraboloid(grid, R)``. With
         a function, the grid is enlarged automatically to contain the contact; see Notes.
     friction : float or Coulomb, optional
         Friction law. A float is a coefficient mu >= 0 [-] for full sliding, with shear along +x on
         body 2; `Coulomb(mu)` allows partial slip, driven by `step`.
     tol : float, optional
-        Convergence tolerance of an increment [-], in [1e-11, 1): bound on the relative change of
-        the plastic strain increment and on the relative violation of the yield condition.
+        Convergence tolerance of an increment [-], in [1e-11, 1): bound of the relative change of
+        the plastic strain increment and of the relative violation of the yield condition.
     increment_tol : float, optional
-        Tolerance of automatic sub-increments [-], in [10 tol, 1), of pressure and of equivalent
-        plastic strain relative to their maxima. Each part is solved as a whole and in halves, and
-        extrapolated to second order. ValueError if more than 64 parts would be needed; the message
+        Tolerance of automatic sub-increments [-], in [10 tol, 1), on pressure and equivalent
+        plastic strain relative to their maxima. Each part is solved in one step and in two halves,
+        then extrapolated to second order. ValueError is raised if more than 64 parts are needed; it
         gives a tolerance for which 64 suffice. Default: no subdivision, first order.
     on_border : {"error", "warn"}, optional
-        Action if the contact reaches the edge of the grid; with "warn" it is never enlarged.
+        Action if the contact reaches the grid edge; with "warn" the grid is never enlarged.
     on_stall : {"error", "warn"}, optional
-        Action if no pressure and shear of dissimilar bodies with partial slip are found: raise
-        `ConvergenceError`, or go on from the state with the smallest error and issue
-        `ConvergenceWarning`.
+        Action if pressure and shear of dissimilar bodies in partial slip do not converge: raise
+        `ConvergenceError`, or issue `ConvergenceWarning` and continue from the state with the
+        smallest error.
     max_iterations : int, optional
         Maximum number of fixed-point iterations before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
-        "fast": sweeps over the layers; time and memory are proportional to the cells. "exact":
-        influence coefficients of cuboids at their centres, a reference; time grows with the square
-        of the layers, memory is 1 kB per cell. With little hardening and cubic cells, plastic
-        strain may alternate between layers (`ResolutionWarning`) or not converge.
+        "fast": sweeps over the layers; time and memory are proportional to the number of cells.
+        "exact": influence coefficients of cuboids at their centres, as a reference; time grows with
+        the square of the number of layers, memory is 1 kB per cell. With little hardening and cubic
+        cells, plastic strain may alternate between layers (`ResolutionWarning`) or not converge.
     image_tol : float, optional
-        Error of "fast" due to periodic transforms, over maximum residual stress; in [1e-6, 0.1].
+        Maximum error of "fast" due to periodicity, relative to the residual stress, in [1e-6, 0.1].
     zones : {"auto", "one"}, optional
-        Domain of the plastic strain. "auto": several boxes where this reduces the work, as on rough
+        Domain of the plastic strain. "auto": several boxes if this saves work, e.g. on rough
         surfaces; "one": a single box. Results differ by about 1e-3 of the residual stress.
     heat : Heat, optional
         Frictional heating. Default: none, `Heat(0.0)`.
     relief1, relief2 : Relief or callable, optional
-        Surface topography (roughness, dents) that moves with body 1 or 2, or a function of a grid
-        that returns it.
+        Topography (roughness, dents) moving with body 1 or 2, or a function from Grid to Relief.
     reach : float, optional
-        Distance beyond the grid, along x, up to which plastic strain acts [m]. Default: its length.
+        Distance beyond the grid along x up to which plastic strain acts [m]. Default: grid length.
     contact_law : ContactLaw, optional
         Lower bound of the pressure across a gap. Default: `HardContact()`, p >= 0.
 
@@ -103,7 +103,7 @@ class Simulation(Configured, HtmlTable):
     a paraboloid (in a run, at its maximum load), else by half in each direction whose edge was
     reached. `grid` and arrays of its shape then refer to the larger grid. A state keeps its grid;
     `run` returns all states on the last one. Above 64 times the cells, GridTooSmallError is raised.
-    Grids that are periodic, or with heat.history or thermal softening, are not enlarged.
+    Grids that are periodic, or with heat.history, softening or attraction, are not enlarged.
     """
 
     _last = "engine"
@@ -206,7 +206,7 @@ class Simulation(Configured, HtmlTable):
         Parameters
         ----------
         load, approach : float
-            Normal load [N], >= 0 or down to the tension of the contact law; approach [m].
+            Normal load [N], >= 0 or, with attraction, >= minus the attractive force; approach [m].
         pressure : array_like, shape (nx, ny)
             Prescribed pressure [Pa]; the contact is not solved. Exactly one of the three is given.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
@@ -214,9 +214,9 @@ class Simulation(Configured, HtmlTable):
             Default: friction * pressure.
         advance : pair of floats, optional
             Displacement of the surfaces of bodies 1 and 2 through the contact during the increment,
-            positive along +x [m]. Equal: rolling towards -x; different: sliding by the difference,
-            or creepage with `Coulomb`. Plastic strain moves with its body; the grid stays with the
-            contact. Whole cells are exact; for fractions of a cell see `State.origin`.
+            positive along +x [m]. Equal values: rolling towards -x; different values: sliding by
+            the difference, or creepage with `Coulomb`. Plastic strain moves with the body; the grid
+            stays with the contact. Whole cells are exact; fractions: see `State.origin`.
         shift : pair of floats, optional
             With `Coulomb`: tangential rigid-body displacement of body 1 relative to body 2 in this
             increment [m]. None for a component leaves that direction to `tangential_load`.
@@ -231,8 +231,8 @@ class Simulation(Configured, HtmlTable):
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 switches it off.
         duration : float, optional
-            Duration of the increment [s], > 0. Only with `heat.history`, whose flux follows the
-            pressure at the end of the increment, or with `heat.partition`.
+            Duration of the increment [s], > 0. Only with `heat.history`, where the heat flux
+            follows the pressure at the end of the increment, or with `heat.partition`.
 
         Returns
         -------
@@ -244,7 +244,7 @@ class Simulation(Configured, HtmlTable):
         ValueError
             Invalid arguments, or GridTooSmallError.
         ConvergenceError
-            With .iterations and .residual. After any error the previous state is kept.
+            See its `iterations` and `residual`. After any error the previous state remains.
         MemoryError
             The plastic zone requires more memory than is available.
         RuntimeError
@@ -280,11 +280,11 @@ class Simulation(Configured, HtmlTable):
         Parameters
         ----------
         path : iterable of dict
-            See `samcontact.paths` for helpers.
+            Arguments of each step, e.g. from `samcontact.paths`.
         progress : bool, optional
             Show a progress bar, or at most ten lines if there is no terminal.
         checkpoint : path, optional
-            Folder for checkpoints of all increments; a repeated call with it resumes the run.
+            Folder for checkpoints of all increments. A repeated call with it resumes the run.
 
         Returns
         -------
@@ -297,13 +297,13 @@ class Simulation(Configured, HtmlTable):
         ------
         ValueError
             `checkpoint` belongs to another run or version of this package, a softening law cannot
-            be identified (see `Material.with_softening`), or `step` raises it.
+            be identified (see `Material.with_softening`), or `step` raises this error.
 
         Warns
         -----
         UnitWarning, ResolutionWarning, IncrementWarning
-            Before the first increment, and at the end for the whole run; as in `step`, with
-            stricter resolution limits (docs/conventions.md).
+            Issued before the first increment, or at the end for the whole run. Conditions are those
+            of `step`, but resolution limits are stricter (docs/conventions.md).
         """
         boolean("progress", progress)
         states: list[State] = []
@@ -313,7 +313,7 @@ class Simulation(Configured, HtmlTable):
             found = on_common_grid(states)
             check_errors(self.engine, self.monitor, found, 2, repeat_with(type(self)), stacklevel=2)
         except BaseException as error:  # Ctrl-C too
-            error.states = states  # type: ignore[attr-defined]
+            attach(error, states=states)
             raise
         return found
 
@@ -325,7 +325,7 @@ class Simulation(Configured, HtmlTable):
     @property
     def counters(self) -> dict[str, int]:
         """Counts of contact_solves, contact_iterations, yield_checks, plastic_solves,
-        plastic_iterations, halvings, joint_steps; volume_bytes: memory of plastic state and
+        plastic_iterations, halvings and joint_steps; volume_bytes: memory of plastic state and
         kernels."""
         return dict(self.engine.core.counters)
 
@@ -365,7 +365,7 @@ class Simulation(Configured, HtmlTable):
         """Add an eigenstrain (misfit, swelling, transformation) to a body that is not rigid.
 
         It acts from the next increment on and moves with the body: see `State.eigenstress`. Raises
-        ValueError for a box outside the grid, no dz, a rigid body or strain that is not finite.
+        ValueError for a box outside the grid, a grid without dz, a rigid body or non-finite strain.
 
         Parameters
         ----------
@@ -390,7 +390,7 @@ class Simulation(Configured, HtmlTable):
         return reduced(type(self), self.engine, self.monitor)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a checkpoint (HDF5). A file is only replaced after the new one is complete."""
+        """Write a checkpoint (HDF5). An old file is only replaced when the new one is complete."""
         write_checkpoint(path, self.engine.snapshot())
 
     @classmethod
@@ -400,10 +400,10 @@ class Simulation(Configured, HtmlTable):
         softening: Sequence[Callable[[FloatArray], ArrayLike] | None] = (None, None),
         gap: Callable[[Grid], ArrayLike] | None = None,
     ) -> Simulation:
-        """Read a checkpoint. Continuing from it gives bit-identical results on the same machine.
+        """Load a checkpoint. On the same machine, further results are bit-identical.
 
-        softening: laws of bodies 1 and 2 that are not from `samcontact.softening`. gap: the
-        function of a grid used before; without it the grid is not enlarged. Raises CheckpointError
-        (a ValueError) for a damaged file, another kind of file, or a different surface.
+        softening: laws of bodies 1 and 2, if not from `samcontact.softening`. gap: function of a
+        grid, as used before; without it the grid is not enlarged. Raises CheckpointError (a
+        ValueError) for a damaged file, another kind of file, or a different surface.
         """
         return loaded(cls, path, softening, gap)

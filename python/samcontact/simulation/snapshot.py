@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plain data of a simulation, for its checkpoint file, pickles and copies."""
+"""Plain data of a simulation, for checkpoint files, pickles and copies."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Snapshot:
     arguments: dict[str, Any]
     """Arguments of `Simulation`."""
     state: Tree
-    """Components of its state, as the core stores them."""
+    """Components of the state of the simulation, as the core stores them."""
     counters: dict[str, int]
 
     @classmethod

@@ -36,7 +36,7 @@ STEP_ARGUMENTS = (
 
 @dataclass(frozen=True)
 class Step:
-    """Targets of an increment, and the heat from then on."""
+    """Targets and motions of an increment for the core, and the heat from this increment on."""
 
     kind: str
     value: float
@@ -51,7 +51,7 @@ class Step:
 
     @property
     def target(self) -> dict[str, float]:
-        """Load or approach by name; empty with prescribed tractions."""
+        """Load or approach, as a dictionary with one entry; empty with prescribed tractions."""
         return {} if self.kind == "pressure" else {self.kind: self.value}
 
     def to_core(self) -> dict[str, Any]:
@@ -67,7 +67,7 @@ _NO_MOTION = TangentialInput((False, False, False), (0.0, 0.0, 0.0))
 
 
 class StepArguments:
-    """Checks of the arguments of increments on one grid; an unchanged heat is checked once."""
+    """Checks of the arguments of increments on one grid; an unchanged heat is checked only once."""
 
     def __init__(self, grid: Grid, bodies: Bodies, friction: FrictionLaw) -> None:
         self.grid, self.bodies, self.friction = grid, bodies, friction
@@ -89,7 +89,7 @@ class StepArguments:
         heat_factor: float | Sequence[float] | None = None,
         duration: float | None = None,
     ) -> Step:
-        """Check arguments of `Simulation.step`, given the heat so far, and return the step."""
+        """Check arguments of `Simulation.step`, given the current heat, and return the step."""
         grid, friction = self.grid, self.friction
         kind = exactly_one(load=load, approach=approach, pressure=pressure)
         value = 0.0
@@ -123,7 +123,7 @@ class StepArguments:
         return Step(kind, value, heat, heated, lasts or 0.0, ways, tangential, **given)
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
-        """Entries of the heat for the core; duration: of an increment of transient heating [s]."""
+        """Return the heating of both bodies for the core; duration of a transient increment [s]."""
         known = self._heated
         if known is None or known[0] is not heat or known[1] != duration:
             require_heat_of(self.friction, heat)
@@ -133,7 +133,7 @@ class StepArguments:
 
 
 def _ways(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
-    """Travel of the surface of each body in the increment, in cells."""
+    """Return the distance by which each surface moves in the increment [cells]."""
     given = finite_array("advance", advance, (2,))
     first, second = (in_cells("advance", float(way), grid.dx) for way in given)
     if grid.along_x and (first, second) != AT_REST:
@@ -163,7 +163,7 @@ def _require_possible(
     if pressure is not None and shear is None:
         raise ValueError(
             f"shear is required with a prescribed pressure and friction = {friction!r}, got None: "
-            "it is not determined by the pressure; pass zeros for none"
+            "the pressure does not determine the shear; pass zeros for no shear"
         )
     if torque is not None and advance != (0.0, 0.0):
         raise ValueError(
@@ -173,7 +173,7 @@ def _require_possible(
 
 
 def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:
-    """Maximum load of a path; None if the heating changes or if there are no loads."""
+    """Return the maximum load of a path; None if the heating changes or if no load is given."""
     loads = [step.get("load") for step in steps]
     given = [load for load in loads if isinstance(load, (int, float))]
     heated = any("heat_factor" in step for step in steps)
@@ -181,7 +181,7 @@ def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:
 
 
 def largest_target(steps: Sequence[Mapping[str, Any]]) -> dict[str, float]:
-    """Maximum load of a path, or maximum approach if no load is given."""
+    """Return the maximum load of a path, or the maximum approach if no load is given."""
     for name in ("load", "approach"):
         given = [v for step in steps if isinstance(v := step.get(name), (int, float))]
         if given:
@@ -190,17 +190,26 @@ def largest_target(steps: Sequence[Mapping[str, Any]]) -> dict[str, float]:
 
 
 def _duration(heat: Heat, duration: float | None) -> float | None:
-    """Checked duration of an increment [s]; None without heat.history or heat.partition."""
+    """Check and return the duration of an increment [s]; None if the heat requires none."""
     if heat.partition is not None:
         if duration is None:
-            raise ValueError("duration is required because heat.partition is set")
+            raise ValueError(
+                "duration is required because heat.partition is set: give "
+                "the duration of the increment [s]"
+            )
         return positive("duration", duration)
     if heat.history is None:
         if duration is not None:
-            raise ValueError("duration requires heat with history or partition")
+            raise ValueError(
+                "duration has no effect without heat.history or "
+                "heat.partition: omit duration, or set one of them"
+            )
         return None
     if duration is None:
-        raise ValueError("duration is required because heat.history is set")
+        raise ValueError(
+            "duration is required because heat.history is set: give the "
+            "duration of the increment [s]"
+        )
     seconds, shortest = positive("duration", duration), heat.history[0]
     if seconds < shortest * (1 - 1e-12):
         raise ValueError(
@@ -213,7 +222,7 @@ def _duration(heat: Heat, duration: float | None) -> float | None:
 def _require_motion_of_heat(
     heat: Heat, duration: float, advance: tuple[float, float], dx: float
 ) -> None:
-    """Require motions consistent with past heat, which is stored per cell of the grid."""
+    """Require motions by whole cells, at the velocity of the heat; past heat is stored by cell."""
     for n, cells in enumerate(advance, 1):
         moved = cells * dx
         if abs(cells - round(cells)) > 1e-6:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of a body in two states, on the cells of both."""
+"""Fields of a body in two states, on the union of the cells of both states."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .track import Track
 
 
 def on_common_cells(before: Track, after: Track, field: str) -> tuple[FloatArray, FloatArray]:
-    """Return a field of two tracks on the union of their cells, 0 where a track has no cells."""
+    """Return a field of two tracks on the union of their cells; 0 where a track has no cell."""
     tracks, corner, size = (before, after), [], []
     for axis in "xy":
         places = np.concatenate([getattr(track, axis) for track in tracks])

@@ -13,12 +13,13 @@ from ..problem.contact_law import in_contact
 from .outline import Sides, around, sides_of, steps_beside
 
 AREA_PER_SIDE = (math.pi - 1 + math.log(2)) / 24
-"""Mean excess of the counted area per side of the outline of a smooth spot [cells]."""
+"""Mean excess of the counted area, per cell side on the outline of a smooth spot [cells]."""
 MAX_LOCATED_CORRECTION, MIN_COUNTED_CORRECTION = 0.08, 0.14
-"""Perimeter correction over the counted area (on a periodic grid in nearly full contact, over the
-open area) below which the edge is located from the pressure, and above which it is not. They
-correspond to round spots of 7.5 and 4.3 cells across."""
-_EXTRAPOLATION_CELLS = range(1, 5)  # from the edge, used to extrapolate the pressure
+"""Limits of the perimeter correction, relative to the counted area (in nearly full contact on a
+periodic grid, relative to the open area). Below the first limit the edge is located from the
+pressure; above the second limit only the perimeter correction is used. The limits correspond to
+round spots 7.5 and 4.3 cells in diameter."""
+_EXTRAPOLATION_CELLS = range(1, 5)  # numbered from the edge; used to extrapolate the pressure
 _PADDING_CELLS = 4  # cells added around a field
 
 
@@ -27,14 +28,15 @@ def contact_area(
 ) -> float:
     """Contact area from the pressure in the cells of a grid [m^2].
 
-    Counting cells under pressure is a first-order method and nearly always overestimates the area.
-    If the spots are resolved, the edge is located within the cells from the squared pressure, which
-    falls linearly to zero at the edge of a smooth contact (second order). If they are not, or if
-    the located area would exceed the count (nearly full contact), each side of the outline reduces
-    the count by (pi - 1 + ln 2)/24 of a cell: the mean excess of counting over all directions of a
-    smooth edge (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). Between
-    the two limits both values are blended. Sides at the edge of the grid or at a step of the gap
-    do not reduce the count, because the contact edge lies on them.
+    Counting the cells under pressure is a first-order method and nearly always overestimates the
+    area. If the contact spots are resolved, the contact edge is located within the cells by the
+    squared pressure, which falls linearly to zero at the edge of a smooth contact. This method is
+    of second order. If the spots are not resolved, or if the area by this method would exceed the
+    count (nearly full contact), each cell side on the contact outline reduces the count by (pi - 1
+    + ln 2)/24 of a cell. This is the mean overestimate of counting, averaged over all directions of
+    a smooth edge (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). In
+    between, both values are blended. Sides at the edge of the grid or at a step of the gap do not
+    reduce the count, because the contact edge lies on these sides.
 
     Parameters
     ----------
@@ -51,16 +53,17 @@ def contact_area(
 
 
 def area_doubt(pressure: ArrayLike, periodic: str = "", gap: ArrayLike | None = None) -> float:
-    """Perimeter correction that was used, relative to the contact area [-].
+    """Return the perimeter correction of `contact_area`, relative to the contact area [-].
 
-    It is 0 if the edge is located from the pressure. The arguments are those of `contact_area`.
+    The correction is 0 if the contact edge is located from the pressure. Arguments as for
+    `contact_area`.
     """
-    area, doubt = _located(pressure, periodic, gap)
-    return doubt / area if area > 0 else 0.0
+    area, uncertainty = _located(pressure, periodic, gap)
+    return uncertainty / area if area > 0 else 0.0
 
 
 def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple[float, float]:
-    """Contact area, and the part of the perimeter correction used for it [cells]."""
+    """Return the contact area, and the perimeter correction contained in it [cells]."""
     field = np.asarray(pressure, dtype=np.float64)
     inside = in_contact(field)
     count = int(np.count_nonzero(inside))
@@ -86,11 +89,11 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
         return by_perimeter, taken_off
     steps = [(sides, fixed) for sides, fixed in zip(outline, on_cells, strict=True) if fixed.any()]
     by_pressure = _inside_of_zero_line(field, periodic, steps)
-    # edges along one grid direction all lie alike within their cells: up to half a cell off
+    # straight edges along the grid all have one position within their cells: up to half a cell off
     straight = smooth[0] + smooth[1] == 0 or smooth[2] + smooth[3] == 0
     slack = 0.25 * sum(smooth) if straight else 0.0
     beyond = (by_pressure - count - slack) / (slack or taken_off)
-    if beyond > 0:  # nearly full contact: smaller, the more it exceeds the count
+    if beyond > 0:  # nearly full contact: trust decreases with the excess over the count
         trust = min(trust, 1.0) * max(0.0, 1.0 - beyond)
         by_pressure = count + slack
     trust = min(trust, 1.0)
@@ -98,7 +101,7 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
 
 
 def _on_cells(sides: Sides, gap: ArrayLike | None, periodic: str) -> NDArray[np.bool_]:
-    """Whether sides coincide with the contact edge because of a step of the gap."""
+    """Return, for each side, whether it coincides with the contact edge at a step of the gap."""
     if gap is None:
         return np.zeros(len(sides.i), dtype=np.bool_)
     return steps_beside(sides, np.asarray(gap, dtype=np.float64), periodic)[0]
@@ -107,12 +110,13 @@ def _on_cells(sides: Sides, gap: ArrayLike | None, periodic: str) -> NDArray[np.
 def _inside_of_zero_line(
     pressure: FloatArray, periodic: str, steps: list[tuple[Sides, NDArray[np.bool_]]]
 ) -> float:
-    """Number of cells inside the zero line of the extrapolated squared pressure.
+    """Return the area inside the zero line of the extrapolated squared pressure [cells].
 
-    A parabola through the second to fourth cell from the edge (the first depends on the position
-    of the edge within it) extrapolates it over the first cells without pressure, at most to zero
-    at their centres. At a step it vanishes half-way. The area is that of the triangles between
-    the centres.
+    The squared pressure is extrapolated to the first cells without pressure by a parabola through
+    the second to fourth cell from the edge; the first cell is omitted, because its pressure depends
+    on the position of the edge in it. The extrapolated value is at most zero. At a step of the gap
+    the squared pressure vanishes half-way between the cell centres. The area is computed in
+    triangles between the centres.
     """
     field = (pressure / pressure.max()) ** 2
     held = np.full(field.shape, np.nan)
@@ -137,7 +141,7 @@ def _inside_of_zero_line(
 
 
 def _continued(squared: FloatArray) -> FloatArray:
-    """Extrapolate squared pressures to negative values in the adjacent cells."""
+    """Extrapolate squared pressures to values <= 0 in the adjacent cells without pressure."""
     inside = squared > 0
     level = np.where(inside, squared, np.nan)
     total, weights = np.zeros_like(level), np.zeros_like(level)
@@ -159,7 +163,7 @@ def _continued(squared: FloatArray) -> FloatArray:
 
 
 def _area_above_zero(level: FloatArray) -> float:
-    """Area in squares of a lattice of points, each split into four triangles at its centre."""
+    """Area with positive interpolated values at lattice points, in units of a lattice square."""
     corners = (level[:-1, :-1], level[1:, :-1], level[1:, 1:], level[:-1, 1:])
     middle = 0.25 * sum(corners)
     area = 0.0

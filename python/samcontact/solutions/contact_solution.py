@@ -18,7 +18,7 @@ from .contact_area import contact_area
 from .outline import Outline, outline_of
 
 Before = tuple[FloatArray, FloatArray, FloatArray | None, float]
-"""Pressure, shear, gap and approach at the end of an increment; None: unknown."""
+"""Pressure, shear, gap and approach at the end of an increment; None for an unknown one."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
@@ -28,27 +28,28 @@ class ContactSolution(ShortRepr, HtmlTable):
     Attributes
     ----------
     grid : Grid
-        Grid of the fields: that of the solver, or an enlarged one.
+        Grid of the fields: the grid of the solver, or an enlarged grid.
     pressure : ndarray, shape (nx, ny)
-        Contact pressure [Pa], >= 0; with attraction, >= -a for the attraction a of the law.
+        Contact pressure [Pa], >= 0; with attraction a of the contact law, >= -a.
     repulsion : ndarray, shape (nx, ny)
         Contact pressure plus attraction [Pa], >= 0; without attraction, the pressure.
     gap : ndarray, shape (nx, ny)
-        Separation under load [m], zero (to `error`) where the repulsion is positive.
+        Separation under load [m]; zero, to the accuracy `error`, where the repulsion is positive.
     approach : float
         Rigid-body approach [m].
     load : float
         Normal load [N].
     iterations : int
-        Conjugate-gradient iterations on the grid, without those on coarser grids.
+        Conjugate-gradient iterations on this grid; iterations on coarser grids are not counted.
     operator_applications : int
-        Exact displacement evaluations on the grid, each a pair of zero-padded transforms
-        (including those of the shear with coupled friction).
+        Number of exact displacement evaluations on the grid, each a pair of zero-padded transforms.
+        With coupled friction, evaluations for the shear are included.
     work : float
-        All transforms of the solve, including those of the preconditioner, of approximate
-        displacements and of coarser grids, in units of one exact displacement [-].
+        Computing work of all transforms of the solve, including transforms for the preconditioner,
+        for approximate displacements and on coarser grids, in units of one exact displacement
+        evaluation [-].
     error : float
-        Complementarity error [-]: maximum of |min(r/max r, g/max u)| over all cells, for the
+        Complementarity error [-]: maximum of ``|min(r/max r, g/max u)|`` over all cells, for the
         repulsion r, gap g and displacement u.
     converged : bool
         Whether error <= tol (otherwise ConvergenceError is raised).
@@ -78,7 +79,7 @@ class ContactSolution(ShortRepr, HtmlTable):
 
     @property
     def contact_area(self) -> float:
-        """Contact area [m^2], with the edge located between the cells; see the theory page."""
+        """Contact area [m^2], with the contact edge located within cells, see `contact_area`."""
         grid = self.grid
         gap = self.gap if self.outline.rises else None
         return contact_area(self.repulsion, grid.cell_area, grid.periodic, gap)
@@ -139,7 +140,7 @@ class ShearedSolution(ContactSolution):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class PartialSlipSolution(ShearedSolution):
-    """Solution of a contact with partial slip under Coulomb friction; also a `ContactSolution`.
+    """Solution of a contact with partial slip under Coulomb friction; a kind of `ContactSolution`.
 
     Attributes
     ----------
@@ -155,30 +156,34 @@ class PartialSlipSolution(ShearedSolution):
         Moment on body 2 about z at the origin [N m].
     shift : ndarray, shape (2,)
         Tangential rigid-body displacement of body 1 relative to body 2 along x and y, accumulated
-            since the first increment [m].
+        since the first increment [m].
     twist : float
-        Rotation of body 1 relative to body 2 about z at the origin, accumulated likewise [rad].
+        Rotation of body 1 relative to body 2 about z at the origin, accumulated since the first
+        increment [rad].
     friction_work : float
         Frictional dissipation since the first increment [J].
     tangential_error : float
-        Natural residual of the slip conditions: change of the shear when it is moved along its slip
-        and cut at mu p, relative to the maximum of mu p, or to ten times the maximum shear if that
-        is smaller [-]. With dissimilar materials it refers to the final pressure, and `error` is
-        that of the pressure for the final shear.
+        Natural residual of the slip conditions [-]: change of the shear traction when it is moved
+        along the slip and limited to mu p, relative to the maximum of mu p or to ten times the
+        maximum shear, whichever is smaller. With dissimilar materials this residual refers to the
+        final pressure, and `error` is the complementarity error of the pressure for the final
+        shear.
     energy_gap : float
-        Bound on the energy that friction could still dissipate with these slips [J]; twice the
-        elastic energy of the shear error is smaller. NaN for infinite friction.
+        Accuracy of the shear as an energy [J]: friction with these slips could dissipate at most
+        this much more, and twice the elastic energy of the error of the shear is at most this
+        large. NaN for infinite friction.
     sweeps : int
-        Iterations between pressure and shear; 1 if they are uncoupled.
+        Number of iterations between pressure and shear; 1 if pressure and shear are uncoupled.
     joint_steps : int
-        Newton steps on pressure and shear together; 0 if the sweeps converged.
+        Number of Newton steps on pressure and shear together; 0 if the sweeps converged.
     tangential_iterations : int
         Iterations of the linear solves for the shear on the finest grid.
     tangential_applications : int
-        Evaluations of shear displacement on the box of the contact, each two pairs of transforms.
+        Evaluations of shear displacement on the bounding box of the contact, each two pairs of
+        transforms.
     tangential_work : float
-        All transforms for the shear, including those of the preconditioner and of coarser grids, in
-        units of one such evaluation [-].
+        Computing work of all transforms for the shear, including transforms for the preconditioner
+        and on coarser grids, in units of one such evaluation [-].
     """
 
     shift: FloatArray
@@ -190,13 +195,13 @@ class PartialSlipSolution(ShearedSolution):
         return [
             ("shift", both(self.shift, "m")),
             ("twist", quantity(self.twist, "rad")),
-            ("friction work", quantity(self.friction_work, "J")),
+            ("frictional work", quantity(self.friction_work, "J")),
         ]
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class RollingSolution(ShearedSolution):
-    """Solution of a contact in steady rolling; also a `ContactSolution`.
+    """Solution of a contact in steady rolling; a kind of `ContactSolution`.
 
     Attributes
     ----------
@@ -211,7 +216,7 @@ class RollingSolution(ShearedSolution):
     friction_work_per_distance : float
         Frictional dissipation per distance rolled [J/m].
     shear, sticking, tangential_load, torque
-        As in `PartialSlipSolution`; errors and counts as well.
+        As in `PartialSlipSolution`; errors and iteration counts too.
     """
 
     creepage: FloatArray
@@ -223,18 +228,18 @@ class RollingSolution(ShearedSolution):
         return [
             ("creepage", both(self.creepage, "")),
             ("spin", quantity(self.spin, "1/m")),
-            ("friction work per distance", quantity(self.friction_work_per_distance, "J/m")),
+            ("frictional work per distance", quantity(self.friction_work_per_distance, "J/m")),
         ]
 
 
 def both(values: FloatArray, unit: str) -> str:
-    """Format two numbers; values negligible against the other are shown as zero."""
+    """Format two numbers; a number that is negligible compared with the other is shown as zero."""
     small = 1e-9 * float(np.abs(values).max())
     return ", ".join(quantity(float(v) if abs(v) > small else 0.0, unit) for v in values)
 
 
 def fits(solution: ContactSolution, grid: Grid) -> bool:
-    """Whether a grid has the cells of the solution, and possibly more around them."""
+    """Whether a grid contains all cells of the grid of a solution, possibly with more around."""
     own = solution.grid
     more = [n - m for n, m in zip(grid.surface_shape, own.surface_shape, strict=True)]
     same = (grid.dx, grid.dy, grid.periodic) == (own.dx, own.dy, own.periodic)
@@ -242,8 +247,9 @@ def fits(solution: ContactSolution, grid: Grid) -> bool:
 
 
 def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> Before:
-    """Pressure, shear, gap and approach on a grid that fits; ValueError, naming the argument, for
-    other grids."""
+    """Return pressure, shear, gap and approach of a solution on a grid with equal cells.
+
+    Raises ValueError, with the name of the argument, for a grid with other cells."""
     if not fits(solution, grid):
         raise ValueError(
             f"{name} must be a solution with equal cells, got one on {solution.grid!r} for {grid!r}"

@@ -15,11 +15,11 @@ from ..problem.grid import Grid
 
 SIDES = ("above", "below")
 _FACE_WEIGHTS = {1: (1.0,), 2: (1.5, -0.5), 3: (11 / 6, -7 / 6, 1 / 3)}
-"""Weights for the value at the face of the first of n cells, from cell means of a polynomial."""
+"""Weights of the cell means of a polynomial in n cells for its value at the face of the first."""
 
 
 def layered_body(bodies: tuple[Body, Body], body: int, offset: float) -> Layered:
-    """Return the layered body; ValueError if it has no interfaces or is offset from the cells."""
+    """Return the layered body; ValueError without interfaces, or if offset from the grid cells."""
     found = bodies[body - 1]
     if not isinstance(found, Layered):
         raise ValueError(f"body{body} must be layered to have interfaces, got {found!r}")
@@ -37,10 +37,10 @@ def stress_at_interfaces(
     tractions: tuple[FloatArray, FloatArray],
     of_strain: Callable[[int], FloatArray] | None,
 ) -> FloatArray:
-    """See `State.interface_stress`.
+    """Return the stress on both sides of each interface [Pa], see `State.interface_stress`.
 
-    tractions: pressure and shear on the body; of_strain: stress due to its plastic strain in a
-    number of layers of cells.
+    tractions: pressure and shear on the body; of_strain: function of a number of cell layers that
+    returns the stress due to plastic strain.
     """
     pressure, shear = tractions
     depths = layered.interfaces
@@ -61,7 +61,7 @@ def stress_at_interfaces(
 
 
 def _continued(cells: FloatArray, cuts: Sequence[int]) -> FloatArray:
-    """Extrapolate stress in layers of cells to the interfaces from each side."""
+    """Extrapolate the stress at the centres of cells to both sides of each interface."""
     faces = []
     for above, at, below in zip([0, *cuts], cuts, [*cuts[1:], cells.shape[-1]], strict=False):
         upper, lower = cells[..., above:at][..., ::-1], cells[..., at:below]
@@ -70,7 +70,7 @@ def _continued(cells: FloatArray, cuts: Sequence[int]) -> FloatArray:
 
 
 def _at_face(cells: FloatArray) -> FloatArray:
-    """Extrapolate stress in cells of one material to the face of the first cell."""
+    """Extrapolate the stress in cells of one material to the outer face of the first cell."""
     weights = _FACE_WEIGHTS[min(len(_FACE_WEIGHTS), cells.shape[-1])]
     face: FloatArray = cells[..., : len(weights)] @ np.array(weights)
     return face

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Outline of a contact in cells of its grid, and steps of the gap next to it."""
+"""Outline of a contact on the cells of its grid, and steps of the gap at this outline."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ MIN_STEP_RATIO = 8.0
 
 Ints = NDArray[np.intp]
 _BLOCK_CELLS = 1 << 18
-"""Number of cells processed together, which limits the memory."""
+"""Number of cells that are processed together; it limits the memory."""
 _MARGIN_CELLS = 5
 """Margin around a contact within which cells determine whether its edge is sharp."""
 
 
 def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
-    """Rows and columns of the contact with a margin; all of them on a periodic grid."""
+    """Return slices of rows and columns in contact with a margin; all along a periodic axis."""
     found = []
     for axis, name in enumerate("xy"):
         at = np.flatnonzero(inside.any(axis=1 - axis))
@@ -38,15 +38,15 @@ def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
 
 
 class Outline(NamedTuple):
-    """Outline of a contact in cells of its grid."""
+    """Counts of cells and cell sides that describe the outline of a contact, and its pressure."""
 
     cells: int
     """Cells in contact."""
     sides: int
     """Total number of sides from `sides_of`."""
     reach: int
-    """Number r of cells: contact extends from r before the maximum pressure to r - 1 behind it
-    along x and y, so that its spot is at least 2 r wide."""
+    """Number r of cells: along x and y, the spot extends from r cells before the maximum pressure
+    to r - 1 cells after it, so it is at least 2 r cells wide."""
     rises: bool
     """Whether the pressure increases towards a side of the contact, from the next inner cell."""
     largest: float
@@ -54,7 +54,7 @@ class Outline(NamedTuple):
 
 
 def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
-    """Outline of the contact for a pressure >= 0 [Pa], shape (nx, ny); periodic: as for Grid."""
+    """Return the outline of the contact for a pressure >= 0 [Pa]; periodic: as for Grid."""
     field = np.asarray(pressure, dtype=np.float64)
     return Outline(
         *contact_outline(field, "x" in periodic, "y" in periodic, MIN_EDGE_PRESSURE_RATIO)
@@ -62,7 +62,7 @@ def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
 
 
 class Sides(NamedTuple):
-    """Cells with a neighbour of another kind along an axis; step: +1 or -1, towards it."""
+    """Sides of cells (i, j) across an axis; step: direction of the neighbouring cell, +1 or -1."""
 
     i: Ints
     j: Ints
@@ -70,14 +70,14 @@ class Sides(NamedTuple):
     step: int
 
     def neighbours(self, shape: tuple[int, ...], cells: int = 1) -> tuple[Ints, Ints]:
-        """Rows and columns a number of cells further out; cyclic at the end of the grid."""
+        """Return i and j of the cells a number of cells further out; cyclic at the grid edge."""
         moved = [self.i, self.j]
         moved[self.axis] = (moved[self.axis] + self.step * cells) % shape[self.axis]
         return moved[0], moved[1]
 
 
 def away_from_border(sides: Sides, shape: tuple[int, ...], periodic: str) -> Sides:
-    """Sides for which all cells used by `steps_beside` lie inside the grid."""
+    """Return the sides for which all cells used by `steps_beside` lie inside the grid."""
     if "xy"[sides.axis] in periodic:
         return sides
     at, n = (sides.i if sides.axis == 0 else sides.j), shape[sides.axis]
@@ -87,9 +87,9 @@ def away_from_border(sides: Sides, shape: tuple[int, ...], periodic: str) -> Sid
 
 
 def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
-    """Sides between cells in contact and open cells, in four directions.
+    """Yield the sides between cells in contact and open cells, separately for four directions.
 
-    The edge of the grid is no side, except in a periodic direction.
+    The edge of the grid is not a side, except in a periodic direction.
     """
     return sides_between(inside, ~inside, periodic)
 
@@ -97,7 +97,7 @@ def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
 def sides_between(
     inside: NDArray[np.bool_], beside: NDArray[np.bool_], periodic: str
 ) -> Iterator[Sides]:
-    """Sides between cells of two kinds, in four directions."""
+    """Yield the sides between cells of two masks, separately for four directions."""
     for axis, name in enumerate("xy"):
         for step in (1, -1):
             outside = np.roll(beside, -step, axis)
@@ -112,11 +112,11 @@ def sides_between(
 def steps_beside(
     sides: Sides, gap: FloatArray, periodic: str
 ) -> tuple[NDArray[np.bool_], FloatArray]:
-    """Whether the gap has a step up at each side, and the height of the step [m].
+    """Return whether the gap has an upward step at each side, and the height of each step [m].
 
-    A step is higher than the slopes on both sides can cause between two cells, and than
-    `MIN_STEP_RATIO` times the bends of the gap on both sides. If there is no body outside (NaN or
-    infinite), its height is infinite.
+    A step is higher than the change of slope across the side can cause between two cells, and
+    higher than `MIN_STEP_RATIO` times the bends of the gap on both sides. If there is no body
+    outside (gap NaN or infinite), the height of the step is infinite.
     """
     heights = [_along(sides, gap, cells, periodic) for cells in range(-2, 4)]
     with np.errstate(invalid="ignore"):
@@ -133,7 +133,7 @@ def steps_beside(
 
 
 def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArray:
-    """Heights a number of cells further out; beyond the end of the grid, of the last cell."""
+    """Return the gap a number of cells further out; the last cell is used beyond the grid."""
     i, j = sides.i, sides.j
     at = (i if sides.axis == 0 else j) + sides.step * cells
     n = gap.shape[sides.axis]
@@ -145,13 +145,13 @@ def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArr
 def may_have_steps(gap: FloatArray, periodic: str) -> bool:
     """Whether the gap of undeformed bodies may have a step between two cells.
 
-    Without one, `steps_beside` finds none at any side that is `away_from_border`.
+    If it has none, `steps_beside` finds no step at any side that is `away_from_border`.
     """
     if not np.isfinite(gap).all():
         return True
     for axis, name in enumerate("xy"):
         heights = gap if axis == 0 else gap.T
-        if name in periodic:  # the cells around its end, several times of few
+        if name in periodic:  # also across the end of the period; few cells are repeated
             heights = heights.take(range(len(heights) + 5), axis=0, mode="wrap")
         columns = max(1, _BLOCK_CELLS // len(heights))
         for first in range(0, heights.shape[1], columns):
@@ -161,7 +161,7 @@ def may_have_steps(gap: FloatArray, periodic: str) -> bool:
 
 
 def _bends_suddenly(heights: FloatArray) -> bool:
-    """Whether there may be a step along the first axis between two of the heights."""
+    """Whether heights may have a step between two neighbours along the first axis."""
     rises = heights[1:] - heights[:-1]
     count = max(len(rises) - 4, 0)
     before, into, rise, out, after = [rises[n : n + count] for n in range(5)]
@@ -171,9 +171,10 @@ def _bends_suddenly(heights: FloatArray) -> bool:
 
 
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
-    """Whether some pressure exceeds both neighbours along an axis by `MIN_EDGE_PRESSURE_RATIO`.
+    """Whether a cell has a pressure above `MIN_EDGE_PRESSURE_RATIO` times both neighbours.
 
-    This holds at every edge towards which the pressure rises, and nowhere in a smooth contact.
+    This is so at every contact edge towards which the pressure rises, and nowhere in a smooth
+    contact.
     """
     for axis, name in enumerate("xy"):
         p = pressure if axis == 0 else pressure.T
@@ -191,7 +192,7 @@ def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
 
 
 def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:
-    """Whether the pressure exceeds that further inside, and drops at least as much further out."""
+    """Return, for each side, whether its cell has a higher pressure than both neighbours."""
     own, inner = pressure[sides.i, sides.j], pressure[sides.neighbours(pressure.shape, -1)]
     beside = pressure[sides.neighbours(pressure.shape, 1)]
     found: NDArray[np.bool_] = (

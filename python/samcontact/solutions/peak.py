@@ -13,22 +13,23 @@ if TYPE_CHECKING:
 
 
 _STRESS_TOLERANCE = 1e-3
-"""Relative tolerance on stress: flow without hardening keeps it at yield, to the tolerance."""
+"""Relative tolerance of equal stresses: without hardening, many increments reach yield stress."""
 _ROUNDING_ERROR = 1e-9
-"""Relative tolerance on pressures and loads, for rounding."""
+"""Relative tolerance of equal pressures and loads, for rounding errors."""
 
 
 def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
-    """Position of the increment with the maximum von Mises stress.
+    """Return the index (from 0) of the increment with the maximum von Mises stress.
 
-    Among equal ones, that with the maximum pressure, then with the maximum load, then the first:
-    in rolling contact the load is constant, and a rough spot on the track is the most informative.
+    Among increments of equal stress, the increment with the maximum pressure is chosen, then with
+    the maximum load, then the first. In rolling contact the load is constant, and the increment at
+    a rough spot of the track is the most informative.
 
     Parameters
     ----------
     stress, pressure, load : array_like, shape (increments,)
-        Maximum von Mises stress of all bodies [Pa], None without a volume; maximum pressure [Pa];
-        load [N]. Increments with NaN are ignored.
+        Maximum von Mises stress of all bodies [Pa], or None if there is no volume; maximum pressure
+        [Pa]; load [N]. Increments with NaN are ignored.
     """
     pressures = np.asarray(pressure, dtype=np.float64)
     left = np.isfinite(pressures)
@@ -43,7 +44,7 @@ def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
 
 
 def peak_of_dataset(dataset: xr.Dataset) -> int:
-    """Position of the increment with the maximum von Mises stress in a results dataset."""
+    """Return the index (from 0) of the increment with maximum von Mises stress in a dataset."""
     names = [f"max_von_mises_body{body}" for body in (1, 2)]
     stress = [dataset[name].values for name in names if name in dataset]
     largest = np.max(stress, axis=0) if stress else None

@@ -74,18 +74,18 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def depths(self) -> FloatArray:
         """Mid-layer depths of the volume fields [m], shape (nz,).
 
-        These are the depths of the grid. Without nz, they include all plastic strain of both bodies
-        so far, and the stress down to 1.5 radii below the contact spots; at least 8 layers.
+        These are the depths of the grid. Without nz, at least 8 layers cover all plastic strain of
+        both bodies so far, and the stress down to 1.5 radii below the contact spots.
         """
         return self.grid.depths(self.layers)
 
     @property
     def layers(self) -> int:
-        """Number of layers of volume fields."""
+        """Number of layers of the volume fields."""
         return self._core.layers() if self._given_layers is None else self._given_layers
 
     def at_layers(self, layers: int) -> State:
-        """Return this state with another number of layers (>= 1) in its volume fields."""
+        """Return this state with volume fields of another number of layers, >= 1."""
         integer("layers", layers, 1)
         if layers == self.layers:
             return self
@@ -117,28 +117,28 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def origin(self) -> float:
         """Position of the contact origin (x = 0) relative to the grid centre [m].
 
-        It is at most half a cell. The cells of the grid are those of the body whose plastic strain
-        is tracked (body 2 if it is elastic-plastic), so the contact moves in the grid by the
-        fraction of a cell.
+        The distance is at most half a cell. Grid cells coincide with cells of the elastic-plastic
+        body (body 2 if both are), so the contact is displaced in the grid by the remaining fraction
+        of a cell.
         """
         return float(self._core.origin) * self.grid.dx
 
     def offset(self, body: int = 2) -> float:
         """Offset of the volume fields of a body from the cells of the grid along x [m].
 
-        At most half a cell; not zero only if two elastic-plastic bodies moved by different
-        fractions of a cell.
+        The offset is at most half a cell. It is zero unless two elastic-plastic bodies moved by
+        different fractions of a cell.
         """
         return -float(self._core.offset[choice("body", body, (1, 2)) - 1]) * self.grid.dx
 
     def track(self, body: int = 2, margin: int | None = None) -> Track:
-        """Residual fields along the whole track of the contact on a body, also outside the grid.
+        """Return residual fields along the whole track of the contact on a body.
 
         Parameters
         ----------
         body : {1, 2}
         margin : int, optional
-            Cells added before and behind the plastic strain, >= 0. Default: a quarter of the grid.
+            Cells added at both ends of the plastic strain, >= 0. Default: a quarter of the grid.
 
         Returns
         -------
@@ -155,7 +155,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         return self._tracks[key]
 
     def zones(self, body: int = 2) -> tuple[Zone, ...]:
-        """Non-overlapping plastic subdomains of a body, which contain all its plastic strain.
+        """Return the non-overlapping subdomains that contain all plastic strain of a body.
 
         Parameters
         ----------
@@ -164,9 +164,9 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         Returns
         -------
         tuple of Zone
-            The subdomains in which the plastic strain was solved, if there are several (see
-            `Simulation`); else a single one, or none without plastic strain. Their fields take the
-            memory of the subdomains instead of that of all layers of the grid.
+            Subdomains in which the plastic strain was solved, if there are several (see
+            `Simulation`); otherwise a single subdomain, or none without plastic strain. The fields
+            of a Zone require memory for its own cells only, not for the whole grid.
         """
         found = ZoneStress(self._core, choice("body", body, (1, 2)))
         return tuple(Zone(self.grid, body, number, found) for number in range(len(found.boxes)))
@@ -219,37 +219,37 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def residual_stress(self, body: int = 2) -> FloatArray:
         """Residual stress [Pa], shape (6, nx, ny, nz).
 
-        Stress due to plastic strain, plus `initial_stress` and `eigenstress`; no tractions, no
-        heat.
+        It is the stress due to plastic strain plus `initial_stress` and `eigenstress`, without the
+        stress due to tractions and heat.
         """
         return self._field("residual_stress", body)
 
     def initial_stress(self, body: int = 2) -> FloatArray:
         """Initial (residual) stress [Pa], shape (6, nx, ny, nz).
 
-        See `Material.with_residual_stress`; 0 without it.
+        It is given by `Material.with_residual_stress`, or 0.
         """
         return self._field("initial_stress", body)
 
     def eigenstress(self, body: int = 2) -> FloatArray:
-        """Stress due to the `eigenstrain` alone [Pa], shape (6, nx, ny, nz); in equilibrium."""
+        """Self-equilibrated stress due to the `eigenstrain` alone [Pa], shape (6, nx, ny, nz)."""
         return self._field("eigenstress", body)
 
     def eigenstrain(self, body: int = 2) -> FloatArray:
         """Sum of the strains added by `Simulation.add_eigenstrain` [-], shape (6, nx, ny, nz).
 
-        Tensor components; not part of `plastic_strain`.
+        Tensor components; this strain is not part of `plastic_strain`.
         """
         return self._field("eigenstrain", body)
 
     def interface_stress(self, body: int = 2) -> FloatArray:
         """Total stress on both sides of the interfaces of a layered body [Pa].
 
-        Shape (2, 6, nx, ny, m): above and below each of the m interfaces, see `Layered.interfaces`.
-        The tractions between layers, zz, yz and xz, are continuous up to the grid error; xx, yy and
-        xy jump. Stress due to tractions is exact at its depth; stress due to plastic strain is
-        extrapolated from three cells on each side (fewer in thinner layers). Raises ValueError for
-        a body without layers, or with an `offset`.
+        The shape is (2, 6, nx, ny, m): above and below each of m interfaces (`Layered.interfaces`).
+        The components zz, yz and xz are continuous up to the grid error; xx, yy and xy jump. Stress
+        due to tractions is exact at the interface; stress due to plastic strain is extrapolated
+        from three cells on each side (fewer in thinner layers). Raises ValueError for a body
+        without layers, or with an `offset`.
         """
         return self._field("interface_stress", body, lambda: self._at_interfaces(body))
 
@@ -287,7 +287,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def backstress(self, body: int = 2) -> FloatArray:
         """Backstresses of kinematic hardening [Pa], shape (terms, 6, nx, ny, nz).
 
-        Their sum is the centre of the yield surface. Without kinematic hardening, terms = 0.
+        Their sum is the centre of the yield surface. Without kinematic hardening, terms is 0.
         """
         return self._field("backstress", body)
 
@@ -317,14 +317,14 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         return bool(self._core.has_eigenstrain(choice("body", body, (1, 2)) - 1))
 
     def relief(self, body: int = 2) -> FloatArray:
-        """Heights of a body's `Relief` at its current position [m], shape (nx, ny); 0 without."""
+        """Heights of the `Relief` of a body in its current position [m], shape (nx, ny), or 0."""
         return self._field("relief", body)
 
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
         """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
-        It is due to the plastic strain. With axis="x" or "y" it is tangential, along the directions
-        that both bodies share. On a periodic surface it is relative to the body far below.
+        It is due to the plastic strain. With axis="x" or "y", it is tangential, along the axis
+        common to both bodies. On a periodic surface, it is relative to the body far below.
         """
         number = axis_number(axis)
         core, index = self._core, choice("body", body, (1, 2)) - 1
@@ -361,7 +361,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def _field(
         self, name: str, body: int, compute: Callable[[], FloatArray] | None = None
     ) -> FloatArray:
-        """Cached field, or one computed from other fields or by the core."""
+        """Return a field from the cache, from other fields or from the core."""
         index = choice("body", body, (1, 2)) - 1
         return kept(self, (name, index), compute or (lambda: self._of_core(name, index)))
 
@@ -379,7 +379,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         return field
 
     def _rows(self) -> Rows:
-        """Rows that need no volume field."""
+        """Return the table rows of all quantities that need no volume field."""
         rows = [
             ("load", quantity(self.load, "N")),
             ("approach", quantity(self.approach, "m")),
@@ -400,7 +400,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
             *rows,
             ("plastic iterations", str(self.iterations)),
             ("plastic residual", quantity(self.plastic_strain_residual)),
-            ("yield excess", quantity(self.yield_violation)),
+            ("yield violation", quantity(self.yield_violation)),
             ("converged", "yes" if self.converged else "no"),
         ]
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def strained_cells(
     zone: Zone, shape: Sequence[int]
 ) -> tuple[tuple[NDArray[np.intp], ...], tuple[NDArray[np.intp], ...]]:
-    """Cells i, j, k with plastic strain within a grid of this shape, from those in the zone."""
+    """Return the indices of cells with plastic strain in a zone, then their i, j, k in the grid."""
     inside = np.nonzero(zone.equivalent_plastic_strain())
     there = [at + first for at, first in zip(inside, (*zone.first, 0), strict=True)]
     shown = np.logical_and.reduce(
@@ -28,9 +28,9 @@ def strained_cells(
 
 
 def strained_extent(state: State, body: int) -> list[tuple[int, int]]:
-    """First and last cell along x, y and z with plastic strain inside the volume fields.
+    """Return the first and last cell along x, y and z with plastic strain inside the volume fields.
 
-    Empty without plastic strain.
+    The list is empty if there is no plastic strain.
     """
     shape = (*state.grid.surface_shape, len(state.depths))
     found = [strained_cells(zone, shape)[1] for zone in state.zones(body)]

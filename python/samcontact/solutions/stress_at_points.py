@@ -15,11 +15,11 @@ from ..bodies.material import Material
 from ..problem.grid import Grid
 
 _BLOCK_PAIRS = 1 << 18
-"""Number of pairs of a point and a cell processed together: 20 MB."""
+"""Number of pairs of a point and a cell that are processed together; they require 20 MB."""
 _EDGE_TOLERANCE = 1e-6
 """Distance from the edge of a cell, in cells, below which a point is on the edge."""
 _MAX_COORDINATE = 1e75
-"""Maximum coordinates [m]: beyond, squares of distances overflow in products."""
+"""Maximum coordinate [m]; with larger ones, products of squared distances overflow."""
 
 IntArray = NDArray[np.intp]
 Tractions = tuple[FloatArray, FloatArray | None, FloatArray | None]
@@ -34,9 +34,10 @@ def stress_at_points(
     """Stress due to pressure, s_x and s_y in the cells of a grid, at points [Pa], shape (6, ...).
 
     The closed forms of all loaded cells are summed (Love 1929; `kernels.pressure_stress` and
-    `kernels.shear_stress`). At cell centres the result equals that of `ContactSolver.stress`. Where
-    loaded cells meet at the surface, values half a cell to both sides are averaged. Time is
-    proportional to points times loaded cells; memory is constant.
+    `kernels.shear_stress`). At cell centres the result equals that of `ContactSolver.stress`. At
+    points on the surface where loaded cells meet, the mean of the stresses half a cell to both
+    sides is returned. The computing time is proportional to the number of points times the number
+    of loaded cells; memory is constant.
     """
     given = {name: _finite(name, values) for name, values in zip("xyz", points, strict=True)}
     x, y, z = together(**given)
@@ -55,10 +56,11 @@ def stress_at_points(
 
 
 def _half_cells(grid: Grid, tractions: Tractions, points: FloatArray) -> FloatArray:
-    """Offset of half a cell [m] across the line where loaded cells meet at the surface; else 0.
+    """Return half a cell [m] for surface points on lines where loaded cells meet, otherwise 0.
 
-    The stress of uniform cells is infinite there, with the logarithm of the distance from a jump of
-    the traction; the mean of the values half a cell to both sides does not contain this term.
+    With uniform tractions in each cell, the stress near a jump of the traction grows with the
+    logarithm of the distance. The mean of the values half a cell to both sides does not contain
+    this term.
     """
     half = np.zeros_like(points)
     cells: list[tuple[IntArray, IntArray]] = []
@@ -102,7 +104,7 @@ def _add(
     nu: float,
     points: FloatArray,
 ) -> None:
-    """Add the stress due to one traction, in blocks of points and cells."""
+    """Add the stress due to one traction component to `total`, in blocks of points and cells."""
     i, j = np.nonzero(traction)
     values, halves = traction[i, j], (0.5 * grid.dx, 0.5 * grid.dy)
     cells = min(len(values), _BLOCK_PAIRS)
@@ -120,7 +122,7 @@ def _add(
 
 
 def require_closed_forms(grid: Grid, material: Body, body: int, *, heated: bool) -> Material:
-    """Return the homogeneous material; raise ValueError if stress at points is not supported."""
+    """Return the material of a body; ValueError if it does not support stress at points."""
     if not isinstance(material, Material):
         raise ValueError(
             f"body{body} must be homogeneous for stress at points, got a layered body: use "

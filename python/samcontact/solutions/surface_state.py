@@ -43,7 +43,7 @@ class SurfaceState:
     def repulsion(self) -> FloatArray:
         """Pressure plus the attraction of the contact law [Pa], shape (nx, ny).
 
-        In hard contact, the pressure.
+        In hard contact it equals the pressure.
         """
         if not self.setup.contact_law.attracts:
             return self.pressure
@@ -58,7 +58,7 @@ class SurfaceState:
 
     @property
     def attraction_energy(self) -> float:
-        """Work against the attraction of the contact law to open the gap [J]; 0 without one."""
+        """Work against the attraction of the contact law to open the gap [J]; otherwise 0."""
         return float(self._core.attraction_energy())
 
     @property
@@ -70,8 +70,8 @@ class SurfaceState:
     def slip(self) -> FloatArray:
         """Slip of body 1 relative to body 2 in the last increment [m], shape (2, nx, ny).
 
-        Zero in the stick zone. Raises ValueError in full sliding (friction given as a number),
-        where slip is not computed.
+        The slip is zero in the stick zone. Raises ValueError in full sliding (friction given as a
+        number), for which slip is not computed.
         """
         _require_sticking("slip", self.setup)
         shape = (2, *self.grid.surface_shape)
@@ -80,7 +80,7 @@ class SurfaceState:
 
     @property
     def sticking(self) -> NDArray[np.bool_]:
-        """Contact cells that did not slip in the last increment, shape (nx, ny).
+        """Contact cells without slip in the last increment, shape (nx, ny).
 
         Raises ValueError in full sliding.
         """
@@ -100,33 +100,33 @@ class SurfaceState:
     def shift(self) -> FloatArray:
         """Accumulated tangential rigid-body displacement [m], shape (2,).
 
-        Of body 1 relative to body 2 along x and y; it includes the difference of their travel.
-        Raises ValueError in full sliding.
+        It is the displacement of body 1 relative to body 2 along x and y, and includes the
+        difference of their travel. Raises ValueError in full sliding.
         """
         _require_sticking("shift", self.setup)
         return np.array(self._core.motion[:2])
 
     @property
     def twist(self) -> float:
-        """Accumulated rotation of body 1 relative to body 2 about z [rad]; raises like `shift`."""
+        """Accumulated rotation of body 1 relative to body 2 about z [rad] (see also `shift`)."""
         _require_sticking("twist", self.setup)
         return float(self._core.motion[2])
 
     @property
     def friction_work(self) -> float:
-        """Frictional dissipation since the start [J]; raises like `shift`."""
+        """Frictional dissipation since the start [J]; errors as for `shift`."""
         _require_sticking("friction_work", self.setup)
         return float(self._core.friction_work)
 
     def _surface(self, name: str) -> FloatArray:
-        """Return a surface field; 0 if the core does not have it."""
+        """Return a surface field of the core; 0 if the core does not have this field."""
         shape = self.grid.nx, self.grid.ny
         field = getattr(self._core, name)
         return np.zeros(shape) if field is None else field.reshape(shape)
 
     @cached_property
     def gap(self) -> FloatArray:
-        """Separation [m], shape (nx, ny); under prescribed tractions, that for zero approach."""
+        """Separation [m], shape (nx, ny); under prescribed tractions, at zero approach."""
         field: FloatArray = self._core.gap()
         field.flags.writeable = False
         return field
@@ -138,9 +138,9 @@ class SurfaceState:
 
     @property
     def contact_area(self) -> float:
-        """Contact area [m^2], with the edge located between the cells; see the theory page.
+        """Contact area [m^2], with the contact edge located within cells, see `contact_area`.
 
-        Under prescribed tractions it is the area of their pressure.
+        Under prescribed tractions, the area under pressure.
         """
         repulsion, grid = self.repulsion, self.grid
         gap = self.gap if np.isfinite(self.approach) and self.outline.rises else None
@@ -172,14 +172,14 @@ class SurfaceState:
 
 
 def rows_along_surface(state: SurfaceState) -> Rows:
-    """Rows of tangential forces and motions; none in full sliding."""
+    """Return table rows of tangential forces and motions; none in full sliding."""
     if not state.setup.friction.sticks:
         return []
     touching = int(np.count_nonzero(state.in_contact))
     rows = [
         ("tangential load", both(state.tangential_load, "N")),
         ("shift", both(state.shift, "m")),
-        ("friction work", quantity(state.friction_work, "J")),
+        ("frictional work", quantity(state.friction_work, "J")),
         ("sticking cells", f"{np.count_nonzero(state.sticking)} of {touching} in contact"),
     ]
     if state.twist != 0.0:
@@ -189,7 +189,7 @@ def rows_along_surface(state: SurfaceState) -> Rows:
 
 
 def _require_sticking(name: str, setup: SimulationSetup) -> None:
-    """Raise ValueError for full sliding."""
+    """Raise ValueError in full sliding, for which the named quantity is not defined."""
     if not (friction := setup.friction).sticks:
         raise ValueError(
             f"{name} requires partial slip, got friction = {friction!r} (full sliding): use "

@@ -18,7 +18,7 @@ ROUNDING_ERROR = 1e-8
 
 
 def along_surface(states: Sequence[State]) -> dict[str, FloatArray]:
-    """Forces, motions and friction work of states with Coulomb friction, shape (states,)."""
+    """Return forces, motions and frictional work of states with Coulomb friction, by name."""
     given: dict[str, list[float]] = {}
     for state in states:
         (force_x, force_y), (x, y) = state.tangential_load, state.shift
@@ -49,7 +49,7 @@ TANGENTIAL_QUANTITIES = (
 def not_rounding(
     values: Mapping[str, FloatArray], load: FloatArray, approach: FloatArray, area: FloatArray
 ) -> list[str]:
-    """Names of forces and motions that are not just rounding errors of the contact's."""
+    """Return the names of forces and motions that exceed rounding errors."""
     p, d, a = (float(np.nanmax(np.abs(v), initial=0.0)) for v in (load, approach, area))
     size = a**0.5
     scales = (p, p, p * size, d, d, d / size if size > 0 else 0.0)

@@ -33,7 +33,7 @@ class Track(FixedAttributes):
         start, rows = core.history_rows(body - 1) or (0, grid.nx)
         self._first_row = start - margin
         self.first = self._first_row + core.first_cell[body - 1]
-        """Row of the grid, in its initial position, at the first row of the track."""
+        """First row of the track, counted from the first row of the grid at the start."""
         self.grid = Grid(
             rows + 2 * margin,
             grid.ny,
@@ -42,7 +42,7 @@ class Track(FixedAttributes):
             nz=layers if grid.has_volume else 0,
             dz=grid.dz,
         )
-        """Grid of the track; its own x has its origin at the centre, see `x`."""
+        """Grid of the track; the origin of this grid is its centre."""
         # Cell n of the body was initially at (n - (nx - 1)/2) dx of the grid at the start.
         cells = self.first + np.arange(self.grid.nx)
         self.x: FloatArray = read_only((cells - 0.5 * (grid.nx - 1)) * grid.dx)
@@ -74,15 +74,15 @@ class Track(FixedAttributes):
     def residual_stress(self) -> FloatArray:
         """Residual stress [Pa], shape (6, len(x), ny, nz).
 
-        Stress due to plastic strain, plus `initial_stress` and `eigenstress`; no tractions, no
-        heat.
+        It is the stress due to plastic strain plus `initial_stress` and `eigenstress`, without the
+        stress due to tractions and heat.
         """
         return self._field("residual_stress")
 
     def initial_stress(self) -> FloatArray:
         """Initial (residual) stress [Pa], shape (6, len(x), ny, nz).
 
-        See `Material.with_residual_stress`; 0 without it.
+        It is given by `Material.with_residual_stress`, or 0.
         """
         return self._field("initial_stress")
 
@@ -95,7 +95,7 @@ class Track(FixedAttributes):
         return self._field("eigenstrain")
 
     def yield_factor(self) -> FloatArray:
-        """Factor on the yield stress due to its depth profile [-], shape (len(x), ny, nz)."""
+        """Factor on the yield stress due to the yield profile [-], shape (len(x), ny, nz)."""
         return self._field("yield_factor")
 
     def residual_von_mises(self) -> FloatArray:
@@ -120,18 +120,20 @@ class Track(FixedAttributes):
         return self._field("backstress")
 
     def to_dataset(self, *, volume: bool = True) -> xr.Dataset:
-        """Convert to labelled fields with units, as used by plots of tracks.
+        """Convert the track to a dataset of labelled fields with units, as used by plots of tracks.
 
         Parameters
         ----------
         volume : bool, optional
-            Whether to include volume fields if the grid has layers; else only the residual imprint.
+            Whether to include volume fields if the grid has layers; otherwise only the residual
+            imprint is included.
 
         Returns
         -------
         xarray.Dataset
-            Dimensions x, y and, with a volume, z and component. The variables are the methods above
-            except `backstress`; the attributes are the body and the cell sizes [m].
+            Dataset with the dimensions x, y and, with a volume, z and component. Each method above
+            except `backstress` gives a variable. The attributes are the number of the body and the
+            cell sizes [m].
         """
         import xarray as xr  # importing the package should not load it
 

@@ -21,7 +21,7 @@ Box = tuple[int, int, int, int, int]
 
 
 class ZoneStress:
-    """Stress in all plastic subdomains of a body, computed together at the first request."""
+    """Stress in the plastic subdomains of a body, computed once for all of them."""
 
     def __init__(self, core: Any, body: int) -> None:
         self.core, self._body = core, body
@@ -44,15 +44,15 @@ class ZoneStress:
 class Zone(FixedAttributes):
     """Plastic subdomain: a box of cells of one body, from the surface down.
 
-    Made by `State.zones`. It may extend beyond the cells of the state's volume fields, outside the
-    grid and below its layers. Fields are read-only.
+    Created by `State.zones`. A subdomain may extend beyond the volume fields of the state: outside
+    the grid and below its layers. Fields are read-only.
     """
 
     def __init__(self, grid: Grid, body: int, number: int, zones: ZoneStress) -> None:
         self._box = i0, j0, nx, ny, nz = zones.boxes[number]
         self.body = body
         self.first = i0, j0
-        """Grid cell of its first cell; negative outside the grid."""
+        """Position in the grid of the first cell of the subdomain; negative outside the grid."""
         self.shape = nx, ny, nz
         """Numbers of cells along x and y, and of layers."""
         self.x: FloatArray = _centres(i0, nx, grid.nx, grid.dx)
@@ -75,8 +75,8 @@ class Zone(FixedAttributes):
     def residual_stress(self) -> FloatArray:
         """Residual stress [Pa], shape (6, nx, ny, nz).
 
-        Stress due to all plastic strain of the body, and initial stress. With several subdomains it
-        is computed by the operators of the solution: see the theory.
+        It is the stress due to all plastic strain of the body plus the initial stress. With several
+        subdomains, it is computed by the operators of the solver: see the page on plasticity.
         """
         return self._zones.stress(self._number, loaded=False)
 
@@ -89,5 +89,5 @@ class Zone(FixedAttributes):
 
 
 def _centres(first: int, count: int, cells: int, size: float) -> FloatArray:
-    """Centres of cells of a lattice, counted from the first cell of the grid."""
+    """Return the centres [m] of cells that are counted from the first cell of the grid."""
     return read_only(np.asarray((first - 0.5 * (cells - 1) + np.arange(count)) * size, np.float64))

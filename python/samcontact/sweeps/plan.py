@@ -31,10 +31,10 @@ Keys = list[str | int]
 
 @dataclass(frozen=True)
 class Plan:
-    """All cases of a parameter study, and the labels of its dimensions."""
+    """All cases of a parameter study, with the names and values of the dimensions."""
 
     dims: dict[str, int]
-    """Name and size of each dimension, slowest first."""
+    """Name and size of each dimension, the slowest-varying first."""
     cases: list[CaseFile]
     """Cases in the order of the dimensions."""
     coordinates: dict[str, tuple[str, Any, dict[str, str]]]
@@ -46,7 +46,7 @@ class _UnknownField(ValueError):
 
 
 def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str) -> Plan:
-    """Return every combination as a validated case; raises the errors of `samcontact.sweep`."""
+    """Return a validated case for each combination of values; errors as for `samcontact.sweep`."""
     choice("mode", mode, MODES)
     if not isinstance(parameters, Mapping) or not parameters:
         raise ValueError(
@@ -93,7 +93,7 @@ def _coordinate(name: str, dim: str, labels: Any) -> tuple[str, Any, dict[str, s
 
 
 def _values(name: str, given: Any) -> list[Any]:
-    """Return plain Python values: strict models refuse NumPy numbers."""
+    """Convert values to plain Python values, because the models of cases refuse NumPy numbers."""
     if isinstance(given, np.ndarray) and given.ndim > 0:
         given = given.tolist()
     if isinstance(given, (str, bytes, Mapping)) or not isinstance(given, Sequence):
@@ -104,7 +104,7 @@ def _values(name: str, given: Any) -> list[Any]:
 
 
 def _keys(case: CaseFile, name: Any) -> Keys:
-    """Return the keys of a nested dictionary for a dotted name."""
+    """Split a dotted name such as "path[0].load" into the keys of nested dictionaries and lists."""
     if not isinstance(name, str) or not _DOTTED.fullmatch(name):
         example = "'body2.yield_stress' or 'path[0].load'"
         raise ValueError(f"parameter names must be like {example}, got {in_short(name)}")
@@ -140,7 +140,7 @@ def _step(content: Any, key: str | int) -> Any:
 def _validated(
     case: CaseFile, keys: Mapping[str, Keys], combinations: list[tuple[Any, ...]]
 ) -> list[CaseFile]:
-    """Return the case of each combination; raises one CaseError for all invalid combinations."""
+    """Return the case of each combination; one CaseError lists all invalid combinations."""
     base = case.model_dump(exclude_unset=True)
     cases: list[CaseFile] = []
     problems: dict[str, str] = {}  # error: first combination with this error
@@ -160,18 +160,18 @@ def _validated(
         else:
             if getattr(made, "wear", None) is not None:
                 raise CaseError(
-                    f"{case.source}: a sweep does not support [wear], because it solves the path "
-                    "once: remove it, or call samcontact.wear.run for each value"
+                    f"{case.source}: a sweep solves each path only once, so [wear] is not "
+                    "supported: remove [wear], or call samcontact.wear.run for each value"
                 )
             if getattr(made, "fatigue", None) is not None:
                 raise CaseError(
-                    f"{case.source}: a sweep does not support [fatigue], because it stores no "
-                    "states: remove it, or call samcontact.fatigue for each value"
+                    f"{case.source}: a sweep stores no states, so [fatigue] is not supported: "
+                    "remove [fatigue], or call samcontact.fatigue for each value"
                 )
             if getattr(made, "shakedown", None) is not None:
                 raise CaseError(
-                    f"{case.source}: a sweep does not support [shakedown], because it solves the "
-                    "path once: remove it, or call samcontact.shakedown.run for each value"
+                    f"{case.source}: a sweep solves each path only once, so [shakedown] is not "
+                    "supported: remove [shakedown], or call samcontact.shakedown.run for each value"
                 )
             cases.append(made.written_in(case.source, case.text))
             continue
@@ -191,7 +191,7 @@ def _listed(problems: Mapping[str, str]) -> str:
 
 
 def _renamed(case: CaseFile, line: str, names: Sequence[str]) -> str:
-    """Return an error of a case; for an unknown parameter, with the most similar field."""
+    """Return the error text of a case; for an unknown parameter, it suggests a similar field."""
     where, _, reason = line.partition(": ")
     if reason.startswith("unknown field;"):
         for name in names:
@@ -219,7 +219,7 @@ def field_names(model: BaseModel, prefix: str = "") -> Iterator[str]:
 
 
 def _labels(cases: Sequence[CaseFile], keys: Keys) -> Any:
-    """Return the validated values of a field; lists, sections and mixed types as JSON text."""
+    """Return the validated values of a field; lists, sections and values of mixed types as JSON."""
     values = []
     for case in cases:
         value: Any = case.model_dump(exclude_unset=True)

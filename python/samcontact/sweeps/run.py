@@ -38,10 +38,10 @@ Take = Callable[[str, Outcome], None]
 
 
 class SweepInterrupted(KeyboardInterrupt):
-    """Interruption of a sweep by Ctrl-C; the attribute `dataset` has the finished cases."""
+    """Interruption of a sweep by Ctrl-C; the attribute `dataset` has results of finished cases."""
 
     def __init__(self, dataset: xr.Dataset) -> None:
-        super().__init__("sweep interrupted; the attribute dataset has the finished cases")
+        super().__init__("sweep interrupted; the attribute dataset contains the finished cases")
         self.dataset = dataset
 
 
@@ -63,15 +63,16 @@ def sweep(
     case : Case, AsperityCase or path
         Base case, or case file.
     parameters : mapping of str to sequence
-        Values of fields in SI units, by dotted name: "body2.yield_stress", "path[0].load". A whole
-        section can be given by dictionaries.
+        Values of each field in SI units, by dotted name: "body2.yield_stress", "path[0].load". The
+        values of a whole section are dictionaries.
     executor : optional
-        None: this process solves the cases one after the other. A number: so many worker processes
-        on this machine, with one thread each. An executor of `concurrent.futures` or with its
-        interface, or a Dask client.
+        None: this process solves the cases one after the other. A number: the cases are solved by
+        this number of worker processes on this machine, with one thread each. Otherwise an executor
+        with the interface of `concurrent.futures`, or a Dask client.
     output : path, optional
         Folder of the results: each case is written as soon as it is solved, and all cases in
-        `sweep.nc` at the end. A later call reads solved cases and solves failed cases again.
+        `sweep.nc` at the end. A later call with this folder reads the solved cases, and solves
+        failed cases again.
     progress : bool, optional
         Show a progress bar; without a terminal, at most ten lines.
     mode : {"product", "zip"}, optional
@@ -81,9 +82,9 @@ def sweep(
     Returns
     -------
     xarray.Dataset
-        All quantities with one value per increment (as in `results.scalars`; for asperity
-        collisions, as in `asperities.collide`), with NaN beyond the end of shorter paths and for
-        failed cases. Each case has a status, "done" or "failed", and an error text.
+        All quantities with one value per increment (see `results.scalars`; for asperity collisions,
+        see `asperities.collide`). Values are NaN after the end of shorter paths and for failed
+        cases. Each case has a status, "done" or "failed", and an error text.
 
     Raises
     ------
@@ -136,14 +137,14 @@ def sweep(
 
 
 class _SweepRun:
-    """Distinct cases of a sweep by key, and the outcomes so far."""
+    """Cases of a sweep to be solved, without repetitions, and their outcomes so far."""
 
     def __init__(self, cases: dict[str, CaseFile], store: Store | None) -> None:
         self.cases, self.store = cases, store
         self.outcomes: dict[str, Outcome] = {}
 
     def solve(self, executor: Any, progress: bool) -> None:
-        """Determine the outcome of every case: stored or new."""
+        """Read the outcome of each stored case, and solve all other cases."""
         with progress_bar(len(self.cases), "case", shown=progress) as bar:
 
             def take(key: str, outcome: Outcome) -> None:
@@ -165,7 +166,7 @@ class _SweepRun:
 
 
 def _solve(executor: Any, tasks: Tasks, take: Take) -> None:
-    """Solve all tasks, and pass on each outcome as soon as it is available."""
+    """Solve all tasks with an executor; pass on each outcome as soon as it is available."""
     if executor is None:
         for key, task in tasks.items():
             take(key, worker.solve_case(*task))
@@ -190,7 +191,7 @@ def _solve(executor: Any, tasks: Tasks, take: Take) -> None:
 
 
 def _outcome(future: Future[Outcome]) -> Outcome:
-    """Return the outcome of a task, or the failure of its process."""
+    """Return the outcome of a task; if its process failed, the error as outcome."""
     try:
         error = future.exception()
     except CancelledError as cancelled:
@@ -200,7 +201,7 @@ def _outcome(future: Future[Outcome]) -> Outcome:
 
 @contextmanager
 def _resolved(executor: Any) -> Iterator[Any]:
-    """Provide the executor for the argument `executor`."""
+    """Context with the executor that the argument `executor` stands for."""
     if executor is None:
         yield None
     elif isinstance(executor, int):
@@ -219,16 +220,16 @@ def _resolved(executor: Any) -> Iterator[Any]:
 
 
 class _WorkerPool(ProcessPoolExecutor):
-    """Pool of worker processes that end with a sweep.
+    """Pool of worker processes that are terminated at the end of a sweep.
 
-    The processes are spawned: a fork of a process that used OpenMP hangs.
+    The processes are spawned, because a forked process hangs if its parent used OpenMP.
     """
 
     def __init__(self, count: int) -> None:
         super().__init__(count, get_context("spawn"))
 
     def submit(self, *task: Any, **named: Any) -> Future[Any]:
-        """Submit a task; workers started by it ignore Ctrl-C, also while importing."""
+        """Submit a task; workers started for it ignore Ctrl-C, also while they import modules."""
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
             return super().submit(*task, **named)
@@ -243,7 +244,7 @@ class _WorkerPool(ProcessPoolExecutor):
 
 @contextmanager
 def _one_thread() -> Iterator[None]:
-    """Limit processes started within to one thread each, unless the user has set a number."""
+    """Limit processes started in this context to one thread, unless OMP_NUM_THREADS is set."""
     name = "OMP_NUM_THREADS"
     given = os.environ.get(name)
     os.environ.setdefault(name, "1")

@@ -34,7 +34,7 @@ _COUNT_QUANTITIES = {
 
 
 class Store:
-    """Files of the solved cases, in the folder `cases` of the output.
+    """Files of the solved cases, in the subfolder `cases` of the output folder.
 
     Parameters
     ----------
@@ -43,12 +43,12 @@ class Store:
     """
 
     def __init__(self, folder: Path) -> None:
-        require_marked(folder / "sweep.nc", "move it, or use another output")
+        require_marked(folder / "sweep.nc", "move this file, or use another output")
         self.folder = folder / "cases"
         if os.path.lexists(self.folder) and not self.folder.is_dir():
             raise ValueError(
-                f"{self.folder} must be a folder, or not exist, but it is a file: move it, or use "
-                "another output"
+                f"output must have a folder for the cases, but {self.folder} is a file: move this "
+                "file, or use another output"
             )
         self.folder.mkdir(parents=True, exist_ok=True)
 
@@ -56,11 +56,11 @@ class Store:
         return self.folder / f"{key}.h5"
 
     def read(self, key: str) -> Variables | None:
-        """Return the stored results of a case; None without a file, or with a damaged file.
+        """Return the stored results of a case; None if the file is missing or damaged.
 
         Raises ValueError for a file that this package did not write.
         """
-        require_marked(self.file(key), "move it, or use another output")
+        require_marked(self.file(key), "move this file, or use another output")
         try:
             tree = read(self.file(key), _CHECKPOINT_KIND)
             require_same(self.file(key), {"key": key}, tree)
@@ -72,7 +72,7 @@ class Store:
             return None
 
     def write(self, key: str, variables: Variables) -> None:
-        """Store the results of a case; the file appears only when it is complete."""
+        """Write the file of a case; it appears under its name only when it is complete."""
         parts = {
             name: {
                 "dims": " ".join(dims),
@@ -87,7 +87,7 @@ class Store:
 def assemble(
     plan: Plan, keys: Sequence[str], outcomes: Mapping[str, Outcome], base: CaseFile
 ) -> xr.Dataset:
-    """Assemble one dataset of all cases.
+    """Assemble the results of all cases in one dataset.
 
     Parameters
     ----------
@@ -96,9 +96,9 @@ def assemble(
     keys : sequence of str
         Key of each case, in the order of the plan.
     outcomes : mapping
-        Outcomes by key; cases without an outcome were cancelled.
+        Outcomes by key; cases without an outcome have been cancelled.
     base : CaseFile
-        Base case, whose title and text are stored.
+        Base case; its title and text are stored.
     """
     shape = tuple(plan.dims.values())
     done = [outcomes.get(key, {}).get("variables", {}) for key in keys]
@@ -136,7 +136,7 @@ def _coordinates(plan: Plan, inner: Mapping[str, int]) -> dict[str, Any]:
 
 
 def _combined(plan: Plan, inner: Mapping[str, int], fields: Sequence[Any]) -> xr.Variable:
-    """Combine a variable of all cases; NaN for missing values."""
+    """Combine the values of a variable in all cases in one array; missing values are NaN."""
     dims, _, attributes = next(field for field in fields if field is not None)
     table = np.full((len(fields), *(inner[dim] for dim in dims)), np.nan)
     for row, field in zip(table, fields, strict=True):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of one case of a sweep as a task for any process, with plain input and output data."""
+"""Solution of one case of a sweep as a task for any process; input and output are plain data."""
 
 from __future__ import annotations
 
@@ -32,13 +32,14 @@ def solve_case(content: Mapping[str, Any], source: str) -> Outcome:
     content : mapping
         Fields of a case file.
     source : str
-        Path of the case file; paths of files of heights are relative to its folder.
+        Path of the case file; paths of height files are relative to the folder of this file.
 
     Returns
     -------
     dict
-        "variables", or "error" for a case that cannot be solved. Exceptions are returned as text,
-        because not every exception can be passed between processes.
+        Entry "variables" with the results, or entry "error" with text if the case cannot be solved.
+        Exceptions are returned as text, because not every exception can be passed between
+        processes.
     """
     from ..cases import AsperityCase, Case
 
@@ -53,7 +54,7 @@ def solve_case(content: Mapping[str, Any], source: str) -> Outcome:
 
 
 def failure(error: BaseException) -> Outcome:
-    """Return the outcome of a case that ended with an exception."""
+    """Return the outcome of a case that failed with an exception."""
     return {"error": f"{type(error).__name__}: {error}"}
 
 
@@ -81,16 +82,16 @@ def _plain(dataset: xr.Dataset) -> Variables:
 
 
 def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
-    """Return a hash of everything that affects the results: fields, files of heights and version.
+    """Return a hash of all that affects the results: fields, height files and package version.
 
-    Title and output folder are not included.
+    The title and the output folder do not affect the hash.
 
     Parameters
     ----------
     case : CaseFile
         Validated case.
     digests : dict
-        Hashes of files already read; new hashes are added.
+        Hashes of files read before, by path; hashes of new files are added.
 
     Raises
     ------
@@ -109,7 +110,7 @@ def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
 
 
 def _digest(case: CaseFile, name: str, digests: dict[Path, str]) -> str | None:
-    """Return the hash of the file named by a section; None without a file."""
+    """Return the hash of the height file of a section; None if the section has no such file."""
     from ..cases.base import CaseError
 
     path = getattr(getattr(case, name, None), "path", None)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Wear and running-in: removal of surface material by plastic strain, or by slip.
 
-`run`: Boucly (2008), part 5. After each load cycle, material with too much accumulated plastic
-strain is removed from the surface down; the next cycle starts from the worn surface and the
-remaining plastic strain. `fretting`: elastic bodies in oscillating slip lose depth in proportion to
-the frictional work, or to pressure times slip. See docs/theory/wear.md.
+`run` simulates wear as in Boucly (2008), part 5: after each load cycle, material with too much
+accumulated plastic strain is removed at the surface, and the next cycle starts from the worn
+surface with the remaining plastic strain. `fretting` simulates wear of elastic bodies under
+oscillating slip, in proportion to the frictional work or to pressure times slip distance. See
+docs/theory/wear.md.
 """
 
 from .by_slip import fretting

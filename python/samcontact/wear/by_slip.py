@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear by slip, proportional to the frictional work, or to pressure times slip."""
+"""Wear by slip, proportional to the frictional work or to pressure times slip distance."""
 
 from __future__ import annotations
 
@@ -28,17 +28,15 @@ from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
-"""Maximum pressure relieved by the wear of one part, relative to the pressure, for the shortest
-wave.
-
-From 2 on, the shortest waves would grow from part to part.
+"""Maximum pressure drop of the shortest wave due to the wear in one part, relative to the pressure.
+If it were 2 or more, the shortest waves would grow from part to part.
 """
 _MAX_PARTS = 10_000
 _MAX_SHEAR_MISMATCH = 1e-2
 """Maximum change of the shear over one repeat, relative to the maximum of mu p.
 
-Slip directions at the edge of the stick zone continue to rotate slightly over many repeats, with
-no visible effect on the work.
+At the edge of the stick zone, slip directions still rotate slightly over many repeats, which does
+not noticeably affect the frictional work.
 """
 _MAX_REPEATS = 20
 
@@ -69,23 +67,24 @@ def fretting(
         As for `Simulation`; the bodies cannot yield, and do not move except for slip. Surfaces
         given as functions are evaluated on this grid, which is not enlarged.
     cycle : iterable of dict
-        Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``: load or
+        Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``, with load or
         approach, shift or tangential_load, twist or torque. The last step must repeat an earlier
-        one. Steps up to the first step with an equal load and tangential drive are a lead-in and
-        cause no wear, and neither do the first repetitions, until the shear is periodic.
+        step. The steps up to this earlier step are a lead-in, which causes no wear. The first
+        repetitions, until the shear is periodic, cause no wear either.
     friction : Coulomb
         Friction law, with a coefficient > 0, finite.
     energy : float or pair of floats
-        Wear depth per frictional work on an area [m/(J/m^2) = 1/Pa], for body 2, or for body 1 and
-        body 2, >= 0. Fouvry et al. (2003), doi:10.1016/S0043-1648(03)00117-0. Excludes `archard`.
+        Wear depth divided by frictional work per unit area [m/(J/m^2) = 1/Pa], >= 0: a number for
+        body 2, or a pair for bodies 1 and 2. Fouvry et al. (2003),
+        doi:10.1016/S0043-1648(03)00117-0. Cannot be combined with `archard`.
     archard : float or pair of floats
-        Wear depth per pressure times slip distance [1/Pa]: wear coefficient over hardness. Archard
-        (1953), doi:10.1063/1.1721448. Equivalent to an energy of archard/mu.
+        Wear depth divided by pressure times slip distance [1/Pa], i.e. the wear coefficient divided
+        by the hardness. Archard (1953), doi:10.1063/1.1721448. Equivalent to energy = archard/mu.
     cycles : int, optional
         Maximum number of cycles, >= 1.
     repeats : int, optional
-        Number of repeats of the loop per cycle, >= 1. The surface is solved again whenever the wear
-        since the last solve would change the pressure of the shortest waves of the grid by 100 %.
+        Number of repeats of the loop per cycle, >= 1. The contact is solved again whenever wear
+        since the last solution would change the pressure of the shortest wave on the grid by 100 %.
     checkpoint, progress
         As for `run`.
     **settings
@@ -98,10 +97,10 @@ def fretting(
     Raises
     ------
     ValueError, TypeError
-        An argument is outside its range (before the first cycle); a cycle requires more than
-        10 000 parts, or does not become periodic; a contact reaches the edge of the grid; a
-        checkpoint belongs to other arguments. An error in a later cycle holds the result of the
-        completed cycles in its attribute `result`.
+        An argument is outside its range (before the first cycle); a cycle requires more than 10 000
+        parts, or does not become periodic; a contact reaches the edge of the grid; a checkpoint
+        belongs to other arguments. The exception of a later cycle holds the result of the completed
+        cycles in its attribute `result`.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -122,7 +121,7 @@ def fretting(
 
 @dataclass(frozen=True)
 class _Repeat:
-    """One repeat of a cycle: its states, and quantities per cell, shape (nx, ny)."""
+    """Solution of one repeat of a loop: states, and quantities in each cell, shape (nx, ny)."""
 
     states: tuple[State, ...]
     work: FloatArray
@@ -135,7 +134,7 @@ class _Repeat:
     """Wear depth for a coefficient of 1, per unit pressure [m]."""
 
 
-def _gone_through(scene: FrettingSetup, heights: Mapping[int, list[FloatArray]]) -> _Repeat:
+def _solve_repeat(scene: FrettingSetup, heights: Mapping[int, list[FloatArray]]) -> _Repeat:
     """Solve one repeat on the current surfaces, after a lead-in from bodies without history."""
     relief1, relief2 = reliefs_of(scene, WearProgress(dict(heights)))
     simulation = Simulation(
@@ -162,7 +161,7 @@ def _gone_through(scene: FrettingSetup, heights: Mapping[int, list[FloatArray]])
 
 
 def _closed(simulation: Simulation, scene: FrettingSetup) -> tuple[State, ...]:
-    """States of a repeat that ends with the shear with which it began."""
+    """Repeat the loop until the shear is periodic, and return the states of the last repeat."""
     lead = closing(scene.cycle)
     for step in scene.cycle[:lead]:
         simulation.step(**step)
@@ -173,8 +172,8 @@ def _closed(simulation: Simulation, scene: FrettingSetup) -> tuple[State, ...]:
         if np.abs(states[-1].shear - start.shear).max() <= _MAX_SHEAR_MISMATCH * bound:
             return states
     raise ValueError(
-        f"cycle must become periodic, but its shear still changes after {_MAX_REPEATS} "
-        "repetitions: use a closed cycle"
+        "cycle must give a periodic response, but the shear at its end still changes "
+        f"after {_MAX_REPEATS} repetitions: use a closed cycle"
     )
 
 
@@ -184,17 +183,21 @@ def _advance(
     """Advance by one cycle, in as many parts as stability requires."""
     heights = {body: [*before, before[-1]] for body, before in standing.heights.items()}
     left, parts, work, removed = float(scene.repeats), 0, 0.0, np.zeros(scene.grid.surface_shape)
-    first = _gone_through(scene, heights)
+    first = _solve_repeat(scene, heights)
     if not standing.cycles and not any(state.in_contact.any() for state in first.states):
-        raise ValueError("cycle must have contact in its repeated part, got none")
+        raise ValueError(
+            "cycle must bring the bodies into contact in its repeated part, "
+            "got no contact: increase the load"
+        )
     while left > 0:
-        now = _gone_through(scene, heights) if parts else first
+        now = _solve_repeat(scene, heights) if parts else first
         most = _most_repeats(scene, now)
         if left > (_MAX_PARTS - parts) * most:
             raise ValueError(
-                f"{scene.law} and repeats must not require more than {_MAX_PARTS} parts of "
-                f"{most:.3g} repeats, got {max(scene.coefficients)!r} 1/Pa and {scene.repeats}: "
-                "use fewer repeats, or check the unit of the coefficient"
+                f"{scene.law} and repeats are too large: a cycle may be divided into at "
+                f"most {_MAX_PARTS} solutions, and each can stand for only {most:.3g} "
+                f"repeats; got {max(scene.coefficients)!r} 1/Pa and {scene.repeats} "
+                "repeats: use fewer repeats, or check the unit of the coefficient"
             )
         count = min(left, most)
         removed += count * now.worn
@@ -209,10 +212,9 @@ def _advance(
 
 
 def _most_repeats(scene: FrettingSetup, now: _Repeat) -> float:
-    """Number of repeats after which the surface must be solved again.
+    """Return the number of repeats after which the contact must be solved again.
 
-    Wear of depth c p changes the pressure of a wave with wavenumber k by -c E* k/2, relative to the
-    pressure.
+    Wear of depth c p changes a pressure wave of wavenumber k by the fraction -c E* k/2.
     """
     grid = scene.grid
     steps = [1 / step for n, step in ((grid.nx, grid.dx), (grid.ny, grid.dy)) if n > 1]

@@ -30,7 +30,7 @@ from .results import FrettingCycle
 
 _ALLOWED_ARGUMENTS = ("load", "approach", "shift", "tangential_load", "twist", "torque")
 _ROUNDING_ERROR = 1e-9
-"""Difference of drives, relative to the maximum of a cycle, below which they are equal."""
+"""Relative difference (to the maximum of a cycle) below which loads or motions are equal."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class FrettingSetup:
         return FrettingCycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """First row and number of rows that can wear: the whole grid, as bodies do not move."""
+        """Return the first row and number of rows that can wear: all, as bodies do not move."""
         return 0, self.grid.nx
 
 
@@ -72,7 +72,7 @@ def make_setup(
     repeats: int,
     settings: dict[str, Any],
 ) -> FrettingSetup:
-    """Check all arguments except those checked by `Simulation`."""
+    """Check all arguments that `Simulation` does not check, and return them."""
     require_type("grid", grid, Grid)
     require_homogeneous(NO_LAYERED_WEAR, *bodies)
     for n, body in enumerate(bodies, 1):
@@ -110,9 +110,9 @@ def make_setup(
 
 
 def closing(path: list[dict[str, Any]]) -> int:
-    """Number of lead-in steps before those that are repeated.
+    """Return the number of lead-in steps before the steps that are repeated.
 
-    Raises ValueError for a path that does not return to an earlier step, or with bodies that move.
+    Raises ValueError if the path does not return to an earlier step, or if bodies move.
     """
     places = _places(path)
     most = [max(abs(place[k][1]) for place in places) for k in range(len(places[0]))]
@@ -129,9 +129,9 @@ def closing(path: list[dict[str, Any]]) -> int:
 
 
 def _places(path: list[dict[str, Any]]) -> list[list[tuple[str, float]]]:
-    """Load or approach, and tangential drives including rotation, initially and after each step.
+    """Return load or approach, and tangential forces or motions, initially and after each step.
 
-    Without load the drives are ignored.
+    Tangential forces and motions are ignored while the load is 0.
     """
     if not path:
         raise ValueError("cycle must contain at least one step, got none")

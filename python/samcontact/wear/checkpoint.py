@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""State of a wear computation between two cycles, in memory and in a file (HDF5)."""
+"""State of a wear computation between two cycles, in memory and in a checkpoint file (HDF5)."""
 
 from __future__ import annotations
 
@@ -47,15 +47,15 @@ class WearProblem(Protocol):
     def worn(self) -> tuple[int, ...]: ...
     @property
     def record(self) -> type[AnyCycle]:
-        """Class of the record of a cycle."""
+        """Class of the results of a cycle."""
 
     def rows(self, body: int) -> tuple[int, int]:
-        """First row and number of rows of a body that can wear."""
+        """Return the first row and the number of rows of a body that can wear."""
 
 
 @dataclass
 class BodyStrain:
-    """Plastic state of a body; its first row is at row `first` of the grid."""
+    """Plastic state of a body; row 0 of the fields is row `first` of the grid."""
 
     first: int
     strain: FloatArray
@@ -65,7 +65,7 @@ class BodyStrain:
 
 @dataclass
 class WearProgress:
-    """Initial state of the next cycle, and the records of the preceding cycles."""
+    """Initial state of the next cycle, and results of the preceding cycles."""
 
     heights: dict[int, list[FloatArray]]
     """Heights of each worn body, at the start and after each cycle."""
@@ -78,7 +78,7 @@ def _identity(scene: WearProblem) -> Identity:
 
 
 def alone(path: str | os.PathLike[str]) -> AbstractContextManager[None]:
-    """Context in which no other run can write this file."""
+    """Context in which no other run can write to a checkpoint file."""
     file = file_path("checkpoint", path)
     return locked(file.parent, "choose another checkpoint", f".{file.name}.lock")
 
@@ -89,14 +89,14 @@ def _before(path: str | os.PathLike[str]) -> Path:
 
 
 def require_own(path: str | os.PathLike[str] | None) -> None:
-    """Raise ValueError if a checkpoint, or that of the preceding cycle, is a foreign file."""
+    """Raise ValueError if this file, or the file of the preceding cycle, is no checkpoint."""
     if path is not None:
         for file in (file_path("checkpoint", path), _before(path)):
             require_marked(file)
 
 
 def write(path: str | os.PathLike[str], scene: WearProblem, standing: WearProgress) -> None:
-    """Write a checkpoint; the old file is kept on failure, and a copy of it in any case."""
+    """Write a checkpoint file; the old file is copied to `_before`, and stays if this fails."""
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)
@@ -117,21 +117,25 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
 
 
 def latest(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | None:
-    """Read a file like `read`; if it is damaged, that of the preceding cycle, with a warning."""
+    """Read a checkpoint file; if it is damaged, warn and read that of the preceding cycle."""
     require_identified(_identity(scene))
     try:
         return read(path, scene)
     except DamagedCheckpointError as error:
         if not _before(path).exists():
-            raise DamagedCheckpointError(f"{error}: delete it to start again") from error
-        warnings.warn(f"{error}: continuing from the preceding cycle", stacklevel=3)
+            raise DamagedCheckpointError(
+                f"{error}: delete the file {os.fspath(path)} to start again"
+            ) from error
+        warnings.warn(
+            f"{error}: the run continues from the checkpoint of the preceding cycle", stacklevel=3
+        )
         return read(_before(path), scene)
 
 
 def read(path: str | os.PathLike[str], scene: WearProblem) -> WearProgress | None:
-    """Read the state in a file; None without a file.
+    """Read the state from a checkpoint file; None if there is no file.
 
-    Raises CheckpointError for a file of other arguments, of another kind, or a damaged one.
+    Raises CheckpointError if the file is damaged, of another kind, or from other arguments.
     """
     if not Path(path).exists():
         return None

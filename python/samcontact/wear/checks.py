@@ -35,16 +35,16 @@ from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, window_and_order
 
 YIELD_STRAIN = 20e-6
-"""Plastic strain at the conventional yield point [-]; below it there is no flow.
+"""Plastic strain at the conventional yield point [-]; a threshold must be larger.
 
 The elastic strain of a hard steel at yield is about 1 %. A threshold of 0.2 % refers to the plastic
 strain alone and is far beyond yield.
 """
 NO_LAYERED_WEAR = "layered bodies are not supported, because a worn layer has no uniform thickness"
 _MOVING_MEAN_WIDTH = math.sqrt(12.0)
-"""Width of a moving mean over the standard deviation of a Gaussian of equal spread."""
+"""Ratio of the width of a moving mean to the standard deviation of a Gaussian of equal spread."""
 _MARGIN_ROWS = 4
-"""Rows of cells kept outside those in contact, for interpolation between cells."""
+"""Rows of cells added on both sides of the rows in contact, for interpolation between cells."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class WearSetup:
         return Cycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """First and number of the rows of a body that meet the grid during a cycle."""
+        """Return the first row and number of rows of a body that pass through the grid."""
         cells = travels(self.cycle)[:, body - 1] / self.grid.dx
         beside = max(self.filter.sides) + _MARGIN_ROWS
         first = -int(np.ceil(cells.max())) - beside
@@ -88,7 +88,7 @@ def make_setup(
     friction: float,
     settings: dict[str, Any],
 ) -> WearSetup:
-    """Check all arguments; the contact is solved once elastically for its size."""
+    """Check all arguments and return them; the elastic contact is solved once for its size."""
     require_type("grid", grid, Grid)
     if not grid.has_volume:
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
@@ -132,7 +132,7 @@ def make_setup(
 def make_filter(
     grid: Grid, smoothing_length: float | None, window: Window, order: int | None
 ) -> Gaussian | Polynomials:
-    """Filter that smooths the edge of the wear, from exactly one of two arguments."""
+    """Return the filter that smooths the edge of the wear; exactly one argument must be given."""
     require_type("grid", grid, Grid)
     if (smoothing_length is None) == (window is None):
         given = "none" if window is None else f"{smoothing_length!r} and {window!r}"
@@ -169,21 +169,22 @@ def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
     end = travels(path)[-1].tolist()
     if max(map(abs, end)) > 1e-6 * grid.dx:
         raise ValueError(
-            "cycle must be closed: the sum of its advances must be 0 for both bodies, got "
-            f"{end[0]!r} m and {end[1]!r} m"
+            "cycle must return both bodies to where they started (advances adding up to "
+            f"0), got sums of {end[0]!r} m and {end[1]!r} m: add a step that moves them "
+            "back"
         )
 
 
 def travels(path: list[dict[str, Any]]) -> FloatArray:
-    """Travel of both bodies initially and after each step [m], shape (steps + 1, 2)."""
+    """Return the travel of both bodies initially and after each step [m], shape (steps + 1, 2)."""
     steps = [finite_array("advance", step.get("advance", (0.0, 0.0)), (2,)) for step in path]
     return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
 
 
 def _check_filter(scene: WearSetup) -> None:
-    """Refuse a filter wider than the contact, which would spread wear beyond it."""
+    """Raise ValueError for a filter wider than the contact, which would spread wear beyond it."""
     with warnings.catch_warnings():
-        # its pressure is not reached in the cycles, where bodies yield
+        # in the cycles, bodies yield and do not reach this elastic pressure
         warnings.simplefilter("ignore", ElasticStrainWarning)
         pressure = _elastic_pressure(scene)
     touched_cells = in_contact(pressure)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Load cycles with plastic-strain-controlled wear."""
+"""Load cycles with wear controlled by plastic strain."""
 
 from __future__ import annotations
 
@@ -50,9 +50,9 @@ def run(
     progress: bool = True,
     **settings: Any,
 ) -> WearResult:
-    """Simulate plastic-strain-controlled wear over repeated load cycles.
+    """Simulate repeated load cycles with wear controlled by plastic strain.
 
-    Material is removed after each cycle, until no more is removed.
+    After each cycle overstrained material is removed, until a cycle removes no more material.
 
     Parameters
     ----------
@@ -60,38 +60,39 @@ def run(
         As for `Simulation`; the grid must have dz. Surfaces given as functions are evaluated on
         this grid, which is not enlarged.
     cycle : iterable of dict
-        Steps of `Simulation.step`, e.g. ``[{"load": 2000.0}, {"load": 0.0}]``. The last step has
-        zero load, and the advances of each body sum to 0.
+        Steps of `Simulation.step`, e.g. ``[{"load": 2000.0}, {"load": 0.0}]``. The last step must
+        have zero load, and the advances of each body must add up to 0.
     threshold : float
-        Accumulated equivalent plastic strain [-] above which material at the surface is removed;
-        above `YIELD_STRAIN`, below 5 %.
+        Accumulated equivalent plastic strain [-] above which material at the surface is removed. It
+        must be above `YIELD_STRAIN` and below 5 %.
     cycles : int, optional
         Maximum number of cycles, >= 1.
     worn : sequence of {1, 2}, optional
         Elastic-plastic bodies that wear.
     smoothing_length : float, optional
         Standard deviation of the Gaussian that smooths the edge of the wear [m], from one cell to
-        0.29 times the contact size. It is a material length, with which results converge as cells,
-        layers and increments are refined. Exactly one of it and `window` must be given.
+        0.29 times the contact size. This length is a property of the material: results converge as
+        cells, layers and increments are refined. Exactly one of `smoothing_length` and `window`
+        must be given.
     window : int or pair of int, optional
-        Window of Boucly's filter in cells, see `smooth`; not larger than the contact. Its results
-        depend on the cell size. 1: no smoothing.
+        Window of Boucly's filter in cells, see `smooth`; not larger than the contact. The results
+        with this filter depend on the cell size. 1: no smoothing.
     order : int, optional
         Order of Boucly's filter. Default: 2.
     strain_depth : {"exact", "smoothed"}, optional
-        Depth by which the plastic strain moves up. "exact": the depth to which it exceeded the
-        threshold, so that it nowhere exceeds the threshold at the new surface. "smoothed": the
-        depth removed from the surface, so that material above the threshold remains where the
-        filter removes less, and wears in a later cycle.
+        Depth by which the remaining plastic strain is moved up to the new surface. "exact": the
+        depth to which the strain exceeded the threshold, so that it nowhere exceeds the threshold
+        at the new surface. "smoothed": the depth removed from the surface. Where the filter has
+        reduced this depth, overstrained material remains, and wears in a later cycle.
     checkpoint : str or Path, optional
         File written after each cycle. A later call with equal arguments (more `cycles` are allowed)
-        resumes from it with bit-identical results; delete it to start again. The checkpoint of the
-        preceding cycle, with the suffix .before, is used if it is damaged.
+        resumes from it with bit-identical results; delete it to start again. If the file is
+        damaged, the checkpoint of the preceding cycle is used, with the suffix .before.
     progress : bool, optional
         Show a progress bar, or at most ten lines if there is no terminal.
     **settings
-        Other arguments of `Simulation`, e.g. ``increment_tol``, or frictional heating: each cycle
-        starts without heat.
+        Other arguments of `Simulation`, e.g. ``increment_tol`` or frictional heating; each cycle
+        starts with unheated bodies.
 
     Returns
     -------
@@ -102,8 +103,8 @@ def run(
     ValueError, TypeError
         An argument is outside its range (before the first cycle); the plastic strain exceeds the
         threshold at the bottom of the grid, or material wears at its sides; a checkpoint belongs to
-        other arguments. An error in a later cycle holds the result of the completed cycles in its
-        attribute `result`.
+        other arguments. The exception of a later cycle holds the result of the completed cycles in
+        its attribute `result`.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -129,9 +130,10 @@ def _advance(scene: WearSetup, standing: WearProgress) -> tuple[Moments, WearPro
 
 
 def _solve(scene: WearSetup, standing: WearProgress) -> Moments:
-    """Solve one cycle; return the states at its maximum load and at its end.
+    """Solve one cycle; return the state at maximum load and the state at the end.
 
-    Of several states at maximum load (as in rolling), that with the maximum pressure is returned.
+    Among several states at maximum load (e.g. in rolling), the state with the maximum pressure is
+    returned.
     """
     body1, body2 = scene.bodies
     relief1, relief2 = reliefs_of(scene, standing)
@@ -161,11 +163,11 @@ def _solve(scene: WearSetup, standing: WearProgress) -> Moments:
 
 
 def _strain_of(state: State, body: int) -> BodyStrain | None:
-    """Plastic strain of an elastic-plastic body along its whole track; None without any."""
+    """Return the plastic strain of a body along its whole track; None if there is none."""
     if state._core.strain_beyond(body - 1) is not None:
         raise ValueError(
-            f"plastic strain of body {body} must lie within the grid, but extends below nz dz or "
-            "outside its sides: omit nz, or enlarge nz, nx or ny"
+            f"plastic strain of body {body} must lie within the grid, but extends below "
+            "its deepest layer or beyond its sides: omit nz, or enlarge nz, nx or ny"
         )
     track = state.track(body, margin=0)
     fields = [track.equivalent_plastic_strain(), track.plastic_strain(), track.backstress()]
@@ -185,7 +187,7 @@ def _strain_of(state: State, body: int) -> BodyStrain | None:
 
 
 def _wear(scene: WearSetup, standing: WearProgress, moments: Moments) -> WearProgress:
-    """Remove overstrained material after a cycle, and move up the remaining plastic strain."""
+    """Remove overstrained material after a cycle, and move the remaining plastic strain up."""
     peak, end = moments
     found = {body: _strain_of(end, body) for body in (1, 2) if scene.bodies[body - 1].is_plastic}
     strains = {body: kept for body, kept in found.items() if kept is not None}
@@ -226,7 +228,7 @@ def _largest(kept: BodyStrain | None, layers: slice) -> float:
 
 
 def _worn_depth(scene: WearSetup, body: int, kept: BodyStrain | None) -> FloatArray:
-    """Wear depth on the rows of `heights` before smoothing [m]."""
+    """Return the wear depth before smoothing [m], on the rows of `heights`."""
     grid = scene.grid
     assert grid.dz is not None
     first, rows = scene.rows(body)
@@ -246,7 +248,7 @@ def _worn_depth(scene: WearSetup, body: int, kept: BodyStrain | None) -> FloatAr
 
 
 def _moved_up(scene: WearSetup, body: int, kept: BodyStrain, worn: FloatArray) -> BodyStrain:
-    """Remaining plastic strain, with depths counted from the worn surface."""
+    """Return the remaining plastic strain at depths below the worn surface."""
     assert scene.grid.dz is not None
     first, _ = scene.rows(body)
     removed = worn[kept.first - first : kept.first - first + len(kept.equivalent)]

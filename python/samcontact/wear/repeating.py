@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repetition of wear cycles with checkpoints, shared by both wear laws."""
+"""Repetition of wear cycles with checkpoints, for both kinds of wear."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from .._util.errors import attach
 from .._util.progress import progress_bar
 from ..diagnostics import hertz_estimate, resolution
 from ..problem.moving_topography import Relief, heights_over
@@ -22,7 +23,7 @@ S = TypeVar("S", bound=WearProblem)
 R = TypeVar("R", bound=BaseWearResult)
 Moments = tuple[State, ...]
 Advance = Callable[[S, WearProgress], tuple[Moments, WearProgress]]
-"""Function that solves one cycle: its states, and the initial state of the next cycle."""
+"""Function that solves one cycle; returns its states and the initial state of the next cycle."""
 
 
 def repeat(
@@ -40,7 +41,10 @@ def repeat(
             standing = _start(scene)
         if len(standing.cycles) >= count:
             done = len(standing.cycles)
-            raise ValueError(f"cycles must be > {done} (number in the checkpoint), got {count}")
+            raise ValueError(
+                "cycles must be greater than the number of cycles in the "
+                f"checkpoint ({done}), got {count}"
+            )
         return _repeat(kind, scene, advance, standing, count, checkpoint, progress)
 
 
@@ -61,7 +65,9 @@ def _repeat(
                 moments, after = advance(scene, standing)
             except Exception as error:
                 if last is not None:
-                    error.result = _result(kind, scene, advance, standing, False, first, last)  # type: ignore[attr-defined]
+                    attach(
+                        error, result=_result(kind, scene, advance, standing, False, first, last)
+                    )
                 raise
             first = moments if not standing.cycles else first
             surface = hertz_estimate.ContactSetup(
@@ -89,7 +95,7 @@ def _start(scene: WearProblem) -> WearProgress:
 
 
 def reliefs_of(scene: WearProblem, standing: WearProgress) -> list[Relief | None]:
-    """Current surfaces of both bodies."""
+    """Return the current surfaces of both bodies; None for a smooth surface without wear."""
     reliefs = list(scene.reliefs)
     for body in scene.worn:
         first, _ = scene.rows(body)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Moments = tuple[State, State]
-"""States at the maximum load of a cycle (where the pressure is maximum) and unloaded at its end."""
+"""States of a cycle at maximum load (among several, at maximum pressure) and after unloading."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Cycle:
     cells_across_contact: float
     """Cells across the contact at maximum load, see `resolution.cells_across`."""
     layers_across_plastic_zone: tuple[float, ...]
-    """Layers from top to bottom of the plastic zone, before removal; 0 without plastic zone."""
+    """Thickness of the plastic zone before removal [layers]; 0 without plastic zone."""
 
     PER_BODY: ClassVar = (
         "volume", "lost_volume", "depth", "surface_strain", "max_equivalent_plastic_strain",
@@ -68,9 +68,9 @@ class FrettingCycle:
     number: int
     """Number of the cycle, from 1."""
     parts: int
-    """Number of parts of its repeats; the worn surface is solved before each part."""
+    """Number of parts into which the repeats are divided; the contact is solved for each part."""
     friction_work: float
-    """Frictional work of all its repeats [J]."""
+    """Frictional work of all repeats [J]."""
     volume: tuple[float, ...]
     """Volume removed by the wear law [m^3]."""
     lost_volume: tuple[float, ...]
@@ -96,7 +96,7 @@ AnyCycle: TypeAlias = Cycle | FrettingCycle
 
 @dataclass(eq=False, repr=False)
 class BaseWearResult(ShortRepr):
-    """Results common to both wear laws."""
+    """Results common to both kinds of wear."""
 
     grid: Grid
     worn: tuple[int, ...]
@@ -114,17 +114,17 @@ class BaseWearResult(ShortRepr):
 
     @cached_property
     def first(self) -> Any:
-        """States of the first cycle, like `last`; solved again after a resumed run."""
+        """States of the first cycle, like `last`; after a resumed run they are computed again."""
         return self._solve_first()
 
     def x(self, body: int | None = None) -> FloatArray:
-        """Positions of the rows of `heights` on a worn body [m]; 0 at the initial contact."""
+        """Return the positions x of the rows of `heights` [m]; 0 at the initial contact."""
         chosen = self._body(body)
         rows = self.first_row[chosen] + np.arange(self.heights[chosen].shape[1])
         return np.asarray((rows - 0.5 * (self.grid.nx - 1)) * self.grid.dx, dtype=np.float64)
 
     def profile(self, cycle: int = -1, body: int | None = None) -> FloatArray:
-        """Heights of a worn body after a cycle [m], shape (len(x), ny); cycle 0: initial heights.
+        """Return the heights of a body after a cycle [m], shape (len(x), ny); cycle 0: initial.
 
         Raises ValueError for a cycle that was not computed, or a body that does not wear.
         """
@@ -144,14 +144,14 @@ class BaseWearResult(ShortRepr):
         return int(choice("body", self.worn[-1] if body is None else body, self.worn))
 
     def to_dataset(self) -> xr.Dataset:
-        """Convert to labelled results with units: values per cycle, and heights after each cycle.
+        """Convert to a dataset with units: the results of each cycle, and heights after each cycle.
 
         Returns
         -------
         xarray.Dataset
-            Dimensions cycle, body (the worn ones), and for each worn body state (0: before the
-            first cycle), x_body1 or x_body2, y. Save it with `samcontact.results.save`, read it
-            with `open_results`.
+            Dataset with the dimensions cycle, body (worn bodies) and, for heights, state (0: before
+            the first cycle), x_body1 or x_body2, and y. It can be saved by
+            `samcontact.results.save` and read by `open_results`.
         """
         import xarray as xr  # here, so that importing the package does not load it
 
@@ -186,7 +186,7 @@ class WearResult(BaseWearResult):
 
     cycles: list[Cycle]
     last: Moments = field(repr=False)
-    """States of the last cycle, at its maximum load, and unloaded before removal."""
+    """States of the last cycle at maximum load, and unloaded before removal of material."""
 
 
 @dataclass(eq=False, repr=False)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Steps of wear: depth of removal, its smoothing, and the remaining plastic strain."""
+"""Steps of wear: removed depth, smoothing of this depth, and the remaining plastic strain."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .._util.short_text import in_short
 Window = int | Sequence[int] | None
 
 _BISECTIONS = 60
-"""Number of bisections of one layer, sufficient for rounding."""
+"""Number of bisections of one layer, sufficient to reach rounding errors."""
 _CUTOFF_DEVIATIONS = 4.0
 """Standard deviations at which a Gaussian is cut off."""
 _MAX_RELATIVE_TRACE = 1e-9
@@ -25,7 +25,7 @@ _MAX_RELATIVE_TRACE = 1e-9
 
 
 def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
-    """Depth to which the plastic strain exceeds a threshold, contiguously from the surface.
+    """Return the depth of the layer at the surface in which the plastic strain exceeds a threshold.
 
     Parameters
     ----------
@@ -39,9 +39,10 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
     Returns
     -------
     ndarray, shape (nx, ny)
-        Depth [m]; 0 if the first layer does not exceed the threshold, regardless of deeper layers.
-        Otherwise the first depth at which monotone cubic (PCHIP) interpolation along the column
-        falls to it. Boucly (2008), section 5.1.3.1, uses Lagrange polynomials, which overshoot.
+        Depth [m]; 0 if the strain in the first layer of cells does not exceed the threshold,
+        regardless of deeper layers. Otherwise it is the first depth at which the strain,
+        interpolated along the column by monotone cubics (PCHIP), drops to the threshold. Boucly
+        (2008), section 5.1.3.1, uses Lagrange polynomials, which overshoot.
 
     Raises
     ------
@@ -60,8 +61,9 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
     columns = field[worn]
     if (columns > limit).all(axis=1).any():
         raise ValueError(
-            f"grid must be deep enough: the plastic strain exceeds threshold = {limit!r} down to "
-            f"its last layer, at {shape[2] * step!r} m; use more layers"
+            "grid must be deeper than the worn layer, but the plastic strain exceeds "
+            f"threshold = {limit!r} down to the last layer of the grid, at "
+            f"{shape[2] * step!r} m: use more layers"
         )
     layer = np.argmax(columns <= limit, axis=1) - 1  # the last one above the threshold
     rows, slopes = np.arange(len(columns)), _slopes(columns)
@@ -77,7 +79,7 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
 
 
 def _slopes(columns: FloatArray) -> FloatArray:
-    """Slopes of the monotone interpolant for layers of thickness 1, shape (columns, nz)."""
+    """Return the slopes of the monotone interpolant for layers of thickness 1, (columns, nz)."""
     count = columns.shape[-1]
     interpolant = scipy.interpolate.PchipInterpolator(np.arange(count), columns, axis=-1)
     return np.asarray(interpolant(np.arange(count), 1), dtype=np.float64)
@@ -86,7 +88,7 @@ def _slopes(columns: FloatArray) -> FloatArray:
 def _hermite(
     t: FloatArray, values: tuple[FloatArray, FloatArray], slopes: tuple[FloatArray, FloatArray]
 ) -> FloatArray:
-    """Cubic interpolation between two layers, at the fraction t of their distance."""
+    """Interpolate between two layers by a cubic, at the fraction t of their distance."""
     s = 1 - t
     (y0, y1), (d0, d1) = values, slopes
     result: FloatArray = s * s * ((1 + 2 * t) * y0 + t * d0) + t * t * ((1 + 2 * s) * y1 - s * d1)
@@ -94,7 +96,7 @@ def _hermite(
 
 
 def window_and_order(window: Window, order: int) -> tuple[int, int, int]:
-    """Check the cells of the window along x and y, and the order; (1, 1, 0): no smoothing."""
+    """Return the checked window along x and y [cells] and the order; (1, 1, 0): no smoothing."""
     sides: list[int] = [1 if window is None else window] * 2 if _single(window) else list(window)  # type: ignore[arg-type,list-item]
     if len(sides) != 2:
         raise ValueError(
@@ -125,12 +127,12 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
         Odd number of cells (along x and y) of a two-dimensional Savitzky-Golay filter; None or 1:
         no smoothing.
     order : int, optional
-        Order of its polynomials, in x and in y; < window.
+        Order of the polynomials of this filter, in x and in y; < window.
 
     Returns
     -------
     ndarray, shape (nx, ny)
-        Wear depth [m], >= 0, with an equal sum to rounding.
+        Wear depth [m], >= 0; the sum over all cells is unchanged, except for rounding.
 
     Raises
     ------
@@ -156,7 +158,7 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
                 padded, cells, degree, axis=axis, mode="constant", cval=0.0
             )
             result = padded[cells:-cells] if axis == 0 else padded[:, cells:-cells]
-    return _with_volume_of(given, np.maximum(result, 0.0))  # it undershoots near a step
+    return _with_volume_of(given, np.maximum(result, 0.0))  # the filter undershoots near a step
 
 
 def _with_volume_of(given: FloatArray, result: FloatArray) -> FloatArray:
@@ -170,7 +172,7 @@ def _with_volume_of(given: FloatArray, result: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class Polynomials:
-    """Smoothing by `smooth` over a window of cells, as in Boucly's thesis."""
+    """Smoothing by the function `smooth` over a window of cells, as in Boucly (2008)."""
 
     sides: tuple[int, int]
     """Cells of the window along x and y."""
@@ -189,7 +191,7 @@ class Gaussian:
 
     @property
     def sides(self) -> tuple[int, int]:
-        """Cells along x and y over which a cell is spread."""
+        """Numbers of cells along x and y over which the wear in a cell is spread."""
         x, y = (2 * math.ceil(_CUTOFF_DEVIATIONS * cells) + 1 for cells in self.deviation)
         return x, y
 
@@ -203,7 +205,7 @@ class Gaussian:
 
 
 def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
-    """Map a volume field to depths below the worn surface: its values at z_k + depth.
+    """Map a volume field to depths z_k below the worn surface: return its values at z_k + depth.
 
     Parameters
     ----------
@@ -217,8 +219,8 @@ def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatAr
     Returns
     -------
     ndarray
-        Field of unchanged shape; interpolated along each column by monotone cubics (PCHIP), which
-        do not overshoot; it falls to 0 within one layer below the grid.
+        Field of unchanged shape, interpolated along each column by monotone cubics (PCHIP), which
+        do not overshoot. Within one layer below the grid, the interpolated field falls to 0.
 
     Raises
     ------
@@ -257,7 +259,7 @@ def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatAr
 def deviator_below_worn_surface(tensor: FloatArray, depth: FloatArray, dz: float) -> FloatArray:
     """Apply `below_worn_surface` to each component of tensors, shape (..., 6, nx, ny, nz).
 
-    Columns of deviators remain deviators: their trace is subtracted.
+    The trace is subtracted in columns with deviators, so that these remain deviators.
     """
     moved = below_worn_surface(tensor, depth, dz)
     trace = np.abs(tensor[..., :3, :, :, :].sum(axis=-4)).max(axis=-1, keepdims=True)

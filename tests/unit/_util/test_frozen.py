@@ -35,7 +35,7 @@ KINDS = (
 
 
 def objects():
-    moved = simulation(friction=sc.Coulomb(0.1))  # of which a state tells all
+    moved = simulation(friction=sc.Coulomb(0.1))  # described completely by a state
     state = moved.step(load=0.5)
     return {
         "grid": GRID,
@@ -60,7 +60,7 @@ def made():
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_no_attribute_can_be_changed(made, kind):
+def test_attributes_cannot_be_changed(made, kind):
     thing = made[kind]
     names = [name for name in dir(thing) if not name.startswith("_")]
     assert len(names) > 2
@@ -83,7 +83,7 @@ def test_no_attribute_can_be_changed(made, kind):
         thing.anything = 1.0
 
 
-def test_arrays_that_were_given_are_copied():
+def test_array_arguments_are_copied():
     heights, gap, attrs = np.array(HEIGHTS), np.array(GAP), {"source": "a"}
     constants = {"E": 210e9, "nu": 0.3}
     steel = sc.Material("elastic", constants)
@@ -106,7 +106,7 @@ def test_zero_dimensional_arrays_become_numbers():
     assert heat == sc.Heat(0.0, time=2.0, reference=2.0)
 
 
-def test_a_step_changes_the_heat_factor_from_there_on():
+def test_a_step_changes_the_heat_factor_of_later_steps():
     cool, hot = sc.Heat(1e-3, (1.0, 0.0)), sc.Heat(5e-2, (1.0, 0.0))
     run, other = simulation(heat=cool), simulation(heat=hot)
     first = run.step(load=0.5, heat_factor=5e-2)
@@ -119,13 +119,13 @@ def test_a_step_changes_the_heat_factor_from_there_on():
     assert first.surface_temperature().max() > 10 * cooler.surface_temperature().max()
     with pytest.raises(ValueError, match="heat_factor must be a finite number >= 0, got -1"):
         run.step(load=0.5, heat_factor=-1.0)
-    with pytest.raises(ValueError, match=r"heat.factor of body1 must be 0 because it is rigid"):
+    with pytest.raises(ValueError, match=r"heat.factor must be 0 for rigid body1"):
         run.step(load=0.5, heat_factor=(0.1, 0.0))
     assert run.heat == hot
 
 
 @pytest.mark.parametrize("kind", ["grid", "material", "relief", "measured"])
-def test_what_is_fixed_can_be_copied_and_sent(made, kind):
+def test_frozen_objects_can_be_copied_and_pickled(made, kind):
     thing = made[kind]
     for twin in (copy.deepcopy(thing), copy.copy(thing), pickle.loads(pickle.dumps(thing))):
         assert repr(twin) == repr(thing)

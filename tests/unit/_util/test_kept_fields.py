@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of states are computed once for all who ask, and kept only while there is room."""
+"""Fields of states are computed once, and kept only while memory permits."""
 
 import gc
 from collections import Counter
@@ -19,7 +19,7 @@ STRESSES = ("stress", "residual_stress", "residual_stress_in")
 
 @pytest.fixture
 def computed(monkeypatch):
-    """Number of times the core computes each stress, by state and body."""
+    """Count how often the core computes each stress, by state and body."""
     counts = Counter()
 
     def counting(name):
@@ -59,7 +59,7 @@ def test_a_run_with_figures_and_report_computes_each_stress_once(tmp_path, compu
     assert set(computed.values()) == {1}
 
 
-def test_of_a_contact_that_moves_too(tmp_path, computed, undrawn):
+def test_a_moving_contact_computes_each_stress_once(tmp_path, computed, undrawn):
     run(MOVING, tmp_path)
     assert sum(key[0] == "residual_stress_in" for key in computed) == 1
     assert set(computed.values()) == {1}
@@ -78,7 +78,7 @@ def test_invariants_are_those_of_the_stress(states):
         stress *= 1e-6
 
 
-def test_they_go_with_their_state(states):
+def test_kept_fields_are_released_with_their_state(states):
     states[0].stress(2)
     kept = len(field_cache._fields)
     del states[0]
@@ -86,7 +86,7 @@ def test_they_go_with_their_state(states):
     assert len(field_cache._fields) == kept - 1
 
 
-def test_the_oldest_go_first(states, monkeypatch):
+def test_the_oldest_kept_fields_are_released_first(states, monkeypatch):
     first, last = states[0], states[-1]
     size = first.stress(2).nbytes
     monkeypatch.setattr(field_cache, "MAX_BYTES", 1.5 * size)
@@ -99,7 +99,7 @@ def test_the_oldest_go_first(states, monkeypatch):
     assert first.stress(2) is not first.stress(2)
 
 
-def test_they_go_where_memory_is_short(states, monkeypatch):
+def test_kept_fields_are_released_if_memory_is_short(states, monkeypatch):
     stress = states[0].stress(2)
     answers = iter([1e8, 1e10])
     monkeypatch.setattr(memory, "available", lambda: next(answers))
@@ -108,7 +108,7 @@ def test_they_go_where_memory_is_short(states, monkeypatch):
     assert states[0].stress(2) is not stress
 
 
-def test_a_bar_gathers_no_track(monkeypatch, tmp_path):
+def test_a_progress_bar_collects_no_track(monkeypatch, tmp_path):
     def gathered(*_):
         raise AssertionError("the whole track of an increment was gathered")
 

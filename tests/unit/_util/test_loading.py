@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The environment of OpenMP: what it cannot use neither crashes nor changes a digit."""
+"""OpenMP environment variables: invalid settings neither crash nor change a digit."""
 
 import os
 import subprocess
@@ -38,9 +38,9 @@ def solved(**environment):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
-def test_what_openmp_cannot_use_does_no_harm():
-    digits, threads, told = solved(OMP_NUM_THREADS="1")
-    assert (threads, told) == (1, "")
+def test_invalid_openmp_settings_do_no_harm():
+    digits, threads, stated = solved(OMP_NUM_THREADS="1")
+    assert (threads, stated) == (1, "")
     most = 8 * os.cpu_count()
     for environment, expected in (
         ({"OMP_NUM_THREADS": "2147483648"}, most),  # 2^31 and 2^32 + 1 do not fit an int
@@ -50,20 +50,20 @@ def test_what_openmp_cannot_use_does_no_harm():
         ({"OMP_NUM_THREADS": "3", "OMP_THREAD_LIMIT": "2147483648"}, 3),
     ):
         assert solved(**environment) == (digits, expected, ""), environment
-    other, threads, told = solved(OMP_NUM_THREADS="-1")
+    other, threads, stated = solved(OMP_NUM_THREADS="-1")
     assert (other, threads) == (digits, os.cpu_count())
-    assert "OMP_NUM_THREADS must be a whole number >= 1, got '-1'" in told
-    assert "libgomp" not in told
+    assert "OMP_NUM_THREADS must be a whole number >= 1, got '-1'" in stated
+    assert "libgomp" not in stated
 
 
 @pytest.mark.parametrize("given", ["0", "abc", "2,x", "1" * 400 + "x", "1.5"])
 def test_a_wrong_number_of_threads_is_named(given):
-    with pytest.warns(RuntimeWarning, match="OMP_NUM_THREADS") as told:
+    with pytest.warns(RuntimeWarning, match="OMP_NUM_THREADS") as stated:
         assert load_core._number_of_threads(given) is None
-    assert len(str(told[0].message)) < 200
+    assert len(str(stated[0].message)) < 200
 
 
-def test_settings_that_are_right_stay():
+def test_valid_settings_are_kept():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert load_core._number_of_threads("2,1") == "2,1"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Progress of long calls: a bar where it can be redrawn, and a few lines in a log."""
+"""Progress of long calls: a bar in a terminal, a few lines in a log."""
 
 import io
 import subprocess
@@ -31,7 +31,7 @@ def test_a_log_gets_a_few_lines(total, initial, monkeypatch):
     assert "\r" not in log.getvalue()
     if total > initial:
         assert lines[-1] == f"increment {total} of {total}"
-    # more than was expected, as tugging may need, says no more
+    # more steps than expected, as in asperity collisions, cause no further output
     bar.update()
     assert log.getvalue().splitlines() == lines
 
@@ -46,7 +46,7 @@ def test_a_terminal_gets_a_bar(monkeypatch):
     assert "2/2" in terminal.getvalue()
 
 
-def test_nothing_is_written_on_wish_or_without_a_place_to_write(monkeypatch):
+def test_nothing_is_written_on_request_or_without_a_stream(monkeypatch):
     terminal = Terminal()
     monkeypatch.setattr(sys, "stderr", terminal)
     with progress_bar(2, "cycle", shown=False) as bar:
@@ -66,6 +66,6 @@ def test_a_run_from_python_keeps_a_log_short(capsys):
     assert err.splitlines() == [f"increment {4 * n} of 40" for n in range(1, 11)]
 
 
-def test_a_bar_is_not_loaded_for_nothing():
+def test_the_progress_bar_is_not_loaded_without_need():
     code = "import sys, samcontact; sys.exit('tqdm' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

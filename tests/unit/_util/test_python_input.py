@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects of other libraries, ends of ranges and odd moments: what Python users may hand over."""
+"""Unusual arguments of Python users: objects of other libraries, limits of ranges."""
 
 import itertools
 import sys
@@ -50,7 +50,7 @@ class TestArrays:
         with pytest.raises(ValueError, match="heights_lower must be finite everywhere"):
             sc.surfaces.from_heights(self.GRID, [[10**400] * 15] * 15)
 
-    def test_labelled_axes_are_not_taken_in_another_order(self):
+    def test_labelled_axes_in_another_order_are_refused(self):
         heights = np.random.default_rng(3).random((15, 15))
         right = xr.DataArray(heights, dims=("x", "y"))
         assert np.ptp(sc.surfaces.from_heights(self.GRID, right)) > 0
@@ -65,7 +65,7 @@ class TestArrays:
 
 class TestOneNumber:
     @pytest.mark.filterwarnings("ignore:The .generic. unit:DeprecationWarning")  # of NumPy 2.5
-    def test_a_span_of_time_is_none(self):
+    def test_a_time_span_is_not_a_number(self):
         with pytest.raises(TypeError, match="load must be a number"):
             sc.hertz.point(1e-2, 1e11, load=np.timedelta64(3, "s"))
         with pytest.raises(TypeError, match="load must be a number"):
@@ -73,12 +73,12 @@ class TestOneNumber:
         with pytest.raises(TypeError, match="nx must be an integer"):
             sc.Grid(np.timedelta64(15), 15, 1.0, 1.0)
 
-    def test_a_body_is_an_integer_whatever_it_was(self):
+    def test_a_body_number_of_any_integer_type_is_accepted(self):
         state = small().state
         assert np.array_equal(state.von_mises(2.0), state.von_mises(2))
 
     @pytest.mark.parametrize("value", [1e-35, 7.3e116, -2.5e-32])
-    def test_a_size_without_prefix_is_written_as_it_is(self, value):
+    def test_a_size_without_prefix_is_written_unchanged(self, value):
         assert quantity(value, "m") == f"{value:.4g} m"
 
 
@@ -110,9 +110,9 @@ class TestBeyondTheRange:
             sc.heat.factors(1e200, 1e200)
 
     def test_constants_of_swift(self):
-        with pytest.raises(ValueError, match="must be finite: use smaller constants"):
+        with pytest.raises(ValueError, match=r"finite yield stress, got .*: use smaller values"):
             sc.Material.swift(210e9, 0.3, 1e200, 1e200, 1.0)
-        with pytest.raises(ValueError, match="strain causes floating-point overflow"):
+        with pytest.raises(ValueError, match="strain must be small enough"):
             STEEL.uniaxial_stress([1e300])
 
     @pytest.mark.parametrize("C", [1e-300, 1e-9, 20.0, 1e200])
@@ -126,16 +126,16 @@ class TestBeyondTheRange:
 
 
 class TestScenes:
-    def test_a_gap_far_away_is_told(self):
+    def test_a_large_constant_gap_is_reported(self):
         gap = sc.surfaces.paraboloid(TestArrays.GRID, 7.5e-3) + 1e6
         elastic = sc.Material.elastic(210e9, 0.3)
         solver = sc.ContactSolver(TestArrays.GRID, elastic, elastic, max_iterations=50)
-        with pytest.raises(sc.ConvergenceError, match="subtract its minimum") as caught:
+        with pytest.raises(sc.ConvergenceError, match="subtract the minimum") as caught:
             solver.solve(gap, load=300.0)
         assert caught.value.iterations > 0
 
     @pytest.mark.parametrize("first", [15, -15, 1000])
-    def test_strain_beside_the_grid(self, first):
+    def test_strain_outside_the_grid_is_refused(self, first):
         simulation = small()
         with pytest.raises(ValueError, match=f"strain must overlap the grid.*first = {first}"):
             simulation.set_plastic_strain(2, np.full((6, 15, 15, 10), 1e-4), first=first)
@@ -164,7 +164,7 @@ class TestPaths:
     def test_names_and_values_are_checked_before_the_first_increment(self):
         for wrong, error, text in (
             ({"laod": 1.0}, TypeError, "increment 2 of path.*'laod': did you mean load"),
-            ({1: 2.0}, TypeError, "unknown field 1"),
+            ({1: 2.0}, TypeError, "unknown argument 1"),
             ({"load": "x"}, TypeError, "load must be a number"),
             ({"load": -1.0}, ValueError, "load must be a finite number >= 0"),
         ):
@@ -172,11 +172,11 @@ class TestPaths:
                 small().run([{"load": 10.0}, wrong], progress=False)
             assert caught.value.states == []
 
-    def test_a_path_without_end_is_refused(self):
+    def test_an_infinite_path_is_refused(self):
         with pytest.raises(ValueError, match="at most 100000 increments"):
             small().run(({"load": 1.0} for _ in itertools.count()), progress=False)
 
-    def test_what_is_run_is_what_was_given(self):
+    def test_a_path_changed_during_the_run_has_no_effect(self):
         path = [{"load": 300.0}, {"load": 400.0}]
 
         def law(rise):

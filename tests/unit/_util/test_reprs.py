@@ -29,7 +29,7 @@ STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 
 
 def parsed(thing):
-    """Caption and rows; as XML, so that a forgotten escape or end tag is an error."""
+    """Return caption and rows; parsed as XML, so that a missing escape or end tag is an error."""
     root = ElementTree.fromstring(thing._repr_html_())
     assert root.tag == "table"
     rows = {row.findtext("th"): row.findtext("td") for row in root.iter("tr")}
@@ -153,7 +153,7 @@ def test_contact_solution():
     assert float(rows["error"]) == pytest.approx(solution.error, rel=1e-3)
 
 
-def test_state_that_sticks_and_slips():
+def test_state_with_partial_slip():
     grid = sc.Grid(16, 16, 40e-6, 40e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
     simulation = sc.Simulation(grid, BALL, BALL, gap, sc.Coulomb(0.3))
@@ -161,8 +161,8 @@ def test_state_that_sticks_and_slips():
     _, rows = parsed(state)
     assert rows["tangential load"] == "45 N, 0 N"
     assert rows["shift"] == f"{state.shift[0] * 1e6:.4g} µm, 0 m"
-    told = f"{state.sticking.sum()} of {np.count_nonzero(state.pressure)} in contact"
-    assert rows["sticking cells"] == told
+    stated = f"{state.sticking.sum()} of {np.count_nonzero(state.pressure)} in contact"
+    assert rows["sticking cells"] == stated
     assert "twist" not in rows
     _, rows = parsed(simulation.step(load=300.0, twist=1e-4))
     assert rows["twist"] == "100 µrad"
@@ -207,7 +207,7 @@ def test_closed_forms(thing):
         assert value == pytest.approx(getattr(thing, field), rel=6e-4), field
 
 
-def test_text_stays_as_it_was():
+def test_plain_text_reprs_are_unchanged():
     grid = sc.Grid(4, 4, 1e-6, 1e-6)
     assert repr(grid) == "Grid(nx=4, ny=4, dx=1e-06, dy=1e-06, nz=0, dz=None, periodic='')"
     assert repr(CLOSED_FORMS[0]).startswith("PointContact(R=0.0075, E_star=")
@@ -318,7 +318,7 @@ def test_no_repr_is_long():
         assert "\n" not in text
 
 
-def test_arrays_are_told_by_shape_and_range():
+def test_arrays_are_shown_by_shape_and_range():
     heights = np.array([[1.0, np.nan, -2.0], [0.5, 0.25, 3.0]])
     surface = sc.measured.MeasuredSurface(heights, 1e-6)
     assert repr(surface) == (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values in messages are short whatever they are, and lists of numbers hold numbers only."""
+"""Values in messages are short, and lists of numbers contain numbers only."""
 
 import datetime
 from decimal import Decimal
@@ -76,7 +76,7 @@ def test_numbers_of_any_kind_are_taken():
     assert np.isposinf(real_array("height", [np.inf, 1e300])[0])
 
 
-def test_one_is_not_true():
+def test_the_number_one_is_not_true():
     for wrong in (True, np.True_, 1 + 0j, "1", [1], np.array([1])):
         with pytest.raises(ValueError, match="body must be one of 1, 2, got"):
             choice("body", wrong, (1, 2))

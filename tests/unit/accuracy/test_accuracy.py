@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prescribed accuracy: estimated errors exceed the true ones, or a remedy is named."""
+"""Runs to an accuracy: estimated errors exceed the true ones, or a remedy is named."""
 
 import json
 import math
@@ -69,7 +69,7 @@ def test_coated_bodies_are_closer_than_the_stated_error(name):
         0.005,
     )  # fmt: skip
     assert found.reached
-    # Stress jumps at interfaces: it is none of what is told.
+    # Stress jumps at interfaces, so it is not among the reported values.
     assert set(found.values) == {"max_pressure", "approach", "contact_area"}
     truth = {
         "max_pressure": case["p_max"] * 1e11,
@@ -88,7 +88,7 @@ def layered(*thicknesses, E=400e9):
     return SWIFT | {"layers": layers}
 
 
-def test_steel_that_yields_below_a_coating_is_closer_than_the_stated_error():
+def test_yield_below_a_coating_is_closer_than_the_stated_error():
     """Against finite elements, whose cells are a quarter of the finest here."""
     known = json.loads((REFERENCE / "layers" / "yielding" / "case.json").read_text())
     found = sc.to_accuracy(
@@ -113,7 +113,7 @@ def test_steel_that_yields_below_a_coating_is_closer_than_the_stated_error():
     assert top < below == pytest.approx(2.6094e9, rel=2e-3)
 
 
-def test_layers_that_flow_end_between_cells_on_all_grids():
+def test_elastic_plastic_layers_end_between_cells_on_all_grids():
     bodies = {"body1": layered(1e-4), "body2": layered(6e-5, 5e-5)}
     case = SectionsOfCase.model_validate({"title": "x", "accuracy": 0.1, **ELASTIC, **bodies})
     scene = RefinableCase(case)
@@ -126,7 +126,7 @@ def test_layers_that_flow_end_between_cells_on_all_grids():
     assert shrink[4:] == pytest.approx(math.sqrt(0.5), rel=0.03)
 
 
-def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
+def test_elastic_plastic_balls_agree_with_a_run_on_the_finest_grid():
     found = sc.to_accuracy(YIELDING, 0.05)
     assert found.reached
     # of T1 with 512 increments on a grid that is four times as fine
@@ -155,8 +155,8 @@ def test_yielding_balls_are_those_of_a_run_on_the_finest_grid():
     assert results.scalars(dataset)["max_residual_von_mises_body2_best"].notnull().sum() == 2
 
 
-def test_a_graded_body_is_that_of_finer_grids():
-    """A hardened case that is pressed along the surface."""
+def test_a_graded_body_agrees_with_finer_grids():
+    """The body has a hardened case with residual compression along the surface."""
     graded = SWIFT | {
         "yield_profile": {"z": [0.0, 1.2e-4, 2.4e-4], "factor": [1.4, 1.3, 1.0]},
         "residual_stress": {"z": [0.0, 1e-4, 2e-4], "sxx": [-4e8, -3e8, 0.0]},
@@ -173,12 +173,12 @@ def test_a_graded_body_is_that_of_finer_grids():
     }
     for name, exact in truth.items():
         assert abs(found.values[name] - exact) <= found.errors[name] <= 0.05 * exact
-    # Kinks of strength lie between layers: what is largest there is known to the accuracy only.
+    # Kinks of strength lie between layers; maxima there are known only to the prescribed accuracy.
     assert found.values["max_von_mises_body2"] == pytest.approx(2.4347e9, rel=0.005)
     assert found.values["max_equivalent_plastic_strain_body2"] == pytest.approx(1.683e-3, rel=0.05)
 
 
-def test_only_segments_that_flow_have_many_increments():
+def test_only_segments_with_plastic_flow_have_many_increments():
     path = [{"approach": 2.5e-5}, {"load": 900.0, "start": 1800.0}, {"load": 0.0}]
     case = SectionsOfCase.model_validate({"title": "x", "accuracy": 0.1, **YIELDING, "path": path})
     scene = RefinableCase(case)
@@ -198,7 +198,7 @@ def test_corrections_of_first_order_hold_on_other_grids():
     assert np.array_equal(estimate.irregular(more, twice), [0.0, 7.0, 4.0, 0.5])
 
 
-def test_corrections_are_those_of_the_grid_that_resolves_the_value():
+def test_corrections_come_from_the_grid_that_resolves_the_value():
     # in n increments: 0.5 + 1/n on the coarsest grid, which has half of the value; else 1 - 1/n
     def run(grid, n):
         value = 0.5 + 1.0 / n if grid == 1 else 1.0 - 1.0 / n
@@ -208,7 +208,7 @@ def test_corrections_are_those_of_the_grid_that_resolves_the_value():
     finest = runs[3, 2].values
     wrong = increments.correction(runs, 2, finest)
     missing = 1.0 - finest - wrong.values
-    assert abs(missing) > 2 * wrong.errors  # the series itself knows nothing of it
+    assert abs(missing) > 2 * wrong.errors  # the series itself does not show this
     assert abs(missing) <= np.sum(wrong.by_grid)
     runs |= {(3, n): run(3, n) for n in (4, 8)}
     found = increments.correction(runs, 2, finest)
@@ -236,18 +236,18 @@ HEATED = {
     ],
     ids=["friction", "approach", "rolling", "heat"],
 )
-def test_all_kinds_of_scenes_have_values_at_their_marks(change, marks):
+def test_all_kinds_of_cases_have_values_at_their_marks(change, marks):
     found = sc.to_accuracy(YIELDING | change, 0.3, quantities=["max_pressure", "contact_area"])
     assert found.reached
     assert found.increments == marks
     loads = [found.states[m].load for m in marks]
     assert loads[0] > 1400.0
-    # what flows carries less than Hertz's 4.1 GPa, on a larger spot; heat bulges it
+    # plastic flow lowers the pressure below Hertz's 4.1 GPa on a larger area; heat has a bulge
     assert 3.5e9 < found.values["max_pressure"] < 5e9
     assert np.all(found.series["max_pressure"][1:] == 0.0)
 
 
-def test_memory_ends_it_with_the_best_so_far():
+def test_the_memory_limit_returns_the_best_values_so_far():
     with pytest.warns(sc.AccuracyWarning, match=r"contact_area is .* would require about .* GB"):
         found = sc.to_accuracy(ELASTIC, 1e-4, quantities=["contact_area"], max_memory=2e7)
     assert not found.reached
@@ -255,7 +255,7 @@ def test_memory_ends_it_with_the_best_so_far():
     assert 1e-4 < found.relative_errors["contact_area"] < 0.1
 
 
-def test_no_time_leaves_errors_of_three_grids():
+def test_a_zero_time_limit_still_gives_errors_from_three_grids():
     with pytest.warns(sc.AccuracyWarning, match="finer grids would require"):
         found = sc.to_accuracy(ELASTIC, 1e-5, max_time=1e-9)
     assert len(found.runs) == 3
@@ -271,20 +271,20 @@ def test_no_time_leaves_errors_of_three_grids():
         ({"surface": {"shape": "cylinder", "R": 1e-3}}, "surface.shape = 'cylinder'.*periodic"),
         ({"path": [{"approach": -1e-6}]}, "path: at least one load"),
         ({"path": [{"load": 1.0, "increments": 3}]}, r"path\[0\].increments cannot be"),
-        ({"accuracy": {"print": 0.1}}, "quantities must be of this case.*got 'print'"),
+        ({"accuracy": {"print": 0.1}}, "quantities must be names of.*got 'print'"),
         ({"accuracy": 2.0}, "accuracy"),
         ({"body2": layered(1e-5, math.pi * 1e-5)}, "layers: the depths.*multiples of a"),
         ({"body1": layered(1e-8)}, "layers: the depths .* 1e-08 m.* >= .*e-06 m"),
     ],
 )
-def test_what_cannot_be_is_refused_by_name(change, message):
+def test_unsupported_cases_are_refused_by_name(change, message):
     with pytest.raises(ValueError, match=message):
         sc.to_accuracy({"accuracy": 0.01} | ELASTIC | change)
 
 
 def test_a_case_needs_a_grid_or_an_accuracy():
     grid = {"nx": 8, "ny": 8, "dx": 1e-4, "dy": 1e-4}
-    with pytest.raises(CaseError, match="grid: missing section; specify"):
+    with pytest.raises(CaseError, match=r"grid: \[grid\] is missing: add"):
         sc.to_accuracy(ELASTIC)
     with pytest.raises(CaseError, match="grid cannot be combined with accuracy"):
         sc.to_accuracy(ELASTIC | {"grid": grid, "accuracy": 0.01})
@@ -296,7 +296,7 @@ def test_a_case_needs_a_grid_or_an_accuracy():
 
 
 @pytest.mark.parametrize("order", [1.0, 1.5, 2.0])
-def test_orders_are_seen_and_noise_is_not_extrapolated(order):
+def test_orders_are_recognised_and_noise_is_not_extrapolated(order):
     cells = 2.0 ** (0.5 * np.arange(6))
     clean = estimate.of_grids(3.0 + 0.7 * cells**-order)
     assert clean.extrapolated

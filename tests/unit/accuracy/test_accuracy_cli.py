@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A case file that asks for an accuracy: values and errors on the terminal, in results, reports."""
+"""Case files with a prescribed accuracy: values and errors in output, results and reports."""
 
 import numpy as np
 import pytest
@@ -46,7 +46,7 @@ def test_values_come_with_errors(case, tmp_path, undrawn):
     ratio = data["max_pressure_best"][1] / data["max_pressure_best"][0]
     assert float(ratio) == pytest.approx(4 ** (1 / 3), rel=2e-3)  # Hertz
     assert np.all(data["max_pressure_error"] <= 0.02 * data["max_pressure_best"].max())
-    # what was solved is all of one kind, of which the checks are computed
+    # all solved values are of one kind, from which the checks are computed
     assert np.array_equal(data["max_pressure"], data["pressure"].max(("x", "y")))
     assert all(check.passed for check in report.checks(data))
     assert data["max_pressure_error"].attrs["accuracy"] == 0.02
@@ -58,7 +58,7 @@ def test_values_come_with_errors(case, tmp_path, undrawn):
     assert "Results with estimated errors" in (tmp_path / "report.html").read_text(encoding="utf-8")
 
 
-def test_what_is_no_accuracy_is_refused(case, tmp_path):
+def test_invalid_accuracies_are_refused(case, tmp_path):
     case.write_text(TEXT)
     outcome = invoke("run", case, "--output", tmp_path / "out")
     check_failure(outcome, 2, "accuracy: must be a relative error in (0, 1)", "got 'X'")

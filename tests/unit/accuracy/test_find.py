@@ -40,7 +40,7 @@ def ball(load):
         ("approach", 5e-6, sc.hertz.point(R, E_STAR, approach=5e-6).load),
     ],
 )
-def test_a_load_is_that_of_its_closed_form(quantity, value, load):
+def test_a_found_load_agrees_with_its_closed_form(quantity, value, load):
     found = sc.find_load(ball, quantity, value, largest_load=1000.0)
     assert found.value == pytest.approx(value, rel=1e-3)
     assert abs(found.load - load) < found.load_error < 0.04 * load
@@ -57,7 +57,7 @@ def test_a_run_with_the_load_reaches_the_strain():
     assert found.quantity == "max_equivalent_plastic_strain_body2"
 
 
-def test_permanent_deformation_is_of_both_bodies_after_the_load():
+def test_permanent_deformation_is_the_sum_for_both_bodies():
     """The sum of both imprint depths, as in ISO 76: twice one depth for identical materials."""
 
     def alike(load):
@@ -86,16 +86,16 @@ def test_permanent_deformation_needs_a_body_that_yields():
         sc.find_load(elastic, "permanent_deformation", 1e-6, largest_load=300.0)
 
 
-def test_what_is_not_reached_is_refused_with_the_largest_value():
+def test_an_unreached_target_is_refused_with_the_largest_value():
     hertz = sc.hertz.point(R, E_STAR, load=300.0)
-    with pytest.raises(ValueError, match=r"cannot be reached: maximum (\S+) at 300 N") as error:
+    with pytest.raises(ValueError, match=r"the maximum is (\S+).* at 300 N") as error:
         sc.find_load(ball, "max_pressure", 1.5 * hertz.p0, largest_load=300.0)
-    assert float(str(error.value).split("maximum ")[1].split()[0]) == pytest.approx(
+    assert float(str(error.value).split("the maximum is ")[1].split()[0]) == pytest.approx(
         hertz.p0, rel=0.02
     )
 
 
-def test_loads_without_a_solution_end_the_search_at_what_has_one():
+def test_loads_without_a_solution_limit_the_search():
     def within(load):
         made, path = ball(load)
         return sc.Simulation(made.grid, STEEL, SOFT, made.initial_gap), path
@@ -115,7 +115,7 @@ def test_loads_without_a_solution_end_the_search_at_what_has_one():
         ({"quantity": "imprint_depth_body1", "value": 1e9}, "for these bodies and this grid"),
         ({"quantity": "max_pressure", "value": -1.0}, "value must be"),
         ({"quantity": "approach", "value": 1e-6, "tolerance": 0.5}, "tolerance must be in"),
-        ({"quantity": "approach", "value": 1e-6, "largest_load": None}, "largest_load is required"),
+        ({"quantity": "approach", "value": 1e-6, "largest_load": None}, "largest_load must be > 0"),
     ],
 )
 def test_bad_targets_are_refused(arguments, message):
@@ -129,21 +129,21 @@ def test_bad_targets_are_refused(arguments, message):
         ("permanent_deformation", 1.2, "1.2 µm is 1.2e-06 m"),
         ("approach", 5.0, "5 µm is 5e-06 m"),
         ("max_pressure", 2.0, "less than one cell; values are in SI units: 2 GPa is 2e.09 Pa"),
-        ("max_pressure", 2e12, "cannot be reached: up to 1000 N it is below"),
+        ("max_pressure", 2e12, "cannot be reached: at loads up to 1000 N the value is below"),
         ("contact_area", 0.1, "0.1 mm² is 1e-07 m²"),
-        ("contact_area", 1e-12, "one cell has 400 µm²"),
+        ("contact_area", 1e-12, "one cell has an area of 400 µm²"),
         ("max_von_mises", 1e12, "cannot be reached"),
         ("max_equivalent_plastic_strain", 2.0, "values are in SI units: 2 % is 0.02"),
         ("yield", 1e3, "cannot be reached"),
     ],
 )
-def test_what_no_load_reaches_is_refused_before_a_solve(quantity, value, message, monkeypatch):
+def test_an_impossible_target_is_refused_before_a_solve(quantity, value, message, monkeypatch):
     monkeypatch.setattr(sc.Simulation, "run", None)
     with pytest.raises(ValueError, match=message):
         sc.find_load(ball, quantity, value, largest_load=1000.0)
 
 
-def test_the_yield_stress_bounds_the_stress_of_a_body_that_flows():
+def test_the_yield_stress_bounds_the_stress_of_a_yielding_body():
     assert sc.find_load(ball, "max_von_mises", 1.4e9, largest_load=1000.0).load > 100
     with pytest.raises(ValueError, match="yield stress at a plastic strain of 1"):
         sc.find_load(ball, "max_von_mises", 1.6e9, largest_load=1000.0)
@@ -160,7 +160,7 @@ def test_a_case_is_given_in_any_form(tmp_path):
         sc.find_load(1.0, "max_pressure", 2e9)
 
 
-def test_each_load_is_told_once_in_a_sentence(capsys):
+def test_each_load_is_reported_once(capsys):
     sc.find_load(ball, "yield", 1.0, largest_load=1000.0)
     lines = [line for line in capsys.readouterr().err.splitlines() if " grid, load " in line]
     assert len(lines) == len(set(lines)) > 2
@@ -183,4 +183,4 @@ def test_the_command_finds_and_refuses(tmp_path):
     check_failure(invoke("find", file, "=4 GPa"), 2, "must name a quantity")
     check_failure(invoke("find", file, "yield=abc"), 2, "value of yield", "a number without a unit")
     refused = invoke("find", file, "max_pressure=5e9", "--largest-load", "700", "--quiet")
-    check_failure(refused, 2, "cannot be reached: maximum")
+    check_failure(refused, 2, "cannot be reached: the maximum is")

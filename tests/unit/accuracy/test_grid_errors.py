@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Errors by the cells of a grid, from cells twice as large, are those against the truth."""
+"""Grid errors estimated from cells twice as large agree with the true errors."""
 
 import math
 import warnings
@@ -28,7 +28,7 @@ TRUTH = {
 
 
 def pressed(cells, odd, known=True):
-    """The errors of an elastic ball; known: on any grid."""
+    """Estimate the errors of an elastic ball; `known`: the gap is a function of the grid."""
     n, d = 2 * math.ceil(1.3 * cells) + odd, HERTZ.a / cells
     grid = sc.Grid(n, n, d, d, dz=d)
     gap = sc.surfaces.paraboloid(grid, R)
@@ -62,7 +62,7 @@ def test_heights_of_one_grid_give_the_errors_of_a_function(odd):
 
 
 @pytest.mark.parametrize(("n", "first", "periodic"), [(8, 1, False), (7, -4, False), (9, 3, True)])
-def test_a_relief_is_averaged_where_it_lies(n, first, periodic):
+def test_a_relief_is_averaged_at_its_position(n, first, periodic):
     fine = sc.Grid(n, 5, 1e-6, 1e-6)
     grid = coarsening.coarser_grid(fine)
     heights = np.random.default_rng(3).normal(size=(6, 5))
@@ -88,7 +88,7 @@ def test_increments_that_move_by_a_cell_become_one_of_two():
     assert which == [0, 1, 1, 2, 3]
 
 
-def test_slope_beyond_is_that_of_short_waves():
+def test_unresolved_slope_is_that_of_short_waves():
     x = np.arange(128.0)
     waves = np.cos(2 * np.pi * x / 16)[:, None] + 0.2 * np.cos(2 * np.pi * x / 3)[None, :]
     # slopes are as heights over lengths
@@ -100,7 +100,7 @@ def test_slope_beyond_is_that_of_short_waves():
 
 
 def run(folder, text):
-    """The command's output and results."""
+    """Run the command; return its output and results."""
     file = folder / "case.toml"
     file.write_text(text, encoding="utf-8")
     outcome = invoke("run", file, "--no-figures", "--output", folder)
@@ -109,8 +109,8 @@ def run(folder, text):
 
 
 def test_a_run_of_a_case_has_errors_and_changes_nothing_else(tmp_path):
-    told, on = run(tmp_path, MINIMAL)
-    assert "Estimated grid errors" in told
+    stated, on = run(tmp_path, MINIMAL)
+    assert "Estimated grid errors" in stated
     more = {name for name in on if name.endswith("_error")}
     assert {"max_pressure_error", "contact_area_error", "imprint_depth_body2_error"} <= more
     case = parse_case(MINIMAL)
@@ -122,17 +122,17 @@ def test_a_run_of_a_case_has_errors_and_changes_nothing_else(tmp_path):
     assert any("maximum estimated relative" in name for name in names)
 
 
-def test_errors_that_nobody_wants_or_that_cannot_be_estimated(tmp_path):
+def test_errors_that_are_disabled_or_cannot_be_estimated(tmp_path):
     elastic = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3')
-    told, _ = run(tmp_path, f"estimate_error = false\n{elastic}")
-    assert "Estimated grid errors" not in told
-    assert "could not estimate" not in told
-    told, _ = run(tmp_path, elastic.replace("ny = 13", 'ny = 14\nperiodic = "y"'))
-    assert "could not estimate the grid errors: ny must be a multiple of 4" in told
+    stated, _ = run(tmp_path, f"estimate_error = false\n{elastic}")
+    assert "Estimated grid errors" not in stated
+    assert "could not estimate" not in stated
+    stated, _ = run(tmp_path, elastic.replace("ny = 13", 'ny = 14\nperiodic = "y"'))
+    assert "could not estimate the grid errors: ny must be a multiple of 4" in stated
 
 
 @pytest.mark.parametrize(("ends", "deeper"), [((2,), 2), ((3,), 3), ((5, 15), 2.5), ((3, 4), 1)])
-def test_layers_that_yield_end_between_the_coarser_cells_too(ends, deeper):
+def test_elastic_plastic_layers_end_between_the_coarser_cells(ends, deeper):
     """Layer boundaries fit the coarser cells only if they are multiples of a deeper cell; otherwise
     the errors exclude the depth."""
     soft, dz = sc.Material.perfect_plastic(210e9, 0.3, 1.5e9), 10e-6
@@ -142,17 +142,17 @@ def test_layers_that_yield_end_between_the_coarser_cells_too(ends, deeper):
     run = sc.Simulation(grid, STEEL, body, sc.surfaces.paraboloid(grid, R))
     assert coarsened(run, run.heat).grid.dz == pytest.approx(deeper * dz)
     path = [{"load": 250.0}]
-    with warnings.catch_warnings(record=True) as told:
+    with warnings.catch_warnings(record=True) as stated:
         warnings.simplefilter("always")
         found = sc.estimate_errors(run, path, run.run(path, progress=False))
     assert np.isfinite(found.errors["imprint_depth_body2"]).all()
-    assert any("exclude the effect of dz" in str(w.message) for w in told) == (deeper == 1)
+    assert any("exclude the effect of dz" in str(w.message) for w in stated) == (deeper == 1)
 
 
-def test_what_a_rough_surface_has_beyond_its_grid_is_told(tmp_path):
+def test_unresolved_roughness_is_reported(tmp_path):
     rough = '[surface.roughness]\nkind = "self_affine"\nrms_height = 1e-7\nhurst = 0.5\nseed = 1\n'
     elastic = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3')
-    told, dataset = run(tmp_path, elastic.replace("[[path]]", f"{rough}[[path]]", 1))
-    assert "of the mean-square slope of the surface is at wavelengths below" in told
+    stated, dataset = run(tmp_path, elastic.replace("[[path]]", f"{rough}[[path]]", 1))
+    assert "of the mean-square slope of the surface is at wavelengths below" in stated
     (check,) = [c for c in report.checks(dataset) if "mean-square slope" in c.name]
     assert check.value == dataset.attrs["slope_beyond"] > check.limit

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs to an accuracy and searches for a load go on where they were interrupted: no increment is
-made twice, and the bits are those of a run that nothing disturbs."""
+"""Interrupted runs to an accuracy and load searches resume: no increment is
+repeated, and the bits are those of an undisturbed run."""
 
 import errno
 import os
@@ -36,7 +36,7 @@ OPTIONS = ("--no-figures", "--quiet")
 
 @pytest.fixture
 def steps(monkeypatch):
-    """Counter of increments; at the increment with number `at`, `error` is raised instead."""
+    """Counter of increments; increment number `at` raises `error` instead."""
     step = sc.Simulation.step
 
     class Steps:
@@ -45,16 +45,16 @@ def steps(monkeypatch):
         def stop(self, at, error=error):
             self.made, self.at, self.error = 0, at, error
 
-    told = Steps()
+    message = Steps()
 
     def counted(self, **arguments):
-        told.made += 1
-        if told.made == told.at:
-            raise told.error
+        message.made += 1
+        if message.made == message.at:
+            raise message.error
         return step(self, **arguments)
 
     monkeypatch.setattr(sc.Simulation, "step", counted)
-    return told
+    return message
 
 
 def solved(case, **settings):
@@ -76,7 +76,9 @@ def assert_same(found, other):
 
 @pytest.mark.parametrize("at", [2, 6, 7, 11])
 @pytest.mark.usefixtures("steps_alone")
-def test_an_interrupted_search_goes_on_with_the_same_bits(expected, steps, tmp_path, at):
+def test_an_interrupted_run_to_an_accuracy_resumes_with_identical_bits(
+    expected, steps, tmp_path, at
+):
     assert len(expected.runs) == 5
     steps.stop(at)
     with pytest.raises(KeyboardInterrupt) as stop:
@@ -92,7 +94,7 @@ def test_an_interrupted_search_goes_on_with_the_same_bits(expected, steps, tmp_p
     steps.stop(0)
     assert_same(solved(ELASTIC, checkpoint=tmp_path), expected)
     assert steps.made == 15 - (at - 1)
-    # once more nothing is left to do, and of another case nothing is taken
+    # a repeated call solves nothing, and another case uses none of the files
     steps.stop(0)
     assert_same(solved(ELASTIC, checkpoint=tmp_path), expected)
     assert steps.made == 0
@@ -100,10 +102,10 @@ def test_an_interrupted_search_goes_on_with_the_same_bits(expected, steps, tmp_p
         solved(ELASTIC | {"path": [{"load": 501.0}]}, checkpoint=tmp_path)
 
 
-def test_increments_that_are_judged_are_kept(steps, tmp_path, monkeypatch):
+def test_increments_of_error_estimates_are_not_repeated(steps, tmp_path, monkeypatch):
     monkeypatch.setattr(
         refinable_case, "CELLS_OF_FIRST_GRID", 2.5
-    )  # on few cells, which is enough to go on from
+    )  # few cells are sufficient for a resume
     whole = solved(YIELDING)
     total = steps.made
     steps.stop(4 + 4 + 6)  # in the second of the runs on the second grid
@@ -122,7 +124,7 @@ def test_a_damaged_file_is_solved_again(expected, tmp_path, steps):
     file = tmp_path / f"{refinable_case.name_of(0, 1)}.h5"
     file.write_bytes(file.read_bytes()[:-10])
     steps.stop(0)
-    with pytest.warns(UserWarning, match="is damaged: .* solution is repeated"):
+    with pytest.warns(UserWarning, match="is damaged: .* this checkpoint is not used"):
         assert_same(solved(ELASTIC, checkpoint=tmp_path), expected)
     assert steps.made == 3
 
@@ -131,17 +133,19 @@ def test_a_damaged_file_is_solved_again(expected, tmp_path, steps):
     ("journal", "error"), [(False, None), (True, OSError(errno.ENOSPC, os.strerror(errno.ENOSPC)))]
 )
 @pytest.mark.usefixtures("steps_alone")
-def test_the_command_leaves_the_best_values_and_goes_on(expected, steps, tmp_path, journal, error):
+def test_the_command_stores_the_best_values_and_resumes(expected, steps, tmp_path, journal, error):
     file, out = tmp_path / "case.toml", tmp_path / "out"
     file.write_text(TEXT, encoding="utf-8")
     steps.stop(11, KeyboardInterrupt() if error is None else error)
     outcome = invoke("run", file, "--output", out, *OPTIONS, *["--resume"] * journal)
-    told = f"values of 3 grids are in {out}, marked as incomplete"
+    message = f"values of 3 grids are in {out}, marked as incomplete"
     if error is None:
         assert outcome.exit_code == 130
-        assert outcome.stderr == f"{told}\ninterrupted; resume with:\n  samcontact resume {out}\n"
+        assert (
+            outcome.stderr == f"{message}\ninterrupted; resume with:\n  samcontact resume {out}\n"
+        )
     else:
-        check_failure(outcome, 1, f"{told}; resume with:\n  samcontact resume {out}")
+        check_failure(outcome, 1, f"{message}; resume with:\n  samcontact resume {out}")
     left = fields(out)
     assert left.attrs["complete"] == 0
     assert left["max_pressure_error"][-1] > expected.errors["max_pressure"]
@@ -161,7 +165,7 @@ def test_the_command_leaves_the_best_values_and_goes_on(expected, steps, tmp_pat
     assert not (out / "checkpoints").exists()
 
 
-def test_each_grid_is_told_with_the_errors_that_are_too_large(capsys):
+def test_each_grid_is_reported_with_the_errors_above_the_target(capsys):
     found = sc.to_accuracy(ELASTIC)
     out, err = capsys.readouterr()
     lines = err.splitlines()
@@ -186,10 +190,10 @@ def ball(load):
 
 
 @pytest.mark.parametrize("end", [0, 1, 2, 3])
-def test_an_interrupted_search_for_a_load_goes_on_with_the_same_bits(steps, tmp_path, end):
+def test_an_interrupted_load_search_resumes_with_identical_bits(steps, tmp_path, end):
     whole = found(ball)
     total = steps.made
-    estimate = 2  # increments on half the cells, for the error of what was found
+    estimate = 2  # increments on the coarsened grid, for the error of the found load
     at = [4, total - estimate - 3, total - estimate, total][end]
     steps.stop(at)
     with pytest.raises(KeyboardInterrupt):
@@ -208,7 +212,7 @@ def test_an_interrupted_search_for_a_load_goes_on_with_the_same_bits(steps, tmp_
 
 
 @pytest.mark.usefixtures("steps_alone")
-def test_the_command_goes_on_looking_for_a_load(steps, tmp_path, monkeypatch):
+def test_the_command_resumes_a_load_search(steps, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     file = tmp_path / "case.toml"
     grid = "[grid]\nnx = 25\nny = 25\ndx = 25e-6\ndy = 25e-6\n"

@@ -48,8 +48,8 @@ def test_geometry():
         assert which.approach(angle) == pytest.approx(2.6 - np.linalg.norm(centres), abs=1e-15)
 
 
-def test_the_surfaces_advance_as_the_contact_point_leaves_them():
-    """The point of each sphere nearest to the other, by plane geometry."""
+def test_surfaces_advance_with_the_contact_point():
+    """Advances agree with the nearest points of the spheres, by plane geometry."""
     which = Collision(0.7, 1.9, 0.003)
     start, end = -0.03, -0.0299
     moved = []
@@ -60,18 +60,18 @@ def test_the_surfaces_advance_as_the_contact_point_leaves_them():
     middle = 0.5 * (start + end)
     tangent = np.array([math.cos(middle), -math.sin(middle)])
     over = [(moved[1][n] - moved[0][n]) @ tangent for n in (0, 1)]
-    # what the contact moves over a surface in +x, the surface moves through the contact in -x
+    # if the contact moves over a surface in +x, the surface moves through the contact in -x
     np.testing.assert_allclose(which.advance(end - start), [-w for w in over], rtol=1e-8)
 
 
-def test_elastic_spheres_give_everything_back():
+def test_elastic_spheres_dissipate_nothing():
     for relative in (1, 15):
         series = quick(collision(relative), ELASTIC, ELASTIC).series
         assert abs(float(series.net_energy[0])) < 1e-6 * CRITICAL.energy
         fx, fz = series.force_x.values[0], series.force_z.values[0]
         np.testing.assert_allclose(fx, -fx[::-1], atol=1e-6 * fx.max())
         np.testing.assert_allclose(fz, fz[::-1], atol=1e-6 * fz.max())
-        # Hertz at the middle, resisting before and helping after
+        # Hertz when aligned; resisting force before, driving force after
         hertz = sc.hertz.point(0.5, sc.hertz.effective_modulus(ELASTIC, ELASTIC),
                                approach=relative * CRITICAL.interference)  # fmt: skip
         assert fz.max() == pytest.approx(hertz.load, rel=0.01)
@@ -80,7 +80,7 @@ def test_elastic_spheres_give_everything_back():
 
 @pytest.fixture(scope="module")
 def plastic():
-    """Coarse and fine, at nine times the critical interference."""
+    """Solve a coarse and a fine collision at nine times the critical interference."""
     return [quick(collision(9), STEEL, STEEL, n) for n in (16, 24)]
 
 
@@ -92,7 +92,7 @@ def test_energy_is_dissipated_or_stored(plastic):
         assert float(t.series.dissipation[0]) > 4 * float(t.series.residual_energy[0]) > 0
 
 
-def test_plastic_spheres_push_more_than_they_are_pushed(plastic):
+def test_plastic_spheres_resist_more_than_they_drive(plastic):
     series = plastic[1].series.isel({"pass": 0})
     half = series.sizes["increment"] // 2
     fx = series.force_x.values
@@ -115,7 +115,7 @@ def test_asymmetry_grows_with_the_interference():
     assert shares[3] > 0.2
 
 
-def test_identical_spheres_are_turned_images_of_each_other(plastic):
+def test_identical_spheres_are_rotated_images_of_each_other(plastic):
     for t in plastic:
         state = t.unloaded[0]
         one, two = (state.track(body) for body in (1, 2))
@@ -160,7 +160,7 @@ def test_unequal_spheres(body1, body2, R1, R2, increments):
     assert run._tangential(which.separation(0.0))[0] == pytest.approx(lever, rel=0.01)
 
 
-def test_repeated_passes_take_less_and_less():
+def test_repeated_passes_dissipate_less_energy():
     series = quick(collision(6), HARD, STEEL, passes=3).series
     net = series.net_energy.values
     assert net[0] > 5 * net[1] > 5 * net[2]
@@ -183,7 +183,7 @@ def relief(grid, height, first=None):
     return sc.Relief(waves, first=-grid.nx if first is None else first)
 
 
-def test_rough_elastic_spheres_give_everything_back_on_a_fine_mesh():
+def test_rough_elastic_spheres_dissipate_nothing_on_a_fine_mesh():
     net = []
     for increments in (16, 32, 64):
         which = collision(3)
@@ -227,7 +227,7 @@ collide(which, steel, steel, grid, passes=2, checkpoint=sys.argv[2], progress=Fa
 """
 
 
-def test_killed_and_resumed_bit_for_bit(tmp_path):
+def test_a_resumed_run_is_bit_identical(tmp_path):
     which = Collision(1.0, 1.0, 8e-4)
     grid = which.grid(8, width=1.5)
     plain = collide(which, STEEL, STEEL, grid, passes=2, progress=False)
@@ -242,7 +242,7 @@ def test_killed_and_resumed_bit_for_bit(tmp_path):
         collide(which, STEEL, STEEL, grid, passes=3, progress=False, checkpoint=tmp_path / "kept")
 
 
-def test_the_series_explain_themselves():
+def test_the_series_has_labels_and_units():
     series = quick(collision(1), ELASTIC, ELASTIC, 8).series
     for name, field in series.data_vars.items():
         assert field.attrs["units"], name
@@ -255,8 +255,8 @@ def test_the_series_explain_themselves():
 @pytest.mark.parametrize(
     ("arguments", "text"),
     [
-        ((1.0, 1.0, 1.5), "interference must be < 1.0 m, the smaller radius, got 1.5"),
-        ((1.0, 1e-3, 2e-3), "interference must be < .*, the smaller radius"),
+        ((1.0, 1.0, 1.5), r"interference must be less than the smaller radius \(1.0 m\), got 1.5"),
+        ((1.0, 1e-3, 2e-3), "interference must be less than the smaller radius"),
         ((1.0, 1.0, 0.0), "interference must be"),
         ((-1.0, 1.0, 1e-3), "R1 must be"),
     ],
@@ -288,8 +288,8 @@ def test_bad_arguments():
 
 
 @pytest.mark.parametrize("increments", [8, 11, 15])
-def test_the_same_rows_in_every_unit(increments):
-    """Steps are counted, not measured: what is scaled has the same ones, to rounding."""
+def test_the_number_of_steps_is_independent_of_units(increments):
+    """Scaled collisions have the same steps, because steps are counted."""
     scales = (1.0, 100.0, 7.3, 1e-6)
     one, *others = (
         quick(Collision(s, s, s * 5 * CRITICAL.interference), ELASTIC, STEEL, increments).series
@@ -303,8 +303,8 @@ def test_the_same_rows_in_every_unit(increments):
         assert np.abs(found - expected).max() < 1e-11 * np.abs(expected).max(), (scale, name)
 
 
-def test_increments_are_those_asked_for():
-    """Elastic spheres leave each other where they touched, without any force."""
+def test_the_number_of_increments_is_the_given_one():
+    """Elastic spheres separate at the mirrored position of first touch, without force."""
     for increments in (8, 20, 31):
         series = quick(collision(5.0), ELASTIC, ELASTIC, increments).series.isel({"pass": 0})
         whole = 2 * math.ceil(increments / 2)

@@ -22,7 +22,7 @@ def case_file(tmp_path):
     return path
 
 
-def test_it_is_the_call_that_it_describes(case_file):
+def test_a_case_gives_the_results_of_the_equivalent_call(case_file):
     case = load_case(case_file)
     assert isinstance(case, AsperityCase)
     which = Collision(1.0, 2.0, 6e-4)
@@ -77,14 +77,18 @@ def test_no_figures_and_no_animation(case_file, tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "text"),
     [
-        ("6e-4", "1.5", r"asperities: interference must be < 1.0 m, the smaller radius, got 1.5"),
+        (
+            "6e-4",
+            "1.5",
+            r"asperities: interference must be less than the smaller radius \(1.0 m\), got 1.5",
+        ),
         ("R1 = 1.0", "R1 = -1.0", r"asperities.R1: must be a finite number > 0 \[m\]"),
         ("passes = 2", "pases = 2", r"asperities.pases: unknown field; allowed here: R1, R2"),
         ("[contact]", "[contact]\nfriction = 0.1", r"contact.friction: unknown field"),
         (
             "[contact]",
             GRID + "[contact]",
-            r"asperities: increments cannot be combined with \[grid\]",
+            r"asperities: increments and \[grid\] both set the grid",
         ),
         ('"elastic"', '"rigid"', r"body1"),
         ("increments = 8", "increments = 2", r"asperities.increments: must be a whole number >= 4"),
@@ -96,7 +100,7 @@ def test_errors_name_field_and_remedy(case_file, old, new, text):
         load_case(case_file)
 
 
-def test_a_relief_of_another_width(case_file):
+def test_a_relief_of_wrong_width_is_refused(case_file):
     np.save(case_file.parent / "h.npy", np.zeros((5, 3)))
     case_file.write_text(ASPERITIES + '[relief1]\nkind = "file"\npath = "h.npy"\n')
     with pytest.raises(CaseError, match=r"\[relief1\] relief1 must have heights of shape"):

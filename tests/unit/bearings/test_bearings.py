@@ -24,12 +24,12 @@ def test_textbook_example(race, total, difference):
 
 
 def torus(point, groove, radius):
-    """Zero on the torus about the axis z whose tube of radius `groove` has this centre line."""
+    """Return zero on the torus about z with tube radius `groove` and this centre line."""
     return math.hypot(math.hypot(point[0], point[1]) - radius, point[2]) - groove
 
 
 def gap_of_sphere_and_torus(race, alpha, groove, along, across):
-    """Distance along the contact normal between ball and race, found from their equations."""
+    """Return the distance between ball and race along the normal, from their equations."""
     side = 1.0 if race == "outer" else -1.0
     ball = np.array([PITCH / 2, 0.0, 0.0])
     normal = np.array([side * math.cos(alpha), 0.0, math.sin(alpha)])  # towards the race
@@ -63,7 +63,7 @@ def test_groove_radius_and_conformity_agree():
     second = bearings.ball_on_race(D, PITCH, conformity=F, contact_angle=0.3)
     assert first.Rx == second.Rx
     assert first.Ry == pytest.approx(second.Ry, rel=1e-13)
-    # a groove almost as wide as a plane is a plane
+    # a very wide groove tends to a plane
     assert bearings.ball_on_race(D, PITCH, 1e6).Ry == pytest.approx(D / 2, rel=1e-8)
     # a thrust bearing rolls on a flat in the rolling direction
     thrust = bearings.ball_on_race(D, PITCH, conformity=F, contact_angle=math.pi / 2)
@@ -109,7 +109,7 @@ def test_known_factors():
 
 def test_radial_load_is_in_equilibrium_with_many_balls():
     count, angle = 10001, 0.4
-    # the inner ring moves by 1 along the load: balls in front are pressed by cos(psi)
+    # the inner ring moves by 1 along the load, balls in front are compressed by cos(psi)
     psi = 2.0 * math.pi * np.arange(count) / count
     loads = np.maximum(np.cos(psi), 0.0) ** 1.5
     force = math.cos(angle) * np.sum(loads * np.cos(psi))
@@ -135,7 +135,7 @@ def test_load_zone_is_in_equilibrium_with_many_balls(radial):
     assert zone.half_angle == pytest.approx(edge, rel=1e-4)
 
 
-def test_pure_thrust_loads_all_balls_alike():
+def test_pure_thrust_loads_all_balls_equally():
     zone = bearings.load_zone(0.0, 800.0, 16, math.pi / 6)
     assert (zone.max_load, zone.epsilon) == (pytest.approx(100.0, rel=1e-13), math.inf)
     assert zone.load(2.0) == zone.max_load
@@ -171,8 +171,8 @@ def test_static_rating_of_rollers_has_the_factor_of_the_standard():
     assert rating == pytest.approx(44 * (1 - gamma) * rollers * 12 * 10, rel=5e-3)
 
 
-def test_palmgren_and_the_rating_mean_the_same_deformation():
-    # 12.3 was the factor of 1e-4 of the diameter before pressures took its place
+def test_palmgren_and_the_rating_agree_in_the_deformation():
+    # 12.3 was the factor for 1e-4 of the diameter before the standard stated pressures
     race = bearings.ball_on_race(D, PITCH, conformity=F)
     before = bearings.palmgren_deformation(race, 5 * 12.3 * (1e3 * D) ** 2, D)
     assert before == pytest.approx(1e-4 * D, rel=0.07)
@@ -190,15 +190,15 @@ def test_palmgren_and_the_rating_mean_the_same_deformation():
         (lambda: bearings.static_load_rating([], 8), "races must contain at least one contact"),
         (
             lambda: bearings.static_load_rating(both_races(D, PITCH), 8, length=1e-2),
-            "length applies to uncrowned rollers only, got 0.01",
+            "length must be None for balls and crowned rollers, got 0.01",
         ),
         (
             lambda: bearings.static_load_rating([bearings.roller_on_race(D, PITCH)], 8),
-            "length is required for an uncrowned roller, got None",
+            "length must be a number > 0 .m. for rollers without crowning",
         ),
         (lambda: bearings.ball_on_race(D, PITCH), "exactly one of groove_radius and conformity"),
         (lambda: bearings.ball_on_race(D, PITCH, 6.3e-3), "must be > 0.5, got 0.49"),
-        (lambda: bearings.ball_on_race(D, 0.01, conformity=F), "pitch_diameter must be >"),
+        (lambda: bearings.ball_on_race(D, 0.01, conformity=F), "pitch_diameter must be greater"),
         (lambda: bearings.ball_on_race(D, PITCH, conformity=F, race="cage"), "race must be one of"),
         (
             lambda: bearings.ball_on_race(D, PITCH, conformity=F, contact_angle=40.0),
@@ -207,7 +207,10 @@ def test_palmgren_and_the_rating_mean_the_same_deformation():
         (lambda: bearings.ball_load(1.0, 0), "balls must be an integer >= 1"),
         (lambda: bearings.ball_load(1.0, 8, math.pi / 2), "contact_angle must be < pi/2"),
         (lambda: bearings.sjovall(0.0), "epsilon must be a finite number > 0"),
-        (lambda: bearings.load_zone(100.0, 50.0, 8, math.pi / 4), "axial_load must be > radial"),
+        (
+            lambda: bearings.load_zone(100.0, 50.0, 8, math.pi / 4),
+            "axial_load must be greater than radial",
+        ),
         (lambda: bearings.load_zone(100.0, 50.0, 8, 0.0), "contact_angle must be between"),
     ],
 )

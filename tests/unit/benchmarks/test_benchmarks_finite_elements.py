@@ -13,7 +13,7 @@ STORED_RECORDS = finite_elements.STUDY.records()
 
 
 class Deck(NamedTuple):
-    """Nodes and elements by their number, sets and faces by name, and the rest by heading."""
+    """Parsed deck: nodes and elements by number, sets and faces by name, the rest by heading."""
 
     nodes: dict
     elements: dict
@@ -45,7 +45,7 @@ def read(path):
 
 
 class TestBalls:
-    def test_faces_that_touch_are_those_of_the_surfaces(self, tmp_path):
+    def test_contact_faces_are_the_surfaces(self, tmp_path):
         balls_deck.write(tmp_path / "deck.inp", per_radius=5)
         deck = read(tmp_path / "deck.inp")
         for corners in deck.elements.values():  # counter-clockwise
@@ -106,7 +106,7 @@ class TestWave:
         thick = np.diff(depths[2:])
         assert thick[1:] / thick[:-1] == pytest.approx(1.3)
 
-    def test_faces_that_touch_are_those_of_the_surfaces(self, deck):
+    def test_contact_faces_are_the_surfaces(self, deck):
         assert {name: len(sides) for name, sides in deck.faces.items()} == {
             "BELOW": 16,
             "ABOVE": 36,
@@ -146,7 +146,7 @@ class TestWave:
             "print": pytest.approx(2.5e-6),
         }
         (tmp_path / "deck.dat").write_text(self.printed(left=-1.0))
-        with pytest.raises(RuntimeError, match=r"after release, -0\.00345 of it is left"):
+        with pytest.raises(RuntimeError, match=r"after release, but -0\.00345 of it remains"):
             wave.numbers_of(tmp_path / "deck.dat")
 
     def printed(self, left):
@@ -176,7 +176,7 @@ def test_errors_are_those_of_a_known_limit():
     ]
 
 
-def test_both_codes_find_the_same():
+def test_both_codes_agree():
     for name, worst in (("balls", 0.045), ("wave", 0.045)):
         theirs, ours = tables.both(finite_elements.runs_of(STORED_RECORDS, name)).values()
         for quantity in finite_elements.SCENES[name].QUANTITIES:
@@ -184,7 +184,7 @@ def test_both_codes_find_the_same():
             assert tables.limit(ours, quantity) == pytest.approx(limit, rel=worst), quantity
 
 
-def test_without_calculix_it_says_so(tmp_path, monkeypatch):
+def test_a_missing_calculix_is_reported(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(calculix.NotInstalledError, match="calculix-ccx"):
         wave.finite_elements(tmp_path, 4)

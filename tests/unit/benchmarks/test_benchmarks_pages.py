@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pages of measurements are functions of the records that are kept, and say nothing else."""
+"""Pages of measurements are generated only from the stored records."""
 
 import importlib
 import math
@@ -35,12 +35,12 @@ STUDIES = {
 }
 STORED_RECORDS = {name: studies.find(name) for name in sorted(STUDIES - WITHOUT_RECORDS)}
 by_study = pytest.mark.parametrize("study", STORED_RECORDS.values(), ids=STORED_RECORDS)
-# Columns that are not measured, besides the first ones, which name rows.
+# Columns that are not measured, besides the first columns, which name rows.
 GIVEN = {
     "accuracy": {"values", "quantity", "finite elements", "reference", "difference [%]",
                  "accuracy of finite elements [%]"},
     "accuracy_cost": {"prescribed [%]"},
-    "experiments": {"Y/E\\*", "a/R of 30"},
+    "experiments": {"Y/E\\*", "a/R at $E^* a/(Y R) = 30$"},
     "finite_elements": {"cells on the radius", "cells on half a period, on a period"},
     "scale": {"limit", "n", "processes", "sent per displacement and process [GB]",
               "size of a message [MB]"},
@@ -60,13 +60,13 @@ AGAIN = [
 
 
 @by_study
-def test_a_page_is_made_of_the_records(study):
+def test_a_page_is_generated_from_the_records(study):
     records = study.records()
     assert records
     for record in records:  # of some point
         points = [*study.points(False), *study.points(study.keeps_quick)]
         assert any(point.items() <= record.items() for point in points), record
-    if study.name != "sensitivity":  # which has not made every change of every mesh
+    if study.name != "sensitivity":  # it lacks some changes of some meshes
         for point in study.points(False):
             assert any(point.items() <= record.items() for record in records), point
     if study.name != "truth":
@@ -74,7 +74,7 @@ def test_a_page_is_made_of_the_records(study):
 
 
 def other(value, chance):
-    """A record with all its numbers larger."""
+    """Return a record with larger numbers."""
     if isinstance(value, bool):
         return chance.random() < 0.5
     if isinstance(value, float):
@@ -89,7 +89,7 @@ def other(value, chance):
 
 
 def cells_of(page):
-    """Cells with numbers, by table, column, heading, and name of their row."""
+    """Return cells with numbers, by table, column, heading and name of the row."""
     found = {}
     for block, text in enumerate(re.findall(r"(?:^\|.*\n?)+", page, re.MULTILINE)):
         lines = [re.split(r" *\| *", line)[1:-1] for line in text.splitlines()]
@@ -103,13 +103,14 @@ def cells_of(page):
 
 @by_study
 def test_numbers_of_a_page_come_from_records(study):
-    """A column changes as a whole with what was measured, or is one that is given."""
+    """Each column either changes with the measurements, or contains given values."""
     records, given = study.records(), {name for point in study.points(False) for name in point}
     before, changed = cells_of(study.page(records)), set()
     for seed in range(3):
         chance = random.Random(seed)
         moved = [
-            one | {key: other(one[key], chance) for key in one.keys() - given} for one in records
+            one | {key: other(one[key], chance) for key in sorted(one.keys() - given)}
+            for one in records
         ]
         after = cells_of(study.page(moved))
         changed |= {key for key, cell in before.items() if after.get(key) != cell}
@@ -147,7 +148,7 @@ class TestStudy:
         points = [{"of": "a", "n": 1}, {"of": "a", "n": 2}, {"of": "b", "m": 1}]
         return studies.Study("made", "", lambda quick: points, lambda **given: given)
 
-    def test_records_take_the_place_of_those_of_their_point(self, made):
+    def test_new_records_replace_those_of_the_same_point(self, made):
         last, first = {"of": "b", "m": 1, "x": 3}, {"of": "a", "n": 1, "x": 1}
         made.keep([last, {"of": "a", "n": 2, "x": 2}])
         made.keep([first])
@@ -162,7 +163,7 @@ class TestStudy:
         assert studies.chosen(points, (), "2") == points[1:2]
         assert studies.chosen(points, (), largest=1) == points[1:]
 
-    def test_the_command_solves_in_a_process_and_writes_when_told(self, tmp_path, monkeypatch):
+    def test_the_command_solves_in_a_process_and_writes_on_request(self, tmp_path, monkeypatch):
         study = STORED_RECORDS["static_capacity"]
         kept = study.file.read_bytes()
         page = tmp_path / "page.md"
@@ -196,7 +197,7 @@ def test_rows_are_read_from_a_table():
     ]
 
 
-def test_sentences_below_tables_are_made_of_them():
+def test_sentences_below_tables_follow_from_the_tables():
     assert tables.noted(PAGE, EVERY) == PAGE
     section = tables.section_of(PAGE, operators)
     assert section.splitlines()[-1] == operators.notes(rows_on_the_page(operators))[0]
@@ -214,7 +215,7 @@ def test_sentences_that_need_times_agree_in_the_rest(part):
     assert all(re.search(r": [\d.]+ s; CONTACT|time per application", line) for line in others)
 
 
-def test_the_command_makes_sentences_only(tmp_path, monkeypatch):
+def test_the_command_can_rewrite_only_the_sentences(tmp_path, monkeypatch):
     page = tmp_path / "benchmarks.md"
     monkeypatch.setattr("benchmarks.__main__.PAGE", page)
     section = tables.section_of(PAGE, images)
@@ -224,7 +225,7 @@ def test_the_command_makes_sentences_only(tmp_path, monkeypatch):
 
 
 def test_claims_of_the_page_in_words():
-    """The fast stress is better and cheaper; zones save; what images leave is below its bound."""
+    """Claims on accuracy and cost of fast stress, subdomains and periodic images hold."""
     rows = rows_on_the_page(operators)
     for exact, fast in zip(rows[::2], rows[1::2], strict=True):
         assert (exact["method"], fast["method"]) == ("exact", "fast")
@@ -240,7 +241,7 @@ def test_claims_of_the_page_in_words():
         assert row["error: stress, largest"] < float(row["method"].removeprefix("image_tol "))
 
 
-# Small forms of the tables of the theory: between which shares of the page's numbers theirs are.
+# Small versions of the tables of the theory, with the range of their ratio to the page.
 SMALL_RUNS = {
     "contact_counts": (lambda: theory.contact_counts(rough=()), 0.8, 1.2, ["contact"]),
     "increments": (lambda: theory.increments((1,), 16, 8), 0.4, 2.5, ["increments"]),
@@ -254,7 +255,7 @@ SMALL_RUNS = {
         lambda: theory.shakedown_cycles(theory.CYCLES[:1]), 0.95, 1.05, ["load, friction", "result"]
     ),
 }  # fmt: skip
-ALONE = {"grid_errors": {"minimum"}}  # columns that do not depend on how many there are
+ALONE = {"grid_errors": {"minimum"}}  # columns that are independent of the number of rows
 
 
 @pytest.mark.parametrize("name", SMALL_RUNS)

@@ -19,17 +19,17 @@ def test_first_yield_is_at_the_mean_pressure_of_experiments():
     )
 
 
-def test_perfect_plasticity_ends_at_the_hardness_of_tabor():
-    """Before that, the constraint factor follows the expanding cavity; strains remain small."""
+def test_perfect_plasticity_reaches_tabors_hardness():
+    """At smaller loads the constraint factor follows the cavity model; strains remain small."""
     half, full = (indentation.perfect(x, 10) for x in (9.0, 35.0))
     assert half.constraint == pytest.approx(indentation.cavity(half.stiffness), rel=0.1)
     assert TABOR[0] < full.constraint < TABOR[1]
     assert full.max_strain < 1e-3
-    # Tabor's is no ratio of Hertz, which is five times as much there
+    # not Hertz, whose ratio is five times as large there
     assert indentation.hertz(full.stiffness) > 4.5 * full.constraint
 
 
-def test_a_body_that_hardens_has_its_factor_at_the_representative_strain():
+def test_a_hardening_body_has_tabors_factor_at_the_representative_strain():
     found = indentation.hardening(0.1, 0.02, 8)
     assert TABOR[0] < found.constraint < TABOR[1]
     # the stress of the strain 0.2 a/R, by the power law
@@ -37,8 +37,8 @@ def test_a_body_that_hardens_has_its_factor_at_the_representative_strain():
     assert ratio == pytest.approx((found.radius / 0.02) ** 0.1, rel=1e-3)
 
 
-def test_the_cavity_is_that_of_hill():
-    """(c/a)^3 = 1 is a core that has not yet grown, whose own pressure is 2/3 Y."""
+def test_the_cavity_model_agrees_with_hill():
+    """For (c/a)^3 = 1 the core has its initial size and a pressure of 2/3 Y."""
     nu = indentation.NU
     begins = (6 * (1 - nu) - 4 * (1 - 2 * nu)) / (1 - nu**2)
     assert indentation.cavity(begins) == pytest.approx(4 / 3)

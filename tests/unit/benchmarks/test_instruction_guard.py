@@ -25,7 +25,7 @@ def test_large_growth_fails():
     assert rows[1][-1] == "more than +5 %"
 
 
-def test_announced_growth_passes_up_to_what_was_announced():
+def test_growth_passes_up_to_the_announced_value():
     allowed = {"sweep": 0.12}
     rows, failed = guard.compare(BEFORE, {"sweep": 1110, "return": 2000}, allowed)
     assert failed == []

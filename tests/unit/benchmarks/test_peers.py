@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The comparison with other codes: what it computes, the page it writes, its adapters in small."""
+"""Comparison with other codes: computed values, page, and small runs of the adapters."""
 
 import importlib
 import json
@@ -18,7 +18,7 @@ def stored():
     return json.loads(schedule.STORED.read_text(encoding="utf-8"))
 
 
-def test_the_page_is_what_the_measurements_say(stored):
+def test_the_page_follows_from_the_measurements(stored):
     text = page.PAGE.read_text(encoding="utf-8")
     assert between_markers(text, page.tables_of(stored)) == text
 
@@ -29,7 +29,7 @@ class TestWhatItSays:
     @pytest.fixture(scope="class")
     @classmethod
     def ladders(cls, stored):
-        """Measurements by cells across, of a problem, a code and a case."""
+        """Return measurements by cells across, for a problem, a code and a case."""
         found = {}
         for (problem, case, n), codes in page.by_place(stored).items():
             for code, rungs in codes.items():
@@ -54,7 +54,7 @@ class TestWhatItSays:
             return {n: row["counts"][what] for n, row in rows.items() if row}
 
         def growth(problem, code, case=""):
-            """Power of the cells across with which iterations grow."""
+            """Return the exponent of the iterations in the number of cells across."""
             needed = counts(problem, code, case, "iterations")
             small, large = min(needed), max(needed)
             return np.log(needed[large] / needed[small]) / np.log(large / small)
@@ -116,7 +116,7 @@ def test_time_at_an_error():
 
 
 def made_up(times, error=1e-7):
-    """Rounds of one tolerance."""
+    """Return made-up rounds of one tolerance."""
     return [
         {
             "with_setup_s": time,
@@ -130,7 +130,7 @@ def made_up(times, error=1e-7):
     ]
 
 
-def test_ratios_are_of_least_times_and_wins_of_peers_are_said():
+def test_ratios_use_minimum_times_and_faster_codes_are_listed():
     rows = {
         "hertz||64|samcontact|1e-06": made_up([2.0, 4.0, 2.5]),
         "hertz||64|ASPHER|1e-06": made_up([0.5, 0.5, 0.5]),
@@ -177,7 +177,7 @@ def test_points_of_the_periodic_surface_are_shared_by_all_grids():
     np.testing.assert_allclose(fine[::3, ::3], coarse, atol=1e-9 * np.abs(coarse).max())
 
 
-def test_results_are_kept_and_found_again(tmp_path):
+def test_results_are_stored_and_read_back(tmp_path):
     task = running.Task("hertz", "", 64, "samcontact", 1e-6)
     results = schedule.Results(tmp_path / "kept.json")
     results.rounds(task).append({"with_setup_s": 0.123456789, "errors": {"pressure": 0.0}})
@@ -189,7 +189,7 @@ def test_results_are_kept_and_found_again(tmp_path):
     assert schedule.too_long(larger, again, limit=0.4)
 
 
-def test_more_time_is_another_chance(tmp_path):
+def test_a_longer_limit_repeats_failed_measurements(tmp_path):
     results = schedule.Results(tmp_path / "kept.json")
     task = running.Task("hertz", "", 64, "samcontact", 1e-6)
     results.rounds(task).append({"failed": "more than 5 s", "limit_s": 5.0})
@@ -260,7 +260,7 @@ def test_partial_slip_is_that_of_cattaneo_and_mindlin(case):
     assert pulled == pytest.approx([half, 0.0], rel=2e-3, abs=1e-6 * half)
 
 
-def test_aspher_comes_to_the_same_shear():
+def test_aspher_finds_the_same_shear():
     pytest.importorskip("aspher")
     peer = importlib.import_module("benchmarks.peers.code_aspher")
     given = problems.elastic("slip", "force given", 32)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Growth of time and memory: the stored numbers keep their bounds, and the page is made of them."""
+"""Growth of time and memory: stored numbers are within their limits and make up the page."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ def test_stored_time_and_memory_keep_their_bounds(job):
 
 @pytest.mark.parametrize("job", jobs.JOBS, ids=lambda job: job.function)
 def test_a_size_is_counted_as_stored(job):
-    """Cells and, but for rounding, what the solver counts do not depend on the machine."""
+    """Cells and, except for rounding, counters are independent of the machine."""
     stored = of(STORED, job)[0]
     found = getattr(jobs, job.function)(Meter(), job.sizes[0])
     assert found["cells"] == stored["cells"]
@@ -36,7 +36,7 @@ def test_growth_is_the_exponent_of_the_last_decade():
 
 
 def made_up(power, cells=(64**2, 128**2, 256**2)):
-    """Rows of all jobs, whose time grows with this power of the cells."""
+    """Return rows of all jobs, with times that grow with this power of the cells."""
     return [
         {"of": job.function, "n": int(n**0.5), "cells": n, "cpu_s": n**power,
          "memory_MB": 1e-4 * n, "transforms": 10}
@@ -46,7 +46,7 @@ def made_up(power, cells=(64**2, 128**2, 256**2)):
 
 
 def test_sentences_follow_the_numbers():
-    assert above(made_up(1.1)) == "None is above 1.15 over all sizes."
+    assert above(made_up(1.1)) == "No exponent is above 1.15 over all sizes."
     rows = made_up(1.1)
     for row in of(rows, jobs.JOBS[2]):
         row["cpu_s"] = row["cells"] ** 1.25
@@ -54,8 +54,8 @@ def test_sentences_follow_the_numbers():
     of(rows, jobs.JOBS[1])[2]["cpu_s"] *= 3
     assert caches(rows).startswith("from 128 × 128 to 256 × 256 cells")
     assert f"{3 * 4**0.1:.1f} times as long" in caches(rows)
-    assert fits({"a": 1e11, "b": 2e13}).endswith("fit: a. The others do not.")
-    assert fits({"a": 1e11}).endswith("fit: a.")
+    assert fits({"a": 1e11, "b": 2e13}).endswith("machine: a. The others do not.")
+    assert fits({"a": 1e11}).endswith("machine: a.")
     assert fits({"a": 2e13}).startswith("None fits into 1 TB")
 
 
@@ -63,7 +63,7 @@ def test_sentences_follow_the_numbers():
 def test_a_transpose_sends_the_half_spectrum(padded):
     rows = np.fft.rfft(np.zeros((12, 24 if padded else 12)))
     assert cluster.bytes_of_a_transpose(12, padded) == rows.astype(complex).nbytes
-    # each of four processes keeps a quarter of its quarter, there and back
+    # each of four processes keeps a quarter of its quarter in both directions
     sent = cluster.bytes_of_a_rank(12, 4, padded)
     assert sent == pytest.approx(2 * 3 / 16 * rows.nbytes)
     assert 2 * 3 * cluster.message(12, 4, padded) == pytest.approx(sent)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers of stability: stored ones keep their bars, a row of each table has them again."""
+"""Stability page: stored numbers are within their limits; one row per table is reproduced."""
 
 import pytest
 
@@ -23,21 +23,21 @@ def beyond(known, rows):
 
 
 @by_table
-def test_stored_numbers_keep_their_bars(known):
+def test_stored_numbers_are_within_their_limits(known):
     assert beyond(known, STORED[known.name]) == []
 
 
 @by_table
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-def test_a_row_is_solved_as_stored(known):
-    found, stored = known.solve(known.anew), STORED[known.name][known.anew]
-    assert beyond(known, {known.anew: found}) == []
+def test_a_stored_row_is_reproduced(known):
+    found, stored = known.solve(known.retested_row), STORED[known.name][known.retested_row]
+    assert beyond(known, {known.retested_row: found}) == []
     for column in known.columns:
         pair = found.get(column.key), stored.get(column.key)
         assert column.agree(*pair), (column.key, pair)
 
 
-def test_what_agrees():
+def test_agreement_of_columns():
     assert Column("", "", COUNT).agree(12, 10)
     assert not Column("", "", COUNT).agree(50, 10)
     assert Column("", "", VALUE).agree(1.00001, 1.0)

@@ -13,7 +13,7 @@ from samcontact.cases import load_case
 CASE = Path(__file__).parents[3] / "cases" / "b1_ball_in_groove.toml"
 
 
-def test_the_case_is_what_the_bearing_has():
+def test_the_case_has_the_geometry_of_the_bearing():
     contact, case = setups.CONTACTS[GROOVE], load_case(CASE)
     simulation, _ = case.build()
     assert case.surface.Rx == pytest.approx(contact.race.Rx, rel=1e-4)
@@ -25,7 +25,7 @@ def test_the_case_is_what_the_bearing_has():
         assert body.yield_stress(1e-3) == setups.STEELS[setups.STEEL].yield_stress(1e-3)
 
 
-def test_the_load_that_is_found_is_the_pressure_of_the_page():
+def test_the_found_load_agrees_with_the_pressure_on_the_page():
     found = sc.find_load(
         load_case(CASE), "permanent_deformation", 1e-4 * setups.BALL, tolerance=0.01, progress=False
     )
@@ -35,7 +35,7 @@ def test_the_load_that_is_found_is_the_pressure_of_the_page():
     assert pressure == pytest.approx(by_model(pressed(STUDY.records())[0][GROOVE]), rel=0.01)
 
 
-def test_prints_grow_with_the_ball():
+def test_imprints_scale_with_the_ball():
     """Doubling all lengths at equal pressure doubles the imprint depth."""
     small = setups.CONTACTS[setups.FLAT]
     race = setups.bearings.RaceContact(2 * small.race.Rx, 2 * small.race.Ry)

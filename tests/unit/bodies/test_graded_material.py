@@ -18,7 +18,7 @@ SOFT = sc.Material.linear_hardening(E, NU, Y, 0.1 * E)
 WEAK = ([0.0, 20e-6, 30e-6, 60e-6], [1.0, 1.0, 0.5, 1.0])
 
 
-def test_what_a_material_is_at_a_depth():
+def test_material_properties_at_a_depth():
     body = PLAIN.with_yield_profile([1e-3, 2e-3], [2.0, 1.0])
     np.testing.assert_allclose(body.yield_factor([0.0, 1.5e-3, 1.0]), [2.0, 1.5, 1.0])
     np.testing.assert_array_equal(PLAIN.yield_factor([0.0, 1.0]), [1.0, 1.0])
@@ -30,7 +30,7 @@ def test_what_a_material_is_at_a_depth():
         body.yield_factor(-1.0)
 
 
-def test_tables_tell_it():
+def test_tables_show_the_profile():
     body = PLAIN.with_yield_profile(*WEAK).with_residual_stress([0.0, 1e-4], [-2e8, 0.0])
     table = body._repr_html_()
     for row in ("1 from 0 m to 60 µm, within 0.5 to 1", "-200 MPa to 0 Pa from 0 m to 100 µm"):
@@ -42,7 +42,7 @@ PEENED = PLAIN.with_residual_stress([0.0, 200e-6], [-4e8, 0.0])
 
 
 @pytest.mark.parametrize("body", [CASE, PEENED], ids=["case", "peened"])
-def test_the_load_of_first_yield_is_that_of_the_closed_form(body):
+def test_the_load_at_first_yield_agrees_with_the_closed_form(body):
     exact = sc.critical.onset_over_depth(7.5e-3, sc.hertz.effective_modulus(RIGID, body), body)
 
     def built(load):
@@ -65,7 +65,7 @@ def test_first_yield_below_the_grid_is_refused():
         return sc.Simulation(grid, RIGID, body, gap), [{"load": load}]
 
     with pytest.raises(
-        ValueError, match=r"body2 yields in or below the deepest layer .*: increase nz"
+        ValueError, match=r"body2 first yields in or below the deepest layer .*: increase nz"
     ):
         sc.find_load(built, "yield", largest_load=100.0)
 
@@ -103,7 +103,7 @@ def made(law, yield_profile=None, residual_stress=None, **parameters):
         (lambda: SOFT.with_yield_profile([], []), "z of yield_profile must be a list of 1 to 4096"),
         (
             lambda: SOFT.with_yield_profile([0.0], [np.nan]),
-            "factor of yield_profile must be finite",
+            "factor of yield_profile must contain finite numbers",
         ),
         (
             lambda: SOFT.with_residual_stress([0.0], [1e8], [1e8, 2e8]),
@@ -115,7 +115,7 @@ def made(law, yield_profile=None, residual_stress=None, **parameters):
         ),
         (lambda: SOFT.with_residual_stress([0.0, 2e-3], [-2e9, 0.0]), "at z = 0 m must be at"),
         (
-            # Within the yield stress at all depths of its own, not where the profile is weak.
+            # The stress is below the constant yield stress, but not where the profile is weak.
             lambda: SOFT.with_yield_profile(
                 [0.0, 1e-3, 2e-3], [1.0, 0.1, 1.0]
             ).with_residual_stress([0.0, 2e-3], [5e8, 5e8]),
@@ -123,12 +123,12 @@ def made(law, yield_profile=None, residual_stress=None, **parameters):
         ),
     ],
 )
-def test_what_cannot_be_is_refused(make, text):
+def test_unsupported_arguments_are_refused(make, text):
     with pytest.raises(ValueError, match=re.escape(text)):
         make()
 
 
-def test_a_profile_beyond_what_layers_can_be_counted_is_refused():
+def test_a_profile_beyond_the_countable_layers_is_refused():
     body = SOFT.with_yield_profile([0.0, 1.0], [1.0, 2.0])
     grid = sc.Grid(5, 5, 1e-6, 1e-6, dz=1e-7)
     with pytest.raises(
@@ -152,7 +152,7 @@ def test_a_case_file_gives_the_same_material():
 
 
 @pytest.mark.parametrize("profile", [WEAK, ([0.0], [2.0])], ids=["several", "one"])
-def test_results_tell_it_and_figures_show_it(profile, tmp_path):
+def test_results_and_figures_show_the_profile(profile, tmp_path):
     body = sc.Material.tabulated(E, NU, [0.0, 1e-3], [Y, 2 * Y]).with_yield_profile(*profile)
     body = body.with_residual_stress([0.0, 1e-4], [-2e8, 0.0], [-1e8, 0.0])
     grid = sc.Grid(9, 9, 60e-6, 60e-6, 6, 40e-6)

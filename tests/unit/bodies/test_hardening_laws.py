@@ -28,7 +28,7 @@ many = settings(derandomize=True, max_examples=150, deadline=None, database=None
 
 
 def curve(g, strain, stress):
-    """The table once more, constant beyond its end."""
+    """Return the table by interpolation, constant beyond its end."""
     return np.interp(g, strain, stress)
 
 
@@ -154,7 +154,7 @@ class TestBar:
         assert g > 0.03
 
 
-# Stairs: what Newton's method goes to and fro on, from one tread to the next.
+# A staircase, on which Newton's method could alternate between two steps.
 STAIRS = ([0.0, 1e-3, 1.001e-3, 3e-3, 3.001e-3], [1e9, 1.0001e9, 2e9, 2.0001e9, 4e9])
 tables = st.lists(
     st.tuples(
@@ -177,7 +177,7 @@ class TestReturn:
         trial = before * (1 + excess)
         d = material._core.equivalent_increment(trial, g)
         assert 0 < d <= (trial - before) / STIFFNESS * (1 + 8 * ULP) + 4 * ULP * trial / STIFFNESS
-        # the law itself loses (g + d) ulp where it is steep, on either side of a kink
+        # the law loses (g + d) ulp where it is steep, on both sides of a kink
         near = material.yield_stress((g + d) * (1 + np.array([-8, 8]) * ULP))
         residual = trial - STIFFNESS * d - material.yield_stress(g + d)
         assert abs(residual) <= 8 * ULP * trial + np.ptp(near)
@@ -295,7 +295,7 @@ def test_a_table_is_a_value():
         (np.linspace(0, 1, 4097), np.full(4097, 1e9), ValueError, "from 1 to 4096, got 4097"),
     ],
 )
-def test_a_table_that_is_no_curve_is_refused(strain, stress, error, text):
+def test_an_invalid_table_is_refused(strain, stress, error, text):
     with pytest.raises(error, match=re.escape(text)):
         sc.Material.tabulated(E, NU, strain, stress)
 

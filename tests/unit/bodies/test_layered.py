@@ -42,12 +42,12 @@ RIGID = sc.Material.rigid()
         ),
     ],
 )
-def test_what_is_no_layered_body(layers, substrate, error, text):
+def test_invalid_layered_bodies_are_refused(layers, substrate, error, text):
     with pytest.raises(error, match=text):
         sc.Layered(layers, substrate)
 
 
-def test_what_layers_do_not_serve_is_refused_by_name():
+def test_options_unsupported_for_layers_are_refused_by_name():
     coated = sc.Layered([(NITRIDE, 2e-6)], STEEL)
     with pytest.raises(ValueError, match=r"heat.factor must be 0 for layered body2"):
         sc.ContactSolver(sc.Grid(8, 8, 1e-6, 1e-6), RIGID, coated, 0.1, heat=sc.Heat((0.0, 0.1)))
@@ -61,7 +61,7 @@ def test_what_layers_do_not_serve_is_refused_by_name():
         sc.hertz.effective_modulus(coated, STEEL)
 
 
-def test_a_layered_body_is_data():
+def test_a_layered_body_is_a_value():
     coated = sc.Layered([(NITRIDE, 2e-6), (POLYMER, 1e-6)], STEEL)
     assert coated == sc.Layered(((NITRIDE, 2e-6), [POLYMER, 1e-6]), STEEL) != STEEL
     for again in (copy.deepcopy(coated), pickle.loads(pickle.dumps(coated))):
@@ -93,7 +93,7 @@ def test_waves_obey_elasticity_through_the_depth(name):
     assert layered(layers, substrate).wave_compliance(q) == pytest.approx(exact, rel=1e-8)
 
 
-def test_waves_far_longer_and_shorter_than_layers_see_one_material():
+def test_long_and_short_waves_have_the_compliance_of_one_material():
     coated = sc.Layered([(NITRIDE, 1e-9), (POLYMER, 1e-3)], STEEL)
     for q, material in ((1e-6, STEEL), (1e6, POLYMER), (1e13, NITRIDE)):
         alone = 2 * (1 - material.nu**2) / (material.E * q)
@@ -101,7 +101,7 @@ def test_waves_far_longer_and_shorter_than_layers_see_one_material():
 
 
 def coefficients(body, offsets, grid):
-    """u_x, u_y, u_z at cells from the first one, under pressure, shear_x and shear_y on it."""
+    """Return u_x, u_y, u_z at cells due to pressure, shear_x and shear_y on the first cell."""
     solver = sc.ContactSolver(grid, RIGID, body)
     unit = np.zeros(grid.surface_shape)
     unit[0, 0] = 1.0
@@ -128,8 +128,8 @@ def test_coefficients_are_hankel_integrals_of_waves(thickness, ratio):
     assert np.abs(all_of_it - exact).max() < 1e-6 * all_of_it.max()
 
 
-def test_coefficients_turn_with_the_axes():
-    """A body is the same in all directions: what shear does along and across, at (30, 40)."""
+def test_coefficients_rotate_with_the_axes():
+    """Bodies are isotropic along the surface: coefficients at (30, 40) are rotated ones."""
     body = sc.Layered([(NITRIDE, 9.0), (POLYMER, 5.0)], STEEL)
     ahead, aslant = (30, 40), (50, 0)
     grid = sc.Grid(51, 51, 1.0, 1.0)
@@ -167,14 +167,14 @@ def test_equal_layers_are_the_homogeneous_body():
     assert np.array_equal(one.stress(a.pressure, z), two.stress(a.pressure, z))
 
 
-def test_both_bodies_may_have_layers_and_friction_couples_them():
+def test_two_layered_bodies_with_coupled_friction():
     grid = sc.Grid(32, 32, 1e-6, 1e-6)
     gap = sc.surfaces.paraboloid(grid, 2e-3)
     coated = sc.Layered([(NITRIDE, 4e-6)], STEEL)
     other = sc.Layered([(POLYMER, 2e-6)], RIGID)
     both = sc.ContactSolver(grid, coated, other, 0.3).solve(gap, load=0.02)
     swapped = sc.ContactSolver(grid, other, coated, 0.3).solve(gap, load=0.02)
-    # The bodies exchanged are the same scene seen from the other side: shear to -x.
+    # Swapped bodies are the same problem in the mirrored frame: shear towards -x.
     assert swapped.pressure == pytest.approx(both.pressure[::-1], rel=1e-6, abs=1.0)
     stuck = sc.ContactSolver(grid, coated, coated, sc.Coulomb(0.3))
     alike = stuck.solve(gap, load=0.05, tangential_load=(0.01, 0.0))
@@ -182,8 +182,8 @@ def test_both_bodies_may_have_layers_and_friction_couples_them():
     assert alike.tangential_load == pytest.approx((0.01, 0.0), abs=1e-8)
 
 
-def test_a_surface_and_its_repetitions_are_the_same():
-    """Lattice sums of coefficients and stresses, by different methods for other periods."""
+def test_a_surface_and_its_repetitions_agree():
+    """Lattice sums of coefficients and stresses use different methods for other periods."""
     body = sc.Layered([(NITRIDE, 1.5e-6), (POLYMER, 0.7e-6)], STEEL)
     rng = np.random.default_rng(4)
     pressure, shear = 1e8 * rng.random((8, 6)), 1e7 * rng.random((2, 8, 6))
@@ -202,7 +202,7 @@ def test_a_surface_and_its_repetitions_are_the_same():
                 )
             )
         (u, stress), (again, stress_again) = found
-        # With one free direction the surface moves from a distance that goes with the grid.
+        # With one free direction the reference distance of displacement scales with the grid.
         u, again = (v - v.mean(axis=(1, 2), keepdims=True) for v in (u, again))
         assert again == pytest.approx(u, abs=1e-6 * np.abs(u).max())
         assert stress_again == pytest.approx(stress, abs=1e-6 * np.abs(stress).max())
@@ -247,7 +247,7 @@ def test_a_simulation_with_layers_is_the_contact_of_its_solver(tmp_path):
     assert np.array_equal(again.step(load=0.5).pressure, simulation.step(load=0.5).pressure)
 
 
-def test_results_of_a_run_have_its_layers():
+def test_results_contain_the_layers():
     from samcontact import results
 
     simulation, _ = coated_run()
@@ -265,7 +265,7 @@ def test_results_of_a_run_have_its_layers():
     assert float(between.min()) < -1e8
 
 
-def test_interfaces_of_the_upper_body_have_its_growth_stress_and_shear():
+def test_interfaces_of_the_upper_body_include_growth_stress_and_shear():
     grown = NITRIDE.with_residual_stress([0.0], [-1e9], [-2e9], [1e8])
     grid = sc.Grid(24, 24, 2e-6, 2e-6)
     gap = sc.surfaces.paraboloid(grid, 2e-3)
@@ -294,7 +294,7 @@ SOFT = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
         (sc.Layered([(NITRIDE, 1.5e-6)], SOFT), {}, r"the bottom of layers\[0\] of body2"),
     ],
 )
-def test_flow_that_layers_do_not_serve_is_refused(body, more, text):
+def test_plastic_options_unsupported_for_layers_are_refused(body, more, text):
     grid = sc.Grid(8, 8, 1e-6, 1e-6, nz=2, dz=1e-6)
     with pytest.raises(ValueError, match=text):
         sc.Simulation(grid, RIGID, body, np.zeros((8, 8)), **more)
@@ -318,7 +318,7 @@ def test_flow_below_a_layer_of_the_same_stiffness_stays_below_it():
         assert gamma[:, :, 2:].max() > 0 or state is below[0]
         assert state.approach >= 0 or state.load == 0
         assert without.equivalent_plastic_strain().shape == gamma.shape
-    # Elastic steel above: no more flow than without it, and its residual stress is in balance.
+    # An elastic steel layer does not increase the flow, and residual stress is in equilibrium.
     assert (
         0
         < below[-1].max_equivalent_plastic_strain()
@@ -328,7 +328,7 @@ def test_flow_below_a_layer_of_the_same_stiffness_stays_below_it():
     assert np.abs(sums).max() < 2e-2 * 6.0
 
 
-def test_flow_below_a_nearly_absent_layer_is_that_of_the_substrate():
+def test_flow_below_a_very_soft_layer_is_that_of_the_bare_substrate():
     """Residual imprint of a substrate below a very soft layer, under prescribed tractions."""
     nothing = sc.Material.elastic(1e-3, 0.0)
     steel = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
@@ -347,7 +347,7 @@ def test_flow_below_a_nearly_absent_layer_is_that_of_the_substrate():
 
 
 @pytest.mark.parametrize("periodic", ["xy", "x", "y"])
-def test_plastic_strain_and_its_repetitions_are_the_same(periodic):
+def test_plastic_strain_and_its_repetitions_agree(periodic):
     """Stress, and the displacement of the surface by lattice sums, on one period and on two."""
     body = sc.Layered([(POLYMER, 1e-6), (NITRIDE, 1e-6)], SOFT)
     strain = np.zeros((6, 8, 6, 4))
@@ -362,13 +362,13 @@ def test_plastic_strain_and_its_repetitions_are_the_same(periodic):
         found.append((u, run.state.residual_stress()[:, :8, :6]))
     (u, stress), (again, stress_again) = found
     assert again == pytest.approx(u, abs=1e-6 * np.abs(u).max())
-    # Where one direction is free, its images are taken away to image_tol.
+    # Images along a free direction are removed to image_tol.
     tol = 1e-12 if periodic == "xy" else 1e-3
     assert stress_again == pytest.approx(stress, abs=tol * np.abs(stress).max())
 
 
 @pytest.mark.parametrize("periodic", ["xy", "y"])
-def test_a_layer_like_its_substrate_moves_the_surface_like_it(periodic):
+def test_a_layer_equal_to_its_substrate_gives_equal_displacement(periodic):
     strain = np.zeros((6, 8, 6, 4))
     strain[..., 2:] = np.random.default_rng(6).standard_normal((6, 8, 6, 2)) * 1e-3
     grid = sc.Grid(8, 6, 1e-6, 1.5e-6, nz=4, dz=1e-6, periodic=periodic)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Layers at their limits: growth stress, shallow cases, soft and nearly incompressible, thin."""
+"""Extreme layers: growth stress, thin, soft, and nearly incompressible."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ def elastic_twin(material):
 
 
 def of_yield(body, grid, gap, load):
-    """Largest elastic stress over the yield stress of its depth, and that depth."""
+    """Return the maximum of elastic stress over local yield stress, and its depth."""
     twin = sc.Layered([(elastic_twin(m), h) for m, h in body.layers], elastic_twin(body.substrate))
     solver = sc.ContactSolver(grid, RIGID, twin, on_border="warn")
     z = grid.z
@@ -41,7 +41,7 @@ GROWN = yielding(400e9, 0.25, 3e9)
 @pytest.mark.parametrize(
     ("layers", "substrate", "starts_in"),
     [
-        # Its core yields first, though stress is largest in the case: it is too shallow.
+        # The case is too shallow: the core yields first, although stress is largest in the case.
         ([CASE[0]], CASE[1], 1),
         ([(CASE[0][0], 24e-6)], CASE[1], 0),
         (SOFT, yielding(210e9, 0.3, 2e9), 1),
@@ -51,7 +51,7 @@ GROWN = yielding(400e9, 0.25, 3e9)
     ],
 )
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_flow_begins_where_a_layer_first_comes_to_its_own_yield(layers, substrate, starts_in):
+def test_flow_begins_where_a_layer_first_reaches_its_yield_stress(layers, substrate, starts_in):
     body = sc.Layered(layers, substrate)
     grid = sc.Grid(33, 33, 2e-6, 2e-6, nz=24, dz=2e-6)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -70,7 +70,7 @@ def test_flow_begins_where_a_layer_first_comes_to_its_own_yield(layers, substrat
     assert strain[..., deep].max() == 0
 
 
-def test_growth_stress_moves_nothing_and_is_in_the_coating_alone():
+def test_growth_stress_causes_no_displacement_and_exists_only_in_the_coating():
     grid = sc.Grid(17, 17, 4e-6, 4e-6, nz=6, dz=2e-6)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     plain, grown = (
@@ -86,7 +86,7 @@ def test_growth_stress_moves_nothing_and_is_in_the_coating_alone():
 
 
 def test_nearly_incompressible_layers():
-    """A uniform load on a rigid base, of layers that squeeze by 1 - 2 nu = 0.002."""
+    """Layers with 1 - 2 nu = 0.002 on a rigid base, under a uniform load."""
     rubber = sc.Material.elastic(5e6, 0.499)
     grid = sc.Grid(4, 4, 1e-6, 1e-6, periodic="xy")
     solver = sc.ContactSolver(grid, RIGID, sc.Layered([(rubber, 3e-6), (rubber, 1e-6)], RIGID))
@@ -135,7 +135,7 @@ def test_a_nanometre_on_a_millimetre_is_a_membrane():
         sc.Simulation(volume, RIGID, sc.Layered([(NITRIDE, 1e-9)], CASE[1]), gap)
 
 
-def test_below_layers_on_a_rigid_substrate_no_stress_is_told():
+def test_a_rigid_substrate_has_no_stress():
     body = sc.Layered([(STEEL, 2e-6), (NITRIDE, 2e-6)], RIGID)
     for periodic in ("", "xy"):
         grid = sc.Grid(8, 8, 1e-6, 1e-6, nz=8, dz=1e-6, periodic=periodic)
@@ -153,7 +153,7 @@ def test_below_layers_on_a_rigid_substrate_no_stress_is_told():
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 @pytest.mark.parametrize("stiff", [1 / 20, 20.0])
 @pytest.mark.parametrize("periodic", ["x", "y"])
-def test_displacement_counts_from_as_far_as_the_grid_is_long(stiff, periodic):
+def test_the_reference_distance_of_displacement_is_the_grid_length(stiff, periodic):
     """The reference distance is the grid length, even if layers bend over longer distances."""
     along, across = (20, 1.0), (1, 3.0)
     (nx, dx), (ny, dy) = (along, across) if periodic == "y" else (across, along)

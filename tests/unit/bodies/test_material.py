@@ -63,7 +63,7 @@ def test_laws_that_coincide():
     np.testing.assert_allclose(straight.yield_stress(g), 1e9 + 2e12 * g, rtol=1e-14)
 
 
-def test_what_cannot_yield():
+def test_materials_without_yield():
     for law in ("elastic", "rigid"):
         assert not make(law).is_plastic
         assert make(law).yield_stress(0.5) == math.inf
@@ -74,7 +74,7 @@ def test_what_cannot_yield():
     assert not make("elastic").is_rigid
 
 
-def test_yield_stress_keeps_the_shape():
+def test_yield_stress_keeps_the_array_shape():
     material = make("swift")
     assert isinstance(material.yield_stress(1e-3), float)
     strided = np.linspace(0, 1e-2, 24).reshape(4, 6)[::2, ::3].T
@@ -147,8 +147,8 @@ def test_unknown_law():
 
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("g", [1e-13, 1e-7, 2e-5, 3e-3, 0.7, 20.0])
-def test_every_law_knows_its_work(law, g):
-    """Gauss points on pieces that grow: exact to rounding where the yield stress is smooth."""
+def test_plastic_work_of_every_law(law, g):
+    """Gauss integration on growing intervals is exact to rounding for smooth yield stress."""
     material = make(law)  # a law without an entry above is not tested
     kinks = [k for k in material.parameters.get("plastic_strain", ()) if k < g]
     ends = np.union1d(kinks, [0.0, *np.geomspace(min(g, 1e-8), g, 40)])
@@ -163,7 +163,7 @@ def test_every_law_knows_its_work(law, g):
 
 
 @pytest.mark.parametrize("law", LAWS)
-def test_constants_of_a_law_are_told(law):
+def test_constants_of_a_law_are_shown(law):
     names = LAWS[law].constants
     assert list(make(law).parameters) == list(names)
     some = next(iter(names), "K")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""No field of a case file is read and dropped: each changes what is computed, or is refused."""
+"""Each field of a case file changes the computation or is refused; none is ignored."""
 
 import copy
 import re
@@ -28,11 +28,11 @@ from case_kinds import (
 from samcontact import wear
 from samcontact.cases import AsperityCase, Case, CaseError, asperities, fatigue, shakedown
 
-# Not of what is computed: title and place of results, and what the command shows of them.
+# Fields that do not affect the computation: title, results folder, and output of the command.
 OF_RESULTS = {"title", "description", "estimate_error", "output"}
-# What has no grid to build: tests of to_accuracy see to it.
+# Fields without a grid to build, which are covered by tests of to_accuracy.
 OF_ACCURACY = {"accuracy", "quantities", "max_memory", "max_time"}
-# Other values where the field's own does not tell one; the first that is valid and differs counts.
+# Alternative values if the field implies none; the first valid different value is used.
 OTHER = {
     "lateral_creepage": [2e-3], "spin": [1.0],
     "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
@@ -68,23 +68,23 @@ UNSET = {
 
 @pytest.fixture
 def computed(tmp_path, monkeypatch):
-    """Arguments that reach the computation, as text; arrays as bytes."""
+    """Return the arguments of the computation as text; arrays as bytes."""
     np.save(tmp_path / "h.npy", np.random.default_rng(5).standard_normal((24, 20)))
     seen = {}
 
-    def told(value):
+    def stated(value):
         if isinstance(value, np.ndarray):
             return value.tobytes()
         if hasattr(value, "heights"):
             return value.heights.tobytes(), value.first, value.periodic
         if isinstance(value, (list, tuple)):
-            return [told(item) for item in value]
+            return [stated(item) for item in value]
         if isinstance(value, dict):
-            return {name: told(item) for name, item in value.items()}
+            return {name: stated(item) for name, item in value.items()}
         return repr(value)
 
     def record(*arguments, **named):
-        seen["arguments"] = told([list(arguments), named])
+        seen["arguments"] = stated([list(arguments), named])
 
     for name in ("cycle", "steady_cycle"):
         monkeypatch.setattr(fatigue, name, lambda states, *given, name=name: (name, *given))
@@ -111,13 +111,13 @@ def computed(tmp_path, monkeypatch):
             judged = [case.fatigue.fields([simulation.state], 2), repr(case.fatigue.limit)]
         if case.shakedown is not None:
             judged.append(case.shakedown.solve(simulation, path, False))
-        return told([list(surfaces), path, judged]), repr(simulation)
+        return stated([list(surfaces), path, judged]), repr(simulation)
 
     return compute
 
 
 def leaves(model, place=()):
-    """Every field below a validated section that holds no section, with its model."""
+    """Yield every field below a validated section that is no section, with its model."""
     for name, field in type(model).model_fields.items():
         if not place and name in OF_RESULTS | OF_ACCURACY:
             continue
@@ -132,7 +132,7 @@ def leaves(model, place=()):
 
 
 def others(name, field, value):
-    """Values of a field that differ from the one it has."""
+    """Return values of a field that differ from its present one."""
     if value is None:
         return [UNSET[name]] if name in UNSET else []
     if name in OTHER:
@@ -176,7 +176,7 @@ def test_every_field_is_used_or_refused(computed, kind):
             tried += 1
             after = outcome(computed, changed(content, place, other))
             if isinstance(after, ValueError):
-                # by the name of the field, or by that of what does not go with it
+                # by the name of the field, or of the incompatible field
                 assert {place[-1], place[0]} & set(re.findall(r"\w+", str(after))), after
                 continue
             if after == before:
@@ -187,7 +187,7 @@ def test_every_field_is_used_or_refused(computed, kind):
 
 
 def test_every_field_of_every_section_is_tried():
-    """A new section or field must be put into one of the cases above, or into the lists."""
+    """Every section and field occurs in one of the cases above or in the lists."""
     from samcontact.cases.field_units import all_models
 
     tried, sections = set(), set()
@@ -235,29 +235,29 @@ def test_every_field_of_every_section_is_tried():
              "body1": {"law": "rigid"}, "body2": {"law": "elastic", "E": 1e9, "nu": 0.3}},
          r"output\.volume = 'all' requires grid\.dz"),
         ({"heat": None, "path": [{"load": 1.0}]}, r"body1\.thermal has no effect without"),
-        ({"body2": COATED, "wear": WEAR}, r"body2\.layers: \[wear\] supports homogeneous"),
+        ({"body2": COATED, "wear": WEAR}, r"body2\.layers: \[wear\] does not support layered"),
         ({"body2": SWIFT | {"layers": [LAYER]}}, r"body2: .*substrate must have no thermal"),
         ({"body2": COLD | {"layers": [LAYER | {"thermal": SWIFT["thermal"]}]}},
          r"body2\.layers\[0\]\.thermal: unknown field"),
         ({"body1": COLD, "body2": COATED | {"layers": [COLD | {"thickness": 1e-6}]},
              "grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}},
-         r"body1 is elastic-plastic \(swift\): grid\.dz is"),
+         r"body1 is elastic-plastic \(law swift\) and requires a grid"),
         ({"contact": CONTACT | {"residual_stress": "exact"}},
          r"contact\.image_tol requires residual_stress"),
         ({"path": [{"load": 1.0, "exponent": 3.0}]}, r"exponent requires spacing = \"power\""),
     ],
 )  # fmt: skip
-def test_what_has_no_effect_is_refused_by_name(change, message):
+def test_fields_without_effect_are_refused_by_name(change, message):
     with pytest.raises(CaseError, match=message):
         Case.model_validate(BASE | change)
 
 
-def test_a_source_that_is_off_may_have_all_of_heat():
+def test_a_zero_heat_factor_accepts_all_heat_fields():
     """A sweep of the heat factor may start from 0."""
     Case.model_validate(BASE | {"heat": HEAT | {"factor": 0.0}, "path": [{"load": 1.0}]})
 
 
-def test_asperities_knows_no_heat():
+def test_asperities_do_not_support_heat():
     for name in ("thermal", "softening"):
         body = COLD | {name: SWIFT[name]}
         with pytest.raises(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files with a contact law: what is built, what tension needs, and what is refused."""
+"""Case files with a contact law: built law, conditions of tension, and refused fields."""
 
 import pytest
 from rich.console import Console
@@ -18,7 +18,7 @@ def case(*segments, contact=LAW, more=""):
     return parse_case(f'title = "t"\n{GRID}\n{BODIES}\n[contact]\n{contact}\n{path}{more}')
 
 
-def test_laws_are_what_simulations_take():
+def test_contact_laws_reach_the_simulation():
     loads = "load = 600.0\nincrements = 1", "load = -0.01\nincrements = 1"
     simulation, _ = case(*loads).build()
     assert simulation.contact_law == sc.TensileLimit(5e5)
@@ -48,8 +48,8 @@ def test_tension_needs_an_attraction():
         case("load = 600.0", "load = -0.01", contact="")
 
 
-def test_what_attraction_has_no_part_in_is_refused():
-    with pytest.raises(CaseError, match="path: moving bodies cannot be"):
+def test_options_unsupported_with_attraction_are_refused():
+    with pytest.raises(CaseError, match="path: bodies must not move"):
         case("load = 600.0", "load = 600.0\nadvance = [1e-4, 1e-4]")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files that move: segments, reliefs, and what is refused in which words."""
+"""Case files with motion: segments, reliefs, and messages."""
 
 import re
 from pathlib import Path
@@ -44,7 +44,7 @@ def test_roll_and_slide_are_those_of_paths(write):
     assert load_case(write((ROLL, text))).steps() == paths.sliding(**options, slider=2)
 
 
-def test_ramps_that_move(write):
+def test_ramps_with_motion(write):
     text = """advance = [-60e-6, -120e-6]
 [[path]]
 load = 600.0
@@ -72,7 +72,7 @@ def test_passes_may_follow_passes(write):
     assert steps[-22:] == [{"load": 0.0}, *paths.sliding(load=300.0, distance=60e-6, step=60e-6)]
 
 
-def test_it_runs_and_follows_the_bodies(write):
+def test_a_moving_case_runs_and_tracks_the_bodies(write):
     simulation, path = load_case(write(("friction = 0.0", "reach = 120e-6"))).build()
     assert simulation.reach == 120e-6
     states = simulation.run(path, progress=False)
@@ -93,7 +93,7 @@ def test_it_runs_and_follows_the_bodies(write):
         ("passes = 2", "passes = 0", r"path\[0\]\.roll\.passes: must be a whole number >= 1"),
         ("passes = 2", "slider = 2", r"path\[0\]\.roll\.slider: unknown field; allowed here: dist"),
         ("passes = 2", "slide_to_roll = 3", r"roll\.slide_to_roll: must be a number in \[-2, 2\]"),
-        ("passes = 2", "speed = 1.0", r"path\[0\]: speed requires heat.hist"),
+        ("passes = 2", "speed = 1.0", r"path\[0\]: speed must be given if"),
         ("load = 600.0", "load = 0.0", r"path\[0\]: load must be > 0, got 0\.0"),
         (ROLL, ROLL + "\nstart = 1.0", r"path\[0\]: roll cannot be combined with start"),
         (
@@ -165,7 +165,7 @@ def test_heat_moves_with_the_body(write):
     assert all(step["duration"] == pytest.approx(120e-6) for step in steps[:5])
     assert steps[6]["duration"] == pytest.approx(360e-6)  # the way back
     case.build()
-    with pytest.raises(CaseError, match=r"path\[0\]: speed requires heat.hist"):
+    with pytest.raises(CaseError, match=r"path\[0\]: speed must be given if"):
         load_case(write(*heated))
     with pytest.raises(
         CaseError, match=r"motion of heated body 2, -0\.5 m/s along x, got 0\.5 m/s"
@@ -208,7 +208,7 @@ def test_relief_from_a_file(write, tmp_path):
         relief(write, 'kind = "file"\npath = "none.npy"')
 
 
-def test_rough_relief_repeats_over_the_grid(write):
+def test_a_rough_relief_is_periodic_over_the_grid(write):
     text = 'kind = "self_affine"\nrms_height = 1e-7\nhurst = 0.8\nseed = 7'
     grid, made = relief(write, text)
     expected = sc.surfaces.rough_self_affine(grid, 1e-7, 0.8, seed=7)
@@ -221,7 +221,7 @@ def test_rough_relief_repeats_over_the_grid(write):
     [
         ('kind = "hole"', r"relief2\.kind: must be one of 'file', 'dent', 'furrow', 'self_affine'"),
         ('kind = "dent"\ndepth = 1e-6', r"relief2\.radius: required field is missing"),
-        ('kind = "dent"\ndepth = 1.0\nradius = 1e-4', r"\[relief2\] depth must not be 0, and"),
+        ('kind = "dent"\ndepth = 1.0\nradius = 1e-4', r"\[relief2\] depth must be nonzero, of"),
         ('kind = "file"\npath = "h.xlsx"', r"\[relief2\] path: cannot read heights from .*h\.xlsx"),
         (
             'kind = "furrow"\ndepth = 1.0\nlong = 1',
@@ -246,7 +246,7 @@ def test_cases_that_come_with_the_package(name):
     np.testing.assert_allclose(cells, np.round(cells), atol=1e-6)
 
 
-def test_the_path_that_the_documentation_shows(write):
+def test_the_path_in_the_documentation(write):
     page = (CASES.parent / "docs" / "case_files.md").read_text(encoding="utf-8")
     (block,) = re.findall(r"^```toml\n(\[\[path\]\]\n.*?)^```$", page, re.MULTILINE | re.DOTALL)
     case = load_case(write(("[[path]]\nload = 600.0\nincrements = 2\n" + ROLL, block)))
@@ -269,5 +269,5 @@ def test_dictionaries_are_cases_too():
     )
     simulation, path = case.build()
     states = simulation.run(path, progress=False)
-    # three steps further, over the dent, the bodies are closer by a part of its depth
+    # three steps later, over the dent, the bodies are closer by a fraction of its depth
     assert 0 < states[3].approach - states[0].approach < 1e-8

@@ -123,7 +123,7 @@ def simulation(**settings):
         ),
     ],
 )
-def test_numbers_beyond_what_is_possible_are_named(call, error, message):
+def test_numbers_out_of_range_are_named(call, error, message):
     with pytest.raises(error, match=re.escape(message)):
         call()
 
@@ -169,12 +169,12 @@ def test_encodings_of_case_files(tmp_path):
 @pytest.mark.parametrize("character", ["\0", "\x1b[31m", "\x07", "\x9b2J", "\r", "\x7f"])
 @pytest.mark.parametrize("field", ["title", "description", "directory", "path"])
 def test_control_characters_reach_no_terminal(tmp_path, field, character):
-    told = json.dumps(f"a{character}b")
+    stated = json.dumps(f"a{character}b")
     texts = {
-        "title": TEXT.replace('"Ball"', told),
-        "description": f"description = {told}\n{TEXT}",
-        "directory": f"{TEXT}[output]\ndirectory = {told}\n",
-        "path": TEXT.replace('"paraboloid"\nRx = 1e-3', f'"file"\npath = {told}'),
+        "title": TEXT.replace('"Ball"', stated),
+        "description": f"description = {stated}\n{TEXT}",
+        "directory": f"{TEXT}[output]\ndirectory = {stated}\n",
+        "path": TEXT.replace('"paraboloid"\nRx = 1e-3', f'"file"\npath = {stated}'),
     }
     path = tmp_path / "c.toml"
     path.write_text(texts[field].replace("\x7f", "\\u007f"))
@@ -217,7 +217,7 @@ def test_names_of_files_with_null_characters(arguments):
         ("mu", ["load"], None),
     ],
 )
-def test_words_that_users_have_for_fields(name, fields, meant):
+def test_common_synonyms_of_fields_are_suggested(name, fields, meant):
     assert nearest(name, fields) == meant
 
 
@@ -226,7 +226,7 @@ def test_a_radius_is_known_by_its_name():
         parse_case(TEXT.replace("Rx =", "Radius ="))
 
 
-def test_infinite_radius_beside_units():
+def test_infinite_radius_with_units():
     content = parse_case(TEXT).model_dump()
     content["surface"] |= {"Rx": "1 mm", "Ry": "inf"}
     surface = Case.model_validate(content).surface
@@ -283,7 +283,7 @@ def test_a_checkpoint_is_no_file_of_results(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["results.nc", "case.toml"])
-def test_a_report_replaces_nothing_but_a_page(tmp_path, name):
+def test_a_report_never_replaces_results_or_cases(tmp_path, name):
     (tmp_path / "results.nc").write_text("precious")
     file = tmp_path / name
     file.write_text("precious")
@@ -295,12 +295,12 @@ def test_a_report_that_cannot_be_written_is_refused_first(tmp_path):
     (tmp_path / "results.nc").write_text("not read")
     missing = tmp_path / "nowhere" / "report.html"
     check_failure(invoke("report", tmp_path, "--output", missing), 2, "existing folder")
-    check_failure(invoke("report", tmp_path, "--output", tmp_path), 2, "is a directory")
+    check_failure(invoke("report", tmp_path, "--output", tmp_path), 2, "a directory")
     check_failure(invoke("report", tmp_path / "nowhere"), 1, "no results file", "nowhere")
 
 
 @pytest.mark.parametrize("output", ["file", "file/below"])
-def test_a_file_where_results_should_go(tmp_path, output):
+def test_a_file_at_the_place_of_the_results_folder(tmp_path, output):
     case, file = tmp_path / "case.toml", tmp_path / "file"
     case.write_text(TEXT)
     file.write_text("precious")
@@ -312,11 +312,11 @@ def test_a_report_replaces_no_pipe_or_device(tmp_path):
     (tmp_path / "results.nc").write_text("not read")
     pipe = tmp_path / "report.html"
     os.mkfifo(pipe)
-    check_failure(invoke("report", tmp_path), 2, "is a device or pipe")
+    check_failure(invoke("report", tmp_path), 2, "a device or pipe")
     assert pipe.is_fifo()
 
 
-def test_a_lock_that_is_a_link_costs_no_file(tmp_path):
+def test_a_lock_that_is_a_link_destroys_no_file(tmp_path):
     case, precious = tmp_path / "case.toml", tmp_path / "precious"
     case.write_text(TEXT)
     precious.write_text("precious")
@@ -353,14 +353,14 @@ def test_sweeps_are_counted_before_they_are_made(mode):
 
 
 @pytest.mark.parametrize("content", [b"\xff\xfe", b""])
-def test_a_damaged_mark_of_an_interrupted_run(tmp_path, content):
+def test_a_damaged_description_of_an_interrupted_run(tmp_path, content):
     folder = tmp_path / "checkpoints"
     folder.mkdir()
     (folder / "case.txt").write_bytes(content)
     check_failure(invoke("resume", tmp_path), 2, "case.txt is damaged", "--resume")
 
 
-def test_warnings_that_the_environment_makes_errors(tmp_path):
+def test_warnings_turned_into_errors_by_the_environment(tmp_path):
     case = tmp_path / "case.toml"
     case.write_text(TEXT)
     with warnings.catch_warnings():
@@ -384,9 +384,9 @@ def test_nothing_after_a_unit_is_dropped(text):
 
 @pytest.mark.parametrize(
     ("name", "content", "message"),
-    [("h.npy", "1 2 3\n", r"not a file of numpy\.save$"), ("h.txt", "1 2 3\n1 2\n", "at row 2$")],
+    [("h.npy", "1 2 3\n", r"not written by numpy\.save$"), ("h.txt", "1 2 3\n1 2\n", "at row 2$")],
 )
-def test_errors_of_heights_advise_nothing_that_is_not_ours(tmp_path, name, content, message):
+def test_errors_of_height_files_contain_no_advice_of_numpy(tmp_path, name, content, message):
     (tmp_path / name).write_text(content)
     with pytest.raises(ValueError, match=message):
         sc.measured.read(tmp_path / name, dx=1e-6)

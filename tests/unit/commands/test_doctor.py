@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The check-up: what it says of the installation is true, and it notices what is broken."""
+"""The command doctor: correct versions, and detection of a broken installation."""
 
 import os
 import platform
@@ -24,7 +24,7 @@ def invoke():
 
 
 def verdict_lines(text):
-    """Word, name, number, sense and limit of each line of the self-check."""
+    """Return result, name, number, sense and limit of each line of the self-test."""
     return [LINE.fullmatch(line).groups() for line in text.split("\n\n")[1].splitlines()]
 
 
@@ -45,14 +45,14 @@ def test_a_sound_installation():
 
 
 def test_versions():
-    told = dict(self_check.installation())
-    assert told["samcontact"] == sc.__version__
-    assert told["Python"].startswith(platform.python_version())
-    assert told["numpy"] == np.__version__
-    assert told["vtk"] == metadata.version("vtk")
-    assert re.match(r"\d+\.\d+\.\d+.*, plans by estimate", told["FFTW"])
-    assert re.search(r"(GCC|clang).*\d+\.\d+", told["compiler"])
-    assert "missing" not in " ".join(told.values())
+    message = dict(self_check.installation())
+    assert message["samcontact"] == sc.__version__
+    assert message["Python"].startswith(platform.python_version())
+    assert message["numpy"] == np.__version__
+    assert message["vtk"] == metadata.version("vtk")
+    assert re.match(r"\d+\.\d+\.\d+.*, plans by estimate", message["FFTW"])
+    assert re.search(r"(GCC|clang).*\d+\.\d+", message["compiler"])
+    assert "missing" not in " ".join(message.values())
 
 
 def test_threads_are_those_of_the_environment():
@@ -91,9 +91,9 @@ print(dict(self_check.installation())["threads"])
         text=True,
         check=True,
     )
-    threads, told = found.stdout.splitlines()
+    threads, message = found.stdout.splitlines()
     assert threads == f"{most} False"
-    assert told.startswith(f"{most} of {os.cpu_count()} processors (OMP_NUM_THREADS=3000")
+    assert message.startswith(f"{most} of {os.cpu_count()} processors (OMP_NUM_THREADS=3000")
 
 
 @pytest.mark.parametrize(
@@ -130,7 +130,7 @@ def test_an_absent_library_is_named_with_its_extra(monkeypatch):
 
 
 def failing(monkeypatch, name, value):
-    """Lines of a check-up in which a property of states is wrong."""
+    """Return the lines of a self-test in which a property of states is wrong."""
     monkeypatch.setattr(sc.State, name, property(lambda self: value))
     outcome = invoke()
     assert outcome.exit_code == 1
@@ -153,7 +153,7 @@ def test_wrong_pressures_fail(monkeypatch):
     }
 
 
-def test_ctrl_c_ends_it_as_any_command(monkeypatch):
+def test_ctrl_c_ends_the_doctor(monkeypatch):
     def stopped():
         raise KeyboardInterrupt
 
@@ -162,7 +162,7 @@ def test_ctrl_c_ends_it_as_any_command(monkeypatch):
     assert (outcome.exit_code, outcome.stderr) == (130, "interrupted\n")
 
 
-def test_an_error_is_told_and_the_others_go_on(monkeypatch):
+def test_an_error_is_reported_and_other_checks_continue(monkeypatch):
     def refuse(self, path):
         raise OSError("disk full")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of others: never replaced or removed; what is in the way is refused before the solve."""
+"""Foreign files are never replaced or removed; a conflict is refused before the solve."""
 
 import fcntl
 import os
@@ -31,7 +31,7 @@ FOREIGN = "what nobody else has"
 
 
 def snapshot(folder):
-    """All names in a folder, with what they are and hold."""
+    """Return all names in a folder, with their types and contents."""
     found = {}
     for path in sorted(folder.rglob("*")):
         mode = path.lstat().st_mode
@@ -84,7 +84,7 @@ def another_hdf5(path):
 class TestCommands:
     @pytest.fixture(autouse=True)
     def unsolved(self, monkeypatch):
-        """Nothing is solved before a folder is refused."""
+        """Assert that nothing is solved before a folder is refused."""
 
         def solved(*_, **__):
             raise AssertionError("solved")
@@ -115,7 +115,7 @@ class TestCommands:
             (RECORD_FILE, os.mkfifo),
         ],
     )
-    def test_what_is_in_the_way(self, tmp_path, name, make):
+    def test_foreign_files_in_the_way_are_refused(self, tmp_path, name, make):
         out, case = tmp_path / "out", tmp_path / "case.toml"
         out.mkdir()
         case.write_text(MINIMAL)
@@ -126,14 +126,16 @@ class TestCommands:
         assert snapshot(tmp_path) == before
 
     @pytest.mark.parametrize("make", [text, link, Path.mkdir, os.mkfifo])
-    def test_locks_of_others(self, tmp_path, make):
+    def test_foreign_locks(self, tmp_path, make):
         out, case = tmp_path / "out", tmp_path / "case.toml"
         out.mkdir()
         case.write_text(MINIMAL)
         make(out / LOCK_FILE)
         before = snapshot(tmp_path)
         outcome = invoke("run", case, "--output", out)
-        check_failure(outcome, 1, str(out / LOCK_FILE), "is not a lock of samcontact: move it")
+        check_failure(
+            outcome, 1, str(out / LOCK_FILE), "is not a lock file of samcontact: move this"
+        )
         assert snapshot(tmp_path) == before
 
     def test_a_case_file_by_the_name_of_a_result(self, tmp_path):
@@ -151,11 +153,11 @@ class TestCommands:
         command = ("sweep", case, "--set", "path[0].load=100,200", "--output", tmp_path / "out")
         outcome = invoke(*command)
         assert outcome.exit_code == 2
-        assert "move it" in outcome.stderr
+        assert "move this file" in outcome.stderr
         assert (tmp_path / "out" / name).read_text() == FOREIGN
 
 
-def test_a_changed_figure_is_not_replaced(tmp_path):
+def test_a_changed_figure_is_not_replaced(tmp_path, undrawn):
     """A figure edited by the user is kept; unchanged figures are replaced without a message."""
     data = dataset()
     written = plotting.summary_figures(data, tmp_path)
@@ -169,7 +171,7 @@ def test_a_changed_figure_is_not_replaced(tmp_path):
     assert written[0].read_bytes() == retouched
 
 
-def test_files_of_a_second_run_that_are_the_same_are_listed_again(tmp_path):
+def test_unchanged_files_of_a_second_run_are_listed_again(tmp_path):
     for _ in range(3):
         with recording(tmp_path):
             publish(dataset(), tmp_path / "wear.nc")
@@ -181,7 +183,7 @@ def test_files_of_a_second_run_that_are_the_same_are_listed_again(tmp_path):
             pass
 
 
-def test_a_figure_is_listed_before_it_has_its_name(tmp_path, monkeypatch):
+def test_a_figure_is_listed_before_it_gets_its_name(tmp_path, monkeypatch, undrawn):
     """A figure left by a killed run must not be regarded as a foreign file."""
     data = dataset()
 
@@ -212,8 +214,8 @@ def test_a_figure_is_listed_before_it_has_its_name(tmp_path, monkeypatch):
     ids=["checkpoint", "results", "wear", "wear before"],
 )
 @pytest.mark.parametrize("make", [text, another_hdf5, Path.mkdir, os.mkfifo])
-def test_files_of_others_by_the_name_of_one_of_ours(tmp_path, write, make):
-    """A slip of the pen, such as the name of the script, costs no file."""
+def test_foreign_files_with_a_name_of_ours_are_kept(tmp_path, write, make):
+    """A mistyped name, such as the name of the script, destroys no file."""
     path = tmp_path / "mine.before"
     make(path)
     before = snapshot(tmp_path)
@@ -251,7 +253,7 @@ def test_behind_a_link(tmp_path):
     assert file.read_bytes() != before
 
 
-def test_what_others_have_put_among_checkpoints_stays(tmp_path):
+def test_foreign_files_among_checkpoints_are_kept(tmp_path):
     folder = tmp_path / "checkpoints"
     (folder / "inner").mkdir(parents=True)
     state_file(folder / "inner")
@@ -275,7 +277,7 @@ with replacing(sys.argv[1]) as part:
 class TestLeftovers:
     @pytest.fixture
     def writing(self, tmp_path):
-        """A process in the middle of a file, and that file."""
+        """Return a process that is writing a file, and this file."""
         file = tmp_path / "results.nc"
         command = [sys.executable, "-c", KILLED, str(file)]
         pipe = subprocess.PIPE
@@ -305,7 +307,7 @@ class TestLeftovers:
         results.save(dataset(), tmp_path / "results.nc")
         assert list(tmp_path.iterdir()) == [tmp_path / "results.nc"]
 
-    def test_a_file_that_is_taken_for_one_before_its_lock(self, tmp_path, monkeypatch):
+    def test_a_part_file_removed_before_its_lock_is_created_again(self, tmp_path, monkeypatch):
         lock, taken = fcntl.flock, []
 
         def late(handle, how):
@@ -322,7 +324,7 @@ class TestLeftovers:
 
 
 class TestUnsealed:
-    """Results without a digest, as other programs leave them."""
+    """Results without a digest, as written by other programs."""
 
     @pytest.fixture
     def edited(self, tmp_path):
@@ -331,15 +333,15 @@ class TestUnsealed:
             opened.attrs["more"] = 1
         return file
 
-    def test_are_read(self, edited, tmp_path):
+    def test_unsealed_results_are_read(self, edited, tmp_path):
         whole = results.save(dataset(), tmp_path / "whole.nc")
         with results.open_results(edited) as one, results.open_results(whole) as other:
             for changing in ("more", "created", "history"):
                 one.attrs.pop(changing), other.attrs.pop(changing, None)
             xr.testing.assert_identical(one.load(), other.load())
 
-    def test_that_never_end(self, edited):
-        """An object in a heap of HDF5 whose length, rounded up, is 0: it looks for the next one."""
+    def test_unsealed_results_that_would_never_end_are_refused(self, edited):
+        """A heap object of HDF5 with rounded length 0 makes HDF5 search without end."""
         content = bytearray(edited.read_bytes())
         heap = content.index(b"GCOL\x01\0\0\0")
         size = heap + 16 + 8  # of the first object: number, references, 4 bytes, size
@@ -348,7 +350,7 @@ class TestUnsealed:
         with pytest.raises(ValueError, match="reading does not terminate"):
             try_to_read(edited, call=0.5)
 
-    def test_that_crash(self, edited, monkeypatch):
+    def test_unsealed_results_that_would_crash_are_refused(self, edited, monkeypatch):
         monkeypatch.setattr(
             "samcontact.results.isolated_read._READER_PROGRAM",
             "import os; os.kill(os.getpid(), 11)",
@@ -386,5 +388,5 @@ def test_an_unsealed_checkpoint_is_refused_without_being_opened(tmp_path, monkey
         raise AssertionError("opened")
 
     monkeypatch.setattr(h5py, "File", opened)
-    with pytest.raises(sc.CheckpointError, match="digest at its end is missing"):
+    with pytest.raises(sc.CheckpointError, match="checksum at the end is missing"):
         sc.Simulation.load(file)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whatever ends the command after an increment is done leaves its work: results, or checkpoints."""
+"""However the command ends after an increment, its results or checkpoints are kept."""
 
 import errno
 import html
@@ -29,7 +29,7 @@ def case_file(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def expected(case_file, tmp_path_factory):
-    """The results of a run that nothing disturbs."""
+    """Return the results of an undisturbed run."""
     out = tmp_path_factory.mktemp("plain")
     assert invoke("run", case_file, "--output", out, *OPTIONS).exit_code == 0
     return fields(out)
@@ -53,7 +53,7 @@ def fails(error):
     return called
 
 
-# Where the user presses Ctrl-C, once the last increment is done.
+# Places at which Ctrl-C is pressed after the last increment.
 PLACES = {
     "after the last increment": (solve_contact, "run_into", None),
     "before the dataset": (results, "to_dataset", pressed),
@@ -78,7 +78,7 @@ def test_ctrl_c_after_the_last_increment(case_file, expected, tmp_path, place, j
         outcome = invoke(*command, *["--no-figures"] * ("figures" not in place))
     assert outcome.exit_code == 130, outcome.output
     left = interrupted.is_interrupted(tmp_path)
-    # when checkpoints are being removed, or where none are left to remove, all is written
+    # all results are written before checkpoints are removed, or if there are none
     if not left:
         assert place.endswith("forgetting")
         xr.testing.assert_identical(fields(tmp_path), expected)
@@ -113,17 +113,17 @@ ERRORS = [
 
 
 @pytest.mark.parametrize("error", ERRORS, ids=lambda error: type(error).__name__)
-def test_an_error_leaves_what_was_computed(
+def test_an_error_keeps_the_computed_results(
     case_file, expected, tmp_path, monkeypatch, error, undrawn
 ):
     with monkeypatch.context() as patch:
         patch.setattr(sc.Simulation, "step", stop_at(3, error))
         outcome = invoke("run", case_file, "--output", tmp_path, "--quiet")
-    told = (f"2 of 3 increments are in {tmp_path}, marked as incomplete",)
+    message = (f"2 of 3 increments are in {tmp_path}, marked as incomplete",)
     said = str(error) or "not enough memory"
     if isinstance(error, OSError):
         said = f"{error.filename}: {error.strerror}: free some space"
-    check_failure(outcome, 1, said, *told, f"resume {tmp_path}")
+    check_failure(outcome, 1, said, *message, f"resume {tmp_path}")
     found = fields(tmp_path)
     assert found.attrs["complete"] == 0
     assert found.attrs["stopped_by"] == f"{type(error).__name__}: {error}"
@@ -171,7 +171,7 @@ def test_results_that_cannot_be_written_leave_checkpoints(
     xr.testing.assert_identical(fields(tmp_path), expected)
 
 
-def test_no_room_for_anything(case_file, tmp_path, monkeypatch):
+def test_a_full_disk_reports_the_first_error(case_file, tmp_path, monkeypatch):
     """The command reports the first of two errors, and the results that could not be stored."""
     full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
     monkeypatch.setattr(sc.Simulation, "step", stop_at(3, ERRORS[0]))
@@ -184,7 +184,7 @@ def test_no_room_for_anything(case_file, tmp_path, monkeypatch):
     assert "could not write all checkpoints" in outcome.stderr
 
 
-# Case, file of the results, the increment that fails, the first one too many when it goes on.
+# Case, results file, failing increment, and first increment that must not be solved again.
 STUDIES = {
     "asperities": (ASPERITIES.replace("passes = 2", "passes = 1"), "series.nc", 5, 1),
     "wear": (WEAR.replace("cycles = 1", "cycles = 2"), "wear.nc", 3, 5),
@@ -193,7 +193,7 @@ STUDIES = {
 
 
 class TestStudies:
-    """Passes of asperities and cycles of wear."""
+    """Passes of asperity collisions and cycles of wear."""
 
     @pytest.fixture(params=STUDIES)
     def study(self, request, tmp_path):
@@ -212,7 +212,7 @@ class TestStudies:
         assert "samcontact resume" in outcome.stderr
         done = len(list((out / "checkpoints").glob("*.h5")))
         with monkeypatch.context() as patch:
-            # nothing but the last cycle of wear is solved again
+            # only the last cycle of wear is solved again
             again = stop_at(too_many, AssertionError("solved again"))
             patch.setattr(sc.Simulation, "step", again)
             outcome = invoke("resume", out, *OPTIONS)
@@ -221,7 +221,7 @@ class TestStudies:
         assert (out / name).exists()
         assert not (out / "checkpoints").exists()
 
-    def test_an_error_leaves_what_was_computed(self, study, tmp_path, monkeypatch, undrawn):
+    def test_an_error_keeps_the_computed_results(self, study, tmp_path, monkeypatch, undrawn):
         case, name, failing, _ = study
         out = tmp_path / "out"
         with monkeypatch.context() as patch:
@@ -245,7 +245,7 @@ class TestStudies:
 
 
 class TestOneRunAtATime:
-    def test_a_second_run_is_told_of_the_first(self, case_file, tmp_path):
+    def test_a_second_run_in_a_folder_is_refused(self, case_file, tmp_path):
         with locked(tmp_path):
             for command in (
                 ("run", case_file, "--output", tmp_path, *OPTIONS),
@@ -256,7 +256,7 @@ class TestOneRunAtATime:
                 check_failure(outcome, 1, words)
         assert list(tmp_path.iterdir()) == []
 
-    def test_runs_of_python_too(self, case_file, tmp_path):
+    def test_python_runs_are_locked_out_too(self, case_file, tmp_path):
         elastic, grid = sc.Material.elastic(210e9, 0.3), sc.Grid(9, 9, 5e-5, 5e-5, 4, 5e-5)
         steel, gap = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121), [[0.0] * 9] * 9
         steps = [{"load": 1.0}, {"load": 0.0}]
@@ -277,11 +277,11 @@ class TestOneRunAtATime:
             assert (tmp_path / LOCK_FILE).read_text() == f"{os.getpid()}\n"
         assert list(tmp_path.iterdir()) == []
 
-    def test_a_lock_that_was_removed_meanwhile_is_none(self, tmp_path, monkeypatch):
+    def test_a_lock_removed_meanwhile_does_not_count(self, tmp_path, monkeypatch):
         flock, calls = lock.fcntl.flock, []
 
         def late(handle, operation):
-            """The run before ends between opening its file and locking it."""
+            """The previous run ends between opening and locking of its file."""
             if not calls:
                 (tmp_path / LOCK_FILE).unlink()
             calls.append(handle)
@@ -293,14 +293,14 @@ class TestOneRunAtATime:
             with pytest.raises(OSError, match="another run"), locked(tmp_path):
                 pass
 
-    def test_where_there_are_no_locks(self, tmp_path, monkeypatch):
+    def test_file_systems_without_locks(self, tmp_path, monkeypatch):
         monkeypatch.setattr(lock.fcntl, "flock", fails(OSError(errno.ENOLCK, "no locks")))
         with locked(tmp_path):
             pass
         assert list(tmp_path.iterdir()) == []
 
 
-def test_a_run_replaces_the_files_of_the_one_before(case_file, tmp_path, monkeypatch):
+def test_a_run_replaces_the_files_of_the_previous_run(case_file, tmp_path, monkeypatch, undrawn):
     """A run removes old figures, reports and exports once new results exist, but no other files."""
     command = ("run", case_file, "--output", tmp_path, "--quiet")
     assert invoke(*command).exit_code == 0

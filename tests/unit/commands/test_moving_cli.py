@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command with cases that move: figures, animation, and going on after being killed."""
+"""The command with moving contacts: figures, animation, and resuming after a kill."""
 
 import logging
 import signal
@@ -48,14 +48,14 @@ def test_figures_and_animation(case_file, tmp_path, monkeypatch):
     assert " -180 " in outcome.stdout
 
 
-def test_animation_of_what_does_not_move(case_file, tmp_path):
+def test_animation_of_a_static_contact_is_refused(case_file, tmp_path):
     case_file.write_text(MINIMAL)
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--animate")
     check_failure(outcome, 2, "--animate requires rolling or sliding motion and a grid with dz")
     assert not (tmp_path / "out").exists()
 
 
-# As from the command line, but killed in the middle of writing one of its checkpoints.
+# Run from the command line that is killed while it writes a checkpoint.
 KILLED = """
 import os, signal, sys
 from samcontact import Simulation
@@ -74,12 +74,12 @@ main(sys.argv[2:])
 """
 
 
-def test_goes_on_after_being_killed(case_file, tmp_path):
+def test_a_killed_run_resumes(case_file, tmp_path):
     plain, resumed = tmp_path / "plain", tmp_path / "resumed"
     options = ("--no-figures", "--quiet")
     assert invoke("run", case_file, "--output", plain, *options).exit_code == 0
     arguments = ["run", str(case_file), "--output", str(resumed), "--resume", *options]
-    # first under way with load, then, by another process, on the second pass
+    # first killed under load, then, in another process, in the second pass
     for count, left in ((5, 4), (5, 8)):
         command = [sys.executable, "-c", KILLED, str(count), *arguments]
         assert subprocess.run(command, check=False).returncode == -signal.SIGKILL
@@ -99,7 +99,7 @@ def test_goes_on_after_being_killed(case_file, tmp_path):
 class TestForeignCheckpoints:
     @pytest.fixture
     def folder(self, case_file, tmp_path, monkeypatch):
-        """Checkpoints of one increment of the case."""
+        """Return a folder with checkpoints of one increment of the case."""
         step = Simulation.step
 
         def once(self, **arguments):
@@ -124,8 +124,8 @@ class TestForeignCheckpoints:
     def test_another_load(self, folder, case_file, tmp_path):
         case_file.write_text(MOVING.replace("load = 600.0", "load = 500.0"))
         outcome = invoke(*self.command(case_file, tmp_path))
-        check_failure(outcome, 2, str(folder), "of another run", "remove it, or use another path")
-        # it still belongs to the run that left it
+        check_failure(outcome, 2, str(folder), "of another run", "use another path")
+        # it still belongs to the previous run
         _, source, text = (folder / "case.txt").read_text().split("\n", 2)
         assert (source, text) == (str(case_file), MOVING)
 
@@ -141,7 +141,7 @@ class TestForeignCheckpoints:
         assert outcome.exit_code == 0, outcome.output
         assert not folder.exists()
 
-    def test_a_run_that_starts_anew_sets_them_aside(self, folder, case_file, tmp_path):
+    def test_a_new_run_moves_foreign_checkpoints(self, folder, case_file, tmp_path):
         case_file.write_text(MINIMAL)
         plain = ("run", case_file, "--output", tmp_path / "out", "--quiet", "--no-figures")
         with pytest.MonkeyPatch.context() as patch:
@@ -159,7 +159,7 @@ class TestForeignCheckpoints:
         assert [path.name for path in folder.parent.iterdir()] == ["results.nc"]
 
 
-def test_heights_that_changed_are_another_run(case_file, tmp_path, monkeypatch):
+def test_changed_heights_are_another_run(case_file, tmp_path, monkeypatch):
     relief = '[relief2]\nkind = "file"\npath = "h.npy"\n[contact]'
     case_file.write_text(MOVING.replace("[contact]", relief, 1))
     np.save(tmp_path / "h.npy", np.zeros((3, 13)))
@@ -187,7 +187,7 @@ main(sys.argv[1:])
 """
 
 
-def test_ctrl_c_says_how_to_go_on(case_file, tmp_path):
+def test_ctrl_c_prints_the_resume_command(case_file, tmp_path):
     plain, stopped = tmp_path / "plain", tmp_path / "stopped"
     options = ("--no-figures", "--quiet")
     assert invoke("run", case_file, "--output", plain, *options).exit_code == 0
@@ -213,12 +213,12 @@ def test_resume_refuses_a_case_that_changed(case_file, tmp_path):
     check_failure(invoke("resume", tmp_path / "out"), 2, "has changed since the interruption")
 
 
-def test_a_run_tells_its_increments(case_file, caplog):
+def test_a_run_reports_its_increments(case_file, caplog):
     simulation, path = load_case(case_file).build()
     with caplog.at_level(logging.DEBUG, logger="samcontact"):
         states = simulation.run(path[:2], progress=False)
-    told = [record.getMessage() for record in caplog.records]
-    assert told[0].startswith(f"increment 1 of 2: load {states[0].load:.6g} N")
-    assert f"{states[1].contact_iterations} contact iterations" in told[3]
+    message = [record.getMessage() for record in caplog.records]
+    assert message[0].startswith(f"increment 1 of 2: load {states[0].load:.6g} N")
+    assert f"{states[1].contact_iterations} contact iterations" in message[3]
     strain = states[1].track(margin=0).equivalent_plastic_strain()
     assert states[1].plastic_cells() == (strain > 0).sum() > 0

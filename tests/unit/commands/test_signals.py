@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Signals that end the command: of a batch system, a closed terminal, twice, while it is loaded."""
+"""Signals that end the command: from batch systems and terminals, repeated, during loading."""
 
 import signal
 import subprocess
@@ -12,7 +12,7 @@ from command import invoke
 from samcontact import results
 from samcontact._util.silent_interrupt import is_command
 
-# The command, which gets a signal when it is about to make an increment for the n-th time.
+# Command that gets a signal before its n-th increment.
 COMMAND = """
 import os, signal, sys
 from samcontact import Simulation
@@ -32,7 +32,7 @@ main(sys.argv[3:])
 OPTIONS = ("--no-figures", "--quiet")
 
 
-# Of each kind of run: a case, and what is sent.
+# Case and signal for each kind of run.
 TEXTS = {
     "run": (MINIMAL, signal.SIGHUP),
     "sweep": (MINIMAL, signal.SIGTERM),
@@ -51,7 +51,7 @@ def start(script, *arguments):
 
 
 @pytest.mark.parametrize("kind", TEXTS)
-def test_what_a_batch_system_or_a_closed_terminal_sends(tmp_path, kind):
+def test_signals_of_a_batch_system_or_a_closed_terminal(tmp_path, kind):
     case, out = tmp_path / "case.toml", tmp_path / "out"
     text, number = TEXTS[kind]
     case.write_text(text)
@@ -83,7 +83,7 @@ def pressed(*arguments):  # again while it keeps what it has
     write(*arguments)
 file.write_tree = pressed
 """
-# A batch system sends to the process and to its group: the second finds the first under way.
+# A batch system signals the process and its group; the second signal arrives during the first.
 TWICE = AGAIN + COMMAND.replace(
     """        os.kill(os.getpid(), int(sys.argv[2]))
 """,
@@ -96,7 +96,7 @@ TWICE = AGAIN + COMMAND.replace(
 )
 
 
-def test_pressed_again_and_again(tmp_path):
+def test_repeated_ctrl_c(tmp_path):
     case, out = tmp_path / "case.toml", tmp_path / "out"
     case.write_text(MINIMAL)
     with start(TWICE, 3, int(signal.SIGTERM), "run", case, "--output", out, *OPTIONS) as process:
@@ -140,11 +140,11 @@ def test_ctrl_c_while_the_command_is_loaded(script, silent):
         ("samcontact.py", ["python", "samcontact.py"], False),
     ],
 )
-def test_what_is_the_command(script, words, expected):
+def test_calls_of_the_command_are_recognised(script, words, expected):
     assert is_command(script, words) == expected
 
 
-# A signal that a parent ignores, as under nohup, is none for the command either.
+# A signal ignored by the parent, as under nohup, is also ignored by the command.
 IGNORED = "import signal, sys; signal.signal(signal.SIGHUP, signal.SIG_IGN)\n" + COMMAND
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of the commands: whatever the width, every number is there and whole."""
+"""Tables of the commands contain every number unbroken at any width."""
 
 import io
 import math
@@ -24,7 +24,7 @@ CASE = SimpleNamespace(output=SimpleNamespace(body=2))
 
 
 def values(count, generator):
-    """Random values of either sign, from 1e-12 to 1e12 as other systems of units give."""
+    """Draw values of either sign, from 1e-12 to 1e12 as in other systems of units."""
     return generator.choice(SIZES, count) * generator.normal(size=count)
 
 
@@ -82,7 +82,7 @@ def all_tables(seed):
 
 
 def printed(sheet, width):
-    """Lines as a terminal of this width, or a pipe (None), gets them."""
+    """Return the lines for a terminal of this width, or for a pipe (None)."""
     console = new_console()
     console.file = io.StringIO()
     if width is not None:
@@ -92,7 +92,7 @@ def printed(sheet, width):
 
 
 def cells(lines, name):
-    """The rows whose first cell has this text: all cells behind it, of all parts."""
+    """Return all further cells of the rows whose first cell has this text, over all parts."""
     found = []
     for line in lines:
         row = [cell.strip() for cell in line.split("│")[1:-1]]
@@ -113,11 +113,11 @@ def test_every_number_of_every_table_is_whole(seed, width):
             if width is None:
                 assert cells(lines, name) == whole
             elif " " not in name:
-                # what wraps is text, such as the name of a row
+                # only text may wrap, such as the name of a row
                 assert cells(lines, name) == whole
 
 
-def test_a_wide_table_goes_on_below():
+def test_a_wide_table_continues_below():
     sheet = Sheet("Numbers")
     sheet.add("", ["1"])
     for column in range(12):
@@ -158,7 +158,7 @@ def test_digits_of_a_column(column, texts):
 
 
 @given(st.lists(st.floats(-1e300, 1e300), min_size=1))
-def test_a_column_tells_its_values(column):
+def test_a_column_distinguishes_its_values(column):
     for text, value in zip(numbers(column), column, strict=True):
         assert float(text) == pytest.approx(value, rel=0.051)
         assert len(text) <= 24

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies and a ball in elastic contact, and conditions of a solution."""
+"""Setups of elastic contact with a ball, and conditions of a solution."""
 
 import numpy as np
 import pytest
@@ -14,9 +14,9 @@ TOL = 1e-8
 
 
 def scene(body1, body2, p0_over_E=0.02, n=31):
-    """Grid of n x n cells, CELLS of them per contact radius, ball gap, and load of that pressure.
+    """Return a grid of n x n cells (CELLS per contact radius), a ball gap, and the Hertz contact.
 
-    The y cells are longer by a tenth, so that nothing hides behind the symmetry of the grid.
+    The cells are longer along y by a tenth, so that no error is hidden by symmetry.
     """
     E_star = hertz.effective_modulus(body1, body2)
     exact = hertz.point(R=RADIUS, E_star=E_star, p0=p0_over_E * E_star)
@@ -26,7 +26,7 @@ def scene(body1, body2, p0_over_E=0.02, n=31):
 
 
 def penetration(grid, pressure, body1, body2, friction=0.0):
-    """u_z of both bodies added [m]: what closes the gap, from the operators of one half-space."""
+    """Return the sum of u_z of both bodies [m], from the operators of one half-space."""
     total = np.zeros(grid.surface_shape)
     for body, sign in ((body1, -1.0), (body2, 1.0)):
         if not body.is_rigid:
@@ -36,9 +36,9 @@ def penetration(grid, pressure, body1, body2, friction=0.0):
 
 
 def assert_complementary(grid, solution, gap, displacement, tol):
-    """p >= 0, g >= 0, p g = 0 and the load, with g from `displacement`, scaled as documented.
+    """Assert p >= 0, g >= 0, p g = 0 and the load, with g from `displacement`.
 
-    Both sides of the gap are differences of terms as large as max u: a hundred ulp of that more.
+    The gap is a difference of terms as large as max u, so a hundred ulp of max u are added.
     """
     p, scale = solution.pressure, displacement.max()
     g = gap + displacement - solution.approach

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gaps that are infinite where there is no body."""
+"""Gaps that are infinite outside a body."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ def ended(grid, gap, radius):
 
 @pytest.mark.parametrize("periodic", ["", "y", "xy"])
 @pytest.mark.parametrize("friction", [0.0, 0.2, sc.Coulomb(0.3)])
-def test_a_body_that_ends_beside_the_contact(periodic, friction):
+def test_a_body_that_ends_next_to_the_contact(periodic, friction):
     """Cells out of contact do not affect the solution."""
     grid = sc.Grid(72, 64, UM, UM, periodic=periodic)
     gap = surfaces.paraboloid(grid, 1e-3)
@@ -43,7 +43,7 @@ def test_a_body_that_ends_beside_the_contact(periodic, friction):
 
 @pytest.mark.filterwarnings("ignore::samcontact.SingularPressureWarning")
 def test_a_flat_punch():
-    """Boussinesq's: load 2 E* a times the approach."""
+    """Boussinesq: the load is 2 E* a times the approach."""
     radius, errors = 0.3e-3, []
     for n in (32, 128):
         grid = sc.Grid(n, n, 1e-3 / n, 1e-3 / n)
@@ -56,7 +56,7 @@ def test_a_flat_punch():
 
 
 def test_islands_smaller_than_coarse_cells():
-    """Every coarse cell has some body and some none: the coarse start must not lead astray."""
+    """Every coarse cell is partly outside the body; the solution converges nevertheless."""
     grid = sc.Grid(128, 128, UM, UM, periodic="xy")
     gap = np.full((128, 128), np.inf)
     gap[::4, ::4] = 0.0
@@ -120,7 +120,7 @@ class TestSimulation:
             np.testing.assert_array_equal(data["gap"].values[-1], states[-1].gap)
 
 
-def test_a_window_grows_with_the_body_that_ends():
+def test_the_grid_is_enlarged_over_the_end_of_a_body():
     def gap(grid):
         return ended(grid, surfaces.paraboloid(grid, 1e-3), 30e-6)
 
@@ -135,11 +135,11 @@ def test_a_window_grows_with_the_body_that_ends():
     def narrower(grid):
         return ended(grid, surfaces.paraboloid(grid, 1e-3), 30e-6 * 16 / grid.nx)
 
-    with pytest.raises(sc.GridTooSmallError, match="must be infinite in the same cells"):
+    with pytest.raises(sc.GridTooSmallError, match="must give the same result on every grid"):
         sc.Simulation(grid, RIGID, STEEL, narrower).step(load=3.0)
 
 
-def test_measured_surfaces_end_where_they_were_not_measured():
+def test_unmeasured_points_are_outside_the_body():
     grid = sc.Grid(40, 40, UM, UM)
     surface = sc.measured.MeasuredSurface(np.zeros((20, 20)), UM)
     gap = surfaces.from_heights(grid, surface.on(grid, fill=-np.inf))
@@ -152,7 +152,7 @@ def test_measured_surfaces_end_where_they_were_not_measured():
 
 
 @pytest.mark.parametrize("value", [np.nan, -np.inf])
-def test_other_numbers_are_no_gap(value):
+def test_nan_and_negative_infinity_are_no_gap(value):
     grid = sc.Grid(8, 8, UM, UM)
     gap = surfaces.paraboloid(grid, 1e-3)
     gap[2, 3] = value
@@ -165,7 +165,7 @@ def test_other_numbers_are_no_gap(value):
             call()
     with pytest.raises(ValueError, match=r"heights_lower must be .* or -inf where there is no"):
         surfaces.from_heights(grid, -gap)
-    with pytest.raises(ValueError, match=r"got \+inf \(no body\) everywhere"):
+    with pytest.raises(ValueError, match=r"got \+inf \(no body\) in all cells"):
         sc.Simulation(grid, RIGID, STEEL, np.full((8, 8), np.inf))
 
 
@@ -188,7 +188,7 @@ class TestFixedGapAtTheBorder:
     @pytest.mark.parametrize("simulated", [False, True])
     def test_a_tilted_map(self, simulated):
         text = self.message(self.rough + 4e-3 * self.grid.x[:, None], 1e-3, simulated)
-        assert "The gap is tilted, by 18" in text
+        assert "The gap is tilted by 18" in text
         assert 'detrend="height"' in text
         assert 'on_border="warn"' in text
         assert "enlarge n" not in text
@@ -212,9 +212,9 @@ class TestFixedGapAtTheBorder:
         assert 'detrend="curvature", or make the surface periodic' in text
 
     @pytest.mark.parametrize(
-        ("slope", "load", "text"), [(4e-3, 1e-3, "is tilted, by 18"), (0.0, 100.0, "everywhere")]
+        ("slope", "load", "text"), [(4e-3, 1e-3, "is tilted by 18"), (0.0, 100.0, "everywhere")]
     )
-    def test_warnings_say_the_same(self, slope, load, text):
+    def test_warnings_and_errors_have_the_same_text(self, slope, load, text):
         gap = self.rough + slope * self.grid.x[:, None]
         solver = sc.ContactSolver(self.grid, RIGID, STEEL, on_border="warn")
         simulation = sc.Simulation(self.grid, RIGID, STEEL, gap, on_border="warn")

@@ -21,7 +21,7 @@ PATH = [
     {"load": 0.8 * LOAD, "shift": (1e-3, 0.0)},
 ]
 FIELDS = ("pressure", "shear", "slip", "sticking")
-unlike = pytest.mark.parametrize("body1", [STEEL, BRASS], ids=["alike", "unlike"])
+dissimilar = pytest.mark.parametrize("body1", [STEEL, BRASS], ids=["alike", "dissimilar"])
 
 
 def walk(law, body1, body2=STEEL):
@@ -35,8 +35,8 @@ def same(one, other):
     return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in FIELDS)
 
 
-@unlike
-def test_a_limit_that_no_cell_reaches_changes_no_digit(body1):
+@dissimilar
+def test_an_unreached_shear_limit_changes_no_digit(body1):
     coulomb = walk(sc.Coulomb(MU), body1)
     most = max(found.pressure.max() for found in coulomb)
     for limit in (1.01 * MU * most, math.inf):
@@ -47,7 +47,7 @@ def test_a_limit_that_no_cell_reaches_changes_no_digit(body1):
     assert not same(coulomb[-1], capped[-1])
 
 
-def test_the_same_of_bodies_that_yield():
+def test_an_unreached_shear_limit_changes_no_digit_in_plastic_contact():
     runs = [
         sc.Simulation(GRID, STEEL, YIELDS, GAP, law)
         for law in (sc.Coulomb(MU), sc.CappedCoulomb(MU, 1e12))
@@ -58,7 +58,7 @@ def test_the_same_of_bodies_that_yield():
         assert np.array_equal(one.plastic_strain(2), other.plastic_strain(2))
 
 
-@unlike
+@dissimilar
 def test_gross_slip_is_coulomb_below_the_limit_and_tresca_above(body1):
     limit = 0.6 * MU * walk(sc.Coulomb(MU), body1)[-1].pressure.max()
     *_, found = walk(sc.CappedCoulomb(MU, limit), body1)
@@ -69,7 +69,7 @@ def test_gross_slip_is_coulomb_below_the_limit_and_tresca_above(body1):
     assert 0.2 < np.count_nonzero(below & (length > 0)) / np.count_nonzero(length) < 0.8
 
 
-def test_force_of_gross_slip_is_the_least_of_three():
+def test_force_at_full_sliding_with_a_shear_limit():
     forces = [
         math.hypot(*walk(law, STEEL)[-1].tangential_load)
         for law in (sc.CappedCoulomb(MU, 2.5e8), sc.Coulomb(MU), sc.Tresca(2.5e8))
@@ -89,6 +89,6 @@ def test_rolling_is_coulomb_where_no_cell_reaches_the_limit():
     assert np.hypot(*found.shear).max() == pytest.approx(1e8)
 
 
-def test_a_coefficient_without_end_is_refused():
+def test_an_infinite_coefficient_is_refused():
     with pytest.raises(ValueError, match=r"^coefficient must be a finite number >= 0, got inf"):
         sc.CappedCoulomb(math.inf, 1e8)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic contact: complementarity checked apart from the solver, drivers, friction, stress."""
+"""Elastic contact: independently checked complementarity, drivers, friction, stress."""
 
 import math
 import re
@@ -39,7 +39,7 @@ def test_complementarity_and_load(pair, friction):
 @pytest.mark.parametrize("friction", [2.0, 4.0])
 @pytest.mark.parametrize("drive", ["load", "approach"])
 def test_strongly_coupled_friction_is_solved(friction, drive):
-    """Beyond mu beta = 1, beta = 1/2 here, rounds of pressure and shear grow by themselves."""
+    """Above mu beta = 1 (beta = 1/2 here) alternating solutions for pressure and shear diverge."""
     soft = sc.Material.elastic(210e9, 0.0)
     grid, gap, exact = scene(RIGID, soft)
     solver = sc.ContactSolver(grid, RIGID, soft, friction, tol=1e-10)
@@ -62,7 +62,7 @@ def test_load_and_approach_give_the_same_pressure(pair, friction):
     assert by_approach.approach == by_load.approach
 
 
-def test_only_the_contact_modulus_counts_without_friction():
+def test_only_the_contact_modulus_matters_without_friction():
     E_star = hertz.effective_modulus(CERAMIC, STEEL)
     grid, gap, exact = scene(CERAMIC, STEEL)
     one_body = sc.Material.elastic(E_star, 0.0)
@@ -82,8 +82,8 @@ class TestFriction:
         assert rubbed.approach == free.approach
 
     @pytest.mark.parametrize("pair", [(RIGID, CERAMIC), (CERAMIC, RIGID)])
-    def test_few_cells_whose_coupling_is_uniform(self, pair):
-        """Two by two cells: what the shear adds to their gaps is the same, and still moves them."""
+    def test_few_cells_with_uniform_coupling(self, pair):
+        """On 2 x 2 cells the shear adds equal amounts to all gaps and changes the approach."""
         grid = sc.Grid(8, 8, 1.5e-5, 1.5e-5)
         gap = surfaces.paraboloid(grid, RADIUS)
         solution = sc.ContactSolver(grid, *pair, 1.0).solve(gap, load=0.1)
@@ -92,8 +92,8 @@ class TestFriction:
         assert_complementary(grid, solution, gap, displacement, TOL)
 
     @pytest.mark.parametrize("part", [None, 1e-4, 0.01])
-    def test_what_the_shear_moved_goes_with_it(self, part):
-        """Unloaded, or to a small approach, from a pressure whose shear held the surfaces apart."""
+    def test_displacement_due_to_shear_vanishes_with_the_shear(self, part):
+        """Unloading, or a small approach, from a pressure whose shear separated the surfaces."""
         grid, gap, exact = scene(RIGID, CERAMIC)
         gap = gap + 1e-9 * np.cos(1e6 * grid.x[:, None])
         solver = sc.ContactSolver(grid, RIGID, CERAMIC, 1.0)
@@ -120,18 +120,18 @@ class TestFriction:
             p = sc.ContactSolver(grid, RIGID, body, 0.4).solve(gap, load=exact.load).pressure
             shifts.append(abs((p * grid.x[:, None]).sum() / p.sum()) / exact.a)
         assert shifts[0] > shifts[1] > 100 * shifts[2]
-        # Dundurs' beta, (1 - 2 nu)/(2 (1 - nu)), rules the shift.
+        # The shift is determined by Dundurs' beta, (1 - 2 nu)/(2 (1 - nu)).
         assert shifts[1] / shifts[0] == pytest.approx((0.2 / 1.2) / (0.4 / 1.4), rel=0.05)
 
     def test_exchange_of_the_bodies_mirrors_in_x(self):
-        """Body 2 is dragged in +x by body 1; seen from the other side, body 1 in -x."""
+        """Body 1 drags body 2 in +x; in the swapped problem the drag is in -x."""
         grid, gap, exact = scene(RIGID, STEEL)
         below = sc.ContactSolver(grid, RIGID, STEEL, 0.4).solve(gap, load=exact.load).pressure
         above = sc.ContactSolver(grid, STEEL, RIGID, 0.4).solve(gap, load=exact.load).pressure
         np.testing.assert_allclose(above, below[::-1], rtol=0, atol=1e-6 * below.max())
         assert np.abs(below - below[::-1]).max() > 0.01 * below.max()
 
-    def test_pressure_moves_the_way_the_coupling_says(self):
+    def test_pressure_shifts_in_the_direction_of_the_coupling(self):
         """The pressure increases where the shear raises the surface (u_z < 0)."""
         grid, gap, exact = scene(RIGID, STEEL)
         free = sc.ContactSolver(grid, RIGID, STEEL).solve(gap, load=exact.load).pressure
@@ -143,7 +143,7 @@ class TestFriction:
 
 
 class TestWarmStart:
-    def test_same_answer_in_fewer_iterations(self):
+    def test_same_solution_in_fewer_iterations(self):
         grid, gap, exact = scene(RIGID, STEEL)
         solver = sc.ContactSolver(grid, RIGID, STEEL, tol=1e-10)
         before = solver.solve(gap, load=0.9 * exact.load)
@@ -155,7 +155,7 @@ class TestWarmStart:
         difference = np.abs(warm.pressure - cold.pressure).max()
         assert difference < 1e-8 * exact.p0
 
-    def test_any_start_is_good(self):
+    def test_any_initial_pressure_is_accepted(self):
         grid, gap, exact = scene(RIGID, STEEL)
         solver = sc.ContactSolver(grid, RIGID, STEEL, tol=1e-10)
         cold = solver.solve(gap, load=exact.load)
@@ -177,7 +177,7 @@ class TestWarmStart:
 class TestStress:
     depths = (0.0, 2e-5, 1e-3)
 
-    def test_is_that_of_the_tractions_on_each_body(self):
+    def test_stress_is_that_of_the_tractions_on_each_body(self):
         grid, gap, exact = scene(CERAMIC, STEEL)
         solver = sc.ContactSolver(grid, CERAMIC, STEEL, 0.3)
         p = solver.solve(gap, load=exact.load).pressure
@@ -192,7 +192,7 @@ class TestStress:
             xz = solver.stress(p, [0.0], body)[4, ..., 0]
             np.testing.assert_allclose(xz[inside], sign * p[inside], rtol=0, atol=1e-9 * p.max())
 
-    def test_given_shear_replaces_friction(self):
+    def test_prescribed_shear_replaces_friction(self):
         grid, gap, exact = scene(CERAMIC, STEEL)
         solver = sc.ContactSolver(grid, CERAMIC, STEEL, 0.3)
         p = solver.solve(gap, load=exact.load).pressure

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All three displacements of a surface against closed forms and Betti's theorem."""
+"""Surface displacements in all directions against closed forms and Betti's theorem."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ A, P0 = 1e-3, 1e9
 
 
 def hertzian(cells):
-    """A grid with `cells` per radius, its x and y, and the traction P0 sqrt(1 - r^2/A^2)."""
+    """Return a grid with `cells` per radius, its x and y, and the traction P0 sqrt(1 - r^2/A^2)."""
     n = 3 * cells + 1
     grid = sc.Grid(n, n, A / cells, A / cells)
     x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
@@ -21,14 +21,14 @@ def hertzian(cells):
 
 
 def along_shear(x, y):
-    """u_x, u_y inside the circle under shear s_x: Johnson (1985), eq. (3.91)."""
+    """Return u_x, u_y inside the circle under shear s_x: Johnson (1985), eq. (3.91)."""
     unit = np.pi * P0 / (32 * G * A)
     u_x = unit * (4 * (2 - NU) * A**2 - (4 - 3 * NU) * x**2 - (4 - NU) * y**2)
     return u_x, 2 * unit * NU * x * y
 
 
 def under_pressure(x, y):
-    """u_x, u_y, u_z inside the circle under pressure: Johnson (1985), eq. (3.41)."""
+    """Return u_x, u_y, u_z inside the circle under pressure: Johnson (1985), eq. (3.41)."""
     r2 = np.maximum(x**2 + y**2, 1e-30)
     inwards = (1 - 2 * NU) * (1 + NU) * A**2 * P0 / (3 * E * r2)
     inwards = inwards * (1 - np.maximum(1 - r2 / A**2, 0) ** 1.5)
@@ -37,7 +37,7 @@ def under_pressure(x, y):
 
 
 def errors(cells):
-    """Largest errors inside the circle over the largest displacements, by case and component."""
+    """Return maximum errors inside the circle over maximum displacements, by case and component."""
     grid, x, y, traction = hertzian(cells)
     solver = sc.ContactSolver(grid, sc.Material.rigid(), STEEL)
     inside = x**2 + y**2 <= A**2
@@ -60,7 +60,7 @@ def errors(cells):
 
 
 def test_hertzian_tractions_move_the_surface_as_their_closed_forms_do():
-    # the root at the edge is what uniform cells miss: (cell)^1.5, an eighth here
+    # uniform cells miss the square root at the edge, an error of order (cell)^1.5
     coarse, fine = errors(10), errors(40)
     for name, of_components in fine.items():
         assert max(of_components) < 0.003, name
@@ -83,7 +83,7 @@ def test_work_of_one_traction_on_the_displacement_of_another_is_mutual():
         assert np.sum(sign * first * move(first)) > 0
 
 
-def test_body_1_takes_the_shear_the_other_way_round():
+def test_shear_on_body_1_has_the_opposite_sign():
     grid = sc.Grid(9, 8, 1e-5, 1e-5)
     solver = sc.ContactSolver(grid, STEEL, STEEL)
     shear = np.zeros((2, *grid.surface_shape))
@@ -95,7 +95,7 @@ def test_body_1_takes_the_shear_the_other_way_round():
     assert lower[1, 5, 2] > 0
 
 
-def test_without_shear_there_is_that_of_friction():
+def test_default_shear_is_that_of_friction():
     grid = sc.Grid(9, 8, 1e-5, 1e-5)
     pressure = np.zeros(grid.surface_shape)
     pressure[4, 4] = 1e8
@@ -109,7 +109,7 @@ def test_without_shear_there_is_that_of_friction():
     np.testing.assert_array_equal(smooth.displacement(pressure), of_pressure)
 
 
-def test_a_rigid_body_stays_and_others_are_named():
+def test_a_rigid_body_has_zero_displacement_and_other_bodies_are_refused():
     grid = sc.Grid(9, 8, 1e-5, 1e-5)
     solver = sc.ContactSolver(grid, sc.Material.rigid(), STEEL)
     assert not solver.displacement(np.ones(grid.surface_shape), body=1).any()

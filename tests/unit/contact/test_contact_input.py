@@ -23,7 +23,7 @@ class TestLimits:
         np.testing.assert_allclose(solution.gap, gap - gap.min(), rtol=0, atol=1e-20)
 
     @pytest.mark.parametrize("approach", [-3e-6, 0.0, 1e-6])
-    def test_approach_that_does_not_touch(self, approach):
+    def test_approach_without_contact(self, approach):
         grid, gap, _ = scene(RIGID, STEEL)
         solution = sc.ContactSolver(grid, RIGID, STEEL).solve(gap + 1e-6, approach=approach)
         assert not solution.pressure.any()
@@ -31,7 +31,7 @@ class TestLimits:
         np.testing.assert_allclose(solution.gap, gap + 1e-6 - approach, rtol=0, atol=1e-20)
 
     def test_one_cell_contact(self):
-        """A spike: one cell carries all, and sinks in by its own Love coefficient."""
+        """One cell carries the whole load and is displaced by its own Love coefficient."""
         grid = sc.Grid(7, 9, 1e-6, 2e-6)
         gap = np.full(grid.surface_shape, 1e-6)
         gap[3, 4] = 0.0
@@ -44,7 +44,7 @@ class TestLimits:
 
     @pytest.mark.parametrize("load_factor", [1e-6, 1e-3, 1e3])
     def test_hertz_scaling_over_decades(self, load_factor):
-        """A ball is self-similar: lengths scale with W^(1/3), so the same cells, scaled, agree."""
+        """Lengths of a ball scale with W^(1/3), so solutions on scaled cells agree."""
         grid, gap, exact = scene(RIGID, STEEL)
         reference = sc.ContactSolver(grid, RIGID, STEEL).solve(gap, load=exact.load)
         k = load_factor ** (1 / 3)
@@ -57,7 +57,7 @@ class TestLimits:
         )
 
     def test_disjoint_asperities(self):
-        """Two spikes far apart share the load; one deeper than the other carries more."""
+        """Two distant spikes share the load; the higher one carries more."""
         grid = sc.Grid(61, 21, 1e-6, 1e-6)
         x, y = grid.x[:, None], grid.y[None, :]
         balls = [((x - s) ** 2 + y**2) / 2e-4 for s in (-18e-6, 18e-6)]

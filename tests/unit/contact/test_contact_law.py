@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contact laws of single contacts: a tensile limit is hard contact of a repulsion.
 
-With p = r - limit, the repulsion r is that of hard contact between surfaces that the limit has
-displaced, under a load that it has raised.
+With p = r - limit, the repulsion r is that of hard contact between surfaces displaced by the
+limit, under a load increased by the limit.
 """
 
 import pickle
@@ -45,7 +45,7 @@ def same(found, expected, rtol=1e-7):
 
 @pytest.mark.parametrize("share", [-0.9, -0.3, 0.0, 0.7])
 @pytest.mark.parametrize("friction", [0.0, 0.2])
-def test_periodic_tensile_limit_is_hard_contact_of_more_load(share, friction):
+def test_periodic_tensile_limit_is_hard_contact_under_a_larger_load(share, friction):
     gap, pull = rough(PERIODIC), LIMIT * area(PERIODIC)
     found = solver(PERIODIC, sc.TensileLimit(LIMIT), friction).solve(gap, load=share * pull)
     hard = solver(PERIODIC, sc.HardContact(), friction).solve(gap, load=(1 + share) * pull)
@@ -107,7 +107,7 @@ def test_no_limit_is_hard_contact_to_every_digit(friction):
     assert hard.repulsion is hard.pressure
 
 
-def test_the_largest_tension_parts_the_bodies_and_more_is_refused():
+def test_a_load_below_the_pull_off_force_is_refused():
     gap, pull = rough(PERIODIC), LIMIT * area(PERIODIC)
     of = solver(PERIODIC, sc.TensileLimit(LIMIT))
     apart = of.solve(gap, load=-pull)
@@ -121,7 +121,7 @@ def test_the_largest_tension_parts_the_bodies_and_more_is_refused():
         solver(PERIODIC, sc.HardContact()).solve(gap, load=-1e-3)
 
 
-def test_cells_without_a_body_are_not_pulled():
+def test_cells_without_a_body_have_no_tension():
     gap = surfaces.paraboloid(FREE, 1e-3)
     gap[:4] = np.inf
     found = solver(FREE, sc.TensileLimit(LIMIT)).solve(gap, load=0.01)
@@ -131,8 +131,8 @@ def test_cells_without_a_body_are_not_pulled():
     assert found.repulsion.sum() * FREE.cell_area == pytest.approx(0.01 + pull, rel=1e-9)
 
 
-def test_stick_and_slip_go_with_the_repulsion():
-    """Force without a load, as of an adhering surface; the shear is that of hard contact."""
+def test_friction_acts_on_the_repulsion():
+    """A tangential force without a load is possible; the shear is that of hard contact."""
     gap, pull, mu = rough(PERIODIC), LIMIT * area(PERIODIC), 0.3
     alike = (STEEL, STEEL)
     law = sc.TensileLimit(LIMIT)
@@ -154,7 +154,7 @@ def test_stick_and_slip_go_with_the_repulsion():
         of.solve(gap, load=0.0, tangential_load=(1.01 * mu * pull, 0.0))
 
 
-def test_a_start_is_taken_as_pressure():
+def test_an_initial_guess_is_a_pressure():
     gap, load = rough(PERIODIC), -0.3 * LIMIT * area(PERIODIC)
     of = solver(PERIODIC, sc.TensileLimit(LIMIT))
     cold = of.solve(gap, load=load)
@@ -163,7 +163,7 @@ def test_a_start_is_taken_as_pressure():
     same(warm.pressure, cold.pressure)
 
 
-def test_what_attraction_has_no_part_in_is_refused():
+def test_options_unsupported_with_attraction_are_refused():
     law = sc.TensileLimit(LIMIT)
     warm = sc.Material.elastic(210e9, 0.3).with_thermal(50.0, 1e-5, 1e-5)
     heat = sc.Heat(0.1)
@@ -177,7 +177,7 @@ def test_what_attraction_has_no_part_in_is_refused():
         solver(FREE, law, 0.2).displacement(np.ones(FREE.surface_shape))
 
 
-def test_the_grid_of_attracting_bodies_does_not_grow():
+def test_the_grid_of_attracting_bodies_is_not_enlarged():
     grid = sc.Grid(9, 9, 1e-6, 1e-6)
     of = solver(grid, sc.TensileLimit(LIMIT))
     with pytest.raises(sc.GridTooSmallError, match="reaches the edge"):

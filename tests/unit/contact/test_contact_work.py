@@ -15,7 +15,7 @@ from samcontact import hertz, surfaces
 
 
 def convolved(grid, pressure, body):
-    """u_z by SciPy's convolution with coefficients of `sc.kernels`: nothing of the solver's."""
+    """Return u_z by SciPy's convolution with coefficients of `sc.kernels`, without the solver."""
     i, j = np.arange(1 - grid.nx, grid.nx), np.arange(1 - grid.ny, grid.ny)
     X, Y = np.meshgrid(i * grid.dx, j * grid.dy, indexing="ij")
     K = sc.kernels.pressure_displacement(X, Y, grid.dx / 2, grid.dy / 2, body.E, body.nu)
@@ -23,7 +23,7 @@ def convolved(grid, pressure, body):
 
 
 def rough_scene(n, hurst=0.8, cutoff=4, fraction=0.1, seed=1):
-    """n x n cells of a rough flat, roll-off at n/8 cells, and the load on about that fraction.
+    """Return a rough flat of n x n cells, roll-off at n/8 cells, and the load for this fraction.
 
     The real contact is 2 W/(E* rms slope) of the area (Persson 2001: 1.6 to 2, low loads).
     """
@@ -98,7 +98,7 @@ class TestWork:
         cold = solver.solve(gap, load=exact.load)
         again = solver.solve(gap, load=exact.load, initial_pressure=cold.pressure)
         assert (again.operator_applications, again.iterations, again.work) == (1, 0, 1.0)
-        # as in a plastic fixed point: the gap changes a little, and two digits are wanted from it
+        # as in a plastic fixed point: the gap changes slightly, and two digits are sufficient
         steps = []
         start = cold.pressure
         loose = sc.ContactSolver(grid, RIGID, STEEL, tol=1e-6)
@@ -118,7 +118,7 @@ class TestWork:
         # measured: 18 steps for all solves of the fixed point, 10 for the first alone
         assert rubbed.iterations <= 2.5 * free.iterations
 
-    def test_apart_costs_nothing(self):
+    def test_separated_bodies_cost_nothing(self):
         grid, gap, _ = scene(RIGID, STEEL)
         solution = sc.ContactSolver(grid, RIGID, STEEL).solve(gap, load=0.0)
         assert (solution.iterations, solution.operator_applications, solution.work) == (0, 0, 0.0)
@@ -150,7 +150,7 @@ class TestAgainstOtherSolvers:
     @pytest.mark.parametrize("shape", [(128, 66), (101, 65), (300, 9)])
     @pytest.mark.parametrize("aspect", [0.2, 1.0, 6.0])
     def test_white_noise(self, shape, aspect):
-        """Nothing is smooth here: coarser grids know nothing of the contact."""
+        """White noise has no smooth part, so coarser grids give no information."""
         grid = sc.Grid(*shape, 1e-6, aspect * 1e-6)
         gap = 1e-8 * np.random.default_rng(5).random(shape)
         load = 0.002 * STEEL.E * grid.cell_area * gap.size
@@ -174,7 +174,7 @@ class TestAgainstOtherSolvers:
         displacement = convolved(grid, solution.pressure, STEEL)
         np.testing.assert_allclose(gap + displacement, 1e-6, rtol=0, atol=TOL * 1e-6)
 
-    def test_full_contact_to_the_least_tol(self):
+    def test_full_contact_to_the_smallest_tol(self):
         """The mean gap of thousands of loaded cells must be rounded by less than tol."""
         grid = sc.Grid(100, 100, 1e-5, 1e-5)
         solver = sc.ContactSolver(grid, RIGID, STEEL, tol=1e-13, on_border="warn")
@@ -211,8 +211,8 @@ class TestBoundingBox:
         assert_complementary(grid, solution, gap, convolved(grid, solution.pressure, STEEL), TOL)
 
     @pytest.mark.parametrize("height", np.linspace(0.0, 20e-9, 6))
-    def test_extends_to_what_touches_later(self, height):
-        """Fine roughness on the ball lets the approach grow after the first look at the grid."""
+    def test_the_box_is_extended_to_later_contact(self, height):
+        """Fine roughness increases the approach after the first estimate of the contact box."""
         grid = sc.Grid(256, 128, 1e-6, 1e-6)
         x, y = grid.x[:, None], grid.y[None, :]
         noise = 20e-9 * np.random.default_rng(3).random(grid.surface_shape)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Partial slip against exact superpositions, closed forms and the digits of another program."""
+"""Partial slip against exact superpositions, closed forms and digits of CONTACT."""
 
 import math
 
@@ -14,7 +14,7 @@ MU = 0.3
 
 
 def two_balls(n, contact_radius, nu=0.0, tol=1e-8, mu=MU):
-    """Solver, gap, load and the sum of (2 - nu)/G of a ball on 1 m x 1 m, of radius 1 m."""
+    """Return solver, gap, load and sum of (2 - nu)/G of a ball of radius 1 m on 1 m x 1 m."""
     grid = sc.Grid(n, n, 1 / n, 1 / n)
     body = sc.Material.elastic(2 * (1 - nu * nu), nu)
     solver = sc.ContactSolver(grid, body, body, sc.Coulomb(mu), tol=tol)
@@ -31,7 +31,7 @@ def frictionless(solver, gap, load, tol=1e-11):
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 @pytest.mark.parametrize("cells", [(64, 64, 1 / 64, 1 / 64), (40, 72, 1 / 40, 1 / 90)])
 def test_loops_are_superpositions_of_frictionless_contacts(cells):
-    """Jaeger's and Ciavarella's theorem, exact on any grid where slip changes nothing across."""
+    """Theorem of Jaeger and Ciavarella, exact on any grid if slip has no transverse effect."""
     grid = sc.Grid(*cells)
     heights = sc.surfaces.rough_self_affine(grid, 2e-3, 0.8, seed=7)
     gap = sc.surfaces.paraboloid(grid, 2.0) + heights - heights.min()
@@ -80,7 +80,7 @@ def test_cattaneo_and_mindlin(nu, tolerance):
 
 
 def test_work_of_a_loop():
-    """Mindlin and Deresiewicz; 26 cells along the radius."""
+    """Work agrees with Mindlin and Deresiewicz at 26 cells per radius."""
     solver, gap, load, softness = two_balls(64, 0.4, tol=1e-7)
     f, state, works = 0.9, None, []
     for share in (f, -f, f, -f, f):
@@ -94,7 +94,7 @@ def test_work_of_a_loop():
 
 
 def test_torsion_of_a_ball():
-    """Lubkin's solution, for any Poisson's ratio; with the moment and with the turn given."""
+    """Lubkin's solution for any Poisson's ratio, with prescribed moment and prescribed rotation."""
     solver, gap, load, _ = two_balls(64, 0.4, 0.3)
     a = 0.4
     peak, softness = 1.5 * load / (math.pi * a * a), 2 * 2 * 1.3 / (2 * 0.91)
@@ -116,7 +116,7 @@ def test_torsion_of_a_ball():
     assert np.abs(turned.shear - moved.shear).max() < 1e-6 * MU * peak
 
 
-def test_sliding_is_the_limit_of_a_large_shift():
+def test_full_sliding_is_the_limit_of_a_large_shift():
     for nu, tolerance in ((0.0, 1e-12), (0.3, 1e-3)):
         solver, gap, load, _ = two_balls(32, 0.4, nu)
         found = solver.solve(gap, load=load, shift=(3.0, 4.0))
@@ -141,7 +141,7 @@ def test_no_slip_is_infinite_friction():
     assert math.isnan(found.energy_gap)
 
 
-def test_ball_of_another_program():
+def test_ball_agrees_with_contact():
     """Cattaneo's problem of the examples of CONTACT, to its printed digits."""
     grid = sc.Grid(19, 19, 0.13333, 0.13333)
     body = sc.Material.elastic(2 * 200 * 1.42, 0.42)
@@ -165,7 +165,7 @@ def test_ball_of_another_program():
 
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 @pytest.mark.parametrize("share", [0.3, 0.64, 0.9])
-def test_line_of_another_program(share):
+def test_line_contact_agrees_with_contact(share):
     """Carter's cylinders of the examples of CONTACT, pressed and pulled; one row of long cells."""
     grid = sc.Grid(55, 1, 0.04, 200.0)
     body = sc.Material.elastic(2 * 82000 * 1.28, 0.28)
@@ -190,8 +190,8 @@ SMALL_GRID = sc.Grid(16, 16, 1 / 16, 1 / 16)
 BALL = sc.surfaces.paraboloid(SMALL_GRID, 1.0)
 
 
-def test_the_window_grows_with_the_contact():
-    """A gap that is a function: the shear before is carried to the larger grid."""
+def test_the_grid_is_enlarged_with_the_contact():
+    """The gap is a function; previous shear is transferred to the enlarged grid."""
 
     def gap(grid):
         return sc.surfaces.paraboloid(grid, 1.0)
@@ -212,7 +212,7 @@ def test_the_window_grows_with_the_contact():
 
 
 def test_periodic_surfaces():
-    """A wave pressed and sheared in plane strain; sticking all over where it touches all over."""
+    """A wave under load and shear in plane strain; full stick in full contact."""
     grid = sc.Grid(64, 1, 1 / 64, 1.0, periodic="xy")
     solver = sc.ContactSolver(grid, SOFT, SOFT, sc.Coulomb(MU))
     gap = 0.01 * (1 - np.cos(2 * np.pi * np.asarray(grid.x)))[:, None]
@@ -259,14 +259,14 @@ def test_periodic_surfaces():
     ],
 )
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_drives_that_cannot_be(friction, arguments, error, words):
+def test_invalid_drives_are_refused(friction, arguments, error, words):
     solver = sc.ContactSolver(SMALL_GRID, SOFT, SOFT, friction)
     with pytest.raises(error, match=words):
         solver.solve(BALL, load=0.01, **arguments)
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_what_friction_cannot_be():
+def test_invalid_friction_is_refused():
     with pytest.raises(ValueError, match="coefficient must be a number >= 0"):
         sc.Coulomb(-0.1)
     warm = SOFT.with_thermal(1.0, 1e-5, 1.0)
@@ -291,8 +291,8 @@ def test_what_friction_cannot_be():
 def test_oblique_loading_does_not_slip(increments, nu, tolerance):
     """Mindlin and Deresiewicz: Q = eta P with eta < mu from the beginning, s = eta p everywhere.
 
-    Cells that close in an increment slip from when they touch; exact where C and K are alike, else
-    as in a round contact: 12 cells along the radius.
+    Cells that close in an increment slip from their first contact; exact if C and K are equal,
+    otherwise as in a circular contact; 12 cells per radius.
     """
     solver, gap, load, _ = two_balls(30, 0.4, nu)
     eta, found = 0.2 * np.array([0.8, 0.6]), solver.solve(gap, load=0.0)
@@ -313,7 +313,7 @@ def test_oblique_loading_does_not_slip(increments, nu, tolerance):
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 def test_increments_of_a_path_converge_at_first_order():
-    """Pressing, shifting and turning at once: what is lost halves when the increments double."""
+    """Simultaneous loading, shift and rotation: twice the increments halve the error."""
     solver, gap, load, _ = two_balls(20, 0.4, tol=1e-7)
     ends = []
     for increments in (2, 4, 8, 16):
@@ -335,7 +335,7 @@ def test_shear_costs_few_exact_displacements(tol, work):
         assert found.tangential_work <= work
 
 
-def test_shear_on_fine_cells_goes_on_from_coarse_ones():
+def test_shear_on_fine_cells_starts_from_coarse_cells():
     """A rectangular box under a cylinder, 1600 cells across its contact."""
     grid = sc.Grid(2048, 32, 1 / 2048, 1 / 2048, periodic="y")
     body = sc.Material.elastic(2 * (1 - 0.3**2), 0.3)
@@ -349,8 +349,8 @@ def test_shear_on_fine_cells_goes_on_from_coarse_ones():
 
 @pytest.mark.parametrize("shift", [1e-7, 1e-4, 1e-2, 1.0])
 @pytest.mark.parametrize("roughness", [1e-3, 1e-2])
-def test_a_surface_without_ends_that_touches_everywhere_slips_by_its_shift(shift, roughness):
-    """No uniform shear moves it: what it slips on the mean is the shift, and the law holds."""
+def test_a_periodic_surface_in_full_contact_slips_by_its_shift(shift, roughness):
+    """Uniform shear causes no displacement: the mean slip is the shift, and the law holds."""
     grid = sc.Grid(8, 12, 1 / 8, 1 / 8, periodic="xy")
     gap = roughness * np.random.default_rng(1).random(grid.surface_shape)
     solver = sc.ContactSolver(grid, SOFT, SOFT, sc.Coulomb(MU), tol=1e-9)

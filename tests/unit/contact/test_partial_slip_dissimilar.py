@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Partial slip of dissimilar bodies: a dense solver, another program, and symmetries."""
+"""Partial slip of dissimilar bodies against a dense solver, CONTACT, and symmetries."""
 
 import math
 
@@ -90,7 +90,7 @@ def test_dense_solver_agrees(bodies):
 
 
 def spence(cells, largest):
-    """Solver, gap and so many increments of Spence's problem as an example of CONTACT."""
+    """Return solver, gap and `count` increments of Spence's problem, an example of CONTACT."""
     grid = sc.Grid(cells, cells, 0.2, 0.2)
     soft, hard = sc.Material.elastic(1.0, 0.0), sc.Material.elastic(2e5, 0.0)
     solver = sc.ContactSolver(grid, soft, hard, sc.Coulomb(0.2986))
@@ -101,7 +101,7 @@ def spence(cells, largest):
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_pressing_unlike_bodies():
+def test_normal_loading_of_dissimilar_bodies():
     """Agreement with the digits printed by CONTACT; its 921 last cells barely touch."""
     solver, gap, path = spence(37, 35)
     for k, touching, sticking, approach, peak in (
@@ -127,7 +127,7 @@ def test_pressing_unlike_bodies():
 
 
 def history(solver, gap, turn=lambda x, y: (x, y), sign=1.0, unit=1.0, stress=1.0):
-    """An oblique path with unloading, in which each kind of drive occurs; the last increment."""
+    """Follow an oblique path with unloading and all kinds of drives; return the last increment."""
     found = None
     scale = stress * unit**2
     for load, along, across, twist in (
@@ -164,11 +164,11 @@ def test_symmetries():
     gap = BUMPS - BUMPS.min()
     found = history(solver(stiff, soft), gap)
     assert 0 < np.count_nonzero(found.sticking) < np.count_nonzero(found.pressure)
-    # seen from the other body everything moves the other way
+    # in the frame of the other body all motions are reversed
     swapped = history(solver(soft, stiff), gap, sign=-1.0)
     assert close(swapped.shear, -found.shear, found)
     assert swapped.shift == pytest.approx(-found.shift, rel=1e-7)
-    # y mirrored: forces along y and the turn change sign
+    # mirrored in y: forces along y and the rotation change sign
     mirrored = history(solver(stiff, soft), gap[:, ::-1], turn=lambda x, y: (-x, y), sign=-1.0)
     assert close(mirrored.shear[0], found.shear[0][:, ::-1], found)
     assert close(mirrored.shear[1], -found.shear[1][:, ::-1], found)
@@ -187,7 +187,7 @@ def test_symmetries():
 @pytest.mark.parametrize("tol", [1e-4, 1e-8])
 @pytest.mark.parametrize("nu", [0.0, 0.3])
 def test_sweeps_are_few_whatever_the_tolerance(tol, nu):
-    """A rigid ball pressed, pulled, pushed back, and pressed and pulled at once."""
+    """A rigid ball under normal, tangential, reversed and simultaneous loading."""
     grid = sc.Grid(64, 64, 1 / 64, 1 / 64)
     body = sc.Material.elastic(2 * (1 - nu * nu), nu)
     solver = sc.ContactSolver(grid, sc.Material.rigid(), body, sc.Coulomb(0.3), tol=tol)
@@ -208,9 +208,9 @@ def test_sweeps_are_few_whatever_the_tolerance(tol, nu):
 @pytest.mark.filterwarnings(
     "ignore::samcontact.GridTooSmallWarning", "ignore::samcontact.ResolutionWarning"
 )
-def test_without_slip_cells_that_stick_or_part_may_have_no_solution():
-    """Two cells of the edge are pulled where they stick and overlap where they are free: they touch
-    without pressure and slide."""
+def test_infinite_friction_may_need_cells_that_slide_at_zero_pressure():
+    """Two edge cells are in tension if they stick, and overlap if they are free: they slide in
+    contact at zero pressure."""
     body1, body2 = sc.Material.rigid(), sc.Material.elastic(210e9, 0.0)
     ball = sc.hertz.point(7.5e-3, sc.hertz.effective_modulus(body1, body2), load=300.0)
     grid = sc.Grid(13, 13, 3 * ball.a / 13, 3 * ball.a / 13)

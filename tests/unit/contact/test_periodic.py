@@ -28,7 +28,7 @@ DEPTHS = [0.0, 0.1, 1.0, 5.0, 40.0]
 
 
 def grids(cells, sides, periodic, tiles, nz=0):
-    """A grid in metres, and one that holds its repetitions too."""
+    """Return a grid in metres, and a grid that also contains its repetitions."""
     dz = 1e-6 if nz else None
     return [
         sc.Grid(*(n * t for n, t in zip(cells, times, strict=True)),
@@ -43,7 +43,7 @@ def rng():
 
 
 @pytest.mark.parametrize(("cells", "sides", "periodic", "tiles"), TILINGS)
-def test_a_surface_and_its_repetitions_are_the_same(cells, sides, periodic, tiles, rng):
+def test_a_surface_and_its_repetitions_agree(cells, sides, periodic, tiles, rng):
     """Tables are computed by different methods for different shapes of the period."""
     loads = rng.normal(size=(3, *cells)) * 1e9
     one, many = grids(cells, sides, periodic, tiles)
@@ -73,7 +73,7 @@ def test_work_of_one_traction_on_the_displacement_of_another_is_mutual(periodic,
 
 
 @pytest.mark.parametrize(("cells", "sides", "periodic", "tiles"), TILINGS)
-def test_strain_and_its_repetitions_are_the_same(cells, sides, periodic, tiles, rng):
+def test_strain_and_its_repetitions_agree(cells, sides, periodic, tiles, rng):
     one, many = grids(cells, sides, periodic, tiles, nz=4)
     strain = 1e-3 * rng.normal(size=(6, *one.volume_shape))
     for axis, name in enumerate("xy"):
@@ -134,7 +134,7 @@ def test_uniform_strain_and_pressure():
     lift = operators.residual_displacement(grid, strain, nu)
     stretch = 1.5e-3 + nu / (1 - nu) * (1e-3 - 2e-3)
     np.testing.assert_allclose(lift, -4e-6 * stretch, rtol=1e-9)
-    # Each layer shears what lies above it, seen from far below.
+    # The displacement relative to far below is the sum of the shear of the layers.
     for axis, shear in (("x", -2e-4), ("y", 3e-4)):
         moved = operators.residual_displacement(grid, strain, nu, axis=axis)
         np.testing.assert_allclose(moved, -2 * 4e-6 * shear, rtol=1e-9)
@@ -146,7 +146,7 @@ def test_uniform_strain_and_pressure():
 
 
 def bumps(periodic, tiles, cells=(32, 32)):
-    """Simulations of a ball on a periodic plane, and of many that are all the same."""
+    """Return simulations of one ball on a periodic plane, and of several equal balls."""
     d, radius, nz = 2e-6, 5e-4, 14
     flat = sc.Grid(*cells, d, d)
     gap = surfaces.paraboloid(flat, radius, radius if cells[1] > 1 else np.inf)
@@ -165,7 +165,7 @@ SCENES = {
 
 
 @pytest.mark.parametrize("scene", SCENES)
-def test_plastic_contact_and_its_repetitions_are_the_same(scene):
+def test_plastic_contact_and_its_repetitions_agree(scene):
     periodic, tiles, material, friction, rel = SCENES[scene]
     upper = material if "two" in scene else RIGID
     results = []
@@ -183,8 +183,8 @@ def test_plastic_contact_and_its_repetitions_are_the_same(scene):
         np.testing.assert_allclose(found, part, atol=rel * np.abs(part).max())
 
 
-def test_a_plastic_line_rolls():
-    """Strain stays behind along the free direction; one cell is as good as many."""
+def test_rolling_of_a_plastic_line_contact():
+    """Strain remains behind along the free direction; one cell and many cells agree."""
     prints = []
     for grid, gap in bumps("y", (1, 2), (48, 1)):
         simulation = sc.Simulation(grid, RIGID, HARD, gap)
@@ -203,7 +203,7 @@ def test_near_full_contact_costs_no_more_than_half_of_it(hurst):
     heights = surfaces.rough_self_affine(grid, 1e-7, hurst, seed=3, wavelength_min=8e-6)
     solver = sc.ContactSolver(grid, STEEL, RIGID)
     gap = heights.max() - heights
-    # in full contact the pressure is that of the waves, whatever the mean
+    # in full contact the pressure variation is independent of the mean
     full = solver.solve(gap, load=1e3)
     least = full.load - full.pressure.min() * grid.cell_area * grid.nx * grid.ny
     found = [solver.solve(gap, load=share * least) for share in (0.15, 0.9, 1.001)]
@@ -225,7 +225,7 @@ def test_flat_surfaces_carry_a_uniform_pressure(shape, away, unevenness, body1, 
     """Displacements are close to rounding, so errors must not be measured relative to them."""
     grid = sc.Grid(*shape, 1e-6, 1e-6, periodic="xy")
     if away:
-        unevenness = min(unevenness, 1e-17)  # else its digits are lost
+        unevenness = min(unevenness, 1e-17)  # otherwise digits are lost
     gap = away + 1e-6 * unevenness * np.random.default_rng(1).random(shape)
     solver = sc.ContactSolver(grid, body1, STEEL, friction, tol=1e-10)
     solution = solver.solve(gap, load=1e9 * grid.cell_area * gap.size)
@@ -233,7 +233,7 @@ def test_flat_surfaces_carry_a_uniform_pressure(shape, away, unevenness, body1, 
     assert solution.approach == pytest.approx(gap.mean(), abs=1e-20, rel=1e-14)
 
 
-def test_what_flat_bodies_unlike_raise_each_other_is_rounding():
+def test_coupling_of_dissimilar_flat_bodies_is_rounding():
     grid = sc.Grid(16, 16, 1e-6, 1e-6, periodic="xy")
     gap = 1e-23 * np.random.default_rng(1).random((16, 16))
     solver = sc.ContactSolver(grid, RIGID, STEEL, sc.Coulomb(0.3), tol=1e-10)
@@ -254,7 +254,7 @@ def test_approach_is_between_mean_planes():
         solver.solve(gap, approach=1.01 * gap.mean())
 
 
-def test_a_contact_over_the_seam_is_one_in_the_middle():
+def test_a_contact_across_the_period_end_equals_one_in_the_middle():
     grid = sc.Grid(64, 64, 1e-6, 1e-6, periodic="xy")
     gap = surfaces.sphere(grid, 1e-4)
     solver = sc.ContactSolver(grid, STEEL, RIGID)
@@ -288,18 +288,18 @@ def test_the_grid_keeps_its_directions(tmp_path):
         ({"ny": 2, "dy": 1e-12, "periodic": "y"}, "dx must be at most 8 periods ny dy of the grid"),
     ],
 )
-def test_grids_that_cannot_be(arguments, words):
+def test_invalid_periodic_grids_are_refused(arguments, words):
     with pytest.raises(ValueError, match=words):
         sc.Grid(**({"nx": 16, "ny": 16, "dx": 1e-6, "dy": 1e-6} | arguments))
 
 
-def test_what_a_periodic_surface_cannot_do():
+def test_options_unsupported_on_periodic_surfaces_are_refused():
     grid = sc.Grid(16, 16, 1e-6, 1e-6, 4, 1e-6, periodic="xy")
     gap = np.zeros(grid.surface_shape)
     hot = STEEL.with_thermal(46.0, 11e-6, 13e-6)
     with pytest.raises(ValueError, match=r"heat\.factor of body2 must be 0 on a periodic grid"):
         sc.ContactSolver(grid, STEEL, hot, heat=sc.Heat((0.0, 0.1)))
-    with pytest.raises(ValueError, match=r'residual_stress must be "fast" with grid\.periodic'):
+    with pytest.raises(ValueError, match=r'residual_stress must be "fast" on a periodic grid'):
         sc.Simulation(grid, RIGID, HARD, gap, residual_stress="exact")
     with pytest.raises(ValueError, match='method must be "fast"'):
         operators.residual_stress(grid, np.zeros((6, *grid.volume_shape)), 1.0, 0.3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress at points off the grid; elastic solutions of bodies that would yield."""
+"""Stress at arbitrary points; elastic solutions of bodies that would yield."""
 
 import math
 import warnings
@@ -40,7 +40,7 @@ def test_stress_at_centres_is_that_of_the_grid(friction, body):
     np.testing.assert_allclose(points, expected, rtol=0, atol=1e-11 * found.pressure.max())
 
 
-def test_stress_between_and_beside_cells_is_that_of_hertz():
+def test_stress_between_and_outside_cells_is_that_of_hertz():
     load, friction = 50.0, 0.25
     grid, gap = ball(load, cells=24)
     hertz = sc.hertz.point(R, E_STAR, load=load)
@@ -58,7 +58,7 @@ def test_stress_between_and_beside_cells_is_that_of_hertz():
     np.testing.assert_allclose(mirrored, signs * actual, rtol=0, atol=1e-5 * hertz.p0)
 
 
-def test_blocks_do_not_matter(monkeypatch):
+def test_stress_is_independent_of_the_block_size(monkeypatch):
     grid, gap = ball(50.0, 4)
     solver = sc.ContactSolver(grid, STEEL, STEEL)
     found = solver.solve(gap, load=50.0)
@@ -69,14 +69,14 @@ def test_blocks_do_not_matter(monkeypatch):
     np.testing.assert_allclose(again, expected, rtol=0, atol=1e-14 * found.pressure.max())
 
 
-def test_points_and_scenes_that_have_no_stress_are_refused():
+def test_points_and_bodies_without_stress_are_refused():
     grid, gap = ball(50.0, 4)
     solver = sc.ContactSolver(grid, RIGID, STEEL)
     found = solver.solve(gap, load=50.0)
     for points, text in (
         ((0.0, 0.0, -1e-6), "z must be >= 0"),
         ((math.nan, 0.0, 0.0), "x must be finite"),
-        ((np.zeros(3), np.zeros(2), 0.0), "must have one shape"),
+        ((np.zeros(3), np.zeros(2), 0.0), "equal or compatible shapes"),
     ):
         with pytest.raises(ValueError, match=text):
             solver.stress_at(found, *points)
@@ -102,7 +102,7 @@ def beyond_yield(solve):
 
 
 @pytest.mark.parametrize("share", [0.93, 1.07])
-def test_elastic_solutions_of_bodies_that_would_yield_are_told(share):
+def test_elastic_solutions_above_first_yield_cause_a_warning(share):
     """Closed forms of first yield: at rest, sliding, in line contact, with a hard surface."""
     expected = int(share > 1)
     for onset, friction, soft in (
@@ -133,7 +133,7 @@ def hardened():
     return SOFT.with_yield_profile([0.0, 1e-4, 2e-4], [3.0, 3.0, 1.0])
 
 
-def test_a_body_without_a_yield_stress_is_not_looked_at(monkeypatch):
+def test_a_body_without_a_yield_stress_causes_no_warning(monkeypatch):
     monkeypatch.setattr("samcontact.diagnostics.yield_check.main_spot", None)  # would be an error
     grid, gap = ball(ONSET.load)
     for body in (STEEL, sc.Material.perfect_plastic(210e9, 0.3, 9e9)):

@@ -41,10 +41,10 @@ FAST = """
 import hashlib, samcontact as sc
 steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 perfect = sc.Material.perfect_plastic(210e9, 0.3, 1.3e9)
-grid = sc.Grid(65, 65, 2e-5, 2e-5, 40, 2e-5)
+grid = sc.Grid(51, 51, 2.6e-5, 2.6e-5, 30, 2.6e-5)
 gap = sc.surfaces.paraboloid(grid, 7.5e-3) + {tilt} * grid.x[:, None] * grid.y
 sim = sc.Simulation(grid, steel, perfect, gap, residual_stress="fast")
-state = sim.run([{{"load": 700.0}}, {{"load": 1400.0}}, {{"load": 0.0}}], progress=False)[1]
+state = sim.run([{{"load": 700.0}}, {{"load": 1400.0}}], progress=False)[1]
 parts = (state.pressure, state.stress(1), state.stress(2), state.plastic_strain(2))
 digest = hashlib.sha256(b"".join(part.tobytes() for part in parts))
 print(state.iterations, digest.hexdigest())

@@ -22,7 +22,7 @@ def slide(shift, law, bodies=(STEEL, STEEL), **more):
 
 
 def require_law(law, found):
-    """The shear within its bound; slip on it and along the shear, at no other place."""
+    """Assert shear within its bound, and slip only at the bound and along the shear."""
     bound, length = law.bound(found.pressure), np.hypot(*found.shear)
     assert (length <= bound * (1 + 1e-12)).all()
     slipping = (found.pressure > 0) & ~found.sticking
@@ -32,8 +32,8 @@ def require_law(law, found):
     np.testing.assert_allclose(power, bound * slip, atol=1e-4 * K * max(slip.max(), 1e-300))
 
 
-@pytest.mark.parametrize("bodies", [(STEEL, STEEL), (BRASS, STEEL)], ids=["alike", "unlike"])
-def test_gross_slip_shears_the_whole_contact_alike(bodies):
+@pytest.mark.parametrize("bodies", [(STEEL, STEEL), (BRASS, STEEL)], ids=["alike", "dissimilar"])
+def test_full_sliding_has_uniform_shear(bodies):
     found = slide((1e-3, 0.0), sc.Tresca(K), bodies)
     touching = found.pressure > 0
     assert not found.sticking.any()
@@ -44,7 +44,7 @@ def test_gross_slip_shears_the_whole_contact_alike(bodies):
     assert found.tangential_load[0] == pytest.approx(force, rel=1e-4)
 
 
-def test_force_grows_with_the_limit_from_none_to_that_without_slip():
+def test_force_increases_with_the_shear_limit():
     forces = []
     for limit in (0.0, 0.3 * K, K, 3 * K, 1e12, math.inf):
         found = slide((2e-6, 1e-6), sc.Tresca(limit))
@@ -96,7 +96,7 @@ def test_a_force_beyond_the_limit_times_the_area_is_refused():
         solver.solve(GAP, load=LOAD, tangential_load=(1.01 * K * area, 0.0))
 
 
-def test_a_loop_turns_the_limit_times_the_slip_into_heat():
+def test_friction_work_of_a_loop_is_shear_limit_times_slip():
     law = sc.Tresca(K)
     solver, before, works = sc.ContactSolver(GRID, BRASS, STEEL, law), None, []
     for shift in (3e-6, -6e-6, 6e-6, -6e-6, 6e-6):
@@ -132,8 +132,8 @@ PATH = [
 ]
 
 
-@pytest.mark.parametrize("body1", [STEEL, BRASS, YIELDS], ids=["ball", "unlike", "both yield"])
-def test_bodies_that_yield_keep_to_the_law(body1):
+@pytest.mark.parametrize("body1", [STEEL, BRASS, YIELDS], ids=["ball", "dissimilar", "both yield"])
+def test_elastic_plastic_bodies_satisfy_the_law(body1):
     law = sc.Tresca(K)
     run = sc.Simulation(GRID, body1, YIELDS, GAP, law)
     work = 0.0
@@ -146,7 +146,7 @@ def test_bodies_that_yield_keep_to_the_law(body1):
     assert state.max_equivalent_plastic_strain(2) > 1e-4
 
 
-def test_a_checkpoint_and_results_hold_the_law(tmp_path):
+def test_checkpoints_and_results_contain_the_law(tmp_path):
     run = sc.Simulation(GRID, STEEL, YIELDS, GAP, sc.Tresca(K))
     states = [run.step(**step) for step in PATH[:2]]
     run.save(tmp_path / "run.h5")

@@ -28,7 +28,7 @@ def grid(nx, ny):
 
 
 def punch(grid):
-    """No paraboloid, so that Hertz says nothing; longer along x, off the middle in y."""
+    """Return a gap without a Hertz estimate, longer along x and off centre in y."""
     x, y = grid.x[:, None] / 200e-6, (grid.y - 0.5 * CELL)[None, :] / 100e-6
     return 3e-6 * (x**2 + y**2) ** 2
 
@@ -53,14 +53,14 @@ def grown():
 
 
 def inner(field, shape, axis=0):
-    """The middle cells of a surface field."""
+    """Return the middle cells of a surface field."""
     cut = [
         slice((n - m) // 2, (n + m) // 2) for n, m in zip(field.shape[axis:], shape, strict=False)
     ]
     return field[(*[slice(None)] * axis, *cut)]
 
 
-def test_what_comes_out_is_that_of_a_window_large_enough(grown, full):
+def test_results_equal_those_of_a_grid_that_is_large_enough(grown, full):
     sim, states = grown
     shapes = [state.grid.surface_shape for state in states]
     assert shapes[0] != shapes[1] != shapes[2] == shapes[3] == sim.grid.surface_shape
@@ -77,7 +77,7 @@ def test_what_comes_out_is_that_of_a_window_large_enough(grown, full):
         assert 1e-3 < one == pytest.approx(other, rel=1e-4)
 
 
-def test_fields_of_earlier_moments_are_theirs_over_the_last_grid(grown):
+def test_earlier_fields_are_extended_to_the_last_grid(grown):
     sim, states = grown
     dataset = results.to_dataset(sim, states, volume="all")
     nx, ny = sim.grid.surface_shape
@@ -96,7 +96,7 @@ def test_fields_of_earlier_moments_are_theirs_over_the_last_grid(grown):
     assert work > 0
 
 
-def test_a_run_goes_on_from_the_middle_with_the_same_bits(tmp_path):
+def test_a_run_resumes_with_identical_bits(tmp_path):
     def run(gap=punch):
         return simulation((7, 6), gap).run(PATH, progress=False, checkpoint=tmp_path)
 
@@ -107,9 +107,9 @@ def test_a_run_goes_on_from_the_middle_with_the_same_bits(tmp_path):
         (tmp_path / name).unlink()
     for one, other in zip(run(), whole, strict=True):
         assert_same(one, other)
-    with pytest.raises(sc.CheckpointError, match="different surfaces: gap is inconsistent"):
+    with pytest.raises(sc.CheckpointError, match="different surfaces: gap must give the same"):
         run(lambda grid: np.minimum(punch(grid), 2e-6))
-    # of another window than the one before, which stays when it cannot be restored
+    # belongs to another grid than the current one, which is kept if restoring fails
     with h5py.File(tmp_path / "increment_00002.h5", "a") as file:
         file["state"].attrs["past_symmetry"] = 7
     seal(tmp_path / "increment_00002.h5")
@@ -119,7 +119,7 @@ def test_a_run_goes_on_from_the_middle_with_the_same_bits(tmp_path):
         assert_same(one, other)
 
 
-def test_copies_and_files_stand_in_the_window_that_has_grown(grown, tmp_path):
+def test_copies_and_files_keep_the_enlarged_grid(grown, tmp_path):
     sim = simulation((7, 6))
     first = sim.step(**PATH[0])
     sim.step(**PATH[1])
@@ -133,15 +133,15 @@ def test_copies_and_files_stand_in_the_window_that_has_grown(grown, tmp_path):
     stays = sc.Simulation.load(tmp_path / "state.h5")
     with pytest.raises(sc.GridTooSmallError, match=r"to enlarge the grid automatically$"):
         stays.step(load=20 * LOAD)
-    with pytest.raises(sc.CheckpointError, match="gap is inconsistent between grids"):
+    with pytest.raises(sc.CheckpointError, match="gap must give the same result on every grid"):
         sc.Simulation.load(tmp_path / "state.h5", gap=lambda grid: punch(grid) * 1.01)
 
 
-def test_hertz_says_how_large_before_the_first_increment():
+def test_the_grid_is_enlarged_by_hertz_before_the_first_increment():
     ball = partial(surfaces.paraboloid, Rx=RADIUS, Ry=0.3 * RADIUS)
     sim = simulation((7, 7), ball, STEEL, STEEL, 0.0)
     states = sim.run([{"load": part * LOAD} for part in (0.1, 1.0)], progress=False)
-    assert sim.counters["contact_solves"] == 2  # none was in vain
+    assert sim.counters["contact_solves"] == 2  # none was unnecessary
     nx, ny = sim.grid.surface_shape
     assert nx > ny > 7
     fixed = simulation((nx, ny), ball, STEEL, STEEL, 0.0)
@@ -173,7 +173,7 @@ def test_elastic_contact():
 
 @pytest.mark.parametrize("relieved", [False, True])
 def test_rolling_contact(relieved):
-    """Travel, history and relief stay where they are on the bodies."""
+    """Travel, history and relief keep their positions on the bodies."""
     ball = partial(surfaces.paraboloid, Rx=RADIUS)
     dent = partial(sc.dents.spherical, depth=1e-6, radius=80e-6, x=60e-6)
     steps = [{"load": 0.1 * LOAD}, {"load": 0.1 * LOAD, "advance": (-3.3 * CELL, -3.3 * CELL)}]
@@ -203,7 +203,7 @@ REFUSED = {
     ),
     "made on the grid": (
         {"gap": lambda grid: surfaces.rough_self_affine(grid, 1e-7, 0.8, seed=1)},
-        "grid of 7 x 6 cells cannot be enlarged: gap is inconsistent between grids",
+        "grid of 7 x 6 cells cannot be enlarged: gap must give the same result on every grid",
     ),
     "not known": (
         {"gap": partial(surfaces.sphere, R=4.6 * CELL), "upper": STEEL, "lower": STEEL},
@@ -221,7 +221,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize(("given", "text"), REFUSED.values(), ids=REFUSED)
-def test_a_window_that_cannot_grow_says_why(given, text):
+def test_the_error_states_why_the_grid_is_not_enlarged(given, text):
     sim = simulation((7, 6), **given)
     before = sim.grid
     with pytest.raises(sc.GridTooSmallError, match=TOUCHES + text):
@@ -231,7 +231,7 @@ def test_a_window_that_cannot_grow_says_why(given, text):
         assert sim.grid == before
 
 
-def test_a_case_grows_and_the_run_tells(tmp_path):
+def test_a_run_reports_an_enlarged_grid(tmp_path):
     file = tmp_path / "case.toml"
     text = MINIMAL.replace("nz = 12\n", "").replace("load = 600.0", "load = 2000.0")
     file.write_text(text)
@@ -246,7 +246,7 @@ def test_a_case_grows_and_the_run_tells(tmp_path):
     check_failure(invoke("run", file, "--output", tmp_path / "rough", "--quiet"), 2, "border")
 
 
-def test_a_warning_or_a_period_keeps_the_window():
+def test_grids_with_warnings_or_periods_are_not_enlarged():
     sim = simulation((7, 6), upper=STEEL, lower=STEEL, on_border="warn")
     with pytest.warns(sc.GridTooSmallWarning, match="reaches the edge"):
         assert sim.step(load=LOAD).grid == grid(7, 6)

@@ -104,7 +104,7 @@ FLAT = {"R": 1e-2, "E_star": E / (1 - NU**2)}
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.2, 0.5])
-def test_a_body_alike_at_all_depths_yields_where_it_does(friction):
+def test_a_constant_profile_gives_the_onset_of_a_homogeneous_body(friction):
     found = critical.onset_over_depth(**FLAT, body=PLAIN, friction=friction)
     expected = critical.onset_sliding(**FLAT, nu=NU, yield_stress=1e9, friction=friction)
     assert pytest.approx(found.C, rel=1e-9) == expected.C
@@ -115,8 +115,8 @@ def test_a_body_alike_at_all_depths_yields_where_it_does(friction):
         assert pytest.approx(found.C, rel=1e-9) == exact.C
 
 
-def test_a_hardened_case_yields_first_where_finite_elements_do():
-    """First yield at p0 = 1.80 GPa, 0.71 radii deep; the radius is that of the case."""
+def test_first_yield_of_a_hardened_case_agrees_with_finite_elements():
+    """First yield is at p0 = 1.80 GPa, at a depth of 0.71 radii of that case."""
     z, a = np.linspace(0.0, 2e-3, 201), 1e-3
     body = sc.Material.swift(E, NU, 700e6, 20.0, 0.1)
     body = body.with_yield_profile(z, 1 + 0.6 * np.exp(-((z / 0.5e-3) ** 2)))
@@ -135,7 +135,7 @@ def test_a_hardened_case_yields_first_where_finite_elements_do():
         ([0.0], [1.0], -4e8, (70e-6, 80e-6)),  # pressed along the surface
     ],
 )
-def test_first_yield_is_that_of_the_stress_along_fine_lines(z, factor, stress, depth):
+def test_first_yield_agrees_with_the_stress_along_fine_lines(z, factor, stress, depth):
     """No point of ten thousand yields below the critical load; at least one yields above it."""
     body = PLAIN.with_yield_profile(z, factor).with_residual_stress([0.0], [stress])
     found = critical.onset_over_depth(**FLAT, body=body)
@@ -150,7 +150,7 @@ def test_first_yield_is_that_of_the_stress_along_fine_lines(z, factor, stress, d
         assert (ratio.max() >= 1) is np.bool_(yields)
 
 
-def test_uneven_residual_stress_helps_one_way():
+def test_residual_shear_stress_helps_in_one_direction():
     """Initial pure shear, along a line without symmetry."""
     size = 3e8
     ways = [
@@ -169,7 +169,7 @@ def test_uneven_residual_stress_helps_one_way():
 
 
 @pytest.mark.parametrize("nu", [0.1, 0.3, 0.45])
-def test_a_line_on_a_body_alike_at_all_depths_is_that_of_its_closed_form(nu):
+def test_a_line_contact_on_a_constant_profile_agrees_with_its_closed_form(nu):
     body = sc.Material.perfect_plastic(E, nu, 1e9)
     found = critical.onset_cylinder_over_depth(**FLAT, body=body)
     exact = critical.onset_cylinder(**FLAT, nu=nu, yield_stress=1e9)
@@ -186,7 +186,7 @@ def test_a_line_on_a_body_alike_at_all_depths_is_that_of_its_closed_form(nu):
         ([0.0, 1.0], [1.0, 1.1], -3e8, 2e8),
     ],
 )
-def test_a_line_yields_first_where_strips_of_pressure_bring_it_to_yield(z, factor, sxx, syy):
+def test_first_yield_of_a_line_contact_agrees_with_sums_over_strips(z, factor, sxx, syy):
     """Against sums over the strips of a periodic grid; z in half-widths."""
     b = critical.onset_cylinder(**FLAT, nu=NU, yield_stress=1e9).b
     body = PLAIN.with_yield_profile(np.multiply(z, b), factor)
@@ -206,10 +206,10 @@ def test_a_line_yields_first_where_strips_of_pressure_bring_it_to_yield(z, facto
     assert abs(grid.x[i]) == pytest.approx(abs(found.x), abs=0.05 * found.b)
 
 
-def test_what_has_no_first_yield_is_refused():
+def test_bodies_without_first_yield_are_refused():
     with pytest.raises(ValueError, match="body must be elastic-plastic, got law 'elastic'"):
         critical.onset_over_depth(**FLAT, body=sc.Material.elastic(E, NU))
     with pytest.raises(TypeError, match="body"):
         critical.onset_over_depth(**FLAT, body=1e9)
-    with pytest.raises(ValueError, match="residual stress already reaches yield"):
+    with pytest.raises(ValueError, match="residual stress already reaches the yield stress"):
         critical.onset_over_depth(**FLAT, body=PLAIN.with_residual_stress([0.0], [1e9]))

@@ -58,8 +58,8 @@ def test_furrow_along():
     assert made[0].min() == pytest.approx(-1e-6)
 
 
-def test_a_dent_is_met_where_it_lies():
-    """A contact that rolls to the place of a dent feels what a contact loaded there does."""
+def test_a_dent_acts_at_its_position():
+    """A contact that rolls to a dent equals a contact loaded there."""
     gap = sc.surfaces.paraboloid(GRID, 5e-3)
     dent = dents.spherical(GRID, 5e-8, 6e-5, x=12 * GRID.dx)
     rolling = sc.Simulation(GRID, STEEL, STEEL, gap, relief2=dent)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sharp edges are found wherever the pressure rises towards them, and nowhere else."""
+"""Sharp edges are detected if and only if the pressure rises towards them."""
 
 import math
 import warnings
@@ -21,7 +21,7 @@ HERTZ = sc.hertz.line(RADIUS, E_STAR, LINE_LOAD)
 
 
 def roller(cells, end=1e-3):
-    """A roller with straight ends on a flat: grid, and gap as a function of a grid."""
+    """Return grid and gap function of a roller with straight ends on a flat."""
 
     def gap(grid):
         profile = grid.x[:, None] ** 2 / (2 * RADIUS)
@@ -32,7 +32,7 @@ def roller(cells, end=1e-3):
 
 
 def crowned(grid):
-    """The roller with a logarithmic profile, including the ends of the body."""
+    """Return the roller with a logarithmic profile, including the ends of the body."""
     profile = sc.surfaces.paraboloid(grid, RADIUS, math.inf)
     s = np.clip(np.abs(grid.y) / (LENGTH / 2), 0.0, 0.999)
     drop = -2 * LINE_LOAD / (math.pi * E_STAR) * np.log1p(-(s**2))
@@ -40,14 +40,14 @@ def crowned(grid):
 
 
 def kinds(solve):
-    """Warnings of singular pressure."""
+    """Return the warnings of singular pressure."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         solve()
     return [str(w.message) for w in caught if w.category is sc.SingularPressureWarning]
 
 
-def test_the_end_of_a_roller_is_told_by_solver_and_simulation_and_once():
+def test_the_end_of_a_roller_causes_one_warning():
     load, largest = LINE_LOAD * LENGTH, []
     for cells in (64, 128):
         grid, gap = roller(cells)
@@ -63,7 +63,7 @@ def test_the_end_of_a_roller_is_told_by_solver_and_simulation_and_once():
     assert not kinds(lambda: sc.ContactSolver(grid, STEEL, STEEL).solve(crowned(grid), load=load))
 
 
-def test_punches_and_steps_are_told():
+def test_punches_and_steps_cause_a_warning():
     grid = sc.Grid(64, 64, 2e-5, 2e-5)
     x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
     ball = (x**2 + y**2) / (2 * 10e-3)
@@ -102,11 +102,11 @@ def smooth_scenes():
     yield "closed waves", joined, waves, 0.02 * E_STAR * side**2
     yield "open waves", joined, waves, 0.001 * E_STAR * side**2
     yield "rough", joined, rough, 0.002 * E_STAR * side**2
-    steps = np.round(rough / 2e-8) * 2e-8  # as an instrument with few bits gives it
+    steps = np.round(rough / 2e-8) * 2e-8  # as from an instrument with few bits
     yield "rough, in steps", joined, steps, 0.002 * E_STAR * side**2
 
 
-def test_smooth_and_rough_contacts_are_not():
+def test_smooth_and_rough_contacts_cause_no_edge_warning():
     for name, grid, gap, load in smooth_scenes():
         solver = sc.ContactSolver(grid, RIGID, STEEL)
         assert not kinds(lambda s=solver, g=gap, n=load: s.solve(g - g.min(), load=n)), name
@@ -125,7 +125,7 @@ def test_no_body_beyond_an_edge_is_an_edge():
     assert sharp_edges.sharp_edge(pressure, np.zeros((9, 9)), (1e-5, 1e-5), 1e11) is None
 
 
-def test_errors_say_that_the_largest_pressure_does_not_converge():
+def test_errors_state_that_the_largest_pressure_does_not_converge():
     grid, gap = roller(64)
     run, path = sc.Simulation(grid, STEEL, STEEL, gap), [{"load": LINE_LOAD * LENGTH}]
     with pytest.warns(sc.SingularPressureWarning):
@@ -145,10 +145,10 @@ def test_errors_say_that_the_largest_pressure_does_not_converge():
     )  # of what converges
 
 
-def test_a_search_for_an_accuracy_ends_where_nothing_converges():
+def test_a_run_to_an_accuracy_ends_if_nothing_converges():
     class Told:
         solved = type(
-            "Solved", (), {"told": [type("W", (), {"category": sc.SingularPressureWarning})]}
+            "Solved", (), {"issued": [type("W", (), {"category": sc.SingularPressureWarning})]}
         )
 
     search = object.__new__(accuracy_run.AccuracySearch)
@@ -160,7 +160,7 @@ def test_a_search_for_an_accuracy_ends_where_nothing_converges():
 
 
 @pytest.mark.parametrize("periodic", ["", "x", "y", "xy"])
-def test_a_contact_without_a_ridge_rises_nowhere(periodic):
+def test_the_quick_check_misses_no_edge(periodic):
     """The fast preliminary checks miss no edge."""
     rng = np.random.default_rng(5)
     found = 0

@@ -22,22 +22,22 @@ HERTZ = sc.hertz.point(R, sc.hertz.effective_modulus(STEEL, STEEL), load=LOAD)
 
 
 def scene(cells, layers=12.0, depth=1.6, body2=YIELDING, **settings):
-    """Simulation with a number of cells and layers per contact radius."""
+    """Return a simulation with these numbers of cells and layers per contact radius."""
     dx, dz = HERTZ.a / cells, HERTZ.a / layers
     n = 2 * math.ceil(1.4 * cells) + 1
     grid = sc.Grid(n, n, dx, dx, nz=max(1, round(depth * layers)), dz=dz)
     return sc.Simulation(grid, STEEL, body2, sc.surfaces.paraboloid(grid, R), **settings)
 
 
-def told(run, kind=sc.ResolutionWarning):
-    """Texts of the warnings of a kind."""
+def stated(run, kind=sc.ResolutionWarning):
+    """Return the texts of the warnings of one class."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         run()
     return [str(one.message) for one in caught if issubclass(one.category, kind)]
 
 
-def test_cells_are_counted_across_the_spot_of_the_largest_pressure():
+def test_cells_are_counted_across_the_spot_of_maximum_pressure():
     pressure = np.zeros((40, 30))
     pressure[2:30, 3:25] = 1.0  # a large spot
     pressure[33:36, 10:17] = 2.0
@@ -47,7 +47,7 @@ def test_cells_are_counted_across_the_spot_of_the_largest_pressure():
     assert resolution.cells_across(pressure) == 22
     assert math.isnan(resolution.cells_across(np.zeros((5, 5))))
     strip = np.zeros((40, 30))
-    strip[10:20] = 1.0  # as wide as the grid: that side says nothing
+    strip[10:20] = 1.0  # as wide as the grid, so this side is disregarded
     assert resolution.cells_across(strip) == 10
 
 
@@ -63,21 +63,21 @@ def test_a_contact_that_is_wide_but_thin_is_coarse(shape):
     }[shape]
     solver = sc.ContactSolver(sc.Grid(29, 29, 1e-5, 1e-5), sc.Material.rigid(), STEEL)
     gap = np.where(body, 0.0, np.inf)
-    (text,) = told(lambda: solver.solve(gap, load=1.0))
+    (text,) = stated(lambda: solver.solve(gap, load=1.0))
     assert "at load 1 N the contact is a ring or line about " in text
 
 
 def test_a_ring_of_eight_cells_is_fine():
     grid = sc.Grid(80, 80, 1e-5, 1e-5)
     gap = (np.hypot(*np.meshgrid(grid.x, grid.y, indexing="ij")) - 2.5e-4) ** 2 / 2e-3
-    assert told(lambda: sc.ContactSolver(grid, STEEL, STEEL).solve(gap, load=80.0)) == []
+    assert stated(lambda: sc.ContactSolver(grid, STEEL, STEEL).solve(gap, load=80.0)) == []
 
 
 def test_the_limits_of_a_run_are_eight_cells_and_eight_layers():
     path = [{"load": load} for load in (0.02 * LOAD, LOAD, 0.0)]
 
     def texts(**grid):
-        return told(lambda: scene(**grid).run(path, progress=False))
+        return stated(lambda: scene(**grid).run(path, progress=False))
 
     # the first increment has three cells across: only the largest load counts
     assert texts(cells=8) == []
@@ -85,24 +85,24 @@ def test_the_limits_of_a_run_are_eight_cells_and_eight_layers():
     assert ["under-resolved plastic zone" in text for text in texts(cells=8, layers=4)] == [True]
 
 
-def test_one_increment_warns_of_what_cannot_be_mended_and_once():
+def test_a_single_increment_warns_once_of_severe_under_resolution():
     simulation = scene(cells=1.4)
-    (text,) = told(lambda: [simulation.step(load=load) for load in (0.5 * LOAD, LOAD)])
+    (text,) = stated(lambda: [simulation.step(load=load) for load in (0.5 * LOAD, LOAD)])
     assert "is only 3 cells across" in text
-    assert told(lambda: scene(cells=5).step(load=LOAD)) == []
+    assert stated(lambda: scene(cells=5).step(load=LOAD)) == []
 
 
-def test_layers_that_cannot_show_yield_are_told():
+def test_layers_too_coarse_to_show_yield_cause_a_warning():
     soft = sc.Material.perfect_plastic(210e9, 0.3, 2.2e9)  # yields just below 0.4 radii
     run = scene(8, 0.5, 2, body2=soft)
-    (text,) = told(lambda: run.run([{"load": LOAD}], progress=False))
+    (text,) = stated(lambda: run.run([{"load": LOAD}], progress=False))
     assert "appears elastic" in text
     assert "too coarse" in text
     hard = sc.Material.perfect_plastic(210e9, 0.3, 9e9)
-    assert told(lambda: scene(8, 0.5, 2, body2=hard).step(load=LOAD)) == []
+    assert stated(lambda: scene(8, 0.5, 2, body2=hard).step(load=LOAD)) == []
 
 
-def test_a_dataset_has_the_counts_and_a_report_fails_of_few():
+def test_datasets_contain_cell_counts_and_reports_fail_below_a_limit():
     for cells, passes in ((8, True), (1.4, False)):
         run = scene(cells, layers=1.5 * cells)
         dataset = results.to_dataset(run, run.run([{"load": LOAD}, {"load": 0.0}], progress=False))
@@ -118,7 +118,7 @@ def test_a_dataset_has_the_counts_and_a_report_fails_of_few():
 
 
 def discs(diameter, count=9, shift=0.3):
-    """Round spots on a square lattice, each somewhere else within its cells."""
+    """Return round spots on a square lattice, at different positions within their cells."""
     side, middle = 2 * math.ceil(diameter) + 8, np.arange(count)
     field = np.zeros((count * side, side))
     for n in middle:
@@ -127,11 +127,11 @@ def discs(diameter, count=9, shift=0.3):
     return field
 
 
-def test_the_uncertainty_of_an_area_is_that_of_its_outlines():
+def test_the_area_uncertainty_follows_from_the_outlines():
     for diameter in (8, 20, 50):
         found = resolution.area_uncertainty(discs(diameter))
         assert found == pytest.approx(resolution.ROUND_SPOT_AREA_ERROR / diameter, rel=0.05)
-        # the border of a grid cuts a spot without a side, unless it goes on behind
+        # the grid edge is no side of a spot, unless the surface is periodic
         half = discs(diameter, 1, 0.0)[diameter + 4 :]
         assert resolution.area_uncertainty(half) < resolution.area_uncertainty(half, "x")
     assert math.isnan(resolution.area_uncertainty(np.zeros((5, 5))))
@@ -142,14 +142,14 @@ def test_the_uncertainty_of_an_area_is_that_of_its_outlines():
     assert resolution.spots(corners, "xy") == 1
 
 
-def test_rough_contacts_of_small_spots_are_told():
+def test_rough_contacts_with_small_spots_cause_a_warning():
     def press(cells):
         grid = sc.Grid(4 * cells, 4 * cells, 40e-6 / cells, 40e-6 / cells)
         gap = sc.surfaces.paraboloid(grid, 20e-3)
         gap += sc.surfaces.sinusoidal(grid, 0.2e-6, 40e-6, 40e-6)
         run = sc.Simulation(grid, STEEL, STEEL, gap)
         states = []
-        texts = told(lambda: states.extend(run.run([{"load": 0.3}], progress=False)))
+        texts = stated(lambda: states.extend(run.run([{"load": 0.3}], progress=False)))
         counted = np.count_nonzero(states[-1].pressure) * grid.cell_area
         return texts, counted, results.to_dataset(run, states)
 
@@ -168,12 +168,12 @@ def test_rough_contacts_of_small_spots_are_told():
     assert counts[16][0] / counts[64][0] - 1 == pytest.approx(counts[16][1], rel=0.3)
 
 
-def test_a_sweep_warns_once_and_keeps_what_its_errors_say(tmp_path):
+def test_a_sweep_warns_once_and_keeps_its_errors(tmp_path):
     case = parse_case(ELASTIC)
     sizes = [1e-9, 60e-6, 60e-3, 61e-3]
     values = {"grid.dx": sizes}
-    (text,) = told(lambda: sc.sweep(case, values, output=tmp_path, progress=False))
-    assert "of 4, 2 with fewer than 8 cells across the contact" in text
+    (text,) = stated(lambda: sc.sweep(case, values, output=tmp_path, progress=False))
+    assert "2 with fewer than 8 cells across the contact, of 4 in all" in text
     with results.open_results(tmp_path / "sweep.nc") as stored:
         assert stored["status"].values.tolist() == ["failed", "done", "done", "done"]
         assert "µm" in str(stored["error"].values[0])  # not only ASCII
@@ -192,7 +192,7 @@ def test_a_modulus_in_gigapascals_is_named_with_hertz_and_before_the_solve():
     assert simulation.counters["contact_solves"] == 0
 
 
-def test_hertz_is_expected_of_smooth_convex_gaps_only():
+def test_hertz_estimates_are_used_for_smooth_convex_gaps_only():
     grid = sc.Grid(40, 50, 1e-5, 2e-5)
     x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
     turned = 0.5 * ((x + y) ** 2 / 2 / 4e-3 + (x - y) ** 2 / 2 / 9e-3) + 3e-6 + 1e-3 * x
@@ -206,20 +206,20 @@ def test_hertz_is_expected_of_smooth_convex_gaps_only():
         assert scene_of(gap).hertz(load=1.0) is None
 
 
-def test_pressures_beyond_elasticity_are_told():
+def test_pressures_beyond_linear_elasticity_cause_a_warning():
     R_slip = 1e-3 * R
     contact = sc.hertz.point(R_slip, sc.hertz.effective_modulus(STEEL, STEEL), load=LOAD)
     grid = sc.Grid(41, 41, contact.a / 15, contact.a / 15)
     gap = sc.surfaces.paraboloid(grid, R_slip)
     solver = sc.ContactSolver(grid, STEEL, STEEL)
-    (text,) = told(lambda: solver.solve(gap, load=LOAD), sc.ElasticStrainWarning)
+    (text,) = stated(lambda: solver.solve(gap, load=LOAD), sc.ElasticStrainWarning)
     assert "of the contact modulus" in text
     simulation = sc.Simulation(grid, STEEL, STEEL, gap)
     steps = [LOAD, 1.1 * LOAD]
-    found = told(lambda: [simulation.step(load=load) for load in steps], sc.ElasticStrainWarning)
+    found = stated(lambda: [simulation.step(load=load) for load in steps], sc.ElasticStrainWarning)
     assert len(found) == 1
 
 
-def test_a_smooth_contact_that_is_resolved_warns_of_nothing():
+def test_a_resolved_smooth_contact_causes_no_warning():
     run = scene(8)
-    assert told(lambda: run.run([{"load": LOAD}, {"load": 0.0}], progress=False), Warning) == []
+    assert stated(lambda: run.run([{"load": LOAD}, {"load": 0.0}], progress=False), Warning) == []

@@ -54,7 +54,7 @@ RADIUS_RATIO, YIELD = (
     "yield stress over E of body 2",
 )
 CAPACITY = "volumetric heat capacity (conductivity over diffusivity) of body 2"
-# what is changed, the check that fails, and what the text names
+# changed value, failing check, and names in the text
 UNIT_ERRORS = {
     "cells in µm": ({"20e-6": "20.0"}, CELLS_ACROSS, f"{HERTZ}. {FITS} cells of 20 µm:"),
     "cells in mm": ({"20e-6": "0.02"}, CELLS_ACROSS, f"{HERTZ}. {FITS} cells of 20 µm:"),
@@ -85,7 +85,7 @@ def changed(slip):
 
 @pytest.fixture(scope="module")
 def solved():
-    """The correct case causes no warning."""
+    """Solve without a warning; the setup is correct."""
     case = parse_case(CASE)
     simulation, path = case.build()
     with warnings.catch_warnings():
@@ -94,13 +94,13 @@ def solved():
     return results.to_dataset(simulation, states, case)
 
 
-def test_the_right_scene_passes(solved):
+def test_correct_units_pass(solved):
     assert all(check.passed for check in report.checks(solved))
 
 
 @pytest.mark.parametrize("slip", UNIT_ERRORS)
-def test_a_slip_is_told_before_the_solve_and_fails_a_check(slip, solved):
-    _, name, told = UNIT_ERRORS[slip]
+def test_a_unit_error_causes_a_warning_before_the_solve_and_fails_a_check(slip, solved):
+    _, name, message = UNIT_ERRORS[slip]
     case = parse_case(changed(slip))
     simulation, path = case.build()
     solver = sc.ContactSolver(
@@ -116,12 +116,13 @@ def test_a_slip_is_told_before_the_solve_and_fails_a_check(slip, solved):
             with pytest.raises(ValueError if far_below_a_cell else sc.UnitWarning) as caught:
                 way()
         assert name in str(caught.value)
-        assert told in str(caught.value)
+        assert message in str(caught.value)
     loads = "increment", [step["load"] for step in path]
     checks = report.checks(solved.assign(load=loads).assign_attrs(case=case.text))
     assert [name in check.name for check in checks if not check.passed].count(True) == 1
 
 
+@pytest.mark.filterwarnings("default::samcontact.UnitWarning")
 def test_a_contact_far_below_a_cell_is_refused_unless_it_was_loaded():
     grid = sc.Grid(15, 15, 30e-6, 30e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
@@ -132,6 +133,9 @@ def test_a_contact_far_below_a_cell_is_refused_unless_it_was_loaded():
     with pytest.raises(ValueError, match=refused):
         sc.ContactSolver(grid, ELASTIC, ELASTIC).solve(gap, load=1e-12)
     assert not simulation.state.pressure.any()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", sc.UnitWarning)
+        assert sc.ContactSolver(grid, ELASTIC, ELASTIC).solve(gap, load=1e-12).load > 0
     simulation.step(load=100.0)
     with pytest.warns(sc.UnitWarning, match="in cells is"):
         simulation.step(load=1e-12)
@@ -158,18 +162,18 @@ UNIT_ERRORS_OF_MATERIALS = {
 
 
 @pytest.mark.parametrize("slip", UNIT_ERRORS_OF_MATERIALS)
-def test_a_slip_in_a_material_is_told(slip):
-    body, told = UNIT_ERRORS_OF_MATERIALS[slip]
+def test_a_unit_error_in_a_material_causes_a_warning(slip):
+    body, message = UNIT_ERRORS_OF_MATERIALS[slip]
     heat = sc.Heat(1e-3, velocity=(2e3, 0.0)) if "speed" in slip else None
     found = list(
         plausibility_checks(None, sc.Grid(8, 8, 1e-5, 1e-5), (ELASTIC, body), heat or NO_HEAT)
     )
-    failed = [doubt for doubt in found if not doubt.check.passed]
-    assert any(told in doubt.check.name for doubt in failed)
-    assert all(doubt.remedy() for doubt in failed)
+    failed = [finding for finding in found if not finding.check.passed]
+    assert any(message in finding.check.name for finding in failed)
+    assert all(finding.remedy() for finding in failed)
 
 
-def test_real_cases_and_layers_are_not_doubted():
+def test_real_materials_and_layers_cause_no_warning():
     """A nitrided and a case-hardened steel, a work roll, a coating, gold and a polymer."""
     case = ([0, 0.4e-3, 0.8e-3, 1.6e-3, 1.0], [2.2, 2.1, 1.6, 1.0, 1.0])
     roll = ([0, 0.04, 0.08], [3.0, 2.8, 1.0])
@@ -180,16 +184,16 @@ def test_real_cases_and_layers_are_not_doubted():
     bodies += [STEEL.with_yield_profile(*roll), gold, polymer, coating]
     for body in bodies:
         found = plausibility_checks(None, sc.Grid(8, 8, 1e-5, 1e-5), (ELASTIC, body), NO_HEAT)
-        assert [doubt.check.name for doubt in found if not doubt.check.passed] == []
+        assert [finding.check.name for finding in found if not finding.check.passed] == []
 
 
-def test_the_first_slip_is_told_by_a_solver():
+def test_a_solver_reports_the_first_unit_error():
     grid = sc.Grid(8, 8, 1e-5, 1e-5, dz=1e-5)
-    body, told = UNIT_ERRORS_OF_MATERIALS["hardness numbers"]
+    body, message = UNIT_ERRORS_OF_MATERIALS["hardness numbers"]
     simulation = sc.Simulation(grid, ELASTIC, body, np.zeros((8, 8)), on_border="warn")
     with warnings.catch_warnings():
         warnings.simplefilter("error", sc.UnitWarning)
-        with pytest.raises(sc.UnitWarning, match=told):
+        with pytest.raises(sc.UnitWarning, match=message):
             simulation.step(load=1.0)
 
 
@@ -208,7 +212,7 @@ def test_limits_and_coefficients_of_wear():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "message"),
     [
         (["--R", "7.5", "--E-star", "115e9", "--load", "300"], '--R is 7.5 m (≤ 1 m expected)'),
         (["--R", "7.5e-3", "--E-star", "115000", "--load", "3"], "--E-star is 1.15e+05 Pa"),
@@ -216,11 +220,11 @@ def test_limits_and_coefficients_of_wear():
         (["--R", "10 um", "--E-star", "115 GPa", "--load", "300"], "over its radius is 2.69"),
     ],
 )  # fmt: skip
-def test_the_command_tells_slips_as_well(arguments, told):
-    with pytest.warns(sc.UnitWarning, match=re.escape(told)):
+def test_the_command_reports_unit_errors(arguments, message):
+    with pytest.warns(sc.UnitWarning, match=re.escape(message)):
         assert invoke("hertz", *arguments).exit_code == 0
 
 
-def test_numbers_with_units_are_meant():
+def test_numbers_with_units_cause_no_warning():
     outcome = invoke("hertz", "--R", "4 m", "--E-star", "500 kPa", "--load", "300")
     assert (outcome.exit_code, outcome.stderr) == (0, "")

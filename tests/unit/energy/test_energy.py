@@ -41,7 +41,7 @@ def scene(material, increments, **settings):
 
 
 def work_of_the_stress(states):
-    """Trapezoidal sum of stress : plastic strain increment over all cells and increments."""
+    """Return the trapezoidal sum of stress : plastic strain increment over cells and increments."""
     grid, total = states[0].grid, 0.0
     for before, after in itertools.pairwise(states):
         stress = 0.5 * (before.stress() + after.stress())
@@ -63,12 +63,12 @@ def test_plastic_work_of_a_body_is_that_of_its_stress(material):
         )
         assert work > 0
         errors.append(abs(work / work_of_the_stress(states) - 1))
-    # yielding starts within an increment, which the sum over the path does not know
+    # yield starts within an increment, which the sum over the path does not resolve
     assert errors[2] < 2e-3
     assert errors[2] < 0.6 * errors[0]
 
 
-def test_it_depends_on_the_state_alone_without_kinematic_hardening():
+def test_plastic_work_depends_on_the_state_alone_without_kinematic_hardening():
     _, states = scene(SWIFT, 5)
     tracks = [state.track(margin=0) for state in states]
     steps = [
@@ -79,7 +79,7 @@ def test_it_depends_on_the_state_alone_without_kinematic_hardening():
 
 
 def test_residual_energy_is_that_of_the_stress_around():
-    """Half of the residual stress times its elastic strain, over a volume that holds nearly all."""
+    """Residual energy is half of residual stress times elastic strain over a large volume."""
     grid = sc.Grid(35, 35, 1e-5, 1e-5, 22, 1e-5)
     middle, depth = slice(14, 21), slice(2, 9)
     x = (np.arange(7) - 3) / 3.5
@@ -105,5 +105,5 @@ def test_residual_energy_is_that_of_the_stress_around():
 def test_thermal_softening_is_refused():
     soft = SWIFT.with_softening(sc.softening.JohnsonCook(melting=1800.0, m=1.0))
     simulation, _ = scene(SWIFT, 1)
-    with pytest.raises(ValueError, match="does not support thermal softening"):
+    with pytest.raises(ValueError, match="material must have no thermal softening"):
         energy.plastic_work(soft, simulation.state.track())

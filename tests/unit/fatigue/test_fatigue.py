@@ -20,7 +20,7 @@ PHASES = 2 * np.pi * np.arange(48) / 48
 
 
 def reversed_stress(**components):
-    """One point, each component an amplitude that goes to and fro."""
+    """Return the reversed stress of one point with these amplitudes."""
     stress = np.zeros((len(PHASES), 6, 1))
     for name, amplitude in components.items():
         number = ("xx", "yy", "zz", "yz", "xz", "xy").index(name)
@@ -33,7 +33,7 @@ def random_paths(points, moments=17, seed=3):
 
 
 def tensors(stress):
-    """(moments, 6, n) as (moments, n, 3, 3)."""
+    """Convert (moments, 6, n) to (moments, n, 3, 3)."""
     xx, yy, zz, yz, xz, xy = np.moveaxis(stress, 1, 0)
     rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
     return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
@@ -45,7 +45,7 @@ def components(tensor):
 
 
 def test_bending_and_torsion_have_their_closed_forms():
-    """Reversed tension f and shear t, whose values every source gives."""
+    """Reversed tension f and shear t have values stated in all sources."""
     bending, torsion = reversed_stress(xx=2.0), reversed_stress(xz=1.5)
     assert dang_van(bending, slope=0.3).max_value == pytest.approx(
         2.0 / 2 + 0.3 * 2.0 / 3, rel=1e-12
@@ -68,7 +68,7 @@ def test_bending_and_torsion_have_their_closed_forms():
     assert strain.unit == "-"
 
 
-def test_a_crank_turning_out_of_phase():
+def test_rotating_shear_has_the_amplitude_of_its_circle():
     """Shear that turns in its plane has the amplitude of its circle, not of its components."""
     stress = reversed_stress(xz=1.0)
     stress[:, 3, 0] = np.cos(PHASES)
@@ -76,8 +76,8 @@ def test_a_crank_turning_out_of_phase():
     assert crossland(stress, slope=0.0).max_value == pytest.approx(1.0, rel=1e-12)
 
 
-def test_tresca_is_about_the_centre_that_holds_the_path():
-    """The centre by a certificate: it is a mean of points at the radius, so no ball is smaller."""
+def test_tresca_uses_the_smallest_ball_around_the_path():
+    """The centre is a mean of points at the radius, which proves that no ball is smaller."""
     from scipy.optimize import nnls
 
     stress = random_paths(40)
@@ -85,7 +85,7 @@ def test_tresca_is_about_the_centre_that_holds_the_path():
     mean = np.trace(tensor, axis1=2, axis2=3)[..., None, None] * np.eye(3) / 3
     deviator = tensor - mean
     radius = crossland(stress, slope=0.0).values
-    told = dang_van(stress, slope=0.25).values
+    message = dang_van(stress, slope=0.25).values
     for n in range(40):
         path = deviator[:, n].reshape(-1, 9)
         # weights of a mean that is as far from its own points as the radius says
@@ -99,7 +99,7 @@ def test_tresca_is_about_the_centre_that_holds_the_path():
         principal = np.linalg.eigvalsh(deviator[:, n] - centre.reshape(3, 3))
         tau = (principal[:, 2] - principal[:, 0]) / 2
         expected = (tau + 0.25 * mean[:, n, 0, 0]).max()
-        assert told[n] == pytest.approx(expected, rel=1e-7)
+        assert message[n] == pytest.approx(expected, rel=1e-7)
 
 
 def _centre(points):
@@ -115,14 +115,14 @@ def _centre(points):
         options={"ftol": 1e-15, "maxiter": 500},
     )  # fmt: skip
     held = found.x > 1e-6
-    # the same points, exactly: equal distances from a centre in their flat
+    # exact solution: equal distances from a centre in the span of the points
     base, edges = points[held][0], points[held][1:] - points[held][0]
     part = np.linalg.lstsq(edges, (edges**2).sum(axis=1) / 2, rcond=None)[0]
     return base + part
 
 
 def brute_force(shear, stress, combine, planes):
-    """The largest over many planes, spread evenly; circles by their ends in many directions."""
+    """Return the maximum over many evenly spread planes; circles by their extent."""
     n = np.arange(planes) + 0.5
     polar, azimuth = np.arccos(1 - n / planes), np.pi * (1 + 5**0.5) * n
     normal = np.stack([np.sin(polar) * np.cos(azimuth), np.sin(polar) * np.sin(azimuth),
@@ -171,8 +171,8 @@ def test_critical_planes_are_those_of_a_brute_search():
         assert expected * (1 - 1e-6) < strain.values[n] < expected * (1 + 1e-2)
 
 
-def test_no_criterion_knows_the_axes():
-    """A turned body has the same values; of planes to the error that is stated."""
+def test_criteria_are_independent_of_the_axes():
+    """A rotated body has equal values; critical planes agree within the stated error."""
     stress = random_paths(200, seed=5)
     turn = Rotation.from_rotvec([0.4, -1.1, 0.7]).as_matrix()
     turned = components(turn @ tensors(stress) @ turn.T)
@@ -226,7 +226,7 @@ def line_stress(x, z, nu=0.3):
 
 
 def test_line_contact():
-    """Limits over p0, lengths in half-widths, rolling without friction."""
+    """Rolling without friction: limits over p0, lengths in half-widths."""
     x, z = np.arange(-25, 25.01, 0.02), np.arange(0.01, 1.2, 0.01)
     lines = steady_cycle(line_stress(x, z)[:, :, None, :])
     for slope, value, depth in ((0.3, 0.171, 0.62), (0.0, 0.25, 0.49)):
@@ -242,7 +242,7 @@ def test_line_contact():
 
 
 def test_point_contact():
-    """Orthogonal shear of a Hertz contact, from its closed stress, with its place."""
+    """Orthogonal shear of a Hertz contact and its position, from the closed-form stress."""
     hertz = sc.hertz.point(R=1.0, E_star=1.0, load=4 / 3)
     x, z = np.arange(-4, 4.001, 0.008), np.arange(0.3, 0.4, 0.001)
     X, Y, Z = np.meshgrid(hertz.a * x, [0.0], hertz.a * z, indexing="ij")

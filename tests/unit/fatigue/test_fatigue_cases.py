@@ -38,7 +38,7 @@ def states_of(more):
     return simulation.run(path, progress=False)
 
 
-def test_the_path_is_the_cycle(run):
+def test_the_cycle_is_the_path(run, undrawn):
     outcome, folder = run(FATIGUE)
     assert outcome.exit_code == 0, outcome.output
     assert "Fatigue of body 2 over 3 instants" in outcome.stdout
@@ -62,7 +62,7 @@ def test_the_path_is_the_cycle(run):
     }
 
 
-def test_material_that_passes(run):
+def test_passing_material(run, undrawn):
     """Passing material uses the increment of maximum load, independent of the rest of the path."""
     outcome, folder = run(PASSING)
     assert outcome.exit_code == 0, outcome.output
@@ -72,13 +72,13 @@ def test_material_that_passes(run):
         assert found["fatemi_socie"].dims == ("y", "z")
         np.testing.assert_array_equal(found["fatemi_socie"].values, field.values)
     assert not (folder / "fatigue_depth.png").exists()
-    # a later run without it leaves nothing of it behind
+    # a later run without [fatigue] removes its results
     outcome, _ = run("")
     assert outcome.exit_code == 0
     assert [file.name for file in folder.iterdir() if "fatigue" in file.name] == []
 
 
-def test_what_cannot_be_judged_is_told_before_the_run(run):
+def test_unsupported_criteria_are_refused_before_the_run(run):
     outcome, _ = run("[fatigue]\ndang_van = 300e6")
     check_failure(outcome, 2, "fatigue.dang_van", "must be a number in [0, 10]")
     outcome, _ = run("[fatigue]\nfatemi_socie = 0.5\n[output]\nbody = 1")
@@ -87,7 +87,7 @@ def test_what_cannot_be_judged_is_told_before_the_run(run):
 
 def test_sweeps_refuse_it(tmp_path):
     case = cases.parse_case(f"{MINIMAL}\n{FATIGUE}")
-    with pytest.raises(ValueError, match=r"does not support \[fatigue\]"):
+    with pytest.raises(ValueError, match=r"\[fatigue\] is not supported"):
         sc.sweep(case, {"body2.n": [0.1, 0.12]}, output=tmp_path, progress=False)
 
 
@@ -103,7 +103,7 @@ SINGLE = MINIMAL.replace("increments = 2", "increments = 1").split("[[path]]")
             r"fatigue cannot be combined with \[wear\]",
         ),
         (f"{MINIMAL}\n[fatigue]\nsteady_axis = 'x'", "at least one of dang_van, crossland"),
-        (f"{MINIMAL}\n[fatigue]\ndang_van = 0.3\nyield_stress = 1e9", "to fatemi_socie only"),
+        (f"{MINIMAL}\n[fatigue]\ndang_van = 0.3\nyield_stress = 1e9", "by fatemi_socie only"),
         (
             f"{MINIMAL}\n[fatigue]\ndang_van = 0.3\nlimit = {{findley = 1e8}}",
             r"limit\.findley requires",
@@ -111,6 +111,6 @@ SINGLE = MINIMAL.replace("increments = 2", "increments = 1").split("[[path]]")
         (f"{'[[path]]'.join(SINGLE[:2])}\n[fatigue]\ndang_van = 0.3", "at least 2 increments"),
     ],
 )
-def test_what_does_not_go_together_is_refused(text, message):
+def test_incompatible_fields_are_refused(text, message):
     with pytest.raises(cases.CaseError, match=message):
         cases.parse_case(text)

@@ -26,8 +26,8 @@ def ball_on(grid=GRID, body=STEEL, **settings):
     return sc.Simulation(grid, STEEL, body, sc.surfaces.paraboloid(grid, 5e-3), **settings)
 
 
-def test_a_pass_is_what_material_goes_through():
-    """States of a pass over the body, against the line of one of its moments."""
+def test_a_pass_gives_the_stress_path_of_the_material():
+    """States of a pass over the body agree with a line through one state."""
     soft = sc.Material.linear_hardening(
         210e9, 0.3, 50e9, 21e9
     )  # it follows body 2, and never flows
@@ -51,7 +51,7 @@ def test_a_pass_is_what_material_goes_through():
     np.testing.assert_allclose(tau, orthogonal_shear(steady).values, rtol=0.02, atol=1e6)
 
 
-def test_rolling_along_y_is_rolling_along_x_turned():
+def test_rolling_along_y_is_rolling_along_x_rotated():
     grids = (
         sc.Grid(24, 16, 20e-6, 20e-6, nz=4, dz=20e-6),
         sc.Grid(16, 24, 20e-6, 20e-6, nz=4, dz=20e-6),
@@ -69,7 +69,7 @@ def test_rolling_along_y_is_rolling_along_x_turned():
 
 
 def test_residual_stress_is_in_the_cycle():
-    """Compression that was there from the start adds its mean to Dang Van, and nothing else."""
+    """Initial compression changes Dang Van's criterion only by its hydrostatic mean."""
     hard = sc.Material.linear_hardening(210e9, 0.3, 50e9, 21e9)
     treated = hard.with_residual_stress([0.0, 1e-3], [-300e6, -300e6])
     plain, peened = (
@@ -79,7 +79,7 @@ def test_residual_stress_is_in_the_cycle():
     np.testing.assert_allclose(peened.values, plain.values - 0.3 * 200e6, rtol=1e-6)
 
 
-def test_plastic_strain_counts_where_strain_does():
+def test_plastic_strain_is_included_in_strain_criteria():
     soft = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)
     simulation = ball_on(body=soft)
     states = [simulation.state, simulation.step(load=70.0)]
@@ -138,7 +138,7 @@ def test_margin_and_place():
     assert found.margin(80e6) == pytest.approx(-0.2)
     np.testing.assert_allclose(found.over_depth(), [0, 0, 0, 100e6, 0])
     assert dang_van(np.zeros((2, 6, 3)), slope=0.3).margin(1.0) == np.inf
-    with pytest.raises(ValueError, match="no coordinates"):
+    with pytest.raises(ValueError, match="requires coordinates"):
         found.to_dataset()
 
 
@@ -176,16 +176,16 @@ def test_the_dataset_is_labelled():
         (lambda s: steady_cycle(np.zeros((6, 4, 4))), ValueError, "shape"),
     ],
 )  # fmt: skip
-def test_what_is_wrong_is_named(call, error, text):
+def test_invalid_arguments_are_named(call, error, text):
     states = [(s := ball_on()).state, s.step(load=10.0)]
     with pytest.raises(error, match=text):
         call(states)
 
 
-def test_states_of_several_scenes_are_refused():
+def test_states_of_several_simulations_are_refused():
     other = ball_on(sc.Grid(48, 16, 21e-6, 20e-6, nz=6, dz=20e-6)).step(load=10.0)
     with pytest.raises(ValueError, match="different grids"):
         dang_van([ball_on().step(load=10.0), other], slope=0.3)
     other = ball_on(body=sc.Material.elastic(200e9, 0.3)).step(load=10.0)
-    with pytest.raises(ValueError, match="one body 2"):
+    with pytest.raises(ValueError, match="same body 2"):
         dang_van([ball_on().step(load=10.0), other], slope=0.3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that are whole or not there, their digest, and inputs of extreme size or of no size."""
+"""Files are complete or absent; digests; inputs of extreme or zero size."""
 
 import os
 import re
@@ -33,12 +33,12 @@ class TestSeal:
         with h5py.File(path, "r") as file:
             assert file["values"][99] == 99
 
-    def test_any_byte_counts(self, path):
+    def test_any_changed_byte_is_detected(self, path):
         seal(path)
         content = path.read_bytes()
         for place in range(0, len(content) - 80, 97):
             path.write_bytes(content[:place] + bytes([content[place] ^ 1]) + content[place + 1 :])
-            with pytest.raises(ValueError, match="its bytes have changed"):
+            with pytest.raises(ValueError, match="the file has changed"):
                 check_seal(path)
 
     def test_part_of_a_digest(self, path):
@@ -46,38 +46,38 @@ class TestSeal:
         content = path.read_bytes()
         for end in (content[:-1], content[:-64], content[:-79], content + b"x"):
             path.write_bytes(end)
-            with pytest.raises(ValueError, match="the file is truncated, or data was appended"):
+            with pytest.raises(ValueError, match="the file is incomplete, or data was appended"):
                 check_seal(path)
 
-    def test_is_cut_off_by_a_change_on_purpose(self, path):
+    def test_a_deliberate_change_removes_the_digest(self, path):
         seal(path)
         with h5py.File(path, "a") as file:
             file.attrs["more"] = 1
         assert not check_seal(path)
 
     @pytest.mark.parametrize("content", [b"", b"x", b"x" * 200])
-    def test_of_anything_else(self, path, content):
+    def test_files_without_a_digest(self, path, content):
         path.write_bytes(content)
         assert not check_seal(path)
 
 
 class TestReplacing:
-    def test_names_the_file_where_the_system_does_not(self, tmp_path):
+    def test_errors_name_the_file_even_if_the_system_does_not(self, tmp_path):
         path = tmp_path / "text"
         path.write_text("old")
-        told = re.escape(f"[Errno 28] {os.strerror(28)}: '{path}'")
+        message = re.escape(f"[Errno 28] {os.strerror(28)}: '{path}'")
 
         def fill():
             with replacing(path) as part:
                 part.write_text("new")
                 raise OSError(28, os.strerror(28))
 
-        with pytest.raises(OSError, match=told):
+        with pytest.raises(OSError, match=message):
             fill()
         assert path.read_text() == "old"
         assert list(tmp_path.iterdir()) == [path]
 
-    def test_errors_that_are_not_of_the_disk_stay_what_they_are(self, tmp_path):
+    def test_errors_unrelated_to_the_disk_are_unchanged(self, tmp_path):
         def read():
             with replacing_hdf5(tmp_path / "a.h5") as file, h5py.File(file, "w") as opened:
                 return opened["missing"]
@@ -131,14 +131,14 @@ class TestExtremes:
         with pytest.raises(ValueError, match="R must be <= 1e150 m"):
             sc.surfaces.sphere(GRID, 1e200)
 
-    def test_a_pressure_that_no_number_holds_is_not_converged(self):
+    def test_an_overflowing_pressure_does_not_converge(self):
         elastic = sc.Material.elastic(210e9, 0.3)
         solver = sc.ContactSolver(GRID, elastic, elastic, on_border="warn")
         with pytest.raises(sc.ConvergenceError, match="the solution is not finite"):
             solver.solve(sc.surfaces.paraboloid(GRID, 1e-3), approach=3.4e145)
 
     @pytest.mark.parametrize("value", [5e-324, 1e-76, 2e75, 1e300])
-    def test_numbers_whose_products_are_none(self, value):
+    def test_numbers_with_overflowing_products(self, value):
         with pytest.raises(ValueError, match=r"E must be between 1e-75 and 1e75 \[Pa\], got"):
             sc.Material.elastic(value, 0.3)
         with pytest.raises(ValueError, match=r"dx must be between 1e-75 and 1e75 \[m\], got"):
@@ -165,14 +165,14 @@ class TestHeights:
     @pytest.mark.parametrize(
         "values", [np.zeros((3, 3), complex), np.zeros(3), np.zeros((0, 3)), np.zeros((2, 2), "S3")]
     )
-    def test_arrays_that_are_no_heights(self, tmp_path, values):
+    def test_invalid_height_arrays(self, tmp_path, values):
         np.save(tmp_path / "heights.npy", values)
         with pytest.raises(ValueError, match=r"must contain rows of numbers, got"):
             measured.read(tmp_path / "heights.npy", dx=1e-6)
 
 
 class TestResults:
-    """Results with a variable of other dimensions, and files that cannot be used."""
+    """Results with a variable of wrong dimensions, and unusable files."""
 
     @pytest.fixture
     def dataset(self):
@@ -185,7 +185,7 @@ class TestResults:
         report.write(dataset, tmp_path / "report.html")
         broken = dataset.drop_vars("pressure").assign(pressure=xr.Variable((), 1.0))
         for use in (report.checks, lambda data: report.write(data, tmp_path / "other.html")):
-            with pytest.raises(ValueError, match="a part of it is missing or has another type"):
+            with pytest.raises(ValueError, match="a part is missing or has the wrong type"):
                 use(broken)
         assert not (tmp_path / "other.html").exists()
 
@@ -194,7 +194,7 @@ class TestResults:
         content = path.read_bytes()
         place = content.index(b"long_name")
         path.write_bytes(content[:place] + b"L" + content[place + 1 :])
-        with pytest.raises(ValueError, match="its bytes have changed"):
+        with pytest.raises(ValueError, match="the file has changed"):
             results.open_results(path)
 
     def test_a_refused_file_is_closed(self, dataset, tmp_path):

@@ -19,7 +19,7 @@ both = pytest.mark.parametrize(("model", "onset"), MODELS.items())
 
 
 def at(model, ratio, **changed):
-    """The model at a ratio of its own critical interference."""
+    """Return the model at a multiple of its own critical interference."""
     sphere = {**SPHERE, **changed}
     onset = getattr(critical, model.__name__)(**sphere)
     return model(ratio * onset.interference, **sphere)
@@ -92,7 +92,7 @@ def test_jackson_green_hardness_falls_with_the_contact_radius():
         for y in (1e3, 1e6, 1e8, 1e9)
     ]
     assert np.all(np.diff(found) < 0)
-    # contact radius nothing against R: the hardness is 2.84 yield stresses
+    # for a contact radius far below R the hardness is 2.84 yield stresses
     C = 1.295 * math.exp(0.736 * 0.3)
     load = math.exp(-0.25 * 50 ** (5 / 12)) * 50**1.5
     load += 4 * 2.84 / C * (1 - math.exp(-(50 ** (5 / 9)) / 25)) * 50
@@ -112,7 +112,7 @@ def test_the_models_agree_with_each_other():
 def test_kogut_etsion_ends_at_110():
     limit = 110 * MODELS[flattening.kogut_etsion].interference
     assert flattening.kogut_etsion(limit, **SPHERE).load > 0
-    with pytest.raises(ValueError, match=r"interference must be <= .* \(110 times critical\), got"):
+    with pytest.raises(ValueError, match=r"must be <= .* \(110 times the critical value\), got"):
         flattening.kogut_etsion([0.0, 1.01 * limit], **SPHERE)
     assert flattening.jackson_green(1.01 * limit, **SPHERE).load > 0
 

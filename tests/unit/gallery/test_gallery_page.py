@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The frame of the gallery: what holds, what the table says, what is written."""
+"""Tools of the gallery: tolerances, tables, and written pages."""
 
 import re
 import sys
@@ -52,7 +52,7 @@ def test_a_table_says_how_much_values_move_with_the_mesh():
     assert moves.COARSE_MESH_NOTE in text
 
 
-def test_moves_are_those_of_the_page_where_they_were_computed():
+def test_moves_are_those_of_the_page_if_computed():
     def of(mesh, change, found, part="one"):
         kind = "values" if change == "none" else "moves"
         return {"of": part, "mesh": mesh, "change": change, kind: found}
@@ -77,7 +77,7 @@ def test_moves_are_those_of_the_page_where_they_were_computed():
 
 
 def test_every_row_of_the_table_is_stated_once():
-    """Each computed value has one field in the texts, in the order of the page."""
+    """Each computed value has one row in the statements, in the order of the page."""
     for name, rows in stated.table().items():
         files = [
             file
@@ -109,11 +109,11 @@ def test_a_row_is_filled(monkeypatch):
 
 @pytest.mark.parametrize("name", parts.PARTS)
 def test_the_column_of_a_page_is_that_of_the_kept_table(name):
-    """Otherwise the page was written before the table, or quantities have other words."""
+    """A difference means that the page is older than the table, or that quantities were renamed."""
     found = moves.of_part(name, moves.kept())
     rows = (PAGES / f"{name}.md").read_text().splitlines()
     shown = {row.split(" | ")[-1].rstrip(" |") for row in rows if row.startswith("| ")}
-    assert shown - {"", "moves"} == set(moves.column(found).values())
+    assert shown - {"", "sensitivity"} == set(moves.column(found).values())
 
 
 def test_a_page_has_its_table_and_figures(tmp_path):
@@ -178,7 +178,7 @@ def test_the_command_fails_when_a_value_differs(tmp_path, monkeypatch):
     assert [main(given), main([*given, "--quick"])] == [1, 0]
 
 
-def test_every_part_says_its_figures_on_the_first_page():
+def test_every_part_has_its_figures_on_the_first_page():
     text = (Path(__file__).parents[3] / "docs" / "gallery.md").read_text()
     for name in parts.PARTS:
         assert re.search(rf"\(gallery/{name}\.md\) \| {parts.figures_of(name)} ", text), name

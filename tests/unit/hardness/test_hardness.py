@@ -11,7 +11,7 @@ DATA = np.linspace(129.0, 632.0, 40)
 
 
 def test_yield_is_below_the_flow_stress_at_eight_percent_and_nears_it_with_hardness():
-    # what is left to harden falls with the hardness (Pavlina, Van Tyne 2008, figures 1 and 4)
+    # the remaining hardening decreases with hardness (Pavlina, Van Tyne 2008, figures 1 and 4)
     ratio = hardness.yield_from_vickers(DATA) / hardness.flow_stress_from_vickers(DATA)
     assert np.all(np.diff(ratio) > 0)
     assert ratio[0] > 0.6
@@ -19,7 +19,7 @@ def test_yield_is_below_the_flow_stress_at_eight_percent_and_nears_it_with_hardn
 
 
 def test_a_third_of_the_mean_pressure_of_the_indent_is_the_flow_stress():
-    # 1 kgf on a pyramid of diagonal 0.1 mm: HV = 1.8544 F/d^2, of the contact area, not its shadow
+    # 1 kgf on a pyramid of diagonal 0.1 mm: HV = 1.8544 F/d^2, by contact area, not projected area
     force, diagonal = 9.80665, 0.1e-3
     vickers = 2 * np.sin(np.radians(68.0)) * (force / 9.80665) / (diagonal * 1e3) ** 2
     shadow = force / (diagonal**2 / 2)
@@ -27,7 +27,7 @@ def test_a_third_of_the_mean_pressure_of_the_indent_is_the_flow_stress():
     assert found == pytest.approx(shadow * np.sin(np.radians(68.0)) / 3, rel=1e-12)
 
 
-def test_a_hardened_case_becomes_a_profile_and_says_that_it_is_beyond_the_data():
+def test_a_hardened_case_becomes_a_profile_with_a_warning_beyond_the_data():
     depth, indents = [0.1e-3, 0.5e-3, 1e-3, 2e-3], [720, 640, 550, 380]
     with pytest.warns(hardness.HardnessRangeWarning, match="HV = 720 is outside"):
         strength = hardness.yield_from_vickers(indents)
@@ -39,6 +39,6 @@ def test_a_hardened_case_becomes_a_profile_and_says_that_it_is_beyond_the_data()
 
 @pytest.mark.parametrize("wrong", [0.0, -300.0, np.nan, 7e9, [300.0, 6900.0]])
 @pytest.mark.parametrize("name", ["yield_from_vickers", "flow_stress_from_vickers"])
-def test_what_is_no_vickers_number_is_refused(name, wrong):
+def test_invalid_vickers_numbers_are_refused(name, wrong):
     with pytest.raises(ValueError, match=r"HV must be Vickers numbers .* got"):
         getattr(hardness, name)(wrong)

@@ -54,7 +54,7 @@ class Superposition:
         return self.tables[key]
 
     def __call__(self, what, steps, ahead, z=0.0):
-        """Component first; steps = [(flux, dt), ...], the last one ends now."""
+        """Return the field, component first; steps = [(flux, dt), ...] end at the present time."""
         age, field = ahead, 0.0
         for flux, dt in reversed(steps):
             influence = self.table(what, age + dt, z) - self.table(what, age, z)
@@ -108,7 +108,7 @@ def test_elongated_grids_and_cells(nx, ny, dy, shortest):
     assert max(worst_errors(past, Superposition(grid), steps, dt, DEPTHS[:3])) < 5e-6
 
 
-def test_before_the_shortest_time_the_newest_flux_comes_from_tables():
+def test_flux_newer_than_the_shortest_time_uses_tables():
     grid = grid_of()
     steps = random_steps(grid, [2 * UNIT, UNIT])
     past = feed(history(grid), steps)
@@ -131,7 +131,7 @@ def test_moving_body(peclet, durations):
     assert max(errors) < 5e-6
 
 
-def test_moving_body_forgets_in_many_steps_what_it_forgets_in_one():
+def test_a_moving_body_loses_heat_independently_of_the_steps():
     grid = grid_of(12, 10, dy=DX)
     speed = (5 * KAPPA / DX, KAPPA / DX)
     flux = random_steps(grid, [UNIT])[0][0]
@@ -162,7 +162,7 @@ def test_tends_to_the_steady_state():
     )
     wanted = both - alone
     assert np.abs(past.stress(0.0, DEPTHS) - wanted).max() < 1e-4 * np.abs(wanted).max()
-    # The displacement has a steady shape; its level goes on falling.
+    # The displacement has a steady shape, but its level decreases without limit.
     x, y = Superposition(grid).x, Superposition(grid).y
     corner = np.meshgrid(x, y, indexing="ij")
     table = _core.kernels.steady_heat_displacement(
@@ -175,8 +175,8 @@ def test_tends_to_the_steady_state():
     assert past.temperature(UNIT, [0.0]).max() < 1e-4 * got.max()
 
 
-def test_cools_without_drift():
-    """Alone, the heat obeys the laws of an instantaneous source: T ~ t^-3/2, no constant stays."""
+def test_cooling_does_not_drift():
+    """Cooling obeys the law of an instantaneous source, T ~ t^-3/2, without a remainder."""
     grid = grid_of()
     past = feed(history(grid, longest=1e8 * UNIT), random_steps(grid, [UNIT] * 3))
     times = UNIT * 10.0 ** np.arange(4, 9)
@@ -208,7 +208,7 @@ def test_a_step_may_be_split_and_steps_may_change():
 
 @pytest.mark.parametrize("speed", [(0.0, 0.0), (3.0, 1.0)])
 @pytest.mark.parametrize("shortest", [0.1, 1.0])
-def test_a_restored_state_goes_on_bit_by_bit(speed, shortest):
+def test_a_restored_state_continues_with_identical_bits(speed, shortest):
     grid = grid_of(8, 8, dy=DX)
     speed = tuple(v * KAPPA / DX for v in speed)
     steps = random_steps(grid, [UNIT * d for d in (1, 2, 9, 1, 3)])
@@ -257,8 +257,8 @@ def test_no_traction_at_the_surface(speed):
     assert np.abs(stress[2:5, :, :, 1]).max() < 3e-3 * np.abs(stress).max()
 
 
-def test_units_do_not_matter():
-    """The body in millimetres and milliseconds."""
+def test_results_are_independent_of_units():
+    """Results in millimetres and milliseconds agree with SI units."""
     a, b = grid_of(), grid_of(dx=1e3 * DX, dy=1.25e3 * DX)
     steps = random_steps(a, [UNIT, 2 * UNIT])
     metres = feed(history(a), steps)

@@ -72,12 +72,12 @@ class TestSimulation:
         assert heated.heat.factor == (0.0, 0.0)
         assert hot.temperature().max() > 100
         assert not off.temperature().any()
-        # without heat the maximum stress is higher: the steel flows on
+        # without heat the maximum stress is higher, so the steel yields further
         assert off.max_equivalent_plastic_strain() > hot.max_equivalent_plastic_strain()
         free = heated.step(load=0.0)
         assert free.von_mises().max() > 50e6
 
-    def test_a_failed_step_leaves_the_heat_factor(self):
+    def test_a_failed_step_keeps_the_heat_factor(self):
         heated = simulation(grid_of(9, 0.5, **VOLUME), 0.03)
         with pytest.raises(sc.GridTooSmallError):
             heated.step(load=LOAD, heat_factor=0.01)
@@ -107,7 +107,7 @@ class TestSimulation:
             given.plastic_strain(), contact.plastic_strain(), rtol=0, atol=1e-8
         )
 
-    def test_a_scene_without_heat_builds_nothing_for_it(self):
+    def test_a_simulation_without_heat_builds_no_heat_operators(self):
         grid = grid_of(25, 1.5, **VOLUME)
         cold = sc.Simulation(grid, COLD, STEEL, ball(grid))
         zero = simulation(grid, 0.0, velocity=(1.0, 0.0), time=1.0)
@@ -117,7 +117,7 @@ class TestSimulation:
         assert np.array_equal(cold.state.plastic_strain(), zero.state.plastic_strain())
 
     @pytest.mark.parametrize("extra", [{}, {"velocity": (0.3, 0.1), "time": 2e-3}])
-    def test_checkpoint_goes_on_bit_for_bit(self, extra, tmp_path):
+    def test_continuation_from_a_checkpoint_is_bit_identical(self, extra, tmp_path):
         grid = grid_of(21, 1.5, nz=16, dz=45e-6)
         heated = simulation(grid, 0.05, reference=0.3, **extra)
         heated.step(load=1000.0)
@@ -169,25 +169,25 @@ class TestSoftening:
         assert soft.max_equivalent_plastic_strain() > 2 * hard.max_equivalent_plastic_strain()
         factor = soft.softening()
         assert 0.6 < factor.min() < 0.8
-        # of the temperature of the first contact solution, which differs a little from the last
+        # softening uses the temperature of the first contact solution, which differs from the last
         np.testing.assert_allclose(factor, self.LAW(soft.temperature()), atol=0.02)
         limit = factor * STEEL.yield_stress(soft.equivalent_plastic_strain())
         assert (soft.von_mises() <= limit * (1 + 1e-5)).all()
         assert (hard.softening() == 1).all()
 
-    def test_a_rise_that_is_no_number(self):
+    def test_a_temperature_rise_that_is_nan(self):
         with pytest.raises(ValueError, match=r"rise must be finite everywhere, got nan$"):
             self.LAW(np.nan)
         with pytest.raises(ValueError, match=r"rise must be finite everywhere, got nan at index"):
             self.LAW([1.0, np.nan])
 
-    def test_without_heat_it_changes_nothing(self):
+    def test_softening_without_heat_changes_nothing(self):
         grid = grid_of(21, 1.5, nz=16, dz=45e-6)
         plain = simulation(grid, 0.0).step(load=LOAD)
         soft = simulation(grid, 0.0, body2=STEEL.with_softening(self.LAW)).step(load=LOAD)
         assert np.array_equal(plain.plastic_strain(), soft.plastic_strain())
 
-    def test_any_function_once_an_increment(self):
+    def test_a_softening_function_is_called_once_per_increment(self):
         grid = grid_of(21, 1.5, nz=16, dz=45e-6)
         calls = []
 
@@ -216,7 +216,7 @@ class TestSoftening:
             heated.step(load=LOAD)
         assert heated.state.load == 0.0
 
-    def test_an_error_of_the_law_comes_through(self):
+    def test_an_error_of_the_softening_law_is_raised(self):
         grid = grid_of(21, 1.5, nz=16, dz=45e-6)
 
         def law(rise):

@@ -23,7 +23,7 @@ def simulation(body2=STEEL, friction=None, heat=None, **settings):
 
 
 def power_of(state):
-    """Frictional power per area [W/m^2]."""
+    """Return the frictional power per area [W/m^2]."""
     return np.reshape(state._core.slip_power, GRID.surface_shape)
 
 
@@ -38,12 +38,12 @@ def power_of(state):
     ],
     ids=["steady", "softening", "elapsed", "moving", "both moving"],
 )
-def test_where_all_slips_it_is_the_heat_of_gross_sliding(body2, source):
+def test_heat_at_full_slip_equals_heat_of_full_sliding(body2, source):
     speed, duration = 0.2, 2.0
     heat = sc.Heat(sc.heat.factors(MU, speed, HEAT_FRACTION), **source)
     slides = simulation(body2, MU, heat)
     sticks = simulation(body2, heat=sc.Heat(partition=HEAT_FRACTION, **source))
-    # Cold first: what touches for the first time slips a part of the increment only.
+    # Cold contact first, because newly contacting cells slip in only a part of the increment.
     slides.step(load=300.0, heat_factor=0.0)
     sticks.step(load=300.0, shift=(speed * duration, 0.0), duration=1e9)
     expected = slides.step(load=300.0, heat_factor=heat.factor)
@@ -60,13 +60,13 @@ def test_where_all_slips_it_is_the_heat_of_gross_sliding(body2, source):
         lambda s: s.stress(2)[..., :8],
         lambda s: s.max_equivalent_plastic_strain(2),
     ):
-        # The slip turns a little where surfaces strain; softening is that of the first contact.
+        # Surface strain slightly changes the slip direction; softening uses the first contact.
         tol = 5e-4 if body2.softening else 1e-5
         np.testing.assert_allclose(of(state), of(expected), atol=tol * np.abs(of(expected)).max())
 
 
 @pytest.mark.parametrize("source", [{}, {"time": 1e-3, "velocity": ((0, 0), (0.3, 0.2))}])
-def test_the_power_of_friction_enters_the_bodies(source):
+def test_the_friction_power_enters_the_bodies(source):
     run = simulation(BALL, heat=sc.Heat(partition=HEAT_FRACTION, **source), tol=1e-9)
     before = run.step(load=100.0, duration=1.0)
     assert not power_of(before).any()
@@ -156,6 +156,6 @@ def test_copies_and_parts_of_increments_keep_the_heat(tmp_path):
         ),
     ],
 )
-def test_what_cannot_be_heated_is_refused(make, text):
+def test_bodies_that_cannot_be_heated_are_refused(make, text):
     with pytest.raises(ValueError, match=text):
         make()

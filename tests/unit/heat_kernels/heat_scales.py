@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Influence of a heat source in units of LENGTH, as the oracles have it.
+"""Influence of a heat source in units of LENGTH, as in the oracles.
 
 Ages are kappa t / LENGTH^2 and speeds V LENGTH / kappa; `temperature`, `displacement` and `stress`
 translate to SI and back.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Influence of a heat source against point sources, frequency responses, and thermoelasticity.
 
-Lengths, ages and speeds are those of `heat_scales`. Tolerances on tables are those asked for,
-relative to the largest value; the oracles are better.
+Lengths, ages and speeds are those of `heat_scales`. Tolerances of tables are the requested ones,
+relative to the largest value; the oracles are more accurate.
 """
 
 import itertools
@@ -31,7 +31,7 @@ from scipy.special import erfc
 from oracles import heat, quadrature
 
 RECTANGLES = ((0.5, 0.5), (0.5, 4.0), (4.0, 0.5), (0.5, 0.35))
-# In half sides: centre, inside, on an edge, on a corner, just off, above an edge line, far on both
+# In half-sides: centre, inside, on an edge, on a corner, just off, above an edge line, far on both
 # sides of the change to Gauss points at 30 sizes, 1000 cells away.
 PLACES = (
     (0.0, 0.0),

@@ -56,7 +56,7 @@ class TestLimits:
             # so does the stress
             assert error(stress(self.x, self.y, z, HALF, 1e12, AT_REST, 1e-9), s) < 1e-6
 
-    def test_late_displacement_has_a_known_distance(self):
+    def test_late_displacement_has_a_known_reference_distance(self):
         """r0 = 4 exp(-(1 + gamma)/2) sqrt(X)."""
         age = 1e6
         r0 = 4 * np.exp(-(1 + np.euler_gamma) / 2) * np.sqrt(age)
@@ -86,7 +86,7 @@ class TestLimits:
     def _stress(self, *h):
         return stress(self.x, self.y, 0.6, HALF, *h)
 
-    def test_nothing_has_happened_yet(self):
+    def test_fields_at_zero_time_are_zero(self):
         assert not temperature(X, Y, 0.0, HALF, 0.0, (1.0, 0.0)).any()
         assert not displacement(X, Y, HALF, 0.0, AT_REST).any()
         assert not stress(X, Y, 0.1, HALF, 0.0, AT_REST).any()
@@ -122,7 +122,7 @@ def test_symmetry(age, speed):
         assert error(turned[swap], table) < 1e-12
 
 
-def test_parts_add_up_to_the_whole():
+def test_parts_sum_to_the_whole():
     quarter = (HALF[0] / 2, HALF[1] / 2)
     shifts = list(itertools.product((-quarter[0], quarter[0]), (-quarter[1], quarter[1])))
     for age, speed in (REGIMES[1], REGIMES[4], REGIMES[7]):
@@ -160,7 +160,7 @@ def test_fast_sources_keep_the_tolerance(speed):
 
 
 def test_far_points_keep_their_digits():
-    """Sums over many cells add errors far away: those are relative to what is there."""
+    """At far points the error is relative to the local value."""
     x = np.array([0.0, 30.0, 100.0, 300.0])
     half = (0.5, 0.5)
     steady = temperature(x, x, 0.5, half, INF, AT_REST)
@@ -215,8 +215,8 @@ VALID_ARGUMENTS = {
         ("time", np.nan, "time must be a number >= 0"),
         ("velocity", (1.0, INF), r"velocity\[1\] must be a finite number, got inf"),
         ("velocity", 1.0, "velocity must be two numbers"),
-        ("time", 1e80, "time must be <= 1e60"),
-        ("velocity", (1e-100, 0.0), "velocity must be 0 or >= 1e-59"),
+        ("time", 1e80, "time must be inf or <= 1e60"),
+        ("velocity", (1e-100, 0.0), "velocity must be 0 or have a magnitude >= 1e-59"),
         ("velocity", (0.0, -1e9), "velocity must be < 1e7 diffusivity"),
         ("tol", 0.1, r"tol must be in \[1e-12, 1e-2\], got 0.1"),
     ],

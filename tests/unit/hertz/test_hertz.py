@@ -53,7 +53,7 @@ def test_point_from_load_approach_and_pressure_agree(R, E_star, load):
         (1e150, 1e11, "approach", 1e150),  # a is a number, and its cube is none
     ],
 )
-def test_contacts_beyond_the_range_of_numbers(R, E_star, given, value):
+def test_contacts_with_overflow(R, E_star, given, value):
     message = "must give finite contact dimensions > 0"
     with pytest.raises(ValueError, match=f"{given} {message}"):
         hertz.point(R, E_star, **{given: value})
@@ -76,7 +76,7 @@ def test_point_pressure_integrates_to_the_load_and_is_zero_outside():
 
 
 def _surface_displacement(pressure, a, b, x, E_star):
-    """u_z at (x, 0) by polar quadrature of the Boussinesq potential around that point."""
+    """Return u_z at (x, 0) by polar quadrature of the Boussinesq potential around this point."""
 
     def along(theta):
         # chord of the ellipse from (x, 0) in direction theta
@@ -160,7 +160,7 @@ def test_point_max_von_mises(nu, C, depth):
         assert z / contact.a == pytest.approx(depth, abs=1e-4)
 
 
-def test_axis_stress_far_below_keeps_its_digits():
+def test_axis_stress_at_large_depth_keeps_its_digits():
     # against the series in 1/s^2, where the plain formula has lost most of its digits
     contact = hertz.point(R=1.0, E_star=1.0, p0=1.0)
     for s in (50.0, 999.0, 1001.0, 1e5):
@@ -229,7 +229,7 @@ def test_elliptic_axis_ratio_solves_the_classical_equation(ratio):
     assert (E * k**2 - K) / (K - E) == pytest.approx(ratio, rel=1e-12 / m)
 
 
-def test_elliptic_meets_point_continuously():
+def test_elliptic_contact_tends_to_point_contact():
     sphere = hertz.point(1e-2, E_STAR, load=10.0)
     for ratio in (1.0, 1.0 + 3e-16, 1.0 + 1e-12, 1.0 + 1e-7):
         contact = hertz.elliptic(1e-2, 1e-2 * ratio, E_STAR, load=10.0)

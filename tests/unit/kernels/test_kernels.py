@@ -237,7 +237,7 @@ def test_equilibrium(kernel, point):
 
 
 def test_unit_of_length_does_not_matter():
-    """Metres or millimetres: stress is the same, displacement is a length."""
+    """In metres and millimetres stress is equal, and displacement scales as a length."""
     a, b, c = HALF
     for k in (1e-3, 1e-6, 1e3):
         x, y, half = k * X, k * Y, (k * a, k * b, k * c)
@@ -265,8 +265,8 @@ def test_young_modulus_only_scales():
     assert_close(kernels.eigenstrain_stress(X, Y, 0.5, 0.6, *HALF, E, 0.3), E * stress, 1e-14)
 
 
-def test_parts_add_up_to_the_whole():
-    """Eight octants of a cuboid, four quarters of a rectangle."""
+def test_parts_sum_to_the_whole():
+    """The eight octants of a cuboid and the four quarters of a rectangle sum to the whole."""
     a, b, c = HALF
     signs = np.array([-0.5, 0.5])
     whole = kernels.eigenstrain_stress(X, Y, 0.6, 0.5, a, b, c, E, 0.3)
@@ -287,7 +287,7 @@ def test_parts_add_up_to_the_whole():
 
 @pytest.mark.parametrize("depth", [1e2, 1e3, 1e4])
 def test_image_stress_decays_with_the_cube_of_the_depth(depth):
-    """Deep cuboids see an infinite body; unstable image terms would grow with depth instead."""
+    """The field of deep cuboids tends to that in an infinite body, without unstable image terms."""
     a, b, c = HALF
 
     def at(level):

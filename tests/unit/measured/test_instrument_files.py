@@ -85,7 +85,7 @@ def test_files_of_instruments(name):
 
 
 @pytest.mark.parametrize("name", READER_ARGUMENTS)
-def test_what_files_do_not_tell_is_asked(name):
+def test_information_missing_in_files_is_requested(name):
     with pytest.raises(ValueError, match=READER_ARGUMENTS[name]):
         measured.read(FILES / name)
 
@@ -105,7 +105,7 @@ def test_nanofocus_steps_are_nanometres(tmp_path):
     assert measured.read(tmp_path / "t.nms").size[0] > 24e-11
 
 
-def test_a_file_is_not_taken_for_one_of_a_reader_that_finds_nothing_in_it(tmp_path):
+def test_a_reader_that_finds_no_data_is_rejected(tmp_path):
     nms(tmp_path / "s.nms")
     with pytest.raises(ValueError, match=r"MATLAB \(mat\): the file has no channels"):
         measured.read(tmp_path / "s.nms", format="mat")
@@ -120,7 +120,7 @@ def test_a_file_is_not_taken_for_one_of_a_reader_that_finds_nothing_in_it(tmp_pa
         ({"folder": "scan/"}, r"X3P.*Archive member `main.xml` is missing"),
     ],
 )
-def test_the_reason_of_the_reader_is_told(tmp_path, given, reason):
+def test_the_reason_of_the_reader_is_reported(tmp_path, given, reason):
     x3p(tmp_path / "s.x3p")
     assert measured.read(tmp_path / "s.x3p").heights.shape == (5, 5)
     x3p(tmp_path / "s.x3p", **given)
@@ -142,7 +142,9 @@ def test_reasons_are_sentences(tmp_path):
     def fails():
         raise IndexError("list index out of range")
 
-    with pytest.raises(instruments._ReaderError, match=r"IndexError: list.*damaged, or a variant"):
+    with pytest.raises(
+        instruments._ReaderError, match=r"IndexError: list.*damaged, or is a variant"
+    ):
         instruments._tried(instruments.library("SurfaceTopography.IO"), fails)
 
 
@@ -177,7 +179,7 @@ class TestColumns:
 
     @pytest.mark.parametrize("suffix", ["txt", "csv", "npy", "xyz"])
     @pytest.mark.parametrize("turned", [False, True])
-    def test_a_profile_is_no_map_of_two_columns(self, tmp_path, suffix, turned):
+    def test_a_two_column_profile_is_not_read_as_a_map(self, tmp_path, suffix, turned):
         path = tmp_path / f"p.{suffix}"
         table = np.column_stack([self.x, self.z])[:: -1 if turned else 1]
         if suffix == "npy":
@@ -188,7 +190,7 @@ class TestColumns:
         assert found.is_profile
         np.testing.assert_allclose(found.heights[:, 0], self.z, atol=1e-18)
         assert found.dx == pytest.approx(1e-3 / 199)
-        with pytest.raises(ValueError, match=r"dx must be None: .* a profile, columns x and"):
+        with pytest.raises(ValueError, match=r"dx must be None, got .* a profile, columns x and"):
             measured.read(path, dx=5e-6)
         with pytest.raises(ValueError, match="unit is required"):
             measured.read(path)
@@ -205,7 +207,7 @@ class TestColumns:
         assert found.dx == pytest.approx(0.15625e-6, rel=1e-4)
         np.testing.assert_allclose(found.heights[:, 0], z * UM, atol=6e-12)
 
-    def test_unequal_steps_are_interpolated_and_told(self, tmp_path):
+    def test_unequal_steps_are_interpolated_with_a_warning(self, tmp_path):
         x = np.sort(np.random.default_rng(5).uniform(0, 1e-3, 400))
         np.savetxt(tmp_path / "p.txt", np.column_stack([x, 2.0 * x]))
         found = measured.read(tmp_path / "p.txt", unit="m", detrend=None)
@@ -217,7 +219,7 @@ class TestColumns:
         again = measured.read(tmp_path / "p.txt", unit="m", detrend=None)
         np.testing.assert_allclose(again.heights, found.heights, rtol=1e-12)
 
-    def test_what_is_neither_profile_nor_grid_is_refused(self, tmp_path):
+    def test_points_that_are_neither_profile_nor_grid_are_refused(self, tmp_path):
         table = np.column_stack([self.x, self.z])
         table[50, 0] = 0.0
         np.savetxt(tmp_path / "p.txt", table)
@@ -226,8 +228,8 @@ class TestColumns:
         x, y = np.meshgrid(np.arange(4.0), np.arange(5.0), indexing="ij")
         points = np.column_stack([x.ravel(), y.ravel(), x.ravel()])
         for wrong, text in (
-            (points[:-1], "19 points lie at 4 x and 5 y"),
-            (np.vstack([points[:-1], points[:1]]), "20 points lie at 4 x and 5 y"),
+            (points[:-1], "19 points at 4 values of x and 5 of y"),
+            (np.vstack([points[:-1], points[:1]]), "20 points at 4 values of x and 5 of y"),
             (points * [1, 1, 1] + (points[:, :1] == 3) * [0.5, 0, 0], "equal steps along x"),
         ):
             np.savetxt(tmp_path / "c.txt", wrong)
@@ -274,7 +276,7 @@ class TestProfiles:
         assert filled.heights[7] == pytest.approx((holes[6] + holes[8]) / 2)
         assert filled.attrs["filled_points"] == 1
 
-    def test_a_case_takes_the_reader(self, tmp_path):
+    def test_a_case_file_can_name_the_reader(self, tmp_path):
         np.savetxt(tmp_path / "p.dat", [[x, -(x**2) / 2e3] for x in range(-30, 31)])
         given = {
             "title": "t",
@@ -320,13 +322,13 @@ def test_a_period_of_any_number_of_samples(n):
         (np.arange(8.0)[:, None] * 2e-6, 1e-6, "its height range exceeds its length"),
     ],
 )
-def test_sizes_that_cannot_be_are_told(tmp_path, heights, dx, text):
+def test_implausible_sizes_cause_a_warning(tmp_path, heights, dx, text):
     np.save(tmp_path / "h.npy", heights)
     with pytest.warns(sc.UnitWarning, match=text):
         measured.read(tmp_path / "h.npy", dx=dx)
 
 
-def test_plausible_sizes_are_not_doubted(tmp_path, recwarn):
+def test_plausible_sizes_cause_no_warning(tmp_path, recwarn):
     np.savetxt(tmp_path / "h.txt", np.random.default_rng(1).standard_normal((9, 9)) * 1e-7)
     measured.read(tmp_path / "h.txt", dx=1e-6)
     assert not [w for w in recwarn if w.category is sc.UnitWarning]

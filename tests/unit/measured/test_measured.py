@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measured surfaces: files that SurfaceTopography writes, resampling, trends, case files."""
+"""Measured surfaces: files written by SurfaceTopography, resampling, trends, case files."""
 
 import sys
 import warnings
@@ -19,7 +19,7 @@ with warnings.catch_warnings():
 
 
 def polynomial(x, y):
-    """Second-order heights along each axis, with different coefficients [m, m]."""
+    """Return heights that are quadratic along each axis, with different coefficients [m, m]."""
     x, y = np.meshgrid(x, y, indexing="ij")
     return 1e-6 + 2e-3 * x - 1e-3 * y + 5.0 * x**2 - 3.0 * y**2 + 4.0 * x * y
 
@@ -70,7 +70,7 @@ def test_plain_arrays_need_no_library(tmp_path, rough, monkeypatch):
         assert read.on(make_grid(nx=4, ny=4, dx=1e-6, dy=1e-6)).shape == (4, 4)
 
 
-def test_missing_library_tells_how_to_get_it(tmp_path, surface, monkeypatch):
+def test_a_missing_library_is_reported_with_its_installation(tmp_path, surface, monkeypatch):
     for name in ("SurfaceTopography", "SurfaceTopography.IO"):
         monkeypatch.setitem(sys.modules, name, None)
     for call in (
@@ -82,7 +82,7 @@ def test_missing_library_tells_how_to_get_it(tmp_path, surface, monkeypatch):
             call()
 
 
-def test_units_and_sizes_that_the_file_does_not_tell(tmp_path, rough):
+def test_units_and_sizes_missing_in_the_file(tmp_path, rough):
     np.save(tmp_path / "h.npy", rough * 1e9)
     read = measured.read(tmp_path / "h.npy", dx=2e-6, dy=3e-6, unit="nm", detrend=None)
     np.testing.assert_allclose(read.heights, rough, rtol=1e-14)
@@ -90,7 +90,7 @@ def test_units_and_sizes_that_the_file_does_not_tell(tmp_path, rough):
     with pytest.raises(ValueError, match=r"dx is required, because .*h\.npy does not contain it"):
         measured.read(tmp_path / "h.npy")
     Topography(rough, (1.0, 1.0), unit="um").to_netcdf(str(tmp_path / "s.nc"))
-    with pytest.raises(ValueError, match=r"dx must be None: .*s\.nc has its own"):
+    with pytest.raises(ValueError, match=r"dx must be None, got .*s\.nc contains it"):
         measured.read(tmp_path / "s.nc", dx=1e-6)
     with pytest.raises(ValueError, match="unit must be None"):
         measured.read(tmp_path / "s.nc", unit="nm")
@@ -185,7 +185,7 @@ def test_average_is_the_mean_over_cells(rough):
     np.testing.assert_allclose(centres, rough[1::3, 1::3], atol=1e-20)
 
 
-def test_too_small_a_surface(surface):
+def test_a_surface_smaller_than_the_grid_is_refused(surface):
     grid = make_grid(nx=21, ny=5, dx=5e-6, dy=5e-6)
     with pytest.raises(ValueError, match=r"along x .* extend from -5e-05 to 5e-05 m: .* set fill"):
         surface.on(grid)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files of heights: one convention for all readers, lost points, texts of other programs."""
+"""Files of heights: one axis convention for all readers, undefined points, foreign texts."""
 
 import os
 import warnings
@@ -24,7 +24,7 @@ UM = np.random.default_rng(1).standard_normal((NX, NY))  # no symmetry, not squa
 
 
 def write_sdf(path):
-    """ISO 25178-71: profiles along x, one after the other."""
+    """Write an ISO 25178-71 file: profiles along x in sequence."""
     head = (
         f"aISO-1.0\nManufacID = x\nCreateDate = 010120200000\nModDate = 010120200000\n"
         f"NumPoints = {NX}\nNumProfiles = {NY}\nXscale = {DX}\nYscale = {DY}\nZscale = 1e-15\n"
@@ -81,7 +81,7 @@ def close(surface, heights=1e-6 * UM):
 
 
 @pytest.mark.parametrize("name", WITH_SIZES)
-def test_first_index_runs_along_x_in_files_that_tell_their_sizes(tmp_path, name):
+def test_first_index_runs_along_x_in_files_with_sizes(tmp_path, name):
     path = tmp_path / name
     WITH_SIZES[name](path)
     close(measured.read(path, detrend=None))
@@ -152,7 +152,7 @@ def test_case_files_read_the_same_surface(tmp_path, name):
         ("s.csv", "1;2\n3;x\n", "could not convert string 'x'"),
     ],
 )
-def test_texts_of_other_countries_are_never_read_wrongly(tmp_path, name, text, message):
+def test_number_formats_of_other_countries_are_never_misread(tmp_path, name, text, message):
     (tmp_path / name).write_text(text)
     with pytest.raises(ValueError, match=rf"cannot read heights from .*{name}: .*{message}"):
         measured.read(tmp_path / name, dx=DX)
@@ -214,7 +214,7 @@ def test_masked_values_are_refused_by_name_elsewhere():
         sc.Simulation(grid, sc.Material.rigid(), steel, 1j * UM)
 
 
-def test_files_of_spreadsheets_in_cases_name_the_section(tmp_path):
+def test_errors_of_spreadsheet_files_in_cases_name_the_section(tmp_path):
     (tmp_path / "s.csv").write_text("1,5;2,5\n3,5;4,5\n")
     case = Case.model_validate(
         {
@@ -244,7 +244,7 @@ def test_an_array_is_known_by_its_content(name, tmp_path):
         measured.read(tmp_path / name, dx=DX, channel=1)
 
 
-def test_what_can_be_read_only_once_or_without_end_is_no_file_of_heights(tmp_path):
+def test_pipes_and_endless_files_are_refused(tmp_path):
     os.mkfifo(tmp_path / "s.txt")
     for path in (tmp_path / "s.txt", "/dev/zero"):
         with pytest.raises(ValueError, match="must be a regular file, got a pipe or device"):
@@ -252,8 +252,8 @@ def test_what_can_be_read_only_once_or_without_end_is_no_file_of_heights(tmp_pat
 
 
 @pytest.mark.parametrize("name", ["s.npy", "s.txt"])
-def test_an_array_that_claims_more_than_it_holds(name, tmp_path):
-    """Readers that go through all it claims do not end."""
+def test_an_array_with_a_wrong_size_in_its_header(name, tmp_path):
+    """Readers that trust the size in the header would not end."""
     with (tmp_path / name).open("wb") as file:
         shape = (2**40, 2**20)
         header = {"descr": "<f8", "fortran_order": False, "shape": shape}

@@ -33,7 +33,7 @@ def coordinates(grid):
 
 
 def blob(cells, power=2, widths=(1.0, 1.0), depth=1.1):
-    """A smooth strain within an ellipsoid of half axes 1, with `cells` cells in a half axis."""
+    """Return a smooth strain within a unit ellipsoid, with `cells` cells per semi-axis."""
     h = 1.0 / cells
     nx, ny = (2 * int(np.ceil(w * cells)) for w in widths)
     grid = sc.Grid(nx, ny, h, h, int(np.ceil((depth + 1) * cells)), h)
@@ -44,7 +44,7 @@ def blob(cells, power=2, widths=(1.0, 1.0), depth=1.1):
 
 
 def padded(grid, strain, factor):
-    """The strain in a box that is wider by a factor, and its position in it."""
+    """Return the strain in a box wider by a factor, and its position in this box."""
     nx, ny = (factor * n + n % 2 * (factor % 2 == 0) for n in (grid.nx, grid.ny))
     wide = sc.Grid(nx, ny, grid.dx, grid.dy, grid.nz, grid.dz)
     i, j = (nx - grid.nx) // 2, (ny - grid.ny) // 2
@@ -54,7 +54,7 @@ def padded(grid, strain, factor):
     return wide, embedded, inside
 
 
-def test_tends_to_the_exact_one_with_second_order():
+def test_fast_stress_converges_to_exact_stress_with_second_order():
     differences = []
     for cells in (5, 10):
         grid, strain = blob(cells)
@@ -89,7 +89,7 @@ def test_other_materials_and_cells(nu, sizes):
     "shape", [{}, {"widths": (1.0, 0.5)}, {"depth": 2.2}, {"widths": (2.0, 0.4), "depth": 1.1}]
 )
 def test_images_are_below_their_tolerance(shape):
-    """Only the images differ between a box and a much wider one."""
+    """A box and a much wider one differ only by the periodic images."""
     grid, strain = blob(10 if "widths" in shape else 12, power=4, **shape)
     wide, embedded, inside = padded(grid, strain, 6)
     reference = fast(wide, embedded, **FREE)[inside]
@@ -99,9 +99,9 @@ def test_images_are_below_their_tolerance(shape):
 
 
 @pytest.mark.parametrize(("cells", "limit"), [((16, 14), 3e-4), ((33, 31), 1e-5)])
-def test_the_box_does_not_matter_where_single_cells_are_strained(cells, limit):
-    """Nothing rings from cell to cell: with a symbol that ends at the highest wavenumber a box of
-    33 cells differs by 2 %. The rest falls with the fifth power of the cells."""
+def test_strain_of_single_cells_is_independent_of_the_box(cells, limit):
+    """Stress does not oscillate between cells; with a cut at the highest wavenumber a box of
+    33 cells would differ by 2 %. The difference falls with the fifth power of the cells."""
     draws = np.random.default_rng(3)
     grid = sc.Grid(*cells, 1.0, 1.2, 6, 0.8)
     spots = draws.random(grid.volume_shape) < 0.02
@@ -133,9 +133,9 @@ def test_is_symmetric():
     assert abs(there - back) < 1e-6 * scale
 
 
-def test_never_feeds_energy_into_a_strain():
-    """-strain : stress is the elastic energy, never negative; the exact point values do not keep
-    that (tests/unit/operators/test_operators.py)."""
+def test_elastic_energy_of_a_strain_is_not_negative():
+    """-strain : stress is the elastic energy and never negative; exact point values violate
+    this (tests/unit/operators/test_operators.py)."""
     shape = (8, 8, 8)
     grid = sc.Grid(8, 8, 1.0, 1.0, 8, 1.0)
     i, j, k = np.ogrid[:8, :8, :8]
@@ -162,7 +162,7 @@ LAWS = {
 
 @functools.cache
 def plastic_zone(law):
-    """Two balls at 1500 N: radius and depth of the plastic zone, and its strain in the plane y = 0
+    """Return radius and depth of the plastic zone of two balls at 1500 N, and its strain (y = 0)
     as functions of (x, z)."""
     exact_contact = sc.hertz.point(R=7.5e-3, E_star=E / (1 - NU**2) / 2, load=1500.0)
     h = exact_contact.a / 24
@@ -213,7 +213,7 @@ def zone_errors(law, cells, refinement):
         pytest.param(32, 3, marks=pytest.mark.slow),
     ],
 )
-def test_not_less_accurate_than_the_exact_one(law, cells, refinement):
+def test_the_fast_method_is_as_accurate_as_the_exact_one(law, cells, refinement):
     of_exact, of_fast = zone_errors(law, cells, refinement)
     assert of_fast <= of_exact < 2.0 / cells**1.5
 

@@ -217,7 +217,7 @@ def test_sliding_keeps_the_contact_on_the_slider():
     )
 
 
-def test_passes_run():
+def test_passes_are_executed():
     grid = sc.Grid(9, 9, 2e-5, 2e-5)
     steel = sc.Material.elastic(210e9, 0.3)
     path = paths.rolling(load=2.0, distance=5e-5, step=2e-5, increments=2, passes=2)

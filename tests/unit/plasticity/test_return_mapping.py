@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The scalar equation of the radial return, trial - 3 G d = sigma_y(g + d), solved to rounding.
+"""The scalar equation of the radial return, trial - 3 G d = sigma_y(g + d), is solved to rounding.
 
-What rounding leaves: the terms trial, 3 G d and sigma_y are each known to one ulp of trial, so the
-residual cannot be asked to be below a few ulp of the trial stress.
+Rounding: the terms trial, 3 G d and sigma_y are each known to one ulp of trial, so the
+residual cannot be below a few ulp of the trial stress.
 """
 
 import numpy as np
@@ -51,7 +51,7 @@ def test_equation(law, excess, g):
 
 
 @laws
-def test_below_and_at_yield_nothing_flows(law):
+def test_no_flow_up_to_the_yield_stress(law):
     for g in (0.0, 1e-3):
         yield_stress = LAWS[law].yield_stress(g)
         for trial in (0.0, 0.5 * yield_stress, yield_stress):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values that the colours of a smooth field picture represent at given points."""
+"""Values represented by the colours of a smooth field picture at given points."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def drawn_values(ax, x, y):
 
 
 def shows(ax, x, y, values, within=0.04):
-    """Whether axes show these values at all x and y, to a part of the largest magnitude.
+    """Return whether axes show these values at all x and y, to a fraction of the maximum magnitude.
 
     Bands of colour are not much narrower. White is shown for 0.
     """

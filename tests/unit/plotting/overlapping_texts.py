@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Texts of a figure that lie over each other, or over axes that are not theirs."""
+"""Texts of a figure that overlap each other or foreign axes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ SLACK = 0.5  # [pt]
 
 
 def overlaps(figure):
-    """Pairs of what lies over each other; a text of a plot may lie in it, as a legend does."""
+    """Return overlapping pairs; texts within their own axes, such as legends, are permitted."""
     figure.draw_without_rendering()
     renderer = figure.canvas.get_renderer()
     shrink = -SLACK * figure.dpi / 72
@@ -33,7 +33,7 @@ def overlaps(figure):
 
 
 def texts(ax):
-    """Readable texts of axes: labels, title, legend, annotations, and ticks within the limits."""
+    """Return visible texts of axes: labels, title, legend, annotations, ticks within the limits."""
     legend = ax.get_legend()
     found = [ax.xaxis.label, ax.yaxis.label, ax.title, *ax.texts]
     found += [ax.xaxis.get_offset_text(), ax.yaxis.get_offset_text()]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of tugging asperities show the series they are given."""
+"""Figures of asperity collisions show the given series."""
 
 import numpy as np
 import pytest
@@ -23,7 +23,7 @@ def results():
 
 
 def lines(ax):
-    """The curves, without the axes' own zero lines."""
+    """Return the curves without the zero lines of the axes."""
     return [line for line in ax.lines if not line.get_label().startswith("_")]
 
 
@@ -54,7 +54,7 @@ def test_load_ratio(results):
     assert np.isnan(shown[0])
 
 
-def test_energy_and_print_against_the_interference(results):
+def test_energy_and_imprint_against_the_interference(results):
     ax = asperity_figures.net_energy(results, critical=CRITICAL)
     assert [line.get_label() for line in lines(ax)] == [
         "net energy", "pass 2", "energy of residual stress"

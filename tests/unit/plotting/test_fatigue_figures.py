@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of fatigue: the data that artists show, and which fields they take."""
+"""Figures of fatigue: the data shown by artists, and the accepted fields."""
 
 import numpy as np
 import pytest
@@ -69,7 +69,7 @@ def test_section_elsewhere(fields, ax):
     np.testing.assert_allclose(cross(ax), (GRID.x[i] * 1e6, GRID.z[k] * 1e6), atol=1e-9)
 
 
-def test_section_across_the_way_of_material(states, ax):
+def test_section_across_the_rolling_direction(states, ax):
     field = sc.fatigue.fatemi_socie(sc.fatigue.steady_cycle(states[-1]), k=0.3, yield_stress=1e9)
     plotting.fatigue_section(field, ax)
     assert ax.get_xlabel() == "y [µm]"
@@ -86,9 +86,9 @@ def test_map_has_the_largest_of_each_column(fields, ax):
     np.testing.assert_allclose(cross(ax), (place["x"] * 1e6, place["y"] * 1e6), atol=1e-9)
 
 
-def test_what_has_no_figure(fields, states):
+def test_fields_without_a_figure_are_refused(fields, states):
     strain = sc.fatigue.fatemi_socie(states, k=0.3, yield_stress=1e9)
-    with pytest.raises(ValueError, match="a common unit"):
+    with pytest.raises(ValueError, match="the same unit"):
         plotting.fatigue_depth([fields[0], strain])
     with pytest.raises(ValueError, match="at least one"):
         plotting.fatigue_depth([])

@@ -45,7 +45,7 @@ def test_lines_are_those_of_the_interface(axis, along, shear):
     assert ax.get_ylabel() == "stress at 5 µm depth [MPa]"
 
 
-def test_a_bar_is_above_what_touches_and_no_tension_is_marked():
+def test_the_contact_bar_is_drawn_and_no_tension_is_marked():
     contact = np.zeros((7, 5))
     contact[2:4, 2] = 1.0
     ax = plotting.interface_profile(-np.abs(STRESS), GRID, contact=contact)
@@ -56,7 +56,7 @@ def test_a_bar_is_above_what_touches_and_no_tension_is_marked():
     assert to_panel.transform(bar.get_xydata())[:, 1] == pytest.approx([1.0, 1.0])
 
 
-def test_what_is_wrong_is_named():
+def test_invalid_arguments_are_named():
     for wrong, text in (
         ({"stress": STRESS[..., 0]}, r"stress must have shape \(2, 6, 7, 5, 5\)"),
         ({"interface": 2}, "interface must be an integer of magnitude <= 1, got 2"),
@@ -75,7 +75,7 @@ def pressed(body):
     return state, to_dataset(run, [state])
 
 
-def test_both_sides_of_what_is_one_material_coincide():
+def test_both_sides_of_an_interface_in_one_material_coincide():
     """Both sides coincide inside one material; at a rigid base without stress one side is drawn."""
     state, _ = pressed(sc.Layered([(STEEL, 4e-6), (STEEL, 4e-6)], RIGID))
     stress = state.interface_stress()
@@ -87,7 +87,7 @@ def test_both_sides_of_what_is_one_material_coincide():
     np.testing.assert_allclose(drawn[r"$\sigma_{zz}$"][1], 1e-6 * stress[0, 2, :, 8, 1])
 
 
-def test_of_many_interfaces_those_that_are_pulled_most_are_shown():
+def test_the_interfaces_with_the_largest_tension_are_shown():
     layers = [(NITRIDE, 4e-6), (STEEL, 2e-6), (NITRIDE, 4e-6), (STEEL, 2e-6)]
     body = sc.Layered(layers, STEEL)
     _, dataset = pressed(body)

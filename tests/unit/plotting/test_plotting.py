@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures: the data that artists show, in the displayed units, and the files written."""
+"""Figures: the data shown by artists, in displayed units, and the written files."""
 
 import subprocess
 import sys
@@ -36,7 +36,7 @@ def ax():
 
 
 def shown_label(ax):
-    """Label of the colour bar, or title where the section is flat."""
+    """Return the label of the colour bar, or the title if the section is flat."""
     return ax.get_title() or ax.figure.axes[1].get_ylabel()
 
 
@@ -103,14 +103,14 @@ def test_strain_in_percent(state, simulation, ax):
     assert "[%]" in shown_label(ax)
 
 
-def test_no_grid_lies_over_colours(state, simulation):
+def test_no_grid_lines_over_colours(state, simulation):
     with matplotlib.rc_context({"axes.grid": True}):
         ax = Figure().subplots()
     plotting.section(state.von_mises(), simulation.grid, ax, quantity="von_mises")
     assert not any(line.get_visible() for line in [*ax.get_xgridlines(), *ax.get_ygridlines()])
 
 
-def test_a_field_that_is_zero_says_so(simulation, ax):
+def test_a_zero_field_is_labelled(simulation, ax):
     grid = simulation.grid
     for quantity in ("equivalent_plastic_strain", "hydrostatic"):
         ax = Figure().subplots()
@@ -121,7 +121,7 @@ def test_a_field_that_is_zero_says_so(simulation, ax):
 
 
 @pytest.mark.parametrize("layers", [2, 12])
-def test_the_label_of_a_section_is_where_it_has_room(layers, ax):
+def test_the_label_of_a_section_fits(layers, ax):
     grid = make_grid(nz=layers, dz=1e-4)
     plotting.section(np.ones((grid.nx, grid.ny, grid.nz)), grid, ax, quantity="von_mises")
     beside = ax.figure.axes[1].get_ylabel()
@@ -168,7 +168,7 @@ def test_load_approach(simulation, ax):
     assert drawn["Hertz"][-1, 1] == pytest.approx(800.0, rel=1e-12)  # states are Hertz contacts
 
 
-def test_print_profile(state, simulation, ax):
+def test_imprint_profile(state, simulation, ax):
     field = state.residual_displacement(body=1)
     plotting.imprint_profile(field, simulation.grid, ax, label="body 1")
     field = state.residual_displacement(body=2)
@@ -261,7 +261,7 @@ def test_bad_input_is_named(state, simulation, ax):
         plotting.surface_map(state.gap, grid, ax, contact=np.zeros(3, dtype=bool))
 
 
-def test_latex_that_is_not_installed_is_told(tmp_path, monkeypatch):
+def test_a_missing_latex_is_reported(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", "")
     with matplotlib.rc_context({"text.usetex": True}):
         figure = new_figure()
@@ -270,7 +270,7 @@ def test_latex_that_is_not_installed_is_told(tmp_path, monkeypatch):
             save(figure, tmp_path / "f.png")
 
 
-def test_stresses_are_not_joined_across_an_interface(ax):
+def test_stress_curves_are_interrupted_at_interfaces(ax):
     grid = Grid(3, 3, 1e-6, 1e-6, nz=6, dz=1e-6)
     stress = np.zeros((6, 3, 3, 6))
     stress[0, :, :, 2:] = 1e9
@@ -299,7 +299,7 @@ def test_smooth_colours_are_those_of_the_values(quantity):
     assert shows(ax, grid.x, grid.z, field[:, 4] * factor)
 
 
-def test_colours_of_a_print_span_what_there_is():
+def test_the_colour_scale_of_an_imprint_spans_its_values():
     """The scale covers the values of both signs, with white for zero, and is not symmetric."""
     grid = make_grid(nx=31, ny=29)
     x, y = grid.x[:, None] * 1e4, grid.y * 1e4
@@ -314,7 +314,7 @@ def test_colours_of_a_print_span_what_there_is():
 
 @pytest.mark.parametrize("cells", [31, 32, 45])
 def test_the_edge_of_a_contact_lies_between_cells(cells):
-    """It is Hertz' circle to a fraction of a cell, though only the pressure of cells is known."""
+    """The edge agrees with Hertz' circle to a fraction of a cell."""
     grid = make_grid(nx=cells, ny=cells, dx=2e-5, dy=2e-5)
     pressure = (
         ContactSolver(grid, ELASTIC, ELASTIC)
@@ -344,7 +344,7 @@ def test_one_cell_in_contact_has_an_edge():
     ) == pytest.approx([0.0, 0.0], abs=0.2)
 
 
-def test_a_section_tells_where_the_bodies_touch(state, simulation, ax):
+def test_a_section_marks_the_contact(state, simulation, ax):
     grid = simulation.grid
     touching = np.zeros((grid.nx, grid.ny))
     touching[[2, 3, 7], 4] = 1e9
@@ -355,8 +355,8 @@ def test_a_section_tells_where_the_bodies_touch(state, simulation, ax):
     assert all(np.all(line.get_ydata() == 0) for line in ax.lines)
 
 
-def test_the_line_of_unloading_is_that_of_smaller_increments():
-    """Unloading from an imprint: approach about linear in load^(2/3), as for elastic bodies."""
+def test_the_unloading_curve_agrees_with_smaller_increments():
+    """In unloading the approach is about linear in load^(2/3), as for elastic bodies."""
     grid = Grid(31, 31, 40e-6, 40e-6, 20, 40e-6)
     simulation = Simulation(grid, ELASTIC, SWIFT, surfaces.paraboloid(grid, 7.5e-3))
     loads = [1500.0, 1000.0, 500.0, 200.0, 0.0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of shakedown show what was computed."""
+"""Figures of shakedown show the computed data."""
 
 import numpy as np
 import pytest

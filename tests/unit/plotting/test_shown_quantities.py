@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Labels of fields in figures: no quantity that was not given, none that is impossible."""
+"""Labels of fields in figures name only the given and possible quantity."""
 
 import numpy as np
 import pytest
@@ -25,12 +25,12 @@ def state(simulation):
 
 
 def shown_label(ax):
-    """Label of the colour bar, or title where the section is flat."""
+    """Return the label of the colour bar, or the title if the section is flat."""
     return ax.get_title() or ax.figure.axes[1].get_ylabel()
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_a_field_without_a_name_claims_nothing(simulation, sign):
+def test_a_field_without_a_name_has_a_neutral_label(simulation, sign):
     """Residual stress was drawn as a von Mises stress, with all compression white."""
     grid = simulation.grid
     x, y, z = grid.x[:, None, None] * 1e4, grid.y[:, None] * 1e4, grid.z * 1e4
@@ -59,7 +59,7 @@ def test_a_field_of_one_value_is_shown(value, cells):
     assert low <= min(value, 0.0) + 1e-9 * abs(value) < max(value, 0.0) <= high + 1e-9 * abs(value)
 
 
-def test_what_a_quantity_cannot_be_is_an_error(state, simulation):
+def test_impossible_values_of_a_quantity_are_an_error(state, simulation):
     grid = simulation.grid
     stress, strain = state.hydrostatic(), np.full((grid.nx, grid.ny, grid.nz), 1e9)
     print_ = state.residual_displacement(body=2) - 5e-7
@@ -99,14 +99,14 @@ def test_what_a_quantity_cannot_be_is_an_error(state, simulation):
             draw()
 
 
-def test_rounding_below_zero_is_none_of_another_quantity(state, simulation):
+def test_rounding_below_zero_is_accepted(state, simulation):
     grid = simulation.grid
     rounded = state.pressure - 1e-8 * state.pressure.max()
     plotting.surface_map(rounded, grid, quantity="pressure")
     plotting.surface_map(np.full((grid.nx, grid.ny), -1e-14), grid, quantity="gap")  # all touches
 
 
-def test_given_tractions_that_pull_are_shown(tmp_path):
+def test_prescribed_tension_is_shown(tmp_path):
     """Prescribed tension and overlap of the bodies are drawn in colour, not white."""
     grid = Grid(21, 21, 1e-6, 1e-6)
     gap = surfaces.paraboloid(grid, 1e-3)

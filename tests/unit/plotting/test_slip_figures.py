@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of partial slip: contents, and the figures that a run writes."""
+"""Figures of partial slip: contents, and the figures written by a run."""
 
 import math
 
@@ -56,15 +56,15 @@ def test_the_map_shows_each_cell_and_the_directions_of_slip(fretting):
         assert math.atan2(v, u) == pytest.approx(math.atan2(slip[1], slip[0]))
     largest = np.hypot(*state.slip).max()
     assert f"{largest * 1e9:.3g} nm" in ax.get_title()
-    told = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert told == ["stick", "slip"]
+    stated = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert stated == ["stick", "slip"]
     kinds = drawn_values(ax, GRID.x, GRID.y)
     np.testing.assert_array_equal(kinds == 0, state.sticking)
     np.testing.assert_array_equal(np.isnan(kinds), state.pressure == 0)
     assert len(set(STICK_AND_SLIP_COLOURS)) == 2
 
 
-def test_a_map_that_lies_is_the_same_turned(fretting):
+def test_a_horizontal_map_is_the_rotated_map(fretting):
     """A horizontal map is rotated by 90 degrees clockwise in cells, arrows and labels."""
     state = fretting[0][8]
     stands, lies = (
@@ -83,7 +83,7 @@ def test_a_map_that_lies_is_the_same_turned(fretting):
     assert low > high  # x downward
 
 
-def test_a_map_without_slip_says_so(fretting):
+def test_a_map_without_slip_is_labelled(fretting):
     state = fretting[0][0]
     ax = plotting.partial_slip_map(state.pressure, np.zeros((2, 21, 19)), GRID)
     assert ax.get_title() == "no slip"
@@ -100,7 +100,7 @@ def test_shear_lies_between_its_bounds(fretting):
     assert len(plotting.shear_profile(state.pressure, state.shear, GRID, math.inf).lines) == 1
 
 
-def test_the_loop_encloses_the_work_of_friction(fretting):
+def test_the_loop_area_is_the_friction_work(fretting):
     """Between two states of equal force, the work of the forces is dissipated by friction."""
     states, data = fretting
     area = 0.0
@@ -115,7 +115,7 @@ def test_the_loop_encloses_the_work_of_friction(fretting):
     assert f"{states[-1].friction_work * 1e6:.4g} µJ" in ax.get_title()
 
 
-def test_creepages_are_those_that_were_given(rolling):
+def test_creepages_are_the_given_ones(rolling):
     states, data = rolling
     xi, force = creepages(data, "x")
     np.testing.assert_allclose(xi, [1e-3] * 4 + [4e-3] * 4, rtol=1e-9)
@@ -127,7 +127,7 @@ def test_creepages_are_those_that_were_given(rolling):
     assert set(bound.get_ydata()) == {MU * LOAD}
 
 
-def test_forces_along_the_way(rolling):
+def test_forces_along_the_distance_rolled(rolling):
     ax = plotting.rolling_force(rolling[1])
     curve, bound = ax.lines
     np.testing.assert_allclose(curve.get_xdata(), np.arange(9) * GRID.dx * 1e6, atol=1e-9)
@@ -142,7 +142,7 @@ def test_the_map_is_that_of_the_largest_force(fretting, rolling):
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
-def test_runs_write_them(fretting, rolling, tmp_path):
+def test_runs_write_slip_figures(fretting, rolling, tmp_path, undrawn):
     names = [path.name for path in plotting.summary_figures(fretting[1], tmp_path)]
     assert names[-2:] == ["partial_slip.png", "fretting_loop.png"]
     names = [path.name for path in plotting.summary_figures(rolling[1], tmp_path)]
@@ -153,9 +153,9 @@ def test_runs_write_them(fretting, rolling, tmp_path):
     _, slides = run([], friction=0.3)
     written = plotting.summary_figures(slides, tmp_path)
     assert not {"partial_slip.png", "fretting_loop.png"} & {path.name for path in written}
-    with pytest.raises(ValueError, match="dataset must be of a contact with partial slip"):
+    with pytest.raises(ValueError, match="dataset must be from a contact with partial slip"):
         plotting.fretting_loop(slides)
-    with pytest.raises(ValueError, match="dataset must be of rolling bodies"):
+    with pytest.raises(ValueError, match="dataset must be from rolling bodies"):
         plotting.rolling_force(fretting[1])
 
 

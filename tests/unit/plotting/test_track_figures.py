@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures and animation of a moving contact: the data that artists show, in the body's frame."""
+"""Figures and animation of a moving contact: the data shown, in the frame of the body."""
 
 import matplotlib.animation
 import numpy as np
@@ -49,7 +49,7 @@ def ax():
     return Figure().subplots()
 
 
-def test_places_of_cells_are_those_of_the_track():
+def test_cell_positions_are_those_of_the_track():
     steps = sc.paths.rolling(
         load=700.0, distance=2 * STEP, step=0.8 * STEP, slide_to_roll=-0.3, increments=1
     )
@@ -66,14 +66,14 @@ def test_places_of_cells_are_those_of_the_track():
             )
 
 
-def test_a_track_is_the_same_from_itself_and_from_results(states, shown):
+def test_figures_of_a_track_and_of_results_agree(states, shown):
     dataset = results.to_dataset(make_simulation(), states)
     xr.testing.assert_identical(track_of(dataset, 2), shown)
     assert track_of(dataset, 1) is None  # elastic
     assert shown["residual_stress"].attrs["units"] == "Pa"
 
 
-def test_print_along_the_track(track, shown, ax):
+def test_imprint_along_the_track(track, shown, ax):
     assert plotting.track_imprint(shown, ax, positions=(0.0, 1.9 * STEP)) is ax
     u = track.residual_displacement() * 1e6
     for line, row, label in zip(ax.get_lines(), (6, 8), ("y = 0 µm", "y = 120 µm"), strict=True):
@@ -84,7 +84,7 @@ def test_print_along_the_track(track, shown, ax):
     assert ax.get_xlabel() == "x on body 2 [µm]"
 
 
-def test_print_across_the_track(track, shown, ax):
+def test_imprint_across_the_track(track, shown, ax):
     plotting.track_imprint(shown, ax, axis="y", positions=(0.0, WAY * STEP))
     u = track.residual_displacement() * 1e6
     rows = [int(np.argmin(np.abs(track.x - x))) for x in (0.0, WAY * STEP)]
@@ -156,7 +156,7 @@ def test_summary(states, track, shown):
     assert figures["track_sections"].axes[3].get_title().endswith("[MPa], x = 300 µm")
 
 
-def test_summary_runs_where_there_is_something(states, shown):
+def test_summary_profiles_run_through_the_maximum(states, shown):
     moved = shown.copy(deep=True)
     values = shown["residual_von_mises"].values
     moved["residual_von_mises"].values[:] = np.roll(values, 3, axis=1)
@@ -194,7 +194,7 @@ def test_bad_input_is_named(states, shown, ax):
 
 
 class Recorder(matplotlib.animation.AbstractMovieWriter):
-    """Keeps what each frame shows."""
+    """Movie writer that stores the contents of each frame."""
 
     def __init__(self):
         super().__init__()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies in three dimensions: meshes of the view, and its page in a browser without network."""
+"""Three-dimensional views: meshes, and the page in a browser without a network."""
 
 import io
 import re
@@ -25,7 +25,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
 
 
 def dataset():
-    """Results with a von Mises stress that is largest at x = y = 0, 100 µm deep."""
+    """Return results whose von Mises stress is largest at x = y = 0, at a depth of 100 µm."""
     simulation = make_simulation(4, SWIFT, SWIFT)
     grid = simulation.grid = make_grid(nx=21, ny=17, dx=5e-5, dy=5e-5, nz=12, dz=4e-5)
     simulation.initial_gap = np.zeros((21, 17))
@@ -36,7 +36,7 @@ def dataset():
 
 
 def meshes(plotter):
-    """Meshes of the view, in the order in which they were added."""
+    """Return the meshes of the view, in the order of addition."""
     mappers = [getattr(actor, "mapper", None) for actor in plotter.actors.values()]
     return [mapper.dataset for mapper in mappers if hasattr(mapper, "dataset")]
 
@@ -108,7 +108,7 @@ def test_bad_input_is_named(tmp_path):
         plotting.save_view(None, tmp_path / "view.png")
 
 
-def test_without_pyvista_it_is_told_what_to_install(monkeypatch):
+def test_a_missing_pyvista_is_reported_with_its_extra(monkeypatch):
     monkeypatch.setitem(sys.modules, "pyvista", None)
     with pytest.raises(ModuleNotFoundError, match=re.escape("pip install samcontact[3d]")):
         plotting.view(dataset())

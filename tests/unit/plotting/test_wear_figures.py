@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of wear: the data that artists show."""
+"""Figures of wear: the data shown by artists."""
 
 import numpy as np
 import pytest
@@ -34,7 +34,7 @@ def ax():
 
 
 def test_tresca():
-    """Uniaxial, hydrostatic, and pure shear."""
+    """Values for uniaxial, hydrostatic and pure shear stress."""
     stress = np.zeros((6, 3))
     stress[0, 0] = -5.0
     stress[:3, 1] = 7.0
@@ -42,7 +42,7 @@ def test_tresca():
     np.testing.assert_allclose(wear_figures.tresca(stress), [5.0, 0.0, 4.0], atol=1e-14)
 
 
-def test_tresca_does_not_depend_on_the_frame():
+def test_tresca_is_independent_of_the_axes():
     rng = np.random.default_rng(3)
     full = rng.normal(size=(3, 3))
     full += full.T

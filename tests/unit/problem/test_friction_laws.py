@@ -30,7 +30,7 @@ each = pytest.mark.parametrize("law", BOUNDS, ids=repr)
 
 
 @each
-def test_bound_of_the_shear(law):
+def test_shear_bound(law):
     assert np.array_equal(law.bound(PRESSURE), BOUNDS[law])
 
 
@@ -77,12 +77,12 @@ def test_a_law_outlives_trees_attributes_copies_and_pickles(law):
     assert pickle.loads(pickle.dumps(law)) == copy.deepcopy(law) == law
 
 
-def test_other_attributes_tell_of_no_law():
+def test_files_without_law_attributes_have_no_law():
     assert law_of_attributes({}) is None
     assert law_of_attributes({"friction_law": "unheard of"}) is None
 
 
-def test_a_number_is_gross_sliding():
+def test_a_number_means_full_sliding():
     law = friction_law(0.25)
     assert not law.sticks
     assert law.sliding_ratio == 0.25

@@ -30,7 +30,7 @@ NUMBERS = [
 
 
 def beyond(limits):
-    """Numbers just outside a range, and those in no range."""
+    """Return numbers just outside a range, and NaN and infinity."""
     found = [float("nan"), float("inf"), -float("inf")]
     found += [one for one in (limits.gt, limits.lt) if one is not None]
     if limits.ge is not None:
@@ -62,7 +62,7 @@ def test_ranges_in_words():
     assert str(RangeSetting(ge=1e-6, le=0.1)) == "in [1e-6, 0.1]"
 
 
-def test_words_counts_and_what_goes_together():
+def test_texts_counts_and_combinations_of_settings():
     with pytest.raises(ValueError, match="on_border must be one of 'error', 'warn', got 'no'"):
         ContactSettings(on_border="no")
     with pytest.raises(ValueError, match="max_iterations must be an integer >= 1, got 0"):
@@ -110,7 +110,7 @@ def test_case_files_have_these_names_defaults_and_ranges(case, others):
             assert getattr(section.model_validate({name: value}), name) == value
 
 
-def test_the_pages_tell_these_ranges():
+def test_the_pages_state_these_ranges():
     page = (DOCS / "case_files.md").read_text(encoding="utf-8")
     page = page.split("### [contact]")[1].split("\n### ")[0]
     rows = dict(re.findall(r"^\| (\w+) \| (.*?) \|", page, re.MULTILINE))
@@ -137,7 +137,7 @@ def test_the_pages_tell_these_ranges():
     assert f"in [{images.ge:g}, {images.le:g}]".replace("e-0", "e-") in sc.Simulation.__doc__
 
 
-def test_what_was_given_is_told_and_kept(tmp_path):
+def test_given_settings_are_shown_and_stored(tmp_path):
     grid = sc.Grid(5, 5, 1e-5, 1e-5)
     given = {
         "friction": 0.1, "tol": 1e-5, "on_border": "warn", "max_iterations": 9,

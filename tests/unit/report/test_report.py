@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reports: what a browser shows equals the dataset, and checks fail when results are spoilt."""
+"""Reports: displayed numbers equal the dataset, and checks fail for modified results."""
 
 import re
 from types import SimpleNamespace
@@ -25,7 +25,7 @@ CASE = MINIMAL.replace("nz = 12\ndz = 60e-6", "nz = 36\ndz = 20e-6")
 
 @pytest.fixture(scope="module")
 def data():
-    """A real run of a case."""
+    """Return the dataset of a real run of a case."""
     case = parse_case(CASE + "\n[output]\nbody = 2\n")
     case._text = CASE
     simulation, path = case.build()
@@ -34,7 +34,7 @@ def data():
 
 @pytest.fixture(scope="module")
 def folder(data, tmp_path_factory):
-    """Folder of a run after the command `report`."""
+    """Return the folder of a run after the command `report`."""
     folder = tmp_path_factory.mktemp("run")
     results.save(data, folder / "results.nc")
     outcome = CliRunner().invoke(main, ["report", str(folder)])
@@ -46,20 +46,20 @@ def folder(data, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def page(folder):
-    """The report in a browser, and what the browser asked for."""
+    """Open the report in a browser; return its page and the requested paths."""
     with served(folder) as (address, asked), chromium() as driver:
         driver.get(f"{address}/report.html")
         yield SimpleNamespace(driver=driver, asked=asked)
 
 
 def cells(page, table):
-    """Text of the cells of a table, row by row, the heading first."""
+    """Return the texts of the cells of a table, row by row, starting with the heading."""
     rows = page.driver.find_elements(By.CSS_SELECTOR, f"#{table} tr")
     return [[cell.text for cell in row.find_elements(By.CSS_SELECTOR, "th, td")] for row in rows]
 
 
 def exact(page, table):
-    """The numbers behind a table's text, in SI units; None where a cell has none."""
+    """Return the numbers of a table in SI units; None for cells without a number."""
     script = """return [...document.querySelectorAll('#' + arguments[0] + ' tbody tr')].map(
         row => [...row.querySelectorAll('td')].map(
             cell => cell.querySelector('data') && cell.querySelector('data').value))"""
@@ -80,7 +80,7 @@ def test_the_browser_shows_every_figure(page):
     assert captions[-1] == "Convergence"
 
 
-def test_the_page_needs_nothing_else(page):
+def test_the_page_is_self_contained(page):
     assert set(page.asked) <= {"/report.html", "/favicon.ico"}
     assert [e for e in page.driver.get_log("browser") if "favicon" not in e["message"]] == []
 
@@ -168,7 +168,7 @@ def test_checks_in_the_browser(page, data):
         np.testing.assert_array_equal(behind, [v.value for v in shown])
 
 
-def test_answers_come_first_then_figures_then_checks(page):
+def test_results_precede_figures_and_checks(page):
     headings = [h.text for h in page.driver.find_elements(By.CSS_SELECTOR, "h2, h3")]
     assert headings == [
         "Results", "Comparison with elastic Hertz contact", "Figures", "Checks",
@@ -185,7 +185,7 @@ def test_results_are_the_maxima_of_the_increments(page, data):
     assert float(value) == pytest.approx(peak, rel=1e-5)
 
 
-def test_the_page_is_fit_for_screen_readers_and_paper(page):
+def test_the_page_is_accessible_and_printable(page):
     driver = page.driver
     assert driver.find_element(By.TAG_NAME, "html").get_attribute("lang") == "en"
     unscoped = "return document.querySelectorAll('th:not([scope])').length"
@@ -197,8 +197,8 @@ def test_the_page_is_fit_for_screen_readers_and_paper(page):
 
 
 @pytest.mark.parametrize("width", [390, 800, 1280])
-def test_no_number_is_broken(page, width):
-    """Every cell with a number is one line, on a phone too."""
+def test_numbers_are_not_wrapped(page, width):
+    """Every cell with a number fits on one line, also on a phone."""
     size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
     page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
     script = """const cells = document.querySelectorAll(
@@ -280,7 +280,7 @@ def test_every_check_can_fail(data, sound, start, name, change, value):
     assert named(sound, start).passed
 
 
-def test_a_failed_check_is_told(data, tmp_path, undrawn):
+def test_a_failed_check_is_reported(data, tmp_path, undrawn):
     results.save(spoilt(data, "contact_edge_distance", lambda x: x * 0), tmp_path / "bad.nc")
     outcome = CliRunner().invoke(main, ["report", str(tmp_path / "bad.nc")])
     assert outcome.exit_code == 0
@@ -292,14 +292,14 @@ def test_a_failed_check_is_told(data, tmp_path, undrawn):
     assert text.count("✗ failed") == 1
 
 
-def test_load_is_compared_with_what_the_case_asks_for(data):
+def test_the_load_is_compared_with_the_case(data):
     other = data.copy(deep=True)
     other["load"] = other["load"] * 0.9
     other["pressure"] = other["pressure"] * 0.9  # consistent, but not the case's load
     assert find(other, "load balance").value == pytest.approx(0.1, rel=1e-6)
 
 
-def test_border_is_seen_in_a_real_run():
+def test_contact_at_the_grid_edge_is_detected():
     grid = sc.Grid(13, 13, 40e-6, 40e-6, 6, 40e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
     simulation = sc.Simulation(grid, ELASTIC, SWIFT, gap, on_border="warn")
@@ -363,7 +363,7 @@ def test_prescribed_tractions_have_no_complementarity(tmp_path, undrawn):
     assert "Load–approach curve" not in written(dataset, tmp_path)
 
 
-def test_heated_body_of_interest(tmp_path, undrawn):
+def test_the_selected_heated_body_is_reported(tmp_path, undrawn):
     thermal = SWIFT.with_thermal(50.2, 11.7e-6, 1.37e-5)
     simulation = make_simulation(body1=thermal, body2=ELASTIC)
     states = [FakeState(simulation.grid, load) for load in (100.0, 300.0)]
@@ -373,7 +373,7 @@ def test_heated_body_of_interest(tmp_path, undrawn):
     assert "Von Mises stress, body 1, increment 2, 300 N" in text
 
 
-def test_texts_are_escaped_and_old_cases_do_no_harm(data, tmp_path, undrawn):
+def test_texts_are_escaped_and_old_cases_are_accepted(data, tmp_path, undrawn):
     other = data.copy()
     other.attrs = data.attrs | {"title": "<script>1</script>", "case": "[grid]\nunknown = 1\n"}
     text = written(other, tmp_path)
@@ -382,7 +382,7 @@ def test_texts_are_escaped_and_old_cases_do_no_harm(data, tmp_path, undrawn):
     assert 'id="hertz-table"' not in text
 
 
-def test_refuses_what_is_no_run(data, tmp_path):
+def test_folders_without_a_run_are_refused(data, tmp_path):
     with pytest.raises(ValueError, match="must be from a run, but has no pressure"):
         report.write(data.drop_vars("pressure"), tmp_path / "report.html")
     outcome = CliRunner().invoke(main, ["report", str(tmp_path / "results.nc")])

@@ -37,7 +37,7 @@ def data():
 
 
 def balances(body2, friction, counts, force):
-    """Energy balances of a ball pressed, fretted and unloaded, for increasing increment counts."""
+    """Return energy balances of a ball in fretting, for increasing numbers of increments."""
     grid = sc.Grid(21, 21, 34e-6, 34e-6, dz=34e-6)
     body1 = sc.Material.elastic(210e9, 0.3)
     for count in counts:
@@ -62,7 +62,7 @@ KINEMATIC = sc.Material.perfect_plastic(210e9, 0.3, 1.2e9).with_kinematic_harden
     [(sc.Material.elastic(100e9, 0.2), 0.3), (HARDENING, 0.3), (KINEMATIC, 0.3)],
     ids=["unlike", "yields", "kinematic"],
 )
-def test_what_is_missing_of_the_energy_falls_with_the_increments(body2, friction):
+def test_the_energy_imbalance_decreases_with_the_increments(body2, friction):
     few, many = balances(body2, friction, (2, 6), 60.0)
     assert abs(many.imbalance) < 0.5 * abs(few.imbalance) < 0.01
     assert many.elastic_energy == pytest.approx(0, abs=1e-9 * many.work_input)  # released
@@ -86,8 +86,8 @@ def test_pressing_elastic_balls_has_no_error():
     assert (found.friction_work, found.plastic_work, found.residual_energy) == (0.0, 0.0, 0.0)
 
 
-def test_what_was_there_before_the_first_state_is_not_missing():
-    """A run that went on, over a body with a strain of its own."""
+def test_initial_energy_is_not_counted_as_imbalance():
+    """The run is a continuation, and the body has initial strain."""
     grid = sc.Grid(21, 21, 34e-6, 34e-6, dz=34e-6, nz=12)
     simulation = sc.Simulation(
         grid, sc.Material.elastic(210e9, 0.3), KINEMATIC, sc.surfaces.paraboloid(grid, 7.5e-3),
@@ -107,7 +107,7 @@ def test_what_was_there_before_the_first_state_is_not_missing():
     )
 
 
-def test_balances_that_are_not_known_are_refused():
+def test_unknown_balances_are_refused():
     grid = sc.Grid(15, 15, 50e-6, 50e-6)
     body = sc.Material.elastic(210e9, 0.3)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
@@ -160,7 +160,7 @@ def test_every_check_can_fail(data, start, name, change):
     assert not named(report.checks(spoilt), start).passed
 
 
-def test_the_page_has_stick_and_slip(data, tmp_path):
+def test_the_page_has_a_section_on_partial_slip(data, tmp_path):
     text = report.write(data, tmp_path / "report.html").read_text(encoding="utf-8")
     for heading in ("Partial slip", "Energy balance", "Stick and slip zones, increment 18"):
         assert heading in text

@@ -41,7 +41,7 @@ def page(folder):
 
 
 def rows(text, table):
-    """The numbers behind the rows of a table."""
+    """Return the numbers of the rows of a table."""
     body = re.search(rf'<table id="{table}">.*?<tbody>(.*?)</tbody>', text, re.DOTALL).group(1)
     return [
         [float(value) for value in re.findall(r'<data value="([^"]+)"', row)]
@@ -80,8 +80,8 @@ def test_passes(collision):
     assert "interference</th><td>600 µm</td>" in text
 
 
-def test_too_few_increments_are_told(collision):
-    """Energy is missed by a tenth and more with 12 increments."""
+def test_too_few_increments_fail_a_check(collision):
+    """The energy imbalance with 12 increments is a tenth or more."""
     folder, outcome = collision
     assert "check failed: energy balance: unaccounted energy" in outcome.stderr
     with results.open_results(folder / "series.nc") as data:
@@ -100,18 +100,18 @@ def test_too_few_increments_are_told(collision):
 
 @pytest.mark.parametrize("study", ["collision", "wear"])
 @pytest.mark.parametrize("name", ["cells_across_contact", "layers_across_plastic_zone"])
-def test_cells_and_layers_that_resolve_nothing_are_told(study, name, request):
+def test_coarse_cells_and_layers_fail_a_check(study, name, request):
     folder, _ = request.getfixturevalue(study)
     with results.open_results(
         folder / ("series.nc" if study == "collision" else "wear.nc")
     ) as data:
         fine, coarse = (data.load().assign({name: data[name] * 0 + n}) for n in (4, 3))
     failed = [[v.name for v in report.checks(one) if not v.passed] for one in (fine, coarse)]
-    (told,) = set(failed[1]) - set(failed[0])
-    assert told.split()[0] == name.split("_")[0]
+    (message,) = set(failed[1]) - set(failed[0])
+    assert message.split()[0] == name.split("_")[0]
 
 
-def test_energy_of_passes_that_take_next_to_none():
+def test_energy_imbalance_of_nearly_elastic_passes():
     """The imbalance is relative to the exchanged energy, not to a net energy close to zero.
 
     Energies [J] are similar to those of the shipped case of three passes.
@@ -179,7 +179,7 @@ def test_a_series_without_a_case(collision, tmp_path, undrawn):
     assert '<td>run</td><th scope="row">interference</th><td>0.0006</td>' in text
 
 
-def test_which_file_of_a_folder(tmp_path, collision, wear, undrawn):
+def test_choice_of_the_file_in_a_folder(tmp_path, collision, wear, undrawn):
     outcome = invoke("report", tmp_path)
     assert outcome.exit_code == 2
     assert "must contain one of results.nc, series.nc, wear.nc, got none" in outcome.stderr

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checkpoints: the same bits after resuming, and no damage from damaged files or failed writes."""
+"""Checkpoints: bit-identical continuation; damaged files and failed writes do no harm."""
 
 import contextlib
 import os
@@ -42,7 +42,7 @@ def path(tmp_path):
         ("elastic", "rigid", {}),
     ],
 )
-def test_goes_on_with_the_same_bits(path, body1, body2, settings):
+def test_continuation_has_identical_bits(path, body1, body2, settings):
     sim = simulation(body1, body2, **settings)
     sim.step(load=0.4 * LOAD)
     sim.step(load=0.7 * LOAD)
@@ -70,7 +70,7 @@ def test_goes_on_with_the_same_bits(path, body1, body2, settings):
             assert (state.iterations > 0) == plastic
 
 
-def test_a_journal_goes_on_with_a_law_of_softening_that_no_file_holds(tmp_path):
+def test_a_journal_continues_with_a_law_that_cannot_be_stored(tmp_path):
     steel = MATERIALS["linear"].with_thermal(50.0, 1e-5, 1.4e-5).with_softening(halved)
 
     def soft():
@@ -154,7 +154,7 @@ class TestDamage:
             sc.Simulation.load(path)
 
     @pytest.mark.parametrize("content", [b"", b"load,approach\n1,2\n", os.urandom(4096)])
-    def test_something_else(self, path, content):
+    def test_a_file_that_is_no_checkpoint(self, path, content):
         path.write_bytes(content)
         with pytest.raises(sc.CheckpointError, match=r"state\.h5' is damaged"):
             sc.Simulation.load(path)
@@ -174,7 +174,7 @@ class TestDamage:
             sc.Simulation.load(saved)
 
     @pytest.mark.parametrize("part", [0.1, 0.5, 0.9, 0.999])
-    def test_cut_off(self, saved, part):
+    def test_a_truncated_file(self, saved, part):
         content = saved.read_bytes()
         saved.write_bytes(content[: int(part * len(content))])
         with pytest.raises(sc.CheckpointError, match="is damaged"):
@@ -182,7 +182,7 @@ class TestDamage:
 
     @pytest.mark.parametrize("name", ["pressure", "history2/strain", "history2/equivalent"])
     def test_flipped_bits_in_the_numbers(self, saved, name):
-        """A changed byte in the middle of a field must not become a slightly wrong start."""
+        """A changed byte in a field is detected and does not change the start slightly."""
         with h5py.File(saved, "r") as file:
             chunk = file["state"][name].id.get_chunk_info(0)
         content = bytearray(saved.read_bytes())
@@ -218,7 +218,7 @@ class TestDamage:
             "history2/equivalent",
         ],
     )
-    def test_part_that_does_not_fit(self, saved, name):
+    def test_a_part_of_wrong_shape(self, saved, name):
         with edited(saved) as file:
             values = file["state"][name][...]
             del file["state"][name]
@@ -227,8 +227,8 @@ class TestDamage:
             sc.Simulation.load(saved)
 
     @pytest.mark.parametrize("group", ["state", "state/history2"])
-    def test_a_part_that_nothing_asks_for(self, saved, group):
-        """A part unknown to this version was needed by the version that wrote it."""
+    def test_an_unknown_part(self, saved, group):
+        """A part unknown to this version may be essential to the version that wrote it."""
         with edited(saved) as file:
             file[group].attrs["later"] = 1.0
         with pytest.raises(sc.CheckpointError, match="is damaged: unknown part: later"):
@@ -237,11 +237,11 @@ class TestDamage:
     def test_changed_by_another_program(self, saved):
         with h5py.File(saved, "a") as file:
             file["state"].attrs["load"] = 1.0
-        with pytest.raises(sc.CheckpointError, match="digest at its end is missing"):
+        with pytest.raises(sc.CheckpointError, match="checksum at the end is missing"):
             sc.Simulation.load(saved)
 
     @pytest.mark.parametrize("name", ["pressure", "history2/strain", "history2/equivalent"])
-    def test_values_that_are_no_numbers(self, saved, name):
+    def test_values_that_are_nan(self, saved, name):
         with edited(saved) as file:
             file["state"][name][..., 0] = np.nan
         with pytest.raises(sc.CheckpointError, match=r"is damaged: .* finite"):
@@ -314,7 +314,7 @@ class TestDamage:
 
 
 class TestFailedSave:
-    def test_leaves_the_old_file(self, path, monkeypatch):
+    def test_a_failed_save_keeps_the_old_file(self, path, monkeypatch):
         sim = simulation()
         sim.step(load=0.5 * LOAD)
         sim.save(path)

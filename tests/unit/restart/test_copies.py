@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Simulations and states that are pickled or copied stand for themselves, with the same bits."""
+"""Pickled or copied simulations and states are independent and bit-identical."""
 
 import copy
 import pickle
@@ -36,7 +36,7 @@ STEP = {"load": 0.5 * LOAD, "advance": (0.0, GRID.dx), "duration": 1e-3}
 
 @pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-def test_of_all_that_a_simulation_can_be(way):
+def test_copies_of_a_simulation_with_all_features(way):
     sim = moving()
     first = sim.step(**STEP)
     second = sim.step(**STEP | {"heat_factor": 0.0})
@@ -61,13 +61,13 @@ def test_states_travel_between_processes_in_a_list():
         assert_same(one, other)
 
 
-def test_what_was_warned_of_is_not_warned_of_again():
+def test_issued_warnings_are_not_repeated_by_copies():
     sim = simulation()
     sim.monitor.strain_warned = True
     assert copy.deepcopy(sim).monitor.strain_warned
 
 
-def test_a_law_that_cannot_be_pickled_is_told():
+def test_a_law_that_cannot_be_pickled_is_reported():
     steel = MATERIALS["linear"].with_thermal(50.0, 1e-5, 1.4e-5).with_softening(lambda rise: 1.0)
     sim = sc.Simulation(GRID, MATERIALS["elastic"], steel, GAP)
     with pytest.raises((pickle.PicklingError, AttributeError), match="lambda"):
@@ -76,7 +76,7 @@ def test_a_law_that_cannot_be_pickled_is_told():
 
 @pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
 @pytest.mark.parametrize("friction", [0.2, sc.Coulomb(0.3)])
-def test_solvers_stand_for_themselves(way, friction):
+def test_copies_of_solvers_are_independent(way, friction):
     coated = sc.Layered([(MATERIALS["elastic"], 2 * GRID.dx)], sc.Material.elastic(70e9, 0.2))
     solver = sc.ContactSolver(GRID, MATERIALS["elastic"], coated, friction, tol=1e-6)
     other = way(solver)
@@ -86,14 +86,14 @@ def test_solvers_stand_for_themselves(way, friction):
 
 
 @pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
-def test_cases_stand_for_themselves(way):
+def test_copies_of_cases_are_independent(way):
     for file in sorted(CASES.glob("*.toml")):
         case = sc.cases.load_case(file)
         assert way(case) == case
 
 
 @pytest.mark.parametrize("way", WAYS.values(), ids=WAYS)
-def test_results_of_wear_stand_for_themselves(way):
+def test_copies_of_wear_results_are_independent(way):
     path = [{"load": LOAD}, {"load": 0.0}]
     bodies = MATERIALS["elastic"], MATERIALS["linear"]
     found = sc.wear.run(

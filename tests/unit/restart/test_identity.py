@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs are known by what their numbers depend on, and by nothing else."""
+"""The identity of a run depends on everything that affects its numbers, and on nothing else."""
 
 import functools
 import subprocess
@@ -30,7 +30,7 @@ STEEL = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
         (sc.Heat(0.1), sc.Heat([0.0, 0.1])),
     ],
 )
-def test_the_same(one, other):
+def test_equal_runs_have_equal_identities(one, other):
     assert canonical(one) == canonical(other)
 
 
@@ -49,16 +49,16 @@ def test_the_same(one, other):
         (lambda rise: 1.0 + 0 * rise, lambda rise: 0.5 + 0 * rise),
     ],
 )
-def test_different(one, other):
+def test_different_runs_have_different_identities(one, other):
     assert canonical(one) != canonical(other)
     assert digest(identity(it=one)) != digest(identity(it=other))
 
 
-def test_what_differs_is_named():
+def test_differences_are_named():
     before = identity(friction=0.1, gap=np.zeros(3), grid="same")
     now = identity(friction=0.2, gap=np.ones(3), grid="same", heat=0.0)
-    told = "friction 0.2 instead of 0.1, different gap, heat 0.0 instead of nothing"
-    assert differences(now, before) == told
+    message = "friction 0.2 instead of 0.1, different gap, heat 0.0 instead of nothing"
+    assert differences(now, before) == message
 
 
 def test_in_another_process():
@@ -203,7 +203,7 @@ FORMS = {
 
 
 @pytest.mark.parametrize("make", FORMS.values(), ids=FORMS)
-def test_functions_are_known_by_all_that_they_depend_on(make):
+def test_functions_are_identified_by_everything_they_depend_on(make):
     one, same, other = canonical(make(1e-4)), canonical(make(1e-4)), canonical(make(3e-4))
     assert one == same
     assert one != other
@@ -229,16 +229,16 @@ def test_small_differences(one, other):
 @pytest.mark.parametrize(
     "hidden", [threading.Lock(), (n for n in ()), memoryview(b"1")], ids=lambda v: type(v).__name__
 )
-def test_state_that_cannot_be_read_is_not_guessed(hidden):
+def test_unreadable_state_is_not_guessed(hidden):
     with pytest.raises(UnidentifiedError):
         canonical(by_closure(hidden))
     who = identity(law=by_closure(hidden), load=1.0)
-    with pytest.raises(UnidentifiedError, match=r"law has no identity .* law\.identity = "):
+    with pytest.raises(UnidentifiedError, match=r"law cannot be identified.* law\.identity = "):
         require_identified(who)
 
 
 def test_a_run_is_not_continued_with_another_law(tmp_path):
-    """Refused before anything is solved, and so is a law that cannot be identified."""
+    """Another law, or a law that cannot be identified, is refused before any solve."""
     steel = sc.Material.perfect_plastic(210e9, 0.3, 1e9).with_thermal(50.0, 1e-5, 1.3e-5)
     grid, elastic = sc.Grid(4, 4, 1e-4, 1e-4, 2, 1e-4), sc.Material.elastic(210e9, 0.3)
 
@@ -256,7 +256,7 @@ def test_a_run_is_not_continued_with_another_law(tmp_path):
         return np.full_like(rise, float(not lock.locked()))
 
     run(hidden, None)
-    with pytest.raises(ValueError, match=r"softening law of body 2 has no identity"):
+    with pytest.raises(ValueError, match=r"softening law of body 2 cannot be identified"):
         run(hidden, tmp_path / "hidden")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checkpoints of increments: damaged ones are solved again, states are kept with their heat."""
+"""Checkpoints of increments: damaged ones are solved again, states keep their heat."""
 
 import re
 
@@ -30,9 +30,9 @@ def test_damaged_increments_are_solved_again(tmp_path, expected, numbers):
     files = [tmp_path / f"increment_{number:05d}.h5" for number in numbers]
     for file in files:
         hurt(file)
-    with pytest.warns(UserWarning, match="is damaged") as told:
+    with pytest.warns(UserWarning, match="is damaged") as stated:
         again = simulation().run(PATH, progress=False, checkpoint=tmp_path)
-    damaged = [text for text in (str(one.message) for one in told) if "is damaged" in text]
+    damaged = [text for text in (str(one.message) for one in stated) if "is damaged" in text]
     for text, file, number in zip(damaged, files, numbers, strict=True):
         words = f"'{file}' is damaged: .* continuing from the previous one, increment {number} is"
         assert re.search(words, text)
@@ -51,7 +51,7 @@ def test_an_empty_file_is_damaged(tmp_path, expected):
     assert_same(again[0], expected[0])
 
 
-def test_states_that_are_kept_later_go_on_with_their_own_heat(tmp_path):
+def test_states_stored_later_keep_their_own_heat(tmp_path):
     """Stored states keep their own heat source and run description, not those of the last state."""
     steel = sc.Material.elastic(210e9, 0.3).with_thermal(50.0, 1e-5, 1.4e-5)
     heat = {"heat": sc.Heat(1e-3, time=1e-3)}

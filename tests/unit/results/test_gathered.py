@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results of a body whose plastic strain lies in several zones hold the cells with strain only."""
+"""Results with plastic strain in several subdomains store only the cells with strain."""
 
 import warnings
 
@@ -20,7 +20,7 @@ SCALARS = ("von_mises", "hydrostatic", "equivalent_plastic_strain")
 
 @pytest.fixture(scope="module")
 def solved(tmp_path_factory):
-    """States, and their results from a file."""
+    """Return states, and their results from a file."""
     run = simulation(SOFT, STEEL, friction=0.2)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
@@ -55,7 +55,7 @@ def test_fields_are_those_of_the_states(solved, body):
     assert results.on_grid(pressure, dataset) is pressure
 
 
-def test_temperature_is_of_all_cells_and_in_vtk_files_of_theirs(tmp_path):
+def test_temperature_covers_all_cells(tmp_path):
     hot = STEEL.with_thermal(45.0, 12e-6, 12e-6)
     run = simulation(RIGID, hot, friction=0.1, heat=sc.Heat(factor=(0.0, 0.01)))
     with warnings.catch_warnings():
@@ -73,7 +73,7 @@ def test_temperature_is_of_all_cells_and_in_vtk_files_of_theirs(tmp_path):
 
 
 @pytest.mark.parametrize("body", [1, 2])
-def test_vtk_files_have_these_cells(solved, body, tmp_path):
+def test_vtk_files_contain_the_gathered_cells(solved, body, tmp_path):
     states, dataset = solved
     volume, _ = results.to_vtk(dataset, tmp_path / "results.vtr", increment=3, body=body)
     assert is_own(volume)
@@ -103,7 +103,7 @@ def test_vtk_files_have_these_cells(solved, body, tmp_path):
     np.testing.assert_array_equal(tensor.T[[0, 3, 5]], expected[[0, 5, 4]] * [[1], [1], [up]])
 
 
-def test_figures_and_a_report_show_the_strain(solved, tmp_path):
+def test_figures_and_a_report_show_the_strain(solved, tmp_path, undrawn):
     _, dataset = solved
     drawn = {file.stem for file in plotting.summary_figures(dataset, tmp_path)}
     assert {"sections", "imprint"} <= drawn

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results of a moving contact: ways and tracks under their labels, on disk and back."""
+"""Results of a moving contact: travel and tracks under their labels, on disk and back."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def run():
     return rolled()
 
 
-def test_ways_and_tracks(run, tmp_path):
+def test_travel_and_tracks(run, tmp_path):
     simulation, states = run
     data = results.to_dataset(simulation, states)
     with results.open_results(results.save(data, tmp_path / "out.nc")) as again:
@@ -68,7 +68,7 @@ def test_maximum_of_the_strain_is_that_of_the_whole_track(run):
     assert largest[-1] == states[-1].track(2).equivalent_plastic_strain().max()
 
 
-def test_without_volume_fields_there_is_the_print(run):
+def test_imprints_are_stored_without_volume_fields(run):
     data = results.to_dataset(*run, volume="none")
     tracks = {name for name in data.variables if name.startswith("track")}
     assert tracks == {"track_position_body2", "track_residual_displacement_body2"}
@@ -85,7 +85,7 @@ def test_bodies_that_do_not_move_have_no_track():
     assert not any("track" in name or "travel" in name for name in data.variables)
 
 
-def test_offsets_of_bodies_that_move_by_parts_of_a_cell():
+def test_offsets_of_motions_by_fractions_of_a_cell():
     options = {"distance": 2 * STEP, "step": STEP, "slide_to_roll": -0.5, "increments": 1}
     simulation, states = rolled(body1=SOFT, **options)
     data = results.to_dataset(simulation, states)
@@ -100,7 +100,7 @@ def test_offsets_of_bodies_that_move_by_parts_of_a_cell():
     assert {"offset_body1", "offset_body2"} & set(data.data_vars)
 
 
-def test_a_surface_without_volume_moves_too():
+def test_motion_of_surfaces_without_volume():
     grid = sc.Grid(15, 13, STEP, STEP)
     simulation = sc.Simulation(grid, STEEL, STEEL, sc.surfaces.paraboloid(grid, 7.5e-3))
     path = paths.rolling(load=300.0, distance=STEP, step=STEP, increments=1)

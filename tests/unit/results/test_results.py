@@ -50,7 +50,7 @@ def test_labels_find_the_right_numbers(simulation, states):
     )
 
 
-def test_shear_is_stored_where_there_is_any(simulation, states):
+def test_shear_is_stored_if_present(simulation, states):
     assert "shear_x" not in results.to_dataset(simulation, states)
     states[1].shear[0] = 0.2 * states[1].pressure
     data = results.to_dataset(simulation, states)
@@ -192,7 +192,7 @@ def test_real_simulation(tmp_path):
         assert data.attrs["body1_E"] == 210e9
 
 
-def test_each_increment_has_its_own_source_of_heat(tmp_path):
+def test_each_increment_has_its_own_heat_factor(tmp_path):
     steel = sc.Material.elastic(210e9, 0.3).with_thermal(50.0, 1e-5, 1.4e-5)
     grid = sc.Grid(9, 9, 60e-6, 60e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
@@ -214,7 +214,7 @@ def test_each_increment_has_its_own_source_of_heat(tmp_path):
         assert (data["max_temperature_body2"].values > 0).tolist() == [True, False, False, False]
 
 
-def test_depth_of_the_print(simulation, states):
+def test_imprint_depth(simulation, states):
     data = results.to_dataset(simulation, states)
     expected = [float(state.residual_displacement(2).max()) for state in states]
     assert data["imprint_depth_body2"].values.tolist() == expected
@@ -222,7 +222,7 @@ def test_depth_of_the_print(simulation, states):
     assert "imprint_depth_body2" in results.scalars(data)
 
 
-def test_a_file_tells_its_conventions_and_history(simulation, states, tmp_path):
+def test_a_file_states_its_conventions_and_history(simulation, states, tmp_path):
     data = results.to_dataset(simulation, states)
     for count in (1, 2):
         with results.open_results(results.save(data, tmp_path / "out.nc")) as again:

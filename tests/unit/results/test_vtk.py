@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""VTK files, read back by VTK's own reader, cell by cell at points of the files' frame."""
+"""VTK files, read by VTK's own reader and compared cell by cell."""
 
 import resource
 import sys
@@ -38,7 +38,7 @@ def read(path):
 
 
 def value(grid, name, x, y, z):
-    """Components of a field in the cell that holds a point."""
+    """Return the components of a field in the cell that contains a point."""
     cell = grid.FindCell((x, y, z), None, 0, 1e-12, mutable(0), [0.0] * 3, [0.0] * 8)
     assert cell >= 0
     return np.array(grid.GetCellData().GetArray(name).GetTuple(cell))
@@ -49,7 +49,7 @@ def names(grid):
     return {data.GetArrayName(index) for index in range(data.GetNumberOfArrays())}
 
 
-def test_a_file_that_cannot_be_written_stays_as_it_was(tmp_path, capfd):
+def test_a_failed_write_keeps_the_vtk_file(tmp_path, capfd):
     data, file = dataset(), tmp_path / "out.vtr"
     results.to_vtk(data, file)
     before = {path: path.read_bytes() for path in tmp_path.iterdir()}
@@ -65,13 +65,13 @@ def test_a_file_that_cannot_be_written_stays_as_it_was(tmp_path, capfd):
     assert capfd.readouterr().err == ""
 
 
-def test_a_name_that_no_text_can_hold(tmp_path):
+def test_an_undecodable_file_name(tmp_path):
     written = results.to_vtk(dataset(), tmp_path / "out\udcff.vtr")
     assert all(path.stat().st_size > 0 for path in written)
 
 
 @pytest.mark.parametrize(("body", "up"), [(1, 1.0), (2, -1.0)])
-def test_volume_fields_lie_where_they_belong(tmp_path, body, up):
+def test_volume_fields_have_the_right_positions(tmp_path, body, up):
     data = dataset()
     volume, _ = results.to_vtk(data, tmp_path / "out.vtr", increment=2, body=body)
     grid = read(volume)
@@ -135,16 +135,16 @@ def test_volume_fields_follow_the_offset_of_their_body(tmp_path):
     assert read(volume).GetBounds()[:2] == pytest.approx((-5.1e-4, 5.9e-4))
 
 
-def test_without_volume_there_is_the_surface_only(tmp_path):
+def test_only_the_surface_is_written_without_volume(tmp_path):
     written = results.to_vtk(dataset(nz=0, bodies=(ELASTIC, ELASTIC)), tmp_path / "flat")
     assert [path.name for path in written] == ["flat_surface.vtr"]
     assert read(written[0]).GetFieldData().GetArray("increment").GetTuple(0) == (3.0,)
 
 
 def test_increments_that_are_not_stored(tmp_path):
-    with pytest.raises(ValueError, match="one of those with volume fields, 2, 3, got 1"):
+    with pytest.raises(ValueError, match="one of the increments with volume fields, 2, 3, got 1"):
         results.to_vtk(dataset(), tmp_path / "out.vtr", increment=1)
-    with pytest.raises(ValueError, match="one of those with volume fields, 2, 3, got -3"):
+    with pytest.raises(ValueError, match="one of the increments with volume fields, 2, 3, got -3"):
         results.to_vtk(dataset(), tmp_path / "out.vtr", increment=-3)
     with pytest.raises(ValueError, match="body must be one of 1, 2, got 3"):
         results.to_vtk(dataset(), tmp_path / "out.vtr", body=3)
@@ -203,8 +203,8 @@ def test_without_vtk_the_message_names_the_extra(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("nz", [0, 12])
-def test_the_track_of_a_body_that_moved(tmp_path, nz):
-    """Cells of the file are where the dataset has them on the body, with their numbers."""
+def test_the_track_of_a_moving_body(tmp_path, nz):
+    """Cells of the file have the positions and values of the dataset."""
     grid = sc.Grid(15, 13, 60e-6, 60e-6, 12, 60e-6)
     simulation = sc.Simulation(grid, ELASTIC, SWIFT, sc.surfaces.paraboloid(grid, 7.5e-3))
     move = {"load": 600.0, "advance": (-60e-6, -60e-6)}
@@ -237,7 +237,7 @@ def test_the_track_of_a_body_that_moved(tmp_path, nz):
 
 
 def collected(path):
-    """Times and names that a collection lists."""
+    """Return the times and names listed in a collection."""
     (collection,) = ElementTree.parse(path).getroot()
     return [(float(entry.get("timestep")), entry.get("file")) for entry in collection]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rolling with creepage against Kalker's coefficients, Carter and another program's digits."""
+"""Rolling with creepage against Kalker's coefficients, Carter and digits of CONTACT."""
 
 import math
 
@@ -14,7 +14,7 @@ LOAD = 0.4705
 
 
 def wheel(n=33):
-    """Two balls of the examples of CONTACT, on cells of a quarter on the finest of its grids."""
+    """Return two balls of an example of CONTACT, with cells of 0.25 on its finest grid."""
     grid = sc.Grid(n, n, 8.25 / n, 8.25 / n)
     return grid, sc.surfaces.paraboloid(grid, 1 / (2 * 0.002963))
 
@@ -24,7 +24,7 @@ def roll(grid, gap, bodies=(BODY, BODY), mu=MU, **drive):
 
 
 def require_law(found, mu):
-    """Coulomb's law, and work that is not negative in any cell."""
+    """Assert Coulomb's law, and that no cell has negative friction work."""
     bound = mu * found.pressure
     assert (np.hypot(*found.shear) <= bound * (1 + 1e-12)).all()
     power = (found.shear * found.slip).sum(axis=0)
@@ -34,7 +34,7 @@ def require_law(found, mu):
 
 
 def test_linear_coefficients_of_kalker():
-    """Circle, nu = 0.25, G = 1; the count of cells gives the area, the rest is of first order."""
+    """Circular contact, nu = 0.25, G = 1, area of the counted cells; first-order errors."""
     body = sc.Material.elastic(2.5, 0.25)
     found = []
     for n in (44, 88):
@@ -57,7 +57,7 @@ def test_linear_coefficients_of_kalker():
     assert limit[4] == pytest.approx(1.19, rel=1e-2)
 
 
-def test_carter_as_another_program_prints_it():
+def test_carter_agrees_with_contact():
     """CONTACT's example of a line contact: 200 wide, 50 cells in contact."""
     grid = sc.Grid(55, 1, 0.04, 200.0)
     gap = 0.001 * (-1.05 + 0.04 * np.arange(55.0)[:, None]) ** 2
@@ -77,7 +77,7 @@ def test_carter_as_another_program_prints_it():
 
 
 def test_from_cattaneo_to_carter():
-    """A ball that was pulled rolls on: CONTACT's creepages and counts of sticking cells."""
+    """A tangentially loaded ball starts to roll: creepages and stick counts agree with CONTACT."""
     grid, gap = wheel()
     solver = sc.ContactSolver(grid, BODY, BODY, sc.Coulomb(MU))
     force = {"load": LOAD, "tangential_load": (-0.657 * MU * LOAD, 0.0)}
@@ -102,8 +102,8 @@ def test_from_cattaneo_to_carter():
 STEEL_ON_SOFT = (sc.Material.elastic(20.0, 0.3), sc.Material.elastic(2.0, 0.1))
 
 
-@pytest.mark.parametrize("bodies", [(BODY, BODY), STEEL_ON_SOFT], ids=["alike", "unlike"])
-def test_steady_rolling_is_what_steps_end_in(bodies):
+@pytest.mark.parametrize("bodies", [(BODY, BODY), STEEL_ON_SOFT], ids=["alike", "dissimilar"])
+def test_steps_tend_to_steady_rolling(bodies):
     grid, gap = wheel(24)
     d, (xi, eta), spin = grid.dx, (2e-3, -1e-3), 3e-4
     steady = roll(grid, gap, bodies, creepage=(xi, eta), spin=spin, tol=1e-9)
@@ -153,7 +153,7 @@ def test_creepages_follow_from_forces(forces):
 
 
 def rollers(mu, pair, n=64, **options):
-    """Plane strain, with a combined radius of 25 mm, under 16 kN/m."""
+    """Return rollers in plane strain with an equivalent radius of 25 mm, under 16 kN/m."""
     grid = sc.Grid(n, 1, 240e-6 / n, 1.0, periodic="y")
     return {
         "grid": grid, "body1": pair[0], "body2": pair[1], "friction": sc.Coulomb(mu),
@@ -171,7 +171,7 @@ RIGID = (sc.Material.rigid(), of_shear_modulus(23e9, 0.31))
 
 
 @pytest.mark.parametrize("part", [0.1, 0.5, -0.9, 0.999])
-def test_rollers_in_plane_strain_are_those_of_carter(part):
+def test_rollers_in_plane_strain_agree_with_carter(part):
     """Carter (1926): xi = mu a/R (1 - sqrt(1 - F/(mu P))); Johnson (1985), equation 8.50."""
     mu = 0.3
     E_star = STEEL.E / (2 * (1 - STEEL.nu**2))
@@ -193,7 +193,7 @@ def test_plane_strain_is_the_same_for_any_number_of_rows():
 
 
 @pytest.mark.parametrize("across", [None, 0.0])
-def test_rollers_of_unlike_bodies_as_another_program_prints_them(across):
+def test_dissimilar_rollers_agree_with_contact(across):
     """CONTACT's example of Bentall & Johnson's rollers, its cases 2, 4, 5 and 6; x is reversed."""
     grid = sc.Grid(216, 1, 1e-6, 1.0)
     gap, load = sc.surfaces.paraboloid(grid, 25e-3, math.inf), 16201.9
@@ -210,9 +210,11 @@ def test_rollers_of_unlike_bodies_as_another_program_prints_them(across):
         assert found.tangential_applications < 1000
 
 
-@pytest.mark.parametrize("pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "unlike", "rigid"])
+@pytest.mark.parametrize(
+    "pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "dissimilar", "rigid"]
+)
 @pytest.mark.parametrize("mu", [1e-4, 0.05, 0.6])
-def test_forces_are_found_wherever_the_search_begins(pair, mu):
+def test_forces_are_found_from_any_start(pair, mu):
     """Starts from zero and from full sliding, for forces from the maximum to zero."""
     scene, most = rollers(mu, pair), mu * 16e3
     sliding = sc.rolling.steady(**scene, creepage=(0.01, 0.0))
@@ -228,9 +230,11 @@ def test_forces_are_found_wherever_the_search_begins(pair, mu):
         assert warm.creepage[0] == pytest.approx(found.creepage[0], rel=1e-5, abs=1e-9)
 
 
-@pytest.mark.parametrize("pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "unlike", "rigid"])
+@pytest.mark.parametrize(
+    "pair", [(STEEL, STEEL), UNLIKE, RIGID], ids=["alike", "dissimilar", "rigid"]
+)
 @pytest.mark.parametrize("mu", [1e-4, 0.05])
-def test_increments_find_forces_from_where_everything_slides(pair, mu):
+def test_increments_find_forces_from_full_sliding(pair, mu):
     scene, most = rollers(mu, pair), mu * 16e3
     grid = scene.pop("grid")
     solver = sc.ContactSolver(grid, scene["body1"], scene["body2"], scene["friction"])
@@ -247,7 +251,7 @@ def test_increments_find_forces_from_where_everything_slides(pair, mu):
             assert (np.hypot(*found.shear) <= mu * found.pressure * (1 + 1e-9)).all()
 
 
-def test_what_no_contact_can_do_is_told():
+def test_impossible_forces_are_refused():
     grid, gap = wheel(24)
     with pytest.raises(
         ValueError, match=r"tangential_load must be less than .*: prescribe creepage instead"

@@ -60,7 +60,7 @@ def test_the_path_is_repeated(run, monkeypatch):
 
 
 @pytest.mark.usefixtures("steps_alone")
-def test_cycles_are_kept_whatever_ends_the_run(run, monkeypatch):
+def test_cycles_are_stored_however_the_run_ends(run, monkeypatch):
     text = f"estimate_error = false\n{MINIMAL}\n{SHAKEDOWN}"
     step, left = sc.Simulation.step, [3 + 3 + 1]  # path, first cycle
 
@@ -94,7 +94,7 @@ Rx = 7.5e-3""")  # fmt: skip
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "message"),
     [
         (ELASTIC, "requires an elastic-plastic body"),
         (MOVING, "requires a closed path"),
@@ -104,6 +104,6 @@ Rx = 7.5e-3""")  # fmt: skip
          "cannot be combined with accuracy"),
     ],
 )  # fmt: skip
-def test_what_cannot_be_repeated_is_told_before_the_run(run, text, told):
+def test_unrepeatable_paths_are_refused_before_the_run(run, text, message):
     outcome, _ = run(f"{text}\n{SHAKEDOWN}")
-    check_failure(outcome, 2, "shakedown", told)
+    check_failure(outcome, 2, "shakedown", message)

@@ -31,7 +31,7 @@ def as_tensors(stress):
 
 
 def asked(stress, criterion):
-    """k for each stress, from its principal values."""
+    """Return the required k for each stress, from its principal values."""
     principal = np.linalg.eigvalsh(as_tensors(stress))
     if criterion == "tresca":
         return 0.5 * np.ptp(principal, axis=1)
@@ -40,8 +40,8 @@ def asked(stress, criterion):
 
 @pytest.mark.parametrize("criterion", ["tresca", "von_mises"])
 @pytest.mark.parametrize(("friction", "nu"), [(0.0, 0.3), (0.25, 0.3), (0.4, 0.1), (0.5, 0.0)])
-def test_no_residual_stress_does_better_and_one_does_as_well(friction, nu, criterion):
-    """Limit at its depth, by a search over both residual stresses; others require less."""
+def test_the_limit_is_optimal_over_residual_stresses(friction, nu, criterion):
+    """A search over both residual stresses gives the limit; other depths require less."""
     limit = shakedown.line(friction, nu, criterion)
     for depth in (limit.depth, 0.0, 0.2, 0.5, 0.9):
         stress = CONTACT.stress(PASSING[::4], depth, nu, friction)
@@ -62,7 +62,7 @@ def test_no_residual_stress_does_better_and_one_does_as_well(friction, nu, crite
             assert again.fun * limit.ratio < 1.001
 
 
-def test_hardening_that_moves_the_yield_surface_helps_where_friction_does_not_reverse():
+def test_kinematic_hardening_raises_the_limit_of_unreversed_friction():
     assert shakedown.line_kinematic().ratio == pytest.approx(4.0, rel=1e-4)
     for friction in (0.1, 0.3, 0.5):
         perfect = shakedown.line(friction, criterion="von_mises").ratio
@@ -70,8 +70,8 @@ def test_hardening_that_moves_the_yield_surface_helps_where_friction_does_not_re
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.2, 0.35])
-def test_a_circle_is_decided_in_its_middle(friction):
-    """No other point of the path requires more, by a search over all five components."""
+def test_the_limit_of_a_circle_is_determined_at_its_middle(friction):
+    """A search over all five components shows that no other point of the path requires more."""
     limit = shakedown.point_kinematic(friction)
     for y, z in ((0.0, limit.depth), (0.15, 0.33), (0.2, 0.02), (0.4, 0.3), (0.6, 0.1)):
         stress = POINT.stress(PASSING[::4], y, z, 0.3, friction)
@@ -88,7 +88,7 @@ def test_a_circle_is_decided_in_its_middle(friction):
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.25, 0.5])
-def test_a_circle_that_is_safe(friction):
+def test_the_lower_bound_of_a_circle_is_safe(friction):
     """Below the bound, sigma_xx alone makes the passage elastic at every transverse position."""
     safe = shakedown.point_lower_bound(friction)
     first = math.sqrt(3.0) * sc.critical.onset_sliding(1.0, 1.0, 0.3, 1.0, friction).C

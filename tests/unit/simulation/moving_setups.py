@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A ball that rolls or slides, and its tracks."""
+"""Setup of a rolling or sliding ball, and comparison of tracks."""
 
 import numpy as np
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A ball on a half-space in elastic-plastic increments, and compared quantities."""
+"""Setup of a ball on an elastic-plastic half-space, and comparison of states."""
 
 import numpy as np
 
@@ -29,7 +29,7 @@ def simulation(body1=STEEL, body2=SOFT, gap=BALL, grid=GRID, **settings):
 
 
 def snapshot(state):
-    """All quantities of a state, as arrays."""
+    """Return all quantities of a state as arrays."""
     fields = {name: np.array(getattr(state, name)) for name in SURFACE + SCALARS}
     for body in (1, 2):
         fields |= {f"{name} {body}": np.array(getattr(state, name)(body)) for name in VOLUME}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Work is done only where plastic strain is or can come, and on the half or quarter that mirror
-planes leave; neither changes the result."""
+"""Fields are computed only in the active box, and only on the half or quarter left by mirror
+planes; neither changes the result."""
 
 import numpy as np
 import pytest
@@ -68,7 +68,7 @@ class TestBox:
         assert sizes[0] < 0.5 * sizes[2]
 
     def test_one_large_increment_finds_its_box(self):
-        """The plastic zone of one increment is wider than its elastic trial foretells."""
+        """The plastic zone of one increment is wider than predicted by its elastic trial."""
         options = {"bodies": (ELASTIC, sc.Material.perfect_plastic(E, NU, 1.2e9))}
         state = simulation(49, 49, 36, **options).step(load=1500.0)
         i0, j0, nx, ny, nz = box(state)
@@ -81,7 +81,7 @@ class TestBox:
         rim[i0 + 1 : i0 + nx - 1, j0 + 1 : j0 + ny - 1, : nz - 1] = False
         assert not state.equivalent_plastic_strain()[rim].any()
 
-    def test_fields_outside_are_there_on_demand(self):
+    def test_fields_outside_the_box_are_computed_on_demand(self):
         state = simulation(65, 61, 60).step(load=600.0)
         stress = state.stress()
         assert stress.shape == (6, 65, 61, 60)
@@ -94,7 +94,7 @@ class TestBox:
         assert close(print_, expected, 1e-10)
 
     def test_separate_asperities(self):
-        """Two bumps, of which one yields after the other."""
+        """Two asperities that yield one after the other."""
         grid = sc.Grid(81, 33, CELL, CELL, 24, CELL)
         bumps = [((grid.x[:, None] - x) ** 2 + grid.y**2) / (2 * RADIUS) + h
                  for x, h in ((-0.8e-3, 0.0), (0.8e-3, 6e-6))]  # fmt: skip
@@ -155,8 +155,8 @@ class TestMirrors:
         assert close(strain[5], -strain[5][:, ::-1], 1e-12)  # xy is odd in y
         assert close(strain[4], strain[4][:, ::-1], 1e-12)  # xz is even
 
-    def test_fewer_mirrors_later(self):
-        """A shear along x after a symmetric indentation: a quarter becomes a half, then a whole."""
+    def test_mirror_planes_are_dropped_later(self):
+        """Shear after a symmetric indentation removes one mirror plane, then both."""
         sim = simulation()
         grid = sim.grid
         state = sim.step(load=1200.0)
@@ -174,7 +174,7 @@ class TestMirrors:
 
     @pytest.mark.parametrize("sliding", [0.0, 0.2])
     def test_shear_is_a_vector_in_mirrors(self, sliding):
-        """Towards the middle, and along x besides: s_x is odd about x = 0, s_y about y = 0."""
+        """Shear towards the middle has mirror planes: s_x is odd about x = 0, s_y about y = 0."""
         sim, crooked = simulation(), simulation()
         x, y = np.meshgrid(sim.grid.x, sim.grid.y, indexing="ij")
         pressure = 4.5e9 * np.sqrt(np.maximum(1 - (x**2 + y**2) / (0.2 * np.ptp(x)) ** 2, 0))
@@ -196,8 +196,8 @@ class TestMirrors:
             assert close(getattr(state, name)(1), getattr(state, name)(2), 1e-6)
 
 
-def test_no_size_chooses_the_operator():
-    """The stress of one strained cell is that of the operator asked for, on any grid."""
+def test_the_operator_is_independent_of_the_grid_size():
+    """The stress of one strained cell is that of the chosen operator on any grid."""
     strain = [1e-3, -1e-3, 0.0, 5e-4, 0.0, 0.0]
     for cells in (8, 33):
         fast, exact = (simulation(cells, cells, 20, residual_stress=m) for m in ("fast", "exact"))
@@ -251,7 +251,7 @@ class TestFewLongCells:
         return sim.step(load=5.3e5 * rows * length * self.HALF).max_equivalent_plastic_strain()
 
     def test_one_row_is_two_rows_of_half_the_length(self):
-        """Rows of increasingly long cells approach plane strain, but for their ends."""
+        """One row equals two rows of cells of half the length, except for end effects."""
         plane = self.largest(1, 10, periodic="y")
         assert plane > 5e-4
         ends = [self.largest(1, length) / plane - 1 for length in (10, 100, 1000)]
@@ -259,7 +259,7 @@ class TestFewLongCells:
         assert ends[2] < 0.01
         assert self.largest(2, 500) == pytest.approx(plane, rel=0.01)
 
-    def test_a_column_is_a_row(self):
+    def test_a_column_equals_a_row(self):
         row = self.largest(1, 10)
         assert self.largest(1, 10, across="x") == pytest.approx(row, rel=1e-6)
 

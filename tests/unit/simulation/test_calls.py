@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Number of Python calls in an increment: properties of the setup are computed once."""
+"""Number of Python calls per increment: properties of the setup are computed once."""
 
 import sys
 import warnings
@@ -17,7 +17,7 @@ MAX_CALLS = {"elastic": 55, "plastic": 62}
 
 
 def calls_of(function):
-    """Number of calls of functions of the package."""
+    """Return the number of calls of functions of the package."""
     count = 0
 
     def look(frame, event, _):

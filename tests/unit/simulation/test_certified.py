@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities interpolated between cells are far closer to those of smooth fields."""
+"""Quantities interpolated between cells are close to those of smooth fields."""
 
 import math
 
@@ -42,7 +42,7 @@ def test_hertz_area_and_pressure_are_close_on_few_cells(even):
     assert error_controlled_quantities.peak_value(pressure) == pytest.approx(hertz.p0, rel=4e-4)
 
 
-def test_area_of_what_repeats_itself_knows_no_border():
+def test_area_of_periodic_contacts_has_no_grid_edge():
     assert contact_area(np.ones((6, 4)), 2.0, "xy") == 48.0
     x = np.cos(2 * np.pi * (np.arange(64) + 0.3) / 64)
     strip = np.sqrt(np.maximum(np.tile(x, (8, 1)), 0.0))  # of squares, cos; half of the cells
@@ -50,7 +50,7 @@ def test_area_of_what_repeats_itself_knows_no_border():
     assert rolled == pytest.approx([8 * 32.0] * 3, rel=2e-3)
 
 
-def test_names_are_those_of_bodies_that_have_them():
+def test_names_exist_only_for_bodies_with_the_quantity():
     steel = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
     assert error_controlled_quantities.names((STEEL, STEEL))[4:] == ["max_von_mises_body2"]
     assert error_controlled_quantities.names((STEEL, STEEL), volume=False) == list(
@@ -61,7 +61,7 @@ def test_names_are_those_of_bodies_that_have_them():
 
 
 @pytest.mark.parametrize("shift", [0.0, 0.3])
-def test_fields_of_the_plastic_zone_hold_the_largest_of_the_grid(shift):
+def test_fields_of_the_plastic_zone_contain_the_maximum_of_the_grid(shift):
     grid = sc.Grid(23, 21, 5e-5, 5e-5, dz=5e-5)
     steel = sc.Material.linear_hardening(210e9, 0.3, 1e9, 21e9)
     gap = ((grid.x[:, None] - shift * grid.dx) ** 2 + grid.y**2) / (2 * 7.5e-3)
@@ -86,7 +86,7 @@ def test_fields_of_the_plastic_zone_hold_the_largest_of_the_grid(shift):
             assert value > 0.999 * field.max()
 
 
-def test_flow_at_the_surface_is_not_continued_beyond_the_yield_stress():
+def test_extrapolation_to_the_surface_does_not_exceed_the_yield_stress():
     """The first layer yields and the second hardly does: a parabola would overshoot."""
     cell = 24e-6
     grid = sc.Grid(27, 27, cell, cell, dz=cell)

@@ -17,7 +17,7 @@ STEEL = sc.Material.perfect_plastic(210e9, 0.3, 1.4e9).with_thermal(50.0, 1e-5, 
 
 
 class Study:
-    """Owns a simulation whose law of softening is a method of it."""
+    """Object that owns a simulation and whose method is the softening law."""
 
     def __init__(self):
         self.calls = 0
@@ -33,7 +33,7 @@ class Study:
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
-def test_a_law_of_softening_may_refer_to_its_simulation():
+def test_a_softening_law_may_refer_to_its_simulation():
     study = Study()
     state = study.simulation.step(load=20.0)
     assert study.calls > 0
@@ -49,7 +49,7 @@ def halved(rise):
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
 @pytest.mark.parametrize("another", [copy.deepcopy, lambda s: pickle.loads(pickle.dumps(s))])
-def test_a_copy_has_its_law_when_the_first_is_gone(another):
+def test_a_copy_keeps_its_law_after_deletion_of_the_original(another):
     gap = sc.surfaces.paraboloid(GRID, 7.5e-3)
     scene = dict(friction=0.1, heat=sc.Heat(0.01), on_border="warn")
     simulation = sc.Simulation(GRID, ELASTIC, STEEL.with_softening(halved), gap, **scene)

@@ -36,7 +36,7 @@ def given(simulation, strain=MISFIT, first=(8, 6, 3), cells=(6, 7, 4)):
 
 
 def cuboid(function, *points, component=None, **more):
-    """A closed form of the box of `given` at cells, times its strain."""
+    """Return the closed-form field of the box of `given` at cell centres."""
     x0, y0 = GRID.x[8] + 2.5 * D, GRID.y[6] + 3 * D
     X, Y = (axis - start for axis, start in zip(points[:2], (x0, y0), strict=True))
     values = function(X, Y, *points[2:], 5 * D, 3 * D, 3.5 * D, 2 * D, **more)
@@ -109,7 +109,7 @@ def test_planes_bear_no_net_force():
     assert free < 0.2 * largest
 
 
-def test_contact_sees_its_displacement():
+def test_contact_includes_the_displacement_of_eigenstrain():
     simulation = given(scene())
     unloaded = simulation.state
     state = simulation.step(load=3.0)
@@ -126,7 +126,7 @@ def test_contact_sees_its_displacement():
     )
 
 
-def test_elastic_unloading_leaves_it():
+def test_elastic_unloading_keeps_eigenstrain():
     simulation = given(scene(SOFT), strain=MISFIT / 20)
     simulation.step(load=0.05)
     state = simulation.step(load=0.0)
@@ -137,7 +137,7 @@ def test_elastic_unloading_leaves_it():
     assert state.eigenstress().any()
 
 
-def test_it_makes_a_body_yield():
+def test_eigenstrain_can_cause_yield():
     simulation = given(scene(SOFT), 2 * MISFIT)
     assert simulation.state.plastic_cells() == 0
     state = simulation.step(load=0.0)
@@ -151,7 +151,7 @@ def test_it_makes_a_body_yield():
     np.testing.assert_allclose(halves.plastic_strain(), state.plastic_strain(), atol=1e-9)
 
 
-def test_flow_is_that_beside_an_equal_plastic_strain():
+def test_flow_equals_that_with_an_equal_plastic_strain():
     field = np.zeros((6, *GRID.volume_shape))
     field[:, 8:14, 6:13, 3:7] = 2 * MISFIT[:, None, None, None]
     other = scene(SOFT)
@@ -177,7 +177,7 @@ def same_next_step(one, other):
     assert not a.has_eigenstrain(1)
 
 
-def test_copies_and_checkpoints_keep_it(tmp_path):
+def test_copies_and_checkpoints_keep_eigenstrain(tmp_path):
     simulation = given(scene(SOFT))
     simulation.step(load=1.0)
     simulation.save(tmp_path / "kept.h5")
@@ -194,7 +194,7 @@ def test_copies_and_checkpoints_keep_it(tmp_path):
         np.testing.assert_array_equal(other.state.pressure, simulation.state.pressure)
 
 
-def test_runs_go_on_with_the_same_only(tmp_path):
+def test_runs_continue_only_with_equal_eigenstrain(tmp_path):
     path = [{"load": 1.0}, {"load": 2.0}]
     states = given(scene(SOFT)).run(path, progress=False, checkpoint=tmp_path / "run")
     again = given(scene(SOFT)).run(path, progress=False, checkpoint=tmp_path / "run")
@@ -203,7 +203,7 @@ def test_runs_go_on_with_the_same_only(tmp_path):
         given(scene(SOFT), 2 * MISFIT).run(path, progress=False, checkpoint=tmp_path / "run")
 
 
-def test_it_stays_in_its_place_where_the_grid_grows():
+def test_eigenstrain_keeps_its_position_if_the_grid_is_enlarged():
     simulation = sc.Simulation(GRID, STEEL, STEEL, lambda grid: sc.surfaces.paraboloid(grid, R))
     given(simulation)
     before = simulation.grid.surface_shape
@@ -216,7 +216,7 @@ def test_it_stays_in_its_place_where_the_grid_grows():
     np.testing.assert_array_equal(state.eigenstrain(), strained)
 
 
-def test_it_moves_with_its_body():
+def test_eigenstrain_moves_with_its_body():
     for body in (SOFT, STEEL):
         simulation = given(scene(body))
         before = simulation.state
@@ -229,7 +229,7 @@ def test_it_moves_with_its_body():
     assert simulation.state.travel == state.travel
 
 
-def test_balance_tells_it_apart():
+def test_the_energy_balance_separates_eigenstrain():
     settings = {"friction": sc.Coulomb(0.3), "tol": 1e-8}
     path = [{"load": load} for load in np.linspace(0.3, 3.0, 8)]
     path += [{"load": 3.0, "shift": (s, 0.0)} for s in (1e-8, 2e-8)]
@@ -248,7 +248,7 @@ def test_balance_tells_it_apart():
         sc.energy.balance(simulation, [*states, more])
 
 
-def test_repeated_runs_have_it():
+def test_repeated_cycles_keep_eigenstrain():
     simulation = given(scene(SOFT))
     simulation.step(load=1.0, advance=(2 * D, 2 * D))
     again = rebuilt(simulation).state
@@ -262,7 +262,7 @@ def test_repeated_runs_have_it():
     assert middle / np.abs(found).sum() == pytest.approx(GRID.x[8] + 2.5 * D)
 
 
-def test_an_opposite_one_takes_it_away():
+def test_an_opposite_eigenstrain_cancels():
     simulation = given(given(scene()), -MISFIT)
     assert not simulation.state.has_eigenstrain()
     pressure = scene().step(load=2.0).pressure
@@ -285,7 +285,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("words", REFUSED)
-def test_what_cannot_be_is_refused(words):
+def test_unsupported_arguments_are_refused(words):
     arguments, changes = REFUSED[words]
     simulation = scene(**changes)
     with pytest.raises(ValueError, match=words):
@@ -293,7 +293,7 @@ def test_what_cannot_be_is_refused(words):
     assert not simulation.state.has_eigenstrain()
 
 
-def test_layers_without_a_bottom_show_it():
+def test_automatic_layers_show_eigenstrain():
     grid = sc.Grid(16, 16, D, D, dz=D)
     simulation = given(scene(grid=grid), first=(2, 3, 15))
     state = simulation.state
@@ -304,7 +304,7 @@ def test_layers_without_a_bottom_show_it():
         given(simulation, first=(0, 0, 10**6))
 
 
-def test_which_layers_of_a_coating_hold_it_matters():
+def test_stress_depends_on_the_coating_layers_with_eigenstrain():
     layers = sc.Layered([(sc.Material.elastic(400e9, 0.2), 4 * D)], STEEL)
     swollen = np.array([1e-3, 1e-3, 0.0, 0.0, 0.0, 0.0])
     found = [
@@ -317,8 +317,8 @@ def test_which_layers_of_a_coating_hold_it_matters():
     assert 1.2 < ratio < 2.5
 
 
-def test_arguments_of_cells_are_all_used():
-    """A field with another value in each cell lies where it was put, in its order."""
+def test_values_of_all_cells_are_used():
+    """A field with different values in all cells keeps positions and order."""
     field = np.arange(6 * 2 * 3 * 2, dtype=float).reshape(6, 2, 3, 2) * 1e-6
     simulation = scene()
     simulation.add_eigenstrain(2, field, (4, 5, 6))

@@ -38,7 +38,7 @@ def periodic(nz, dz=4e-6, n=8):
 
 
 def pressed_evenly(material, pressure, nz=0):
-    """A half-space under the same pressure everywhere: each depth by itself."""
+    """Press a half-space uniformly, so that each depth deforms independently."""
     grid = periodic(nz)
     sim = sc.Simulation(grid, RIGID, material, np.zeros(grid.surface_shape))
     return sim.step(pressure=np.full(grid.surface_shape, pressure))
@@ -46,8 +46,8 @@ def pressed_evenly(material, pressure, nz=0):
 
 @pytest.mark.parametrize("nz", [0, 3, 25])
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-def test_each_depth_flows_as_its_own_yield_stress_says(nz):
-    """Held along the surface, e_zz = -2 (1 - nu)/E (|p (1 - 2 nu)/(1 - nu) + s0| - f Y)."""
+def test_each_depth_flows_by_its_own_yield_stress(nz):
+    """Zero lateral strain: e_zz = -2 (1 - nu)/E (|p (1 - 2 nu)/(1 - nu) + s0| - f Y)."""
     material = PLAIN.with_yield_profile(*WEAK).with_residual_stress(*PULLED)
     pressure = 1.2e9
     state = pressed_evenly(material, pressure, nz)
@@ -65,7 +65,7 @@ def test_each_depth_flows_as_its_own_yield_stress_says(nz):
     assert state.max_plastic_strain_magnitude() == pytest.approx(-expected.min(), rel=1e-6)
 
 
-def test_a_profile_that_does_not_change_is_another_yield_stress():
+def test_a_constant_profile_is_another_yield_stress():
     grid = sc.Grid(21, 21, 60e-6, 60e-6, 12, 60e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
     half = sc.Material.perfect_plastic(E, NU, 0.5 * Y)
@@ -79,8 +79,8 @@ def test_a_profile_that_does_not_change_is_another_yield_stress():
         np.testing.assert_allclose(one.stress(), other.stress(), rtol=1e-9, atol=1.0)
 
 
-def test_residual_stress_is_that_of_a_strain_that_does_not_fit():
-    """A uniform e_xx = e_yy = e(z) leaves -E/(1 - nu) e, whatever the contact does."""
+def test_residual_stress_equals_that_of_an_eigenstrain():
+    """A uniform e_xx = e_yy = e(z) causes the stress -E/(1 - nu) e, independent of the contact."""
     grid = periodic(12, 15e-6, n=20)
     x = 2 * np.pi * np.arange(20) / 20
     gap = 0.8e-6 * (2 - np.cos(x)[:, None] - np.cos(x)[None, :])
@@ -104,7 +104,7 @@ def test_residual_stress_is_that_of_a_strain_that_does_not_fit():
     assert one.max_equivalent_plastic_strain() > 1e-3
 
 
-def test_an_elastic_body_only_shows_it():
+def test_an_elastic_body_only_shows_residual_stress():
     grid = sc.Grid(9, 9, 60e-6, 60e-6, 5, 40e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
     z, sxx, syy, sxy = [0.0, 100e-6], [-3e8, 0.0], [1e8, 2e8], [5e7, -5e7]
@@ -120,7 +120,7 @@ def test_an_elastic_body_only_shows_it():
 
 
 def hertz_pressure(grid, radius, p0):
-    """Means over the cells."""
+    """Return the Hertz pressure averaged over the cells."""
     inner = (np.arange(10) - 4.5) / 10 * grid.dx
     x, y = (c[:, None] + inner for c in (grid.x, grid.y))
     r2 = x[:, :, None, None] ** 2 + y[None, None] ** 2
@@ -131,8 +131,8 @@ def rms(values):
     return float(np.sqrt(np.mean(np.square(values))))
 
 
-def test_a_hardened_case_under_residual_stress_is_that_of_finite_elements():
-    """At 16 cells per radius, half the difference between finite elements and finer grids."""
+def test_a_hardened_case_with_residual_stress_agrees_with_finite_elements():
+    """Agreement at 16 cells per radius; half the difference is that of finer grids."""
     case, a, cells, steps = fem.load("graded"), 1e-3, 16, 16
     z = np.linspace(0.0, 2 * a, 201)
     body = sc.Material.swift(E, NU, 700e6, 20.0, 0.1)
@@ -171,8 +171,8 @@ LAYER = ([0.0, 0.5e-3, 0.505e-3, 0.54e-3, 0.545e-3], [3.0, 3.0, 0.6, 0.6, 3.0])
 @pytest.mark.parametrize("nz", [0, 6, 40])
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 @pytest.mark.parametrize("profile", [CASE, LAYER], ids=["case", "layer"])
-def test_nothing_below_a_strong_case_is_missed(profile, nz):
-    """Neither below the box of what flows nor below the layers of the grid."""
+def test_flow_below_a_strong_case_is_found(profile, nz):
+    """Flow is found below the active box and below the layers of the grid."""
     grid = sc.Grid(41, 41, 25e-6, 25e-6, nz, 20e-6)
     body, flat = SOFT.with_yield_profile(*profile), np.zeros(grid.surface_shape)
     sim = sc.Simulation(grid, ELASTIC, body, flat)
@@ -190,7 +190,7 @@ def test_nothing_below_a_strong_case_is_missed(profile, nz):
     assert (von_mises(stress) <= strong * SOFT.yield_stress(strain) * (1 + 2e-3)).all()
 
 
-def test_a_weak_layer_between_strong_ones_flows_by_itself():
+def test_a_weak_layer_between_strong_ones_flows_alone():
     grid = sc.Grid(41, 41, 25e-6, 25e-6, dz=20e-6)
     pressure, flat = hertz_pressure(grid, 0.4e-3, 2.0e9), np.zeros(grid.surface_shape)
     weak, strong = (
@@ -204,7 +204,7 @@ def test_a_weak_layer_between_strong_ones_flows_by_itself():
     np.testing.assert_allclose(weak.depths[flown], [0.51e-3, 0.53e-3])
 
 
-def test_zones_of_a_rough_surface_are_those_of_one_box():
+def test_subdomains_of_a_rough_surface_agree_with_one_box():
     body = PERFECT.with_yield_profile([0.0, 2e-6, 6e-6], [1.3, 1.3, 0.9])
     body = body.with_residual_stress([0.0, 3e-6], [-300e6, 0.0])
     sims = [simulation(RIGID, body, zones=zones) for zones in ("auto", "one")]
@@ -219,8 +219,8 @@ def test_zones_of_a_rough_surface_are_those_of_one_box():
     assert found == pytest.approx(expected, rel=2e-3)
 
 
-def test_zones_of_two_balls_hold_flow_above_and_below_the_case():
-    """The core yields apart from what flows at the surface."""
+def test_subdomains_of_two_balls_contain_flow_above_and_below_the_case():
+    """The core yields separately from the surface."""
     grid = sc.Grid(96, 64, SIZE, SIZE, 18, SIZE)
     x, y, radius = grid.x[:, None], grid.y, 200e-6
     gap = np.minimum(
@@ -238,8 +238,8 @@ def test_zones_of_two_balls_hold_flow_above_and_below_the_case():
     assert [zone_counts(sim)[1] for sim in sims] == [2, 1]
 
 
-def test_large_surfaces_yield_where_small_ones_do():
-    """Columns of a bound of the stress and of the stress itself."""
+def test_large_and_small_surfaces_yield_at_the_same_place():
+    """The bound of the stress and the stress itself give equal columns."""
     z, factor = [0.0, 2e-6, 6e-6], [1.3, 1.3, 0.9]
     body = PERFECT.with_yield_profile(z, factor).with_residual_stress([0.0, 3e-6], [-300e6, 0.0])
     wide = sc.Grid(280, 280, SIZE, SIZE, LAYERS, SIZE)
@@ -266,7 +266,7 @@ def ball(*bodies, **options):
     return sc.Simulation(BALL, *bodies, sc.surfaces.paraboloid(BALL, 7.5e-3), **options)
 
 
-def test_the_work_of_a_contact_is_dissipated_or_stays():
+def test_the_work_of_a_contact_is_dissipated_or_stored():
     """Residual energy includes the initial stress, which plastic strain releases."""
     sim = ball(RIGID, BODY, tol=1e-8)
     path = sc.paths.load_unload(load=1200.0, increments=16)
@@ -282,7 +282,7 @@ def test_the_work_of_a_contact_is_dissipated_or_stays():
 
 
 @pytest.mark.parametrize("kept", ["checkpoint", "pickle", "copy"])
-def test_going_on_from_what_was_kept_changes_no_digit(kept, tmp_path):
+def test_continuation_from_a_checkpoint_changes_no_digit(kept, tmp_path):
     sim = ball(ELASTIC, BODY)
     sim.step(load=900.0)
     if kept == "checkpoint":
@@ -298,7 +298,7 @@ def test_going_on_from_what_was_kept_changes_no_digit(kept, tmp_path):
     assert one.max_equivalent_plastic_strain() > 0
 
 
-def test_equal_bodies_share_what_unequal_ones_do_not():
+def test_bodies_with_different_profiles_are_not_identical():
     """Bodies that differ only in their profile are not identical."""
     strong = SOFT.with_yield_profile([0.0], [3.0])
     both = ball(BODY, BODY).step(load=1200.0)
@@ -311,7 +311,7 @@ def test_equal_bodies_share_what_unequal_ones_do_not():
     )
 
 
-def test_kinematic_hardening_knows_of_it():
+def test_kinematic_hardening_includes_the_profile():
     """Purely kinematic hardening loads like isotropic hardening, at each depth."""
     kinematic = PLAIN.with_kinematic_hardening(E / 9)  # E Et/(E - Et) of Et = 0.1 E
     states = [

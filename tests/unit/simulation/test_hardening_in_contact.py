@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Voce's law and tabulated curves under a ball: against other laws, saved, and from case files."""
+"""Voce's law and tabulated curves under a ball: other laws, checkpoints, case files."""
 
 import re
 from pathlib import Path
@@ -26,7 +26,7 @@ BALL = sc.surfaces.paraboloid(GRID, RADIUS)
 
 
 def pressed(material, loads=(0.5, 1.0), **more):
-    """A ball on a flat of this material, pressed step by step."""
+    """Press a ball step by step on a flat of this material."""
     simulation = sc.Simulation(
         GRID, sc.Material.elastic(E, NU), material, BALL, tol=1e-8, on_border="warn", **more
     )
@@ -56,7 +56,7 @@ def test_two_points_are_linear_hardening():
 
 
 def test_samples_of_swift_converge_at_second_order():
-    """Differences of the imprint volume and of the sum of the strain."""
+    """Differences of imprint volume and integrated strain converge with second order."""
     swift = sc.Material.swift(E, NU, 150e6, 3000.0, 0.25)
     errors = []
     for pieces in (8, 16, 32):
@@ -102,7 +102,7 @@ def test_softening_scales_the_curve(law):
 
 
 @laws
-def test_goes_on_from_a_checkpoint(law, tmp_path):
+def test_a_run_continues_from_a_checkpoint(law, tmp_path):
     material = LAWS[law].with_kinematic_hardening(40e9, 30.0)
     simulation = pressed(material, loads=(0.6,))
     simulation.save(tmp_path / "saved.h5")
@@ -114,14 +114,14 @@ def test_goes_on_from_a_checkpoint(law, tmp_path):
         np.testing.assert_array_equal(*[getattr(state, field)() for state in states])
 
 
-def test_the_largest_table_goes_into_a_checkpoint(tmp_path):
+def test_the_largest_table_fits_into_a_checkpoint(tmp_path):
     g = np.linspace(0.0, 0.1, 4096)
     table = sc.Material.tabulated(E, NU, g, VOCE.yield_stress(g))
     pressed(table, loads=()).save(tmp_path / "saved.h5")
     assert sc.Simulation.load(tmp_path / "saved.h5").body2 == table
 
 
-def test_make_the_same_materials():
+def test_case_files_make_the_same_materials():
     assert read(VOCE_FILE).build() == VOCE
     assert read(TABLE_FILE).build() == TABLE
     moving = read(TABLE_FILE | {"kinematic": {"modulus": 1e9}}).build()
@@ -174,14 +174,14 @@ def test_to_results(law):
         np.testing.assert_array_equal(dataset.attrs[f"body2_{name}"], value)
 
 
-def test_strains_of_the_exact_residual_stress_without_hardening():
-    """The numbers of the theory: a pattern from cell to cell makes them larger."""
+def test_plastic_strain_of_the_exact_method_without_hardening():
+    """The strains are those stated in the theory; a cell-to-cell pattern increases them."""
     file = Path(__file__).parents[3] / "docs" / "theory" / "accuracy.md"
     page = file.read_text(encoding="utf-8")
     stated = re.search(
-        r"with (\d+) cells over 3 √\(R w\) the maximum plastic strain is ([\d.]+) % instead of the "
-        r"([\d.]+) %",
-        page,
+        r"with (\d+) cells over \$3 \\sqrt\{R w\}\$, with R the radius of the ball and w the "
+        r"interference, the maximum plastic strain is ([\d.]+) % instead of the ([\d.]+) %",
+        " ".join(page.split()),
     )
     cells, modulus = int(stated[1]), E / (1 - NU**2)
     interference = 10 * sc.critical.green(10e-3, modulus, NU, 1e9).interference

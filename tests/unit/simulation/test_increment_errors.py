@@ -26,7 +26,7 @@ from samcontact.simulation.increment_paths import doubled, halved
 
 
 def silent(sim):
-    """Simulation without its own error estimates."""
+    """Return a simulation without its own error estimates."""
     sim.monitor.checks_increments = False
     return sim
 
@@ -48,12 +48,12 @@ def warned(call):
 
 
 class TestWarning:
-    def unlike(self):
+    def dissimilar(self):
         return ball(RIGID, ALUMINIUM, 50.0, sc.Coulomb(0.3))
 
     @pytest.mark.parametrize("by_hand", [True, False])
-    def test_of_one_large_increment_once(self, by_hand):
-        sim = self.unlike()
+    def test_one_large_increment_causes_one_warning(self, by_hand):
+        sim = self.dissimilar()
         calls = [
             lambda: sim.step(load=50.0) if by_hand else sim.run([{"load": 50.0}], progress=False),
             lambda: sim.run(pressed(50.0, 4), progress=False),
@@ -64,25 +64,25 @@ class TestWarning:
         assert "times as many for 5 %" in text
         assert warned(calls[1]) == []
 
-    def test_of_steps_by_hand_that_add_up(self):
+    def test_accumulated_manual_steps_cause_a_warning(self):
         """Errors are estimated at the first, fourth and sixteenth increment."""
         sim = ball(RIGID, PERFECT, 2000.0)
         texts = [warned(lambda s=s: sim.step(**s)) for s in pressed(2000.0, 4)]
         assert sum(map(len, texts)) == 1
 
-    def test_not_of_small_ones(self):
+    def test_small_increments_cause_no_warning(self):
         sim = ball(STEEL, SWIFT, 1000.0, 0.1)
         assert warned(lambda: sim.run(pressed(1000.0, 4), progress=False)) == []
         assert sim.engine.history.checked == 4  # it was looked at
 
-    def test_of_a_run_that_goes_on(self):
-        """The path since the start is judged, whose first part was not path-dependent."""
+    def test_a_continued_run_causes_a_warning(self):
+        """The estimate covers the whole path, whose first part is not path-dependent."""
         sim = ball(RIGID, PERFECT, 2000.0)
         assert warned(lambda: sim.run([{"load": 10.0}], progress=False)) == []
         assert len(warned(lambda: sim.run([{"load": 2000.0}], progress=False))) == 1
 
-    def test_leaves_the_simulation_as_it_was(self):
-        loud, quiet = self.unlike(), silent(self.unlike())
+    def test_the_estimate_does_not_change_the_simulation(self):
+        loud, quiet = self.dissimilar(), silent(self.dissimilar())
         for sim in (loud, quiet):
             warned(lambda sim=sim: sim.run(pressed(50.0, 2), progress=False))
         np.testing.assert_array_equal(loud.state.shear, quiet.state.shear)
@@ -99,14 +99,14 @@ class TestWarning:
     ],
     ids=["elastic", "like bodies", "controlled", "no flow"],
 )
-def test_what_does_not_depend_on_increments_is_not_solved_again(sim, path, monkeypatch):
+def test_path_independent_increments_are_not_repeated(sim, path, monkeypatch):
     monkeypatch.setattr(increment_errors, "_compared", None)  # would be called
     made, states = sim(), []
     assert warned(lambda: states.extend(made.run(path, progress=False))) == []
     assert not increment_errors.is_path_dependent(made.engine.setup, states)
 
 
-def test_nothing_is_estimated_where_the_warning_is_ignored(monkeypatch):
+def test_nothing_is_estimated_if_the_warning_is_ignored(monkeypatch):
     asked = []
     monkeypatch.setattr(increment_errors, "_compared", lambda *given: asked.append(given))
     for action in ("ignore", "always"):
@@ -118,7 +118,7 @@ def test_nothing_is_estimated_where_the_warning_is_ignored(monkeypatch):
         assert len(asked) == (action == "always")
 
 
-def test_unknown_past_is_not_estimated():
+def test_errors_of_an_unknown_history_are_not_estimated():
     sim = ball(RIGID, PERFECT, 2000.0)
     sim.set_plastic_strain(2, np.zeros((6, *sim.grid.surface_shape, 2)))
     assert warned(lambda: sim.step(load=2000.0)) == []
@@ -126,7 +126,7 @@ def test_unknown_past_is_not_estimated():
 
 
 class State:
-    """Targets reached along a path."""
+    """State that contains only the targets reached along a path."""
 
     def __init__(self, load, force=0.0):
         self.load, self.approach, self.torque = load, 1e-9 * load, 0.0
@@ -159,8 +159,8 @@ class TestPaths:
         assert ends == [(1, 0), (3, 1), (5, 2), (6, 3)]
 
     @pytest.mark.parametrize("loads", [[0.1, 2.0], [0.1, 0.2, 0.3, 0.4, 5.0], [1.0, 2.0, 0.0]])
-    def test_not_half_as_many_where_one_is_by_far_the_largest(self, loads):
-        """Merged with a small increment, or unmerged, a large increment gives no estimate."""
+    def test_no_halving_if_one_increment_dominates(self, loads):
+        """A dominant increment gives no estimate, merged with a small increment or not."""
         path = [{"load": load} for load in loads]
         assert halved(path, [State(load) for load in loads], 0.0) is None
 
@@ -186,7 +186,7 @@ output = {figures = false}
 """
 
 
-def test_table_results_and_report_state_them(tmp_path):
+def test_table_results_and_report_state_increment_errors(tmp_path):
     (tmp_path / "case.toml").write_text(CASE)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -214,6 +214,6 @@ def test_table_results_and_report_state_them(tmp_path):
 
 def test_shares_are_written_without_powers_of_ten():
     shares = {"shear": 0.999, "pressure": 12.34, "gap": 0.004567}
-    told = increment_errors.error_summary(shares)
+    shown = increment_errors.error_summary(shares)
     expected = "the pressure by about 1200 %, the shear by about 100 %, the gap by about 0.46 %"
-    assert told == f"more increments would change {expected}"
+    assert shown == f"more increments would change {expected}"

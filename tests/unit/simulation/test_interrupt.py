@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Long steps: other threads go on meanwhile, Ctrl-C gets through and leaves a usable simulation.
+"""During long steps other threads run, and Ctrl-C leaves a usable simulation.
 
-In its own process, whose step takes a minute if nobody stops it.
+The test uses a separate process, whose step would take a minute.
 """
 
 import subprocess

@@ -129,7 +129,7 @@ for arguments in roll(50, -1.4 * CELL, -CELL):
 """
 
 
-def test_killed_and_resumed_bit_for_bit(tmp_path):
+def test_a_resumed_run_is_bit_identical(tmp_path):
     checkpoint = tmp_path / "rolling.h5"
     folder = __file__.rpartition("/")[0]
     killed = subprocess.run([sys.executable, "-c", RESUMED, checkpoint, folder], check=False)
@@ -159,7 +159,7 @@ def test_a_checkpoint_keeps_the_relief(tmp_path):
 
 
 @pytest.mark.parametrize("body2", [STEEL, KINEMATIC], ids=["swift", "kinematic"])
-def test_a_track_can_be_gone_on_from_in_another_simulation(body2):
+def test_a_track_can_be_continued_in_another_simulation(body2):
     """A travel longer than the grid, set by rows outside it."""
     settings = {"tol": 1e-10, "residual_stress": "exact"}
     first = ball(body2=body2, **settings)
@@ -187,7 +187,7 @@ def test_a_track_can_be_gone_on_from_in_another_simulation(body2):
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-8 * np.abs(expected).max(initial=1))
 
 
-def test_a_track_that_does_not_fit():
+def test_a_track_of_wrong_shape_is_refused():
     simulation = ball()
     shape = (6, 5, simulation.grid.ny, simulation.grid.nz)
     with pytest.raises(ValueError, match=r"strain must have shape"):

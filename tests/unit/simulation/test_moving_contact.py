@@ -25,7 +25,7 @@ STEEL_AGAIN = sc.Material.swift(210e9, 0.3, 945e6, 20.0, np.nextafter(0.121, 1))
 
 
 def fixed_frame(cells, shape, body1, body2, **settings):
-    """The grid stays on body 2 and the ball's shape travels over it."""
+    """Simulate a fixed grid over which the shape of the ball travels."""
     wide = sc.Grid(3 * cells.nx, cells.ny, cells.dx, cells.dy)
     heights = -sc.surfaces.paraboloid(wide, *shape)
     flat = np.zeros(cells.surface_shape)
@@ -43,12 +43,12 @@ def fixed_frame(cells, shape, body1, body2, **settings):
     ],
     ids=["swift", "elliptic with friction", "kinematic", "linear hardening"],
 )
-def test_moving_the_frame_is_moving_the_contact(body1, body2, shape, settings):
+def test_moving_the_frame_equals_moving_the_contact(body1, body2, shape, settings):
     settings = {"tol": 1e-10, "residual_stress": "exact", **settings}
     cells = grid()
     load = 0.7 * LOAD
-    there, back = roll(7, 0.0, -CELL, load), roll(7, 0.0, CELL, load)
-    moved_there, moved_back = roll(7, CELL, 0.0, load), roll(7, -CELL, 0.0, load)
+    there, back = roll(5, 0.0, -CELL, load), roll(5, 0.0, CELL, load)
+    moved_there, moved_back = roll(5, CELL, 0.0, load), roll(5, -CELL, 0.0, load)
     start = [{"load": 0.5 * load}, {"load": load}]
     moving = ball(body1, body2, cells, shape, **settings)
     fixed = fixed_frame(cells, shape, body1, body2, **settings)
@@ -130,7 +130,7 @@ def test_identical_rolling_bodies_stay_identical(method):
             np.testing.assert_allclose(other, lower, rtol=0, atol=1e-7 * np.abs(lower).max())
 
 
-def test_bodies_that_slide_have_histories_of_their_own():
+def test_sliding_bodies_have_separate_histories():
     # Body 1 stays under the contact, body 2 passes.
     end = ball(STEEL, STEEL).run([*RAMP, *roll(8, 0.0, -CELL), {"load": 0.0}], progress=False)[-1]
     upper, lower = end.track(1), end.track(2)
@@ -154,7 +154,7 @@ def test_a_symmetric_scene_stays_symmetric():
     np.testing.assert_allclose(history, history[:, ::-1], rtol=0, atol=1e-12)
 
 
-def test_what_is_done_per_increment_does_not_grow():
+def test_the_cost_per_increment_does_not_grow():
     simulation = ball(residual_stress="fast")
     simulation.run(RAMP, progress=False)
     work, memory = [], []
@@ -188,7 +188,7 @@ def test_strain_beyond_the_reach(reach):
     assert error < {0.5: 3e-4, 1.0: 3e-5}[reach]
 
 
-def test_parts_of_a_cell():
+def test_motion_by_fractions_of_a_cell():
     # The same way in whole cells, and from a start half a cell off: exact but for the mesh.
     errors = []
     for cells_per_radius in (4, 8):
@@ -214,7 +214,7 @@ def test_parts_of_a_cell():
     assert np.all(np.array(errors[1]) < 0.4 * np.array(errors[0]))
 
 
-def test_the_origin_moves_within_the_grid_by_parts_of_a_cell():
+def test_the_origin_moves_within_the_grid_by_fractions_of_a_cell():
     simulation = ball(residual_stress="fast")
     simulation.step(load=0.4 * LOAD)
     state = simulation.step(load=0.4 * LOAD, advance=(-0.3 * CELL, -0.3 * CELL))
@@ -228,7 +228,7 @@ def test_the_origin_moves_within_the_grid_by_parts_of_a_cell():
     assert state.track().contact == pytest.approx(3 * CELL)
 
 
-def test_a_halved_increment_arrives_where_it_should():
+def test_a_halved_increment_reaches_its_target():
     simulation = ball(residual_stress="fast", max_iterations=9)
     simulation.run([{"load": LOAD * f} for f in np.linspace(0.05, 1.0, 20)], progress=False)
     state = simulation.step(load=LOAD, advance=(-3 * CELL, -3 * CELL))
@@ -255,7 +255,7 @@ def test_automatic_increments():
     assert errors[1] < 0.3 * errors[0]
 
 
-def test_prescribed_tractions_go_with_the_contact():
+def test_prescribed_tractions_move_with_the_contact():
     pressure = ball().step(load=LOAD).pressure
     simulation = ball(residual_stress="exact", tol=1e-10)
     simulation.step(pressure=pressure)
@@ -268,7 +268,7 @@ def test_prescribed_tractions_go_with_the_contact():
     np.testing.assert_allclose(half.pressure, shifted, rtol=0, atol=1e-3)
 
 
-def test_elastic_bodies_do_not_notice():
+def test_motion_does_not_affect_elastic_bodies():
     still = ball(CERAMIC, CERAMIC).step(load=LOAD)
     moved = ball(CERAMIC, CERAMIC).step(load=LOAD, advance=(-1e-3, 3.3e-5))
     assert np.array_equal(still.pressure, moved.pressure)

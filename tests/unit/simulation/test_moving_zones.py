@@ -34,13 +34,13 @@ def moved(sim, cells):
 @pytest.mark.parametrize(
     ("bodies", "cells", "steps", "options"),
     [
-        ((STEEL, RIGID), (24, 24), 4, {"reach": 48 * SIZE, "friction": 0.2}),
+        ((STEEL, RIGID), (24, 24), 3, {"reach": 48 * SIZE, "friction": 0.2}),
         ((SOFT, KINEMATIC), (16, 12.5), 2, {"friction": 0.1}),
         ((STEEL, RIGID), (16, 15.9), 2, {"friction": sc.Coulomb(0.2)}),
     ],
     ids=["rolling", "between the cells", "with creepage"],
 )
-def test_zones_left_behind_act_as_in_one_box(bodies, cells, steps, options):
+def test_subdomains_left_behind_act_as_in_one_box(bodies, cells, steps, options):
     sims = [rolling(*bodies, zones=zones, **options) for zones in ("auto", "one")]
     inelastic = [n for n in (1, 2) if bodies[n - 1].is_plastic]
     counts = []
@@ -53,7 +53,7 @@ def test_zones_left_behind_act_as_in_one_box(bodies, cells, steps, options):
     assert sum(count > 1 for count in counts) >= 2
 
 
-def test_a_steady_motion_begins_with_the_flow_before():
+def test_ploughing_takes_as_many_iterations_in_subdomains_as_in_one_box():
     """A rough body at rest ploughs: as many iterations as in one box."""
     sims = [
         simulation(RIGID, STEEL, grid=WIDE_GRID, gap=rough_gap(grid=WIDE_GRID), zones=zones)
@@ -66,7 +66,7 @@ def test_a_steady_motion_begins_with_the_flow_before():
     assert zone_counts(sims[0])[1] > 1
 
 
-def test_going_on_from_a_file_changes_no_digit(tmp_path):
+def test_continuation_from_a_file_changes_no_digit(tmp_path):
     sim = rolling(STEEL, RIGID, friction=0.2)
     for cells in ((0, 0), (24, 24)):
         moved(sim, cells)
@@ -93,6 +93,6 @@ for cells in (0, 16):
 
 
 def test_the_number_of_threads_changes_no_digit():
-    told = told_with(THREADS, 1, 3)
-    assert told[0] == told[1]
-    assert len(told[0].splitlines()) == 2
+    message = told_with(THREADS, 1, 3)
+    assert message[0] == message[1]
+    assert len(message[0].splitlines()) == 2

@@ -31,7 +31,7 @@ def close(actual, expected, tol):
 
 
 class TestDepths:
-    def test_without_nz_hold_all_plastic_strain(self):
+    def test_depths_without_nz_include_all_plastic_strain(self):
         states = run(simulation())
         deep = run(simulation(40))
         for state, expected in zip(states, deep, strict=True):
@@ -47,34 +47,36 @@ class TestDepths:
             assert close(state.stress(), expected.stress()[..., :n], 1e-3)
             np.testing.assert_array_equal(state.pressure, expected.pressure)
 
-    def test_of_an_elastic_contact_reach_one_and_a_half_radii(self):
+    def test_depths_of_an_elastic_contact_reach_one_and_a_half_radii(self):
         grid = sc.Grid(65, 65, 10e-6, 10e-6, dz=8e-6)
         gap = sc.surfaces.paraboloid(grid, RADIUS)
         contact = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(ELASTIC, ELASTIC), load=200.0)
         state = sc.Simulation(grid, ELASTIC, ELASTIC, gap).step(load=200.0)
         assert state.depths[-1] + 4e-6 == pytest.approx(1.5 * contact.a, rel=0.05)
 
-    def test_of_spots_are_those_of_a_spot(self):
+    def test_depths_of_several_spots_are_those_of_one_spot(self):
         grid = sc.Grid(64, 64, 10e-6, 10e-6, dz=2e-6, periodic="xy")
         waves = 1e-6 * np.cos(np.arange(64) * np.pi / 4)
         gap = 2e-6 - waves[:, None] - waves[None, :]
         state = sc.Simulation(grid, ELASTIC, ELASTIC, gap).step(load=5.0)
         assert 8 <= len(state.depths) <= 15
 
-    def test_are_those_of_the_grid_where_it_has_them(self):
+    def test_depths_are_those_of_a_grid_with_layers(self):
         state = simulation(12).step(load=500.0)
         np.testing.assert_array_equal(state.depths, state.grid.z)
 
-    def test_a_grid_without_nz_has_none_of_its_own(self):
+    def test_a_grid_without_nz_has_no_depths(self):
         grid = simulation().grid
         for name in ("z", "volume_shape"):
-            with pytest.raises(ValueError, match=r"nz is not given: .* State\.depths"):
+            with pytest.raises(
+                ValueError, match=r"volume_shape requires a grid with nz: .* State\.depths"
+            ):
                 getattr(grid, name)
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 class TestNothingIsCutOff:
-    def test_few_layers_and_a_narrow_window(self):
+    def test_few_layers_and_a_narrow_grid(self):
         expected = run(simulation(30, 41))
         for sim in (simulation(3), simulation(12), simulation(n=19)):
             for state, all_of_it in zip(run(sim), expected, strict=True):
@@ -86,7 +88,7 @@ class TestNothingIsCutOff:
                 strain = all_of_it.max_equivalent_plastic_strain()
                 assert state.max_equivalent_plastic_strain() == pytest.approx(strain, rel=1e-3)
 
-    def test_growth_beyond_the_grid_is_that_of_a_larger_one(self):
+    def test_plastic_growth_beyond_the_grid_agrees_with_a_larger_grid(self):
         fine = {"image_tol": 1e-6, "tol": 1e-8}
         expected = simulation(30, 41, **fine).step(load=900.0)
         state = simulation(4, 19, **fine).step(load=900.0)
@@ -95,7 +97,7 @@ class TestNothingIsCutOff:
         print_ = expected.residual_displacement()[11:30, 11:28]
         assert close(state.residual_displacement(), print_, 1e-6)
 
-    def test_flow_beside_a_side_is_that_beside_the_other(self):
+    def test_flow_at_opposite_grid_edges_agrees(self):
         grid = sc.Grid(19, 17, CELL, CELL, dz=CELL)
         gap = ((grid.x[:, None] - 2 * CELL) ** 2 + (grid.y[None, :] - CELL) ** 2) / (2 * RADIUS)
         soft = sc.Material.linear_hardening(210e9, 0.3, 0.4e9, 10e9)
@@ -111,7 +113,7 @@ class TestNothingIsCutOff:
         assert sim.state.max_plastic_strain_magnitude() == deep.max_plastic_strain_magnitude()
 
 
-def test_fully_plastic_and_unloaded_without_a_message():
+def test_fully_plastic_contact_causes_no_message():
     grid = sc.Grid(41, 41, 20e-6, 20e-6, dz=20e-6)
     yielding = sc.Material.perfect_plastic(210e9, 0.3, 0.15e9)
     sim = sc.Simulation(grid, ELASTIC, yielding, sc.surfaces.paraboloid(grid, RADIUS))
@@ -124,7 +126,7 @@ def test_fully_plastic_and_unloaded_without_a_message():
 @pytest.mark.parametrize(
     ("periodic", "advance"), [("", (0.0, 0.0)), ("", (-CELL, -CELL)), ("xy", (0.0, 0.0))]
 )
-def test_checkpoint_and_copy_go_on_with_the_same_bits(tmp_path, periodic, advance):
+def test_checkpoint_and_copy_continue_with_identical_bits(tmp_path, periodic, advance):
     grid = sc.Grid(20, 16, CELL, CELL, dz=CELL, periodic=periodic)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     sim = sc.Simulation(grid, ELASTIC, STEEL, gap)
@@ -150,7 +152,7 @@ def test_a_periodic_half_space_that_yields_as_a_whole_is_an_error():
     assert sim.state.load == pytest.approx(1.7e9 * area)
 
 
-def test_volumes_of_increments_lie_at_common_depths(tmp_path):
+def test_volume_fields_of_increments_have_common_depths(tmp_path):
     sim = simulation()
     states = run(sim)
     assert len(states[0].depths) < len(states[1].depths)

@@ -22,7 +22,7 @@ def simulation(body1=BALL, body2=STEEL, friction=LAW, **settings):
 
 
 def by_parts(path, parts):
-    """Yield the steps of a path of loads and forces, each divided into equal parts."""
+    """Yield the steps of a path of loads and forces, divided into equal increments."""
     load, force = 0.0, np.zeros(2)
     for end, to in path:
         for part in np.arange(1, parts + 1) / parts:
@@ -55,7 +55,7 @@ def test_without_yielding_it_is_the_elastic_solution():
 
 
 @pytest.mark.parametrize(("body1", "body2"), [(BALL, STEEL), (BRASS, STEEL)])
-def test_work_becomes_elastic_plastic_and_friction(body1, body2):
+def test_work_is_elastic_plastic_or_friction_work(body1, body2):
     path = [(400.0, (0, 0)), (400.0, (80, 30)), (300.0, (-60, 0)), (400.0, (0, 20))]
     lost = []
     for parts in (3, 6):
@@ -80,7 +80,7 @@ def test_work_becomes_elastic_plastic_and_friction(body1, body2):
     assert lost[1] < 0.55 * lost[0] < 0.03
 
 
-def test_swapped_bodies_mirror_the_answer():
+def test_swapped_bodies_mirror_the_solution():
     path = list(by_parts([(400.0, (0, 0)), (400.0, (70, 30)), (350.0, (-50, 10))], 2))
     one, two = simulation(BRASS, STEEL, tol=1e-10), simulation(STEEL, BRASS, tol=1e-10)
     for step in path:
@@ -97,7 +97,7 @@ def test_swapped_bodies_mirror_the_answer():
         np.testing.assert_allclose(turned, strain, atol=1e-10 * abs(strain).max())
 
 
-def test_where_all_slips_it_is_gross_sliding():
+def test_full_slip_equals_full_sliding():
     slides, sticks = simulation(friction=0.2), simulation(friction=sc.Coulomb(0.2))
     for load in (250.0, 400.0):
         expected, state = slides.step(load=load), sticks.step(load=load, shift=(1e-3, 0.0))
@@ -112,7 +112,7 @@ def test_where_all_slips_it_is_gross_sliding():
     assert further == pytest.approx(0.2 * 400 * 1e-3, rel=2e-3)
 
 
-def test_hardly_any_friction_is_none():
+def test_vanishing_friction_tends_to_no_friction():
     smooth, sticks = simulation(friction=0.0), simulation(friction=sc.Coulomb(1e-9))
     expected, state = smooth.step(load=400.0), sticks.step(load=400.0, shift=(1e-6, 0.0))
     np.testing.assert_allclose(
@@ -122,7 +122,7 @@ def test_hardly_any_friction_is_none():
     np.testing.assert_allclose(state.equivalent_plastic_strain(), strain, atol=1e-5 * strain.max())
 
 
-def test_bodies_alike_that_are_only_pressed_are_not_sheared():
+def test_identical_bodies_under_normal_load_have_no_shear():
     state = simulation(STEEL, STEEL).step(load=400.0)
     expected = simulation(STEEL, STEEL, 0.0).step(load=400.0)
     assert not state.shear.any()
@@ -130,7 +130,7 @@ def test_bodies_alike_that_are_only_pressed_are_not_sheared():
     np.testing.assert_allclose(state.pressure, expected.pressure, rtol=1e-6)
 
 
-def test_a_copy_goes_on_with_the_same_bits(tmp_path):
+def test_a_copy_continues_with_identical_bits(tmp_path):
     run = simulation(BRASS, STEEL)
     run.step(load=400.0, tangential_load=(60.0, 0.0))
     run.save(tmp_path / "run.h5")
@@ -147,7 +147,7 @@ def test_a_copy_goes_on_with_the_same_bits(tmp_path):
             assert np.array_equal(getattr(state, name), getattr(expected, name)), name
 
 
-def test_a_window_that_grows_keeps_shear_and_slip():
+def test_grid_enlargement_keeps_shear_and_slip():
     small = sc.Grid(16, 16, 36e-6, 36e-6, dz=36e-6)
     grows = sc.Simulation(small, BALL, STEEL, lambda g: sc.surfaces.paraboloid(g, 7.5e-3), LAW)
     wide = simulation()
@@ -176,13 +176,13 @@ def test_parts_of_an_increment_lead_to_its_end():
 
 
 def slid_surfaces(state):
-    """Elastic and plastic displacement of body 2 relative to body 1."""
+    """Return the elastic and plastic displacement of body 2 relative to body 1."""
     solver = sc.ContactSolver(state.grid, BALL, STEEL, LAW)
     u1, u2 = (solver.displacement(state.pressure, state.shear, body)[:2] for body in (1, 2))
     return u2 - u1 + np.stack([state.residual_displacement(2, axis=axis) for axis in "xy"])
 
 
-def test_what_sticks_in_parts_of_an_increment_moves_as_one():
+def test_stick_zones_move_rigidly_in_sub_increments():
     run = simulation(increment_tol=1e-3)
     before = run.step(load=250.0)
     for force in (0.0, 90.0):
@@ -195,7 +195,7 @@ def test_what_sticks_in_parts_of_an_increment_moves_as_one():
         before = state
 
 
-def test_rolling_over_a_rail_that_yields_comes_to_a_steady_force():
+def test_rolling_over_an_elastic_plastic_rail_reaches_a_steady_force():
     forces, creepage = [], 5e-4
     for cells in (1, 2):
         run, way = simulation(), -cells * GRID.dx
@@ -229,12 +229,12 @@ def test_rolling_over_a_rail_that_yields_comes_to_a_steady_force():
         (LAW, {"load": 10.0, "heat_factor": 1.0}, "heat"),
     ],
 )
-def test_what_cannot_be_is_refused(friction, step, text):
+def test_unsupported_arguments_are_refused(friction, step, text):
     with pytest.raises(ValueError, match=text):
         simulation(friction=friction).step(**step)
 
 
-def test_gross_sliding_resolves_no_slip():
+def test_full_sliding_has_no_slip_field():
     state = simulation(friction=0.3).step(load=10.0)
     assert state.tangential_load[0] == pytest.approx(3.0)
     for name in ("slip", "sticking", "shift", "twist", "friction_work"):
@@ -242,7 +242,7 @@ def test_gross_sliding_resolves_no_slip():
             getattr(state, name)
 
 
-def test_elastic_bodies_roll_as_a_solver_of_contacts_has_it():
+def test_elastic_rolling_agrees_with_the_contact_solver():
     path, dx = [{"load": 100.0}], GRID.dx
     for cells in (1, 1, 2):
         ways = (-cells * dx * 1.0005, -cells * dx * 0.9995)
@@ -262,7 +262,7 @@ SOFT = sc.Material.elastic(100e9, 0.2)
 
 
 def moved(field, cells):
-    """A field of a surface that has gone on by whole cells."""
+    """Return a surface field shifted by whole cells."""
     out, count = np.zeros_like(field), field.shape[-2] - abs(cells)
     to, of = max(cells, 0), max(-cells, 0)
     out[..., to : to + count, :] = field[..., of : of + count, :]
@@ -276,7 +276,7 @@ def moved(field, cells):
     ids=["elastic", "follows 2", "follows 1"],
 )  # fmt: skip
 @pytest.mark.parametrize("ways", [(3, -1), (-3, 5), (14, 14)])
-def test_each_body_takes_along_what_it_displaces(bodies, ways):
+def test_plastic_displacement_moves_with_its_body(bodies, ways):
     run = simulation(*bodies, tol=1e-9)
     before = run.step(load=100.0, tangential_load=(12.0, 9.0))
     shift = (0.0, 3e-7)
@@ -295,7 +295,7 @@ def test_each_body_takes_along_what_it_displaces(bodies, ways):
     assert abs(slip[:, 28:56][:, state.sticking]).max(initial=0) < 1e-6 * scale
 
 
-def test_swapped_bodies_mirror_what_goes_far_apart():
+def test_swapped_bodies_mirror_large_motions():
     one, two = simulation(SOFT, STEEL, tol=1e-10), simulation(STEEL, SOFT, tol=1e-10)
     for run in (one, two):
         run.step(load=300.0, tangential_load=(40.0, 30.0))
@@ -316,7 +316,7 @@ def test_swapped_bodies_mirror_what_goes_far_apart():
 
 
 def per_cycle(cells, share, cycles=4):
-    """Strain and friction work of fretting under a fraction of the maximum force."""
+    """Return strain and friction work per cycle for a fraction of the maximum force."""
     size = 1e-3 / cells
     grid = sc.Grid(cells, cells, size, size, dz=size)
     body2 = sc.Material.perfect_plastic(210e9, 0.3, 1.2e9).with_kinematic_hardening(7e9)
@@ -332,7 +332,7 @@ def per_cycle(cells, share, cycles=4):
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
-def test_fretting_shakes_down_or_goes_on_by_its_force():
+def test_fretting_shakes_down_or_ratchets_by_its_force():
     work = []
     for cells in (20, 28):
         small, _ = per_cycle(cells, 0.5)

@@ -41,7 +41,7 @@ def pressed(*bodies, loads=(0.5, 1.0, 0.2), grid=GRID, gap=GAP, **options):
     [((ELASTIC, KINEMATIC), {"friction": 0.3}), ((SOFT, STEEL), {})],
     ids=["sliding", "unlike"],
 )
-def test_zones_give_the_fields_of_one_box(bodies, options):
+def test_subdomains_give_the_fields_of_one_box(bodies, options):
     split, zones = pressed(*bodies, **options)
     whole, one = pressed(*bodies, zones="one", **options)
     yielding = [body for body, law in enumerate(bodies, 1) if law.is_plastic]
@@ -59,7 +59,7 @@ def test_zones_give_the_fields_of_one_box(bodies, options):
     assert len(corners) == 4
 
 
-def test_where_the_surface_is_cut_does_not_matter():
+def test_results_are_independent_of_the_period_origin():
     _, (*_, here) = pressed()
     _, (*_, there) = pressed(gap=np.roll(GAP, (37, 90), (0, 1)))
     for name in ("pressure", "residual_displacement"):

@@ -33,7 +33,7 @@ MIRROR_X = np.array([1, 1, 1, 1, -1, -1])[:, None, None, None]
 
 
 class TestWorkDone:
-    def test_nothing_for_the_volume_without_an_inelastic_body(self):
+    def test_elastic_bodies_build_no_volume_operators(self):
         sim = simulation(STEEL, STEEL)
         state = sim.step(load=LOAD)
         assert state.iterations == 0
@@ -44,7 +44,7 @@ class TestWorkDone:
         assert counters["contact_solves"] == 1
         assert counters["contact_iterations"] == state.contact_iterations > 0
 
-    def test_the_least_tol(self):
+    def test_the_smallest_tol(self):
         """The inner contact solve uses a tighter tolerance, but not below its minimum."""
         by_default, least = (
             simulation(STEEL, STEEL, tol=tol).step(load=LOAD) for tol in (1e-6, 1e-11)
@@ -68,7 +68,7 @@ class TestWorkDone:
         assert below["volume_bytes"] < 0.2 * above["volume_bytes"]
 
     def test_yields_where_the_elastic_stress_does(self):
-        """The check is exact: 1e-6 below the load of first yield nothing flows, above it does."""
+        """The yield check is exact to 1e-6 of the load at first yield."""
         onset = LOAD
         for _ in range(60):  # the discrete contact is not exactly self-similar
             onset *= (1e9 / simulation(STEEL, STEEL).step(load=onset).von_mises().max()) ** 2
@@ -92,7 +92,7 @@ class TestUnloading:
         sim = simulation()
         return sim, [sim.step(load=part * LOAD) for part in (0.6, 1.0, 0.5, 0.0, 0.6, 1.0, 1.1)]
 
-    def test_is_elastic(self, path):
+    def test_unloading_is_elastic(self, path):
         _, states = path
         for state in states[2:5]:
             assert state.iterations == 0
@@ -120,7 +120,7 @@ class TestUnloading:
         assert_close(state.stress(), state.residual_stress(), 1e-12)
         assert print_.max() == print_[9, 10] > 0.02 * states[1].approach
 
-    def test_earlier_states_stay(self, path):
+    def test_earlier_states_do_not_change(self, path):
         """A state does not depend on later steps."""
         sim, states = path
         again = simulation()
@@ -142,7 +142,7 @@ class TestBothBodies:
     gap = BALL + surfaces.sinusoidal(GRID, 4e-8, 3.3 * SIZE, 4.7 * SIZE) + GRID.x[:, None] * 1e-4
 
     @pytest.mark.parametrize("other", [STEEL, RIGID])
-    def test_upper_body_does_what_the_lower_one_would(self, other):
+    def test_upper_and_lower_body_are_equivalent(self, other):
         lower = simulation(other, SOFT, self.gap).step(load=LOAD / 2)
         upper = simulation(SOFT, other, self.gap).step(load=LOAD / 2)
         assert lower.iterations > 0
@@ -163,7 +163,7 @@ class TestBothBodies:
         assert state.equivalent_plastic_strain(1).max() > 1e-3
 
     def test_friction_drags_them_in_opposite_directions(self):
-        """Equal constants, so no coupling; a symmetric gap: body 1 is the x mirror of body 2."""
+        """Equal constants and a symmetric gap make body 1 the x mirror image of body 2."""
         sim = simulation(SOFT, SOFT, friction=0.3)
         for load in (0.5 * LOAD, LOAD):
             state = sim.step(load=load)
@@ -236,8 +236,8 @@ class TestPrescribedTractions:
         assert_close(state.gap, total, 1e-12)
         assert sim.counters["contact_solves"] == 0
 
-    def test_contact_goes_on_from_them(self):
-        """Prescribing the tractions of a contact gives an equal state and an equal continuation."""
+    def test_contact_continues_from_prescribed_tractions(self):
+        """Prescribed tractions of a contact give an equal state and an equal continuation."""
         contact = simulation(image_tol=1e-6)
         prescribed = simulation(image_tol=1e-6)
         for part in (0.5, 1.0):
@@ -252,7 +252,7 @@ class TestPrescribedTractions:
 class TestInitialStrain:
     strain = 1e-3 * np.random.default_rng(7).standard_normal((6, *GRID.volume_shape))
 
-    def test_fields_are_those_of_the_operators(self):
+    def test_fields_of_an_initial_strain_are_those_of_the_operators(self):
         """Any symmetric strain, here random with a dilatation, in either body."""
         sim = simulation(OTHER, SOFT, residual_stress="exact")
         for body, material in ((1, OTHER), (2, SOFT)):
@@ -268,8 +268,8 @@ class TestInitialStrain:
             assert not state.equivalent_plastic_strain(body).any()
 
     @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
-    def test_contact_goes_on_from_it(self):
-        """Hardened enough not to flow: elastic contact of the surface that the strain bends."""
+    def test_contact_continues_from_an_initial_strain(self):
+        """The body is hard enough to stay elastic; its surface is displaced by the strain."""
         sim = simulation(STEEL, SOFT)
         hardened = np.full(GRID.volume_shape, 0.5)
         strain = self.strain
@@ -284,7 +284,7 @@ class TestInitialStrain:
         assert state.approach == pytest.approx(expected.approach, rel=1e-6)
 
     @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
-    def test_hardening_counts(self):
+    def test_hardening_of_an_initial_strain_is_kept(self):
         """The yield stress of the next increment is that of the given equivalent strain."""
         flows = []
         for g in (0.0, 0.02, 0.1):

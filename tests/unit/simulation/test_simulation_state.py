@@ -87,7 +87,7 @@ class TestState:
         del sim
         np.testing.assert_array_equal(pressure, kept)
 
-    def test_scribbling_on_a_volume_field_changes_nothing(self, state):
+    def test_writing_to_a_volume_field_changes_nothing(self, state):
         expected = state.plastic_strain().copy()
         with pytest.raises(ValueError, match="read-only"):
             state.plastic_strain()[...] = 7.0
@@ -176,8 +176,8 @@ class TestSmallStrain:
         assert self.warnings_of(sim, LOAD) == []
 
     @pytest.mark.parametrize(("accumulated", "count"), [(0.0499, 0), (0.0536, 1), (0.07, 0)])
-    def test_is_of_the_accumulated_strain(self, accumulated, count):
-        """The one that tables show, unless most of it is reversed flow."""
+    def test_the_warning_uses_the_accumulated_strain(self, accumulated, count):
+        """The warning uses the strain shown in tables, unless most of it is reversed flow."""
         sim = simulation(STEEL, self.STRONG)
         strain, equivalent = np.zeros((6, *GRID.volume_shape)), np.zeros(GRID.volume_shape)
         strain[5, 9, 9, 4], equivalent[9, 9, 4] = 0.03 * math.sqrt(3) / 2, accumulated
@@ -189,8 +189,8 @@ class TestSmallStrain:
             assert "accumulated equivalent plastic strain of body 2 is 0.0536" in message
             assert message.endswith("at most 0.03)")
 
-    def test_may_be_an_error(self):
-        """The step is done all the same, as with a grid that is too small."""
+    def test_the_warning_may_be_an_error(self):
+        """The step is completed, as with a grid that is too small."""
         sim = simulation(STEEL, self.STRONG)
         self.strained(sim, 2, 0.05)
         with pytest.raises(sc.PlasticStrainWarning, match="body 2"):
@@ -198,7 +198,7 @@ class TestSmallStrain:
         assert sim.state.load == pytest.approx(LOAD)
 
     @pytest.mark.parametrize("symmetric", [True, False])
-    def test_is_that_of_the_tensor(self, symmetric):
+    def test_plastic_strain_magnitude_is_that_of_the_tensor(self, symmetric):
         gap = BALL if symmetric else BALL + GRID.x[:, None] * 1e-4
         state = simulation(gap=gap).step(load=LOAD)
         e = state.plastic_strain()

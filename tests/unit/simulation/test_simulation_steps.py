@@ -32,7 +32,7 @@ class TestGridTooSmall:
     shallow = sc.Grid(19, 21, SIZE, 0.9 * SIZE, 6, SIZE)
     narrow = sc.Grid(7, 9, SIZE, SIZE, 12, SIZE)
 
-    def test_fields_that_do_not_show_all_plastic_strain_are_told_once(self):
+    def test_plastic_strain_outside_the_fields_causes_one_warning(self):
         sim = simulation(grid=self.shallow)
         deep = r"body 2 extends to a depth of .*, below the output layers .*; omit nz"
         with pytest.warns(sc.GridTooSmallWarning, match=deep):
@@ -42,8 +42,8 @@ class TestGridTooSmall:
             warnings.simplefilter("error")
             sim.step(load=1.01 * LOAD)
 
-    def test_flow_beside_the_grid(self):
-        """Pressure on the whole of a narrow grid: it yields under the edge of the pressed area."""
+    def test_flow_outside_the_grid(self):
+        """Under uniform pressure on a narrow grid, yield occurs below the edge of the load."""
         pressure = np.full(self.narrow.surface_shape, 2.3e9)
         gap = np.zeros(self.narrow.surface_shape)
         sim = simulation(SOFT, STEEL, gap, self.narrow)
@@ -86,7 +86,7 @@ class TestFailedStep:
         return [sim.step(load=part * LOAD) for part in (0.7, 1.0, 0.0)]
 
     @pytest.mark.parametrize("case", FAILURES)
-    def test_leaves_the_state_intact(self, case, untroubled):
+    def test_a_failed_step_leaves_the_state_intact(self, case, untroubled):
         arguments, error = FAILURES[case]
         sim = simulation()
         sim.step(load=0.7 * LOAD)
@@ -118,7 +118,7 @@ class TestFailedStep:
 
 
 class TestHalving:
-    def test_is_smaller_increments(self):
+    def test_halving_equals_smaller_increments(self):
         whole = simulation(residual_stress="exact").step(load=LOAD)
         limit = whole.iterations - 1
         sim = simulation(max_iterations=limit, residual_stress="exact")
@@ -146,7 +146,7 @@ class TestHalving:
         assert 0 < change < 0.1 * np.abs(whole.plastic_strain()).max()
         np.testing.assert_allclose(getattr(state, driver), goal, rtol=1e-12)
 
-    def test_too_many_parts_tell_what_tolerance_can_be_had(self):
+    def test_too_many_sub_increments_state_a_feasible_tolerance(self):
         """A tolerance of 1e-5 requires 41 parts; their number varies with its fourth root."""
         grid = sc.Grid(7, 7, 1e-5, 1e-5, 3, 1e-5)
         gap = surfaces.paraboloid(grid, 10e-3)
@@ -182,7 +182,7 @@ class TestDrivers:
 class TestRun:
     path = ({"load": 0.5 * LOAD}, {"approach": EXACT.approach}, {"load": 0.0})
 
-    def test_is_the_steps_one_after_the_other(self, capsys):
+    def test_run_equals_successive_steps(self, capsys):
         sim, by_hand = simulation(), simulation()
         states = sim.run(iter(self.path), progress=False)
         assert capsys.readouterr().err == ""
@@ -194,7 +194,7 @@ class TestRun:
         simulation().run([{"load": 1.0}])
         assert capsys.readouterr().err == "increment 1 of 1\n"
 
-    def test_failure_keeps_what_was_reached(self):
+    def test_a_failure_keeps_the_reached_states(self):
         sim = simulation()
         path = [*self.path[:2], {"pressure": np.zeros((2, 2))}, {"load": 0.0}]
         with pytest.raises(ValueError, match="pressure must have shape") as caught:
@@ -247,7 +247,7 @@ class TestBadInput:
             ),
         ],
     )
-    def test_of_the_scene(self, arguments, error, text):
+    def test_bad_arguments_of_the_simulation(self, arguments, error, text):
         good = {"grid": GRID, "body1": STEEL, "body2": SOFT, "gap": BALL}
         with pytest.raises(error, match=re.escape(text)):
             sc.Simulation(**(good | arguments))

@@ -46,8 +46,8 @@ def test_a_path_of_loads_is_that_of_single_contacts():
         simulation.step(load=-1.001 * pull)
 
 
-def test_work_is_found_as_energy():
-    """Work of the load over the approach equals elastic energy plus that of the attraction."""
+def test_work_is_stored_as_energy():
+    """The work of the load equals the elastic energy plus the work of the attraction."""
     grid = grid_of()
     gap = rough(grid)
     simulation = sc.Simulation(grid, STEEL, SOFT, gap, contact_law=LAW, tol=1e-10)
@@ -69,8 +69,8 @@ def test_work_is_found_as_energy():
     assert abs(more - elastic - work) > 0.1 * abs(work)  # attraction has a part in it
 
 
-def test_flow_is_that_of_the_pressure_found():
-    """Plastic strain and gap of an increment are those that its tractions alone lead to."""
+def test_flow_is_that_of_the_computed_pressure():
+    """Plastic strain and gap equal those due to the prescribed tractions of the increment."""
     grid = grid_of(dz=1e-6)
     gap, load = rough(grid), -0.2 * LIMIT * area(grid)
     simulation = sc.Simulation(grid, sc.Material.rigid(), YIELDS, gap, contact_law=LAW, tol=1e-8)
@@ -104,7 +104,7 @@ def test_no_limit_is_hard_contact_to_every_digit():
     np.testing.assert_array_equal(*(state.stress() for state in states))
 
 
-def test_checkpoints_and_results_hold_the_law(tmp_path):
+def test_checkpoints_and_results_contain_the_law(tmp_path):
     grid = grid_of()
     simulation = sc.Simulation(grid, STEEL, SOFT, rough(grid), contact_law=LAW)
     state = simulation.step(load=0.0)
@@ -126,7 +126,7 @@ def test_checkpoints_and_results_hold_the_law(tmp_path):
     assert "contact_law" not in found.attrs
 
 
-def test_what_attraction_has_no_part_in_is_refused():
+def test_options_unsupported_with_attraction_are_refused():
     grid = sc.Grid(17, 17, 1e-6, 1e-6)
     gap = surfaces.paraboloid(grid, 1e-3)
     simulation = sc.Simulation(grid, STEEL, SOFT, gap, contact_law=LAW)
@@ -140,7 +140,7 @@ def test_what_attraction_has_no_part_in_is_refused():
         sc.energy.balance(sliding, states)
 
 
-def test_the_grid_of_attracting_bodies_does_not_grow():
+def test_the_grid_of_attracting_bodies_is_not_enlarged():
     grid = sc.Grid(9, 9, 1e-6, 1e-6)
     simulation = sc.Simulation(
         grid, STEEL, SOFT, lambda over: surfaces.paraboloid(over, 1e-3), contact_law=LAW

@@ -34,14 +34,18 @@ FIELDS = (
 )
 
 
-@pytest.mark.parametrize("method", ["exact", "fast"])
+# Every pair of values of two parameters occurs.
 @pytest.mark.parametrize(
-    ("material", "again"),
-    [(STEEL, STEEL_AGAIN), (KINEMATIC, KINEMATIC_AGAIN)],
-    ids=["52100", "kin"],
+    ("method", "material", "again", "control"),
+    [
+        ("exact", KINEMATIC, KINEMATIC_AGAIN, {}),
+        ("fast", STEEL, STEEL_AGAIN, {}),
+        ("exact", STEEL, STEEL_AGAIN, {"increment_tol": 2e-3}),
+        ("fast", KINEMATIC, KINEMATIC_AGAIN, {"increment_tol": 2e-3}),
+    ],
+    ids=["given-kin-exact", "given-52100-fast", "automatic-52100-exact", "automatic-kin-fast"],
 )
-@pytest.mark.parametrize("control", [{}, {"increment_tol": 2e-3}], ids=["given", "automatic"])
-def test_one_body_stands_for_two_identical_ones(method, material, again, control):
+def test_one_body_represents_two_identical_ones(method, material, again, control):
     settings = {"residual_stress": method, "tol": 1e-9, **control}
     short = balls(material, material, **settings).run(CYCLE, progress=False)
     general = balls(material, again, **settings).run(CYCLE, progress=False)
@@ -56,7 +60,7 @@ def test_one_body_stands_for_two_identical_ones(method, material, again, control
     assert short[-1].equivalent_plastic_strain().max() > 1e-3
 
 
-def test_their_states_are_equal_and_kept_once():
+def test_states_of_identical_bodies_are_equal_and_stored_once():
     simulation = balls(STEEL, STEEL)
     general = balls(STEEL, STEEL_AGAIN)
     for both in (simulation, general):
@@ -92,7 +96,7 @@ def test_shear_acts_on_them_in_opposite_directions():
         )
 
 
-def test_what_happens_to_one_alone_makes_them_different():
+def test_changes_of_one_body_make_the_bodies_different():
     simulation = balls(STEEL, STEEL)
     state = simulation.step(load=1000.0)
     strain = 2 * state.plastic_strain(1)
@@ -106,7 +110,7 @@ def test_what_happens_to_one_alone_makes_them_different():
     assert np.array_equal(after.plastic_strain(1), after.plastic_strain(2))
 
 
-def test_checkpoint_keeps_one_of_them_and_goes_on_bit_for_bit(tmp_path):
+def test_a_checkpoint_stores_one_of_two_identical_bodies(tmp_path):
     simulation = balls(STEEL, STEEL)
     simulation.run(CYCLE[:2], progress=False)
     simulation.save(tmp_path / "saved.h5")

@@ -19,7 +19,7 @@ Greenwood & Higginson (1985) and Yastrebov, Anciaux & Molinari (2014)."""
 
 
 def wavy(cells, shift=0.0):
-    """A grid of one period, and the gap of a wave in both directions as a function of a grid."""
+    """Return a grid of one period, and the gap function of a wave in both directions."""
 
     def gap(grid):
         x, y = (2 * np.pi * (s + shift * PERIOD / cells) / PERIOD for s in (grid.x, grid.y))
@@ -29,7 +29,7 @@ def wavy(cells, shift=0.0):
 
 
 def ball(cells, shift, aspect=1.0):
-    """Relative errors of the area of a ball, computed and by counting cells."""
+    """Return relative errors of the contact area of a ball, corrected and by counting cells."""
     load, radius = 100.0, 5e-3
     hertz = sc.hertz.point(radius, sc.hertz.effective_modulus(STEEL, STEEL), load=load)
     dx, dy = 2 * hertz.a / cells, 2 * hertz.a / cells * aspect
@@ -103,7 +103,7 @@ def test_rough_surfaces_of_few_cells_a_wave_come_close_to_fine_ones():
         assert areas[step][0] == pytest.approx(areas[1][0], rel=0.08)
 
 
-def test_what_is_exact_is_not_corrected():
+def test_exact_areas_are_not_corrected():
     # full contact has no outline, and a punch has its edge between two cells
     assert contact_area(np.ones((6, 4)), 2.0, "xy") == 48.0
     assert contact_area(np.zeros((6, 4)), 2.0) == 0.0

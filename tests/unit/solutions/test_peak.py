@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The peak of a run is at the maximum stress, not at the start of a constant load."""
+"""The peak of a run is the state of maximum stress, not the start of a constant load."""
 
 import numpy as np
 import pytest
@@ -28,14 +28,14 @@ def test_choice(stress, pressure, load, expected):
     assert peak(stress, pressure, load) == expected
 
 
-def test_of_many_small_increments_the_last_is_the_peak():
+def test_the_last_of_many_small_increments_is_the_peak():
     load = np.linspace(1e-3, 1.0, 10_000)
     assert peak(load ** (1 / 3), load ** (1 / 3), load) == load.size - 1
 
 
 @pytest.fixture(scope="module")
 def over_a_dent():
-    """A load that stays the same rolls over a dent, whose rim yields."""
+    """Return a run under constant load over a dent whose rim yields."""
     grid = sc.Grid(25, 23, 14e-6, 14e-6, 12, 10e-6)
     dent = sc.dents.spherical(grid, 6e-6, 60e-6, x=140e-6)
     gap = sc.surfaces.paraboloid(grid, 4.7625e-3)

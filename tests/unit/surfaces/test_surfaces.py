@@ -129,7 +129,7 @@ def test_rough_self_affine_is_reproducible_and_periodic(grid):
             lambda g: surfaces.rough_self_affine(
                 g, 1.0, 0.8, wavelength_min=8.001e-3, wavelength_max=8.002e-3, seed=0
             ),
-            "must enclose at least one",
+            "must have at least one",
         ),
     ],
 )

@@ -205,7 +205,7 @@ def test_cancelled_by_the_executor_is_a_failure():
     assert all(text.startswith("CancelledError") for text in found["error"].values)
 
 
-def test_going_on_solves_only_what_is_not_done(tmp_path, calls):
+def test_a_resumed_sweep_solves_only_missing_cases(tmp_path, calls):
     first = sc.sweep(CASE, FAILING_SWEEP, output=tmp_path, progress=False)
     assert calls == [300.0, 9e13, 600.0]
     assert len(list((tmp_path / "cases").iterdir())) == 2
@@ -227,7 +227,7 @@ def test_going_on_solves_only_what_is_not_done(tmp_path, calls):
 
 
 @pytest.mark.parametrize("kept", [0.0, 0.1, 0.5, 0.9, 0.999])
-def test_a_file_cut_off_is_solved_again(tmp_path, calls, kept):
+def test_the_case_of_a_truncated_file_is_solved_again(tmp_path, calls, kept):
     given = {"path[0].load": [300.0]}
     first = sc.sweep(CASE, given, output=tmp_path, progress=False)
     (file,) = (tmp_path / "cases").iterdir()
@@ -277,7 +277,7 @@ def test_equal_cases_are_solved_once(calls):
     np.testing.assert_array_equal(found["approach"][0], found["approach"][1])
 
 
-def test_interrupt_keeps_what_is_finished(tmp_path, monkeypatch, calls):
+def test_an_interrupt_keeps_finished_cases(tmp_path, monkeypatch, calls):
     counted = worker.solve_case
 
     def stopped(content, source):
@@ -300,7 +300,7 @@ def test_interrupt_keeps_what_is_finished(tmp_path, monkeypatch, calls):
     assert (whole["status"] == "done").all()
 
 
-def test_interrupt_waits_for_a_file_that_is_written(tmp_path, monkeypatch):
+def test_an_interrupt_waits_for_an_open_file(tmp_path, monkeypatch):
     write = store.write
 
     def disturbed(*arguments):
@@ -314,11 +314,11 @@ def test_interrupt_waits_for_a_file_that_is_written(tmp_path, monkeypatch):
     assert len(list((tmp_path / "cases").iterdir())) == 1
 
 
-def test_interrupt_cancels_what_waits_in_an_executor(monkeypatch):
+def test_an_interrupt_cancels_waiting_tasks(monkeypatch):
     submitted = []
 
     class Slow:
-        """Does the first task only; then the user loses patience."""
+        """Executor that runs only the first task; then the user interrupts."""
 
         def submit(self, task, *arguments):
             submitted.append(Future())
@@ -336,7 +336,7 @@ def test_interrupt_cancels_what_waits_in_an_executor(monkeypatch):
     assert [future.cancelled() for future in submitted] == [False, True, True]
 
 
-def test_asperities_too():
+def test_asperity_cases_in_a_sweep():
     elastic = {"law": "elastic", "E": 200e9, "nu": 0.32}
     case = AsperityCase.model_validate(
         {

@@ -59,7 +59,7 @@ def test_the_command_end_to_end(case_file, tmp_path):
         assert_stored(found, expected)
 
 
-def test_the_command_tells_what_failed(case_file, tmp_path, monkeypatch):
+def test_the_command_reports_failed_cases(case_file, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     outcome = invoke("sweep", case_file, "--set", "path[0].load=300,9e13", "--quiet")
     assert outcome.exit_code == 1
@@ -80,7 +80,7 @@ def test_the_command_interrupted(case_file, tmp_path, monkeypatch):
     assert outcome.stderr == "2 of 2 cases cancelled\n"
 
 
-def test_ctrl_c_ends_the_workers_too(case_file, tmp_path):
+def test_ctrl_c_also_ends_the_workers(case_file, tmp_path):
     loads = ",".join(str(300 + i) for i in range(400))
     command = [sys.executable, "-m", "samcontact", "sweep", str(case_file), "--jobs", "1"]
     command += ["--set", f"path[0].load={loads}", "--output", str(tmp_path), "--quiet"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parameters of a sweep: what is refused before any case is solved, and units of fields."""
+"""Parameters of a sweep: refusals before any solve, and units of fields."""
 
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ def none_solved(monkeypatch):
             r"body2\.yeild_stress: unknown field; did you mean body2\.yield_stress\?; allowed here",
         ),
         ({"boddy2.E": [1e9]}, "product", r"boddy2\.E: unknown field; did you mean body2\.E\?"),
-        ({"wear.threshold": [2e-3]}, "product", r"does not support \[wear\]"),
+        ({"wear.threshold": [2e-3]}, "product", r"so \[wear\] is not supported"),
         ({"friction": [0.1]}, "product", r"did you mean contact\.friction\?"),
         ({"path[1].load": [1.0]}, "product", r"path\[1\]\.load: unknown.*mean path\[0\]\.load\?"),
         ({"title.x": [1.0]}, "product", r"title\.x: unknown field; did you mean title\?"),

@@ -31,7 +31,7 @@ from samcontact.cases import AsperityCase, Case, CaseError, load_case
         ("3 N/mm^2", "Pa", 3e6),
     ],
 )
-def test_texts_are_the_numbers_one_would_write(text, unit, value):
+def test_texts_with_units_equal_numbers(text, unit, value):
     assert units.si(text, unit) == value  # to the last digit, as if given in SI
 
 
@@ -192,7 +192,7 @@ NUMBERS = {
 
 
 def parts(annotation):
-    """Parts of an annotation: types and the markers of Annotated."""
+    """Yield the parts of an annotation: types and the markers of Annotated."""
     yield annotation
     for inner in typing.get_args(annotation):
         yield from parts(inner)
@@ -207,7 +207,7 @@ def models(model):
 
 
 def without_unit(model):
-    """Fields with floats that take no texts with units."""
+    """Return float fields that accept no texts with units."""
     for name, field in model.model_fields.items():
         found = [*parts(field.annotation), *field.metadata]
         if float in found and not any(isinstance(part, BeforeValidator) for part in found):

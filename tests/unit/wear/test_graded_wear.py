@@ -21,7 +21,7 @@ def flat(worn, rows=25):
     return sc.Relief(np.zeros((rows, 25)), worn=np.broadcast_to(worn, (rows, 25)))
 
 
-def test_a_body_worn_evenly_is_one_with_another_profile():
+def test_uniform_wear_shifts_the_profile():
     worn = 50e-6
     shifted = SOFT.with_yield_profile([0.0, 30e-6, 110e-6], CASE[1])
     shifted = shifted.with_residual_stress([0.0, 100e-6], [-5e8 * (1 - 50 / 150), 0.0])
@@ -40,8 +40,8 @@ def test_a_body_worn_evenly_is_one_with_another_profile():
 
 
 @pytest.mark.parametrize("advance", [0.0, 60e-6, 75e-6])
-def test_it_moves_with_the_body(advance):
-    """Rows of different depths, of a body that follows the contact or does not."""
+def test_wear_depth_moves_with_the_body(advance):
+    """Rows with different wear depths move with the body."""
     rows = 40
     worn = 4e-6 * np.arange(rows)[:, None] * np.ones(25)
     relief = sc.Relief(np.zeros((rows, 25)), first=-10, worn=worn)
@@ -62,14 +62,14 @@ def test_it_moves_with_the_body(advance):
     assert (track.residual_von_mises() <= limit * (1 + 1e-3)).all()
 
 
-def test_equal_bodies_worn_apart_are_not_twins():
+def test_identical_bodies_with_different_wear_are_not_identical():
     sim = sc.Simulation(GRID, BODY, BODY, BALL, relief1=flat(0.0), relief2=flat(100e-6))
     state = sim.step(load=250.0)
     weak, strong = (state.max_equivalent_plastic_strain(body) for body in (2, 1))
     assert weak > 1.2 * strong
 
 
-def test_a_worn_case_does_not_renew_itself():
+def test_a_worn_case_becomes_thinner():
     """The hard layer becomes thinner from cycle to cycle."""
     steel = sc.Material.swift(E, NU, 1735e6, 16.0, 0.067)
     grid = sc.Grid(29, 27, 5e-6, 5e-6, 28, 1.6e-6)
@@ -90,7 +90,7 @@ def test_a_worn_case_does_not_renew_itself():
     np.testing.assert_allclose(before.yield_factor(), expected, rtol=1e-6)
 
 
-def test_a_grid_of_half_the_resolution_keeps_it():
+def test_a_coarser_grid_keeps_the_wear_depth():
     worn = 40e-6 + 1e-6 * np.arange(26)[:, None] * np.ones(26)
     grid = sc.Grid(26, 26, 30e-6, 30e-6, 10, 30e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
@@ -103,7 +103,7 @@ def test_a_grid_of_half_the_resolution_keeps_it():
     np.testing.assert_allclose(found[middle], np.interp(z, *CASE), atol=0.02)
 
 
-def test_checkpoints_keep_it(tmp_path):
+def test_checkpoints_keep_the_wear_depth(tmp_path):
     worn = 40e-6 + 1e-6 * np.arange(25)[:, None] * np.ones(25)
     sim = sc.Simulation(GRID, ELASTIC, BODY, BALL, relief2=flat(worn))
     sim.step(load=150.0)
@@ -115,6 +115,6 @@ def test_checkpoints_keep_it(tmp_path):
 @pytest.mark.parametrize(
     ("worn", "text"), [(-1e-6, "worn must be >= 0 everywhere, got -1e-06"), (np.nan, "worn must")]
 )
-def test_what_cannot_be_worn_is_refused(worn, text):
+def test_bodies_that_cannot_wear_are_refused(worn, text):
     with pytest.raises(ValueError, match=text):
         flat(worn)

@@ -19,7 +19,7 @@ PATH = [{"load": 5.0}, {"load": 0.0}]
 
 
 def wearing(grid=GRID, **changes):
-    """A ball of 0.4 mm under a load at which the surface wears."""
+    """Run wear of a ball of 0.4 mm under a load at which the surface wears."""
     given = {"cycle": PATH, "threshold": 2e-3, "cycles": 3, "window": 7, "friction": 0.4}
     gap = changes.pop("gap", GAP)
     return wear.run(grid, ELASTIC, STEEL, gap, progress=False, **(given | changes))
@@ -40,14 +40,14 @@ def test_a_light_load_wears_nothing():
 
 @pytest.mark.filterwarnings("error::samcontact.ElasticStrainWarning")
 def test_plastic_flow_below_the_threshold_wears_nothing():
-    """No wear, and no warning of the elastic pressure, of which only the contact size is used."""
+    """No wear occurs, and no warning of the elastic pressure is issued."""
     result = wearing(threshold=0.04, cycle=[{"load": 6.0}, {"load": 0.0}])
     assert result.stopped
     assert 1e-3 < result.cycles[0].surface_strain[0] <= 0.04
 
 
 def test_its_elastic_estimate_warns_of_no_yield():
-    """A warning that a yielding body is treated as elastic would be false."""
+    """The elastic estimate of the contact size causes no warning of yield."""
     with warnings.catch_warnings():
         warnings.simplefilter("error", sc.ElasticStrainWarning)
         assert wearing(cycles=1).cycles[-1].max_equivalent_plastic_strain[-1] > 0
@@ -66,7 +66,7 @@ def test_surfaces_may_be_functions_of_the_grid():
         wearing(gap=lambda grid: np.zeros((3, 3)))
 
 
-def test_volume_lost_is_volume_removed(worn):
+def test_lost_volume_equals_removed_volume(worn):
     assert worn.cycles[0].volume[0] > 0
     for cycle in worn.cycles:
         assert cycle.lost_volume[0] == pytest.approx(cycle.volume[0], rel=1e-12)
@@ -86,7 +86,7 @@ def test_first_wear_is_that_of_a_simulation(worn):
     np.testing.assert_array_equal(worn.first[0].pressure, loaded.pressure)
 
 
-def test_next_cycle_starts_from_the_worn_surface_and_what_is_left(worn):
+def test_the_next_cycle_starts_from_the_worn_surface_and_remaining_strain(worn):
     first = worn.first[1]
     strain = first.equivalent_plastic_strain()
     removed = wear.depth(strain, GRID.dz, 2e-3)
@@ -120,7 +120,7 @@ def test_symmetry_is_kept(worn):
 
 @pytest.mark.filterwarnings("ignore::samcontact.PlasticStrainWarning")
 def test_an_asperity_runs_in():
-    """A bump is worn off; the ball then rests on a surface that does not wear."""
+    """An asperity is worn off; the ball then rests on a surface without further wear."""
     grid = sc.Grid(35, 31, 5e-6, 5e-6, 30, 1e-6)
     result = wear.run(
         grid, ELASTIC, STEEL, sc.surfaces.paraboloid(grid, 7.5e-3), window=1, order=0, friction=0.4,
@@ -155,8 +155,8 @@ def test_dataset_is_saved(worn, tmp_path):
         np.testing.assert_array_equal(data["heights_body2"], worn.heights[2])
 
 
-def test_both_bodies_wear_alike():
-    """Friction on body 1 has the opposite sign: its wear is that of body 2, mirrored in x."""
+def test_both_bodies_wear_equally():
+    """The wear of body 1 is that of body 2 mirrored in x, because friction is opposite."""
     result = wear.run(
         GRID, STEEL, STEEL, GAP, cycle=[{"load": 6.5}, {"load": 0.0}], threshold=2e-3, cycles=1,
         window=5, worn=(1, 2), friction=0.4, progress=False,
@@ -196,7 +196,7 @@ def test_a_track_longer_than_the_grid_wears():
     assert again.step(load=1e-3).pressure.max() > 0
 
 
-def test_goes_on_bit_identically(tmp_path, worn):
+def test_continuation_of_wear_is_bit_identical(tmp_path, worn):
     file = tmp_path / "wear.h5"
     partial = wearing(cycles=2, checkpoint=file)
     assert len(partial.cycles) == 2
@@ -217,17 +217,16 @@ def test_a_damaged_checkpoint_is_replaced_by_that_of_the_cycle_before(tmp_path, 
     content = bytearray(file.read_bytes())
     content[len(content) // 2] ^= 1
     file.write_bytes(content)
+    continued = "the run continues from the checkpoint of the preceding cycle"
     for _ in range(2):  # a damaged one does not replace the good one
-        with pytest.warns(
-            UserWarning, match=r"wear\.h5' is damaged: .*: continuing from the preceding"
-        ):
+        with pytest.warns(UserWarning, match=rf"wear\.h5' is damaged: .*: {continued}"):
             assert wearing(cycles=2, checkpoint=file).cycles == worn.cycles[:2]
-    with pytest.warns(UserWarning, match="continuing from the preceding cycle"):
+    with pytest.warns(UserWarning, match=continued):
         assert wearing(checkpoint=file).cycles == worn.cycles
     assert wearing(checkpoint=file).cycles == worn.cycles
 
 
-def test_interrupted_runs_go_on(tmp_path, worn, monkeypatch):
+def test_interrupted_runs_resume(tmp_path, worn, monkeypatch):
     file = tmp_path / "wear.h5"
     step, count = sc.Simulation.step, [0]
 
@@ -244,7 +243,7 @@ def test_interrupted_runs_go_on(tmp_path, worn, monkeypatch):
     assert wearing(checkpoint=file).cycles == worn.cycles
 
 
-def test_errors_bring_the_cycles_before_them(worn, monkeypatch):
+def test_errors_keep_the_previous_cycles(worn, monkeypatch):
     monkeypatch.setattr(cycles, "_solve", fails_in_cycle_3(cycles._solve))
     with pytest.raises(RuntimeError) as caught:
         wearing()
@@ -267,10 +266,10 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
     changes = {"threshold": 2.1e-3, "window": 5, "friction": 0.41, "tol": 1e-7}
     parts = {"window": "filter", "tol": "settings"}
     for name, value in changes.items():
-        told = rf"of another run: remove it, .*\(.*{parts.get(name, name)}"
-        with pytest.raises(ValueError, match=told):
+        text = rf"of another run \(.*{parts.get(name, name)}.*: remove this file"
+        with pytest.raises(ValueError, match=text):
             wearing(checkpoint=file, **{name: value})
-    with pytest.raises(ValueError, match=r"cycles must be > 1 .*, got 1"):
+    with pytest.raises(ValueError, match=r"cycles must be greater than .* \(1\), got 1"):
         wearing(checkpoint=file, cycles=1)
     file.write_bytes(b"no HDF5")
     with pytest.raises(ValueError, match=r"wear\.h5 was not written by samcontact"):
@@ -304,7 +303,7 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
         ({"cycle": [{"load": 1.0}, {"pressure": 0 * GAP}]}, "cycle must end unloaded"),
         ({"cycle": [{"load": 0.0}]}, "cycle must have at least one step with contact"),
         ({"cycle": [{"load": 1.0, "advance": (1e-6, 0.0)}, {"load": 0.0}]},
-         "cycle must be closed: .* got 1e-06 m"),
+         "cycle must return both bodies.* got sums of 1e-06 m"),
     ],
 )  # fmt: skip
 def test_bad_input_is_named_before_the_first_cycle(changes, message, monkeypatch):

@@ -36,7 +36,7 @@ def test_depth_of_an_exponential_converges():
 
 
 def test_depth_lies_between_the_two_layers():
-    """A plateau followed by a step, where polynomials would overshoot."""
+    """A plateau followed by a step causes no overshoot."""
     field = np.array([5.0, 5.0, 5.0, 5.0, 0.0, 0.0, 0.0])[None, None, :]
     found = [wear.depth(field, 1.0, limit)[0, 0] for limit in (4.999, 2.5, 0.001)]
     assert 3.5 < found[0] < found[1] < found[2] < 4.5
@@ -131,7 +131,9 @@ def test_shifted_deviators_stay_deviators():
 
 
 def test_strain_to_the_bottom():
-    with pytest.raises(ValueError, match=r"grid must be deep enough: .* threshold = 0\.5"):
+    with pytest.raises(
+        ValueError, match=r"grid must be deeper than the worn layer.* threshold = 0\.5"
+    ):
         wear.depth(np.ones((2, 2, 3)), 1e-6, 0.5)
 
 
@@ -144,7 +146,7 @@ def test_bad_fields():
         wear.depth(np.ones((7, 7)), 1.0, 0.1)
 
 
-def test_a_gaussian_is_as_wide_in_any_cells():
+def test_the_width_of_a_gaussian_is_independent_of_the_cells():
     """Volume and standard deviation in metres of the smoothed loss of one cell."""
     length = 7e-6
     for dx, dy in ((2e-6, 3e-6), (1e-6, 0.7e-6)):
@@ -163,6 +165,6 @@ def test_a_gaussian_is_as_wide_in_any_cells():
             assert reach[-1] - reach[0] + 1 <= filter_.sides[axis]
 
 
-def test_a_gaussian_of_nothing_is_nothing():
+def test_a_gaussian_of_zero_is_zero():
     filter_ = make_filter(sc.Grid(9, 9, 1e-6, 1e-6), 2e-6, None, None)
     np.testing.assert_array_equal(filter_(np.zeros((9, 9))), np.zeros((9, 9)))

@@ -10,8 +10,8 @@
 
 namespace samcontact {
 
-/// Allocates on 64-byte boundaries. Large blocks request huge pages: transforms stride through
-/// them, and with small pages the address cache would miss at every step.
+/// Allocates on 64-byte boundaries. Huge pages are requested for large blocks, because transforms
+/// stride through them, and with small pages the address cache would miss at every step.
 void* allocate_bytes(std::size_t bytes);
 void deallocate_bytes(void* p, std::size_t bytes);
 

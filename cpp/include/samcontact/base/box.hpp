@@ -57,10 +57,10 @@ Box bounding_box(const Grid& grid, const Pick& pick) {
   return {i0, j0, i1 - i0 + 1, j1 - j0 + 1, 1};
 }
 
-/// Copies layers [k][i][j] between a box and one that contains it.
+/// Copies layers [k][i][j] between a box and another box that contains it.
 void insert(const double* small, const Box& from, double* large, const Box& into);
 void extract(const double* large, const Box& from, double* small, const Box& into);
-/// Copies the cells that both boxes contain; the rest of `to` is unchanged.
+/// Copies the values in cells that both boxes contain; the rest of `to` is unchanged.
 void copy_common(const double* from, const Box& from_box, double* to, const Box& to_box);
 
 }  // namespace samcontact

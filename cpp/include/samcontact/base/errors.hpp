@@ -7,7 +7,7 @@
 
 namespace samcontact {
 
-/// Error of an iteration that did not reach its tolerance; the previous state is intact.
+/// Error if an iteration does not reach its tolerance; the previous state is intact.
 class ConvergenceError : public std::runtime_error {
  public:
   ConvergenceError(const std::string& what, int iterations, double residual)
@@ -20,13 +20,13 @@ class ConvergenceError : public std::runtime_error {
   double residual_;
 };
 
-/// Error of an iteration whose increment may be solved in another way.
+/// Error if an iteration stalls whose increment may be solved by another method.
 class StalledError : public ConvergenceError {
  public:
   using ConvergenceError::ConvergenceError;
 };
 
-/// Error of a contact that does not fit into the grid.
+/// Error if a contact does not fit into the grid.
 class GridTooSmallError : public std::invalid_argument {
  public:
   /// across_x, across_y: directions in which the grid is too small.
@@ -39,9 +39,9 @@ class GridTooSmallError : public std::invalid_argument {
   bool across_x_, across_y_;
 };
 
-/// Shortest decimal text that reads back as the same double.
+/// Shortest decimal text of a double from which the same double is read.
 std::string to_text(double value);
-/// Shortest decimal text with at most this number of significant digits.
+/// Shortest decimal text of a number with at most the given number of significant digits.
 std::string to_short_text(double value, int digits = 3);
 
 /// Throws std::invalid_argument "NAME must be ALLOWED, got VALUE: REMEDY" unless `condition` holds.

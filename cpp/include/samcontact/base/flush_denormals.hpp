@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flushing of denormal numbers (below 1e-308) to zero on this thread: arithmetic with denormals is
-// a hundred times slower, and a decaying recursion produces many.
+// Flushing of denormal numbers (below 1e-308) to zero on this thread: arithmetic with denormal
+// numbers is a hundred times slower, and a decaying recursion produces many of them.
 #pragma once
 
 #ifdef __SSE2__

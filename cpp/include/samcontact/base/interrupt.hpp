@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Interruption of long work by a host (an interpreter, a GUI), which the core calls between
-// iterations.
+// Interruption of long work by a host (an interpreter, a GUI): the core calls a check of the host
+// between iterations.
 #pragma once
 
 namespace samcontact {

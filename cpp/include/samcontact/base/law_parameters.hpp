@@ -11,8 +11,8 @@
 
 namespace samcontact {
 
-/// Allowed range of a parameter: low <= value <= high, or low < value; finite unless stated
-/// otherwise.
+/// Allowed range of a parameter: low <= value <= high, or low < value. The value must be finite
+/// unless the range allows infinity.
 struct Allowed {
   const char* unit;  // "" for a plain number
   double low = 0.0, high = std::numeric_limits<double>::infinity();

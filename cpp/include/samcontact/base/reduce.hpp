@@ -31,7 +31,7 @@ double ordered_chunks(std::size_t n, const Partial& partial) {
   return total;
 }
 
-/// sum of term(i) over first <= i < last, at most one block.
+/// Sum of term(i) over first <= i < last, for at most one block of terms.
 template <class Term>
 double block_sum(std::size_t first, std::size_t last, const Term& term) {
   double lanes[reduce_lanes] = {};

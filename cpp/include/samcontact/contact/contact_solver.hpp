@@ -18,9 +18,9 @@ namespace samcontact::contact {
 enum class OnBorder { error, warn };
 
 /// Message that names the edges of the grid reached by the contact and the remedy, from the
-/// repulsion; empty if the contact is inside the grid. what: the drive in words.
+/// repulsion; empty if the contact is inside the grid. what: text that describes the drive.
 std::string edge_warning(const Grid& grid, const Field& repulsion, const std::string& what);
-/// Error with such a message, which also names the option for a warning instead.
+/// Error with the message of edge_warning(), which also names the option for a warning instead.
 GridTooSmallError too_small(const Grid& grid, const Field& repulsion, const std::string& warning);
 
 /// Throws std::invalid_argument for an approach at which periodic surfaces touch everywhere.

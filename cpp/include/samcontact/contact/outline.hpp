@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outline of a contact in grid cells: the quantities that diagnostics need of every solution, from
-// one sweep.
+// Outline of a contact on the cells of a grid: quantities that diagnostics need for every solution,
+// computed in one sweep.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace samcontact::contact {
 
-/// Surface cells, with the axes along which they are periodic.
+/// Numbers of surface cells along x and y, and the axes along which they are periodic.
 struct Cells {
   int nx = 0, ny = 0;
   bool along_x = false, along_y = false;

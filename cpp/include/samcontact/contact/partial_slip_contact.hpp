@@ -26,8 +26,8 @@ struct ContactHistory {
   /// Whether the contact has moved over the surfaces: the tractions are given at the present
   /// positions of their cells, and newly contacting cells enter from the side of the contact.
   bool has_moved = false;
-  /// Slip of body 1 relative to body 2 since then that is due neither to rigid motion nor to
-  /// tractions [2][i][j] [m]; empty: none.
+  /// Slip of body 1 relative to body 2 since this state that is due neither to rigid motion nor to
+  /// tractions [2][i][j] [m]; empty: zero.
   Field free_slip = {};
 };
 
@@ -35,7 +35,7 @@ struct ContactHistory {
 struct PartialSlipStart {
   Field pressure = {};  // [i][j] [Pa]
   Field shear = {};     // [2][i][j] [Pa]
-  /// [i][j], cells that stick; empty: cells below their bound.
+  /// Cells that stick [i][j]; empty: all cells with a shear below the bound.
   std::vector<unsigned char> sticking = {};
   std::array<double, 3> motion = {};  // of directions with a prescribed force [m, m, rad]
   /// Whether pressure and shear are solved together from the start, without sweeps: for a contact
@@ -61,10 +61,11 @@ class PartialSlipContact {
                      SharedContactLaw law = hard_contact());
 
   /// Solves one increment. Identical materials: the pressure, then the shear. Dissimilar materials:
-  /// both in turn (Panagiotopoulos), each for the displacement due to the other, accelerated; if
-  /// all cells stick, a sweep contracts the error by the square of Dundurs' second constant. If the
-  /// sweeps stall, settings.after_stall decides. Throws std::invalid_argument (invalid input, a
-  /// force above the friction limit), GridTooSmallError and ConvergenceError.
+  /// pressure and shear in turn (Panagiotopoulos), each for the displacement due to the other, with
+  /// acceleration; if all cells stick, a sweep reduces the error by the square of Dundurs' second
+  /// constant. If the sweeps stall, settings.after_stall states what follows. Throws
+  /// std::invalid_argument (invalid input, a force above the friction limit), GridTooSmallError and
+  /// ConvergenceError.
   PartialSlipSolution solve(const Field& gap, Given normal, const TangentialDrive& tangential,
                             const ContactHistory& before, const PartialSlipStart& start,
                             const ContactSettings& settings) const;

@@ -7,7 +7,7 @@
 
 namespace samcontact::fatigue {
 
-/// Maximum over all planes, and normal of the critical plane.
+/// Maximum of a criterion over all planes, and the normal of the plane with this maximum.
 struct CriticalPlane {
   Field value;   // [cell]
   Field normal;  // [3][cell], unit vectors
@@ -19,8 +19,8 @@ struct CriticalPlane {
 CriticalPlane findley(const Paths& stress, double k);
 
 /// Fatemi and Socie: amplitude of the engineering shear strain times (1 + k times the maximum
-/// normal stress), at least 0 [-]. shear: half of that strain as a tensor, with any mean; k:
-/// material constant divided by the yield stress [1/Pa]. (1988),
+/// normal stress), at least 0 [-]. shear: tensor shear strain, half the engineering strain, with
+/// any mean; k: material constant divided by the yield stress [1/Pa]. Fatemi & Socie (1988),
 /// doi:10.1111/j.1460-2695.1988.tb01169.x.
 CriticalPlane fatemi_socie(const Paths& shear, const Paths& stress, double k);
 

@@ -13,9 +13,9 @@ namespace samcontact::fatigue {
 /// Papadopoulos (1995), doi:10.1111/j.1460-2695.1995.tb00886.x.
 Field dang_van(const Paths& stress, double slope);
 
-/// Crossland: amplitude of the square root of the second invariant, the radius of that ball, +
-/// slope times the maximum mean normal stress. [cell] [Pa]. Papadopoulos, Davoli, Gorla, Filippini
-/// & Bernasconi (1997), Int. J. Fatigue 19, 219-235.
+/// Crossland: amplitude of the square root of the second invariant (the radius of the smallest ball
+/// around the path) + slope times the maximum mean normal stress. [cell] [Pa]. Papadopoulos,
+/// Davoli, Gorla, Filippini & Bernasconi (1997), Int. J. Fatigue 19, 219-235.
 Field crossland(const Paths& stress, double slope);
 
 }  // namespace samcontact::fatigue

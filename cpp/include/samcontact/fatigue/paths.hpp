@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tensors of many cells at the moments of a cycle, passed on cell by cell.
+// Tensors of many cells at the moments of a cycle, passed to a task cell by cell.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,12 @@ struct Paths {
   std::size_t moments, cells;
 };
 
-/// Length of a row of a path: whole cache lines, filled up with the last moment, so that loops over
-/// moments have no remainder.
+/// Length of a row of a path: whole cache lines, filled with copies of the last moment, so that
+/// loops over moments have no remainder.
 inline std::size_t row_length(std::size_t moments) { return (moments + 7) / 8 * 8; }
 
-/// Calls task(cell, {path of each of `given`}, work) for every cell, a path as [component][row];
-/// work: as many rows. Digits do not depend on the number of threads.
+/// Calls task(cell, {path of each of `given`}, work) for every cell. A path is [component][row];
+/// `work` has the same number of rows. Digits do not depend on the number of threads.
 template <std::size_t N, class Task>
 void for_each_path(const std::array<Paths, N>& given, std::size_t work, const Task& task) {
   constexpr std::size_t together = 16;  // cells: two cache lines of a row are read in full

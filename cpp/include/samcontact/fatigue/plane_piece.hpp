@@ -28,13 +28,13 @@ inline Vector unit(const Vector& a) {
   return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-/// A plane: its normal and two directions in it.
+/// A plane, given by its normal and two directions in the plane.
 struct Plane {
   Vector n, u{}, v{};
 
   explicit Plane(const Vector& normal);
 
-  /// Normal at a distance along u and v.
+  /// Normal of the plane at the given distances along u and v.
   Vector beside(double x, double y) const {
     Vector out;
     for (int d = 0; d < 3; ++d) out[d] = n[d] + x * u[d] + y * v[d];
@@ -50,8 +50,8 @@ inline constexpr std::array<std::array<double, 2>, 6> hexagon{{{1.0, 0.0},
                                                                {-0.5, -std::numbers::sqrt3 / 2},
                                                                {0.5, -std::numbers::sqrt3 / 2}}};
 
-/// Points that determine the circle around the shear of a plane, their weights in its centre, and
-/// the moment of the maximum normal stress.
+/// Points that determine the circle around the shear in a plane, the weights of these points in the
+/// centre of the circle, and the moment of the maximum normal stress.
 struct Holders {
   std::array<std::size_t, 3> points{};
   std::array<double, 3> weights{};
@@ -75,8 +75,8 @@ class Piece {
   std::array<double, 6> stress_{};
 };
 
-/// Step along u and v, of at most `reach`, to the maximum of a parabola through the values of a
-/// plane and of six planes around it at a distance; uphill if it has no maximum.
+/// Step along u and v, of at most `reach`, to the maximum of a parabola through the values in a
+/// plane and in six planes at a distance around it; if the parabola has no maximum, a step uphill.
 std::array<double, 2> step_to_top(const Piece::Planes& values, double distance, double reach);
 
 struct Top {
@@ -84,7 +84,7 @@ struct Top {
   Vector normal;
 };
 
-/// Maximum near n of a piece, as combined by `law`.
+/// Maximum near n of a piece, which `law` combines from shear amplitude and normal stress.
 template <class Law>
 Top top_of(const Piece& piece, const Law& law, const Vector& n, double reach) {
   constexpr double distance = 2e-3;  // between planes for slope and curvature [rad]

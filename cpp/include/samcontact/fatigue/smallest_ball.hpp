@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Smallest ball around points in a few dimensions, exact to rounding.
 //
-// The point farthest from the centre is included until none is outside, as in Welzl (1991,
+// The point farthest from the centre is included until no point is outside, as in Welzl (1991,
 // doi:10.1007/BFb0038202) with the pivots of Gaertner (1999, doi:10.1007/3-540-48481-7_29).
 // Including a point is a step of the dual active set method of Goldfarb and Idnani (1983,
 // doi:10.1007/BF02591962): the centre moves perpendicular to the flat through the points that
@@ -47,8 +47,8 @@ class SmallestBall {
   const Point& centre() const { return centre_; }
   /// Radius of the ball; all points are within it.
   double radius() const { return radius_; }
-  /// Number of points on the boundary that determine the ball; their indices, and their weights in
-  /// the centre.
+  /// Number of points on the boundary that determine the ball, indices of these points, and their
+  /// weights in the centre.
   std::size_t held() const { return static_cast<std::size_t>(size_); }
   std::size_t holder(std::size_t m) const { return holders_[m]; }
   double weight(std::size_t m) const { return weight_[m]; }

@@ -17,9 +17,9 @@ enum class Symmetry { none, y, xy };
 /// A plane of n cells mirrored in its middle stores the cells from the middle on.
 inline int stored_cells(int n, bool mirrored) { return mirrored ? n - n / 2 : n; }
 
-/// The spectrum of a plane is (-i)^(number of mirrored directions in which it is odd) times the
-/// stored one, about the middle of the plane: complex for kx = 0..mx/2 with a mirror in y only,
-/// real with both. An even and an odd plane share one real transform along each mirrored direction.
+/// The spectrum of a plane about its middle is (-i)^(number of mirrored directions in which it is
+/// odd) times the stored spectrum: complex for kx = 0..mx/2 with a mirror in y only, real with
+/// both. An even and an odd plane share one real transform along each mirrored direction.
 class MirroredTransform {
  public:
   /// nx, ny: cells of the whole plane; mx, my: padded sizes, even.
@@ -46,7 +46,8 @@ class MirroredTransform {
     Mirror(int n, int m);
     /// Index of the mirror image of stored cell i in the padded row.
     int image(int i) const { return shifted ? m - 1 - i : (m - i) % m; }
-    /// Whole row from the stored cells of an even and an odd row, null if there is none.
+    /// Sum of an even and an odd row as a whole row, from the stored cells of each; null: no such
+    /// row.
     void join(const double* even, const double* odd, double* row) const;
     void divide(const double* row, double* even, double* odd) const;
     int stored, m;

@@ -15,8 +15,8 @@ namespace samcontact::fft {
 
 /// Planes of nx x ny [i][j] padded to mx x my. Spectra are [ky][kx], ky = 0..my/2, kx = 0..mx-1;
 /// successive ky are `stride` complex numbers apart, so that many planes can share one block.
-/// Unnormalised: inverse(forward(f)) = mx my f. Plans are estimated, not measured, so that a
-/// machine repeats its digits in every process. Thread-safe after construction.
+/// Unnormalised: inverse(forward(f)) = mx my f. Plans are estimated, not measured, so that all
+/// processes on a machine obtain equal digits. Thread-safe after construction.
 class PaddedTransform {
  public:
   /// mx >= nx, my >= ny, both even.
@@ -32,12 +32,12 @@ class PaddedTransform {
   int mh() const { return my_ / 2 + 1; }
   std::size_t spectrum_size() const { return static_cast<std::size_t>(mh()) * mx_; }
 
-  /// Whether a call may use several threads; one if the loop of the caller is already parallel.
+  /// Whether a call may use several threads; it uses one if the loop of the caller is parallel.
   enum class Threads { one, many };
 
   void forward(const double* plane, Complex* spectrum, std::size_t stride, Threads threads) const;
-  /// Maps column ky of the spectra of the inputs to that of the outputs: mx numbers each, one after
-  /// the other, in different arrays.
+  /// Maps column ky of the input spectra to column ky of the output spectra: mx consecutive numbers
+  /// each, in different arrays.
   using Product = std::function<void(int ky, const Complex* in, Complex* out)>;
   /// Forward transform, product and inverse transform of several planes, column by column: the
   /// spectra pass through memory once. May use several threads; out may be the planes, `work` is

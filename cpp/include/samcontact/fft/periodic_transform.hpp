@@ -29,8 +29,8 @@ class PeriodicTransform {
   /// In place: kernel at offsets i <= mx/2, j <= my/2 -> its real spectrum divided by mx my.
   void spectrum(double* quarter) const;
 
-  /// out = convolution of `in` with the kernel of that spectrum; out may be in. `work` is scratch
-  /// that the caller keeps from call to call.
+  /// out = convolution of `in` with the kernel of the given spectrum; `out` and `in` may be equal.
+  /// `work` is scratch that the caller keeps from call to call.
   void filter(const double* in, const double* quarter, double* out, ComplexField& work) const;
 
   /// Operations of one filter, up to a constant common to all sizes.

@@ -33,23 +33,23 @@ void unlock_plans();
 /// and even so that a symmetric sequence has a self-mirrored middle.
 int good_even_size(int n);
 
-/// Length for a convolution on n cells without wrap-around, at least `least`; the period of the
-/// surface in cells (even) if that is not longer (period 0: not periodic).
+/// Length, at least `least`, for a convolution on n cells without wrap-around; or the period of the
+/// surface in cells (even), if the period is not longer (period 0: not periodic).
 int convolution_size(int n, int period, int least = 0);
 
-/// Length >= n for complex lines, at most a fifth longer, for which estimated plans are fast: they
+/// Length >= n for complex lines, at most a fifth longer, for which estimated plans are fast: plans
 /// take twice the time per point if 9 divides the length.
 int fast_line_size(int n);
 
-/// Counterpart for planes of at most a few hundred cells across, whose other work grows with them:
-/// at most an eighth longer than good_even_size(n).
+/// Counterpart for planes at most a few hundred cells across: at most an eighth longer than
+/// good_even_size(n), because other work grows with the plane.
 int fast_plane_size(int n);
 
 /// Maximum number of points of rows (class Rows) that are transformed side by side.
 constexpr int longest_side_by_side = 256;
 
-/// Counterpart for rows: side by side, factors of 3 and 15 slow them down while 9 does not; at most
-/// an eighth longer.
+/// Counterpart for rows that are transformed side by side, for which factors of 3 and 15 are slow
+/// and factors of 9 are not; at most an eighth longer.
 int fast_row_size(int n);
 
 }  // namespace samcontact::fft

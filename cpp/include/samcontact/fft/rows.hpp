@@ -17,8 +17,8 @@ struct RowRun {
   int first, count;
 };
 
-/// Runs that contain all rows in use, with as many rows as are transformed at once where there is
-/// room.
+/// Runs of rows that contain all rows in use; where possible, each run has as many rows as are
+/// transformed at once.
 std::vector<RowRun> runs_of(std::span<const char> used);
 
 /// Rows of n cells padded to m, which is even. In a parallel region its threads share the rows;

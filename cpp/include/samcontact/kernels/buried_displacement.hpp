@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Corner functions of Fourier modes exp(-q d)/q: displacement of a surface due to a load at a
-// distance d, such as the substrate below a thick coating. For d = 0 those of surface_traction.hpp.
+// distance d, e.g. on the substrate below a thick coating. For d = 0 they equal the functions of
+// surface_traction.hpp.
 #pragma once
 
 namespace samcontact::kernels {

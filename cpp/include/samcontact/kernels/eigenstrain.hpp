@@ -15,7 +15,7 @@ namespace samcontact::kernels {
 /// Corner functions D_I of the surface displacement: u_z = 1/(2 pi) sum_I eps_I S3[D_I], with x, y
 /// = field minus source and z = depth of the corner. Parities in (x, y): xx, yy, zz even-even, yz
 /// even-odd, xz odd-even, xy odd-odd. Boucly (2008), eqs (2.64)-(2.71), with (2.68) corrected and
-/// the term of the trace added, so that any symmetric strain is allowed.
+/// a term for the trace added, so that any symmetric strain is allowed.
 std::array<double, 6> eigenstrain_displacement(double x, double y, double z, double nu);
 
 /// Corner functions H_I of the displacement along the surface: u_x = 1/(2 pi) sum_I eps_I S3[H_I],
@@ -47,8 +47,9 @@ Parity image_parity(int kernel);
 Parity component_parity(int component);
 
 /// Stress [Pa] per unit eigenstrain, [out][in], of a cuboid with centre depth zc and half sizes a,
-/// b, c, at X, Y (field minus source) and depth z >= 0. Inside the cuboid the eigenstrain's own
-/// stress is subtracted; on the surface of a touching cuboid the limit from inside is taken.
+/// b, c, at X, Y (field minus source) and depth z >= 0. Inside the cuboid the stress that would
+/// correspond to the eigenstrain itself is subtracted; if the cuboid touches the free surface, the
+/// limit from inside is taken there.
 std::array<std::array<double, 6>, 6> eigenstrain_stress(double X, double Y, double z, double zc,
                                                         double a, double b, double c, double E,
                                                         double nu);

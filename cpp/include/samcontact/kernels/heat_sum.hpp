@@ -22,8 +22,8 @@ class HeatProfile {
     int first, last;
     bool empty() const { return first >= last; }
   };
-  /// Points at which a profile shifted by between `low` and `high` is not negligible, if it has
-  /// decayed at the distance `reach` from its edges.
+  /// Points at which a profile, shifted by any distance from `low` to `high`, is not negligible, if
+  /// it has decayed at the distance `reach` from its edges.
   Range support(double low, double high, double reach) const;
   /// out[m][i - first] = m-th derivative of f at x[i] - shift, m = 0..orders - 1.
   void evaluate(double shift, double v, Range range, int orders, double* const* out);
@@ -58,11 +58,12 @@ class HeatSum {
   HeatSum(const HeatSource& source, const HeatPoints& points, std::vector<HeatProduct> products,
           double reach);
 
-  /// Adds a Gaussian of width v after the body has moved for `age` = kappa tau.
+  /// Adds a Gaussian of width v; the body has moved for `age` = kappa tau since the heat entered
+  /// it.
   void add(double age, double v, const std::array<double, max_weights>& weights);
   /// Adds the collected terms; checks for an interrupt (base/interrupt.hpp).
   void flush();
-  /// Age from which no point is reached by terms of width v; infinity for a stationary source.
+  /// Age above which terms of width v reach no point; infinity for a stationary source.
   double last_age(double v) const;
 
   const HeatProfile& along_x() const { return profile_x_; }

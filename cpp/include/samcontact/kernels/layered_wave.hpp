@@ -12,9 +12,10 @@
 
 namespace samcontact::kernels {
 
-/// Surface displacement in the frame of the wavevector, times the wavenumber [1/Pa]: along it due
-/// to shear along it, along it due to pressure (and downwards due to shear), downwards due to
-/// pressure, and across due to shear across. All > 0 but the second.
+/// Surface displacement times the wavenumber [1/Pa]: along the wavevector due to shear along it;
+/// along the wavevector due to pressure (equal to the downward displacement due to shear);
+/// downwards due to pressure; and across the wavevector due to shear across. All are > 0 except the
+/// second.
 struct WaveCompliance {
   double along, coupling, down, across;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Influence coefficients of a rectangle from its Fourier modes, by rings in wavenumber: windows,
-// each half as wide as the previous one, whose short Fourier sums have periods of their own, so
-// that nothing wraps around and offsets are exact (docs/theory/layers.md).
+// Influence coefficients of a rectangle from its Fourier modes, by rings in wavenumber: each ring
+// is a window half as wide as the previous one. The Fourier sum of each ring is short and has a
+// period of its own, so that nothing wraps around and offsets are exact (docs/theory/layers.md).
 #pragma once
 
 #include <functional>

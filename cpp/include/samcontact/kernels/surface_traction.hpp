@@ -14,7 +14,7 @@ namespace samcontact::kernels {
 using Stress = std::array<double, 6>;
 
 /// Corner function of u_z due to pressure: u_z = p (1 - nu^2)/(pi E) S2. Even in x, even in y.
-/// Love (1929) as in Boucly (2008), eq. (2.34).
+/// Love (1929), see Boucly (2008), eq. (2.34).
 double pressure_displacement(double x, double y);
 
 /// Corner function of u_z due to shear s_x (acting on the body along +x): u_z = s_x (1 + nu)(1 - 2
@@ -32,9 +32,9 @@ double cross_displacement(double x, double y, double nu);
 /// xx, yy, zz even-even, yz even-odd, xz odd-even, xy odd-odd. Boucly (2008), eqs (2.81)-(2.86).
 Stress pressure_stress(double x, double y, double z, double nu);
 
-/// Corner functions of the stress due to shear s_x: sigma = s_x/(2 pi) S2. Parities: those of
-/// pressure_stress with x flipped. Boucly (2008), eqs (2.88)-(2.93) with L_22 corrected.
-/// For s_y exchange x and y, xx and yy, yz and xz.
+/// Corner functions of the stress due to shear s_x: sigma = s_x/(2 pi) S2. The parities in y equal
+/// the parities of pressure_stress; those in x are opposite. Boucly (2008), eqs (2.88)-(2.93) with
+/// L_22 corrected. For s_y exchange x and y, xx and yy, yz and xz.
 Stress shear_stress(double x, double y, double z, double nu);
 
 }  // namespace samcontact::kernels

@@ -49,7 +49,7 @@ class Body {
   double strain_at_yield() const;
   /// Maximum number of backstresses of a material.
   std::size_t backstresses() const;
-  /// Whether the strength changes at the same depths as that of another body.
+  /// Whether the strength changes at the same depths as the strength of another body.
   bool changes_like(const Body& other) const;
 
  private:

@@ -116,7 +116,7 @@ struct Voce {
   bool operator==(const Voce&) const = default;
 };
 
-/// Straight segment of a curve, through a point.
+/// Straight segment of a curve, given by a point and the slope.
 struct Line {
   double strain, stress, slope;
 
@@ -142,7 +142,8 @@ struct Tabulated {
   void prepare(const Elastic&);
   Point at(double g) const { return line(piece_at(g)).at(g); }
   double work(double g) const;
-  /// Segment in which an increment from g ends. beyond(strain, stress): whether it passes a kink.
+  /// Segment in which an increment from g ends. beyond(strain, stress): whether the increment
+  /// passes this point of the curve.
   template <class Beyond>
   Line piece(double g, const Beyond& beyond) const {
     const auto passed = [&](const double& strain) {

@@ -26,8 +26,8 @@ struct Backstress {
 /// Maximum number of backstresses that are added (Chaboche 1986).
 constexpr int max_backstresses = 4;
 
-/// Initial stress along the surface [Pa]. As it depends only on depth and has no other component,
-/// it is in equilibrium and leaves the surface free of tractions, for any profile.
+/// Initial stress along the surface [Pa]. Because it depends only on depth and has no other
+/// component, any profile is in equilibrium and leaves the surface free of tractions.
 struct InitialStress {
   OverDepth xx, yy, xy;  // at the same depths
 
@@ -51,7 +51,7 @@ struct Material {
   static Material make_elastic(double E, double nu) { return with_law(E, nu, NoYield{}); }
   static Material make_rigid();
 
-  /// Copy with these backstresses in addition to its isotropic hardening, in place of earlier ones.
+  /// Copy with these backstresses, in place of earlier ones, in addition to isotropic hardening.
   Material with_backstresses(const std::vector<Backstress>& terms) const;
 
   /// Copy with thermal constants.

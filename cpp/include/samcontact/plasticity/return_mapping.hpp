@@ -34,9 +34,8 @@ struct Return {
 };
 
 /// Returns to the yield surface. stress: the stress for the present estimate `guess` of the plastic
-/// strain increment; the trial state without that estimate is dev(stress) + 2 G guess. before: one
-/// backstress for each of the material, before the increment. softening: factor of the yield
-/// stress.
+/// strain increment; the trial state without this estimate is dev(stress) + 2 G guess. before: all
+/// backstresses of the material before the increment. softening: factor on the yield stress.
 Return radial_return(const Tensor& stress, const Tensor& guess, double g, const Material& material,
                      std::span<const Tensor> before = {}, double softening = 1.0);
 

@@ -53,7 +53,7 @@ class Simulation {
 
  private:
   void check(const Target& target) const;
-  /// Yield scans with the heating of a target.
+  /// Yield scans of both bodies with the heating of a target.
   const Scans& scans(const operators::HeatingPair& heating);
   /// State at the end of an increment to a target.
   State end_state(const Target& target);

@@ -83,8 +83,8 @@ void require_followed(const Eigenstrains& strains, const Scene& scene, const Tra
         scene.friction.sticks() ? travel[0] == travel[1] : travel[b] == std::round(travel[b]);
     if (!strains[b] || follows) continue;
     throw std::invalid_argument(
-        "without an elastic-plastic body or a relief, a body with an eigenstrain must advance by "
-        "whole cells, and under partial slip both bodies by equal distances: change advance, or "
+        "a body with an eigenstrain must advance by whole cells (under partial slip, both bodies "
+        "by equal distances) if no body is elastic-plastic or has a relief: change advance, or "
         "set a relief of zeros for body " +
         std::to_string(b + 1));
   }

@@ -17,15 +17,15 @@ class Anderson {
   explicit Anderson(int depth) : depth_(depth) {}
 
   void reset();
-  /// Number of steps in the history from the next call on.
+  /// Sets the number of steps in the history from the next call on.
   void set_depth(int depth) { depth_ = depth; }
 
   /// x: point at which the residual f = G(x) - x was evaluated; replaced by the next iterate. x may
   /// become longer between calls: new entries were zero before, in x and in f.
   void next(Field& x, Field f);
 
-  /// Residual of the last call, empty before the first; and its point, reconstructed from its
-  /// successor as far as the history allows.
+  /// Residual of the last call, empty before the first call; and the point of this residual,
+  /// reconstructed from the next iterate as far as the history allows.
   const Field& last_f() const { return last_f_; }
   Field last_x(const Field& x) const;
 
@@ -43,7 +43,7 @@ class Anderson {
   Eigen::MatrixXd gram_;        // of the df
 };
 
-/// Euclidean norm, the same digits for any number of threads.
+/// Euclidean norm, with equal digits for any number of threads.
 double norm(const Field& v);
 
 }  // namespace samcontact::contact

@@ -22,7 +22,7 @@ class ContactLaw {
 
   /// Attraction a(g) [Pa]; 0 at an infinite gap (no body).
   virtual double attraction(double gap) const = 0;
-  /// Maximum of a(g) [Pa].
+  /// Maximum of the attraction a(g) [Pa].
   virtual double largest_attraction() const = 0;
   /// Work against the attraction from closed to a gap, the integral of a(g) [J/m^2]; 0 at an
   /// infinite gap.

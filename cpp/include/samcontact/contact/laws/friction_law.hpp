@@ -109,16 +109,16 @@ class FrictionLaw {
   double bound(double pressure) const;
   /// Maximum shear of each cell [Pa].
   Field bound(Field pressure) const;
-  /// Maximum shear over a pressure >= 0 [-]; it does not increase with the pressure, so that
-  /// friction carries at most ratio(0) times the load.
+  /// Ratio of the maximum shear to a pressure >= 0 [-]. The ratio does not increase with the
+  /// pressure, so friction carries at most ratio(0) times the load.
   double ratio(double pressure) const;
   bool is_frictionless() const { return bound(1.0) == 0; }
   bool prevents_slip() const;
 
   /// Whether the bodies are in full sliding with friction.
   bool slides() const { return shear_over_pressure(1) > 0; }
-  /// Shear s_x over the pressure on body 1 or 2 (index 0 or 1) in full sliding, else 0: mu on body
-  /// 2, -mu on body 1.
+  /// Ratio of shear s_x to pressure on body 1 or 2 (index 0 or 1): in full sliding mu on body 2 and
+  /// -mu on body 1, otherwise 0.
   double shear_over_pressure(int body) const;
   /// Tractions on body 2 that follow from a pressure [Pa]: with the shear of full sliding, or
   /// without shear.

@@ -26,9 +26,10 @@ struct ActiveSetResult {
 };
 
 /// Reduces the complementarity error, evaluated with the approximate operator, below tol.
-/// `displacement` is that of the start `pressure`. trim: for a rough start, first removes the cells
-/// whose gap exceeds the displacement due to their own pressure. May end before tol is reached,
-/// after max_iterations or if rounding leaves no descent: the caller checks the result.
+/// `displacement` must be the displacement due to the initial `pressure`. trim: for a rough start,
+/// first removes the cells whose gap exceeds the displacement due to their own pressure. The
+/// iteration may end before tol is reached, after max_iterations or if rounding prevents any
+/// further descent: the caller checks the result.
 ActiveSetResult solve_active_set(const NearProblem& problem, Field pressure, Field displacement,
                                  bool trim, double tol, int max_iterations);
 

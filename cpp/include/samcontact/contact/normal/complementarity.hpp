@@ -22,7 +22,8 @@ struct Solution {
   /// max over cells of |min(p / max p, g / max u)|: pressure in open cells, and gap or
   /// interpenetration in closed cells, each relative to its own scale.
   double error = 0.0;
-  /// Gaps up to this value count as closed [m]: rounding, where the displacement has no mean.
+  /// Gaps up to this value count as closed [m]: rounding error of a displacement without mean
+  /// value.
   double rounding = 0.0;
   /// Conjugate-gradient steps on the grid itself, not on coarser grids.
   int iterations = 0;
@@ -40,8 +41,8 @@ struct Solution {
 };
 
 bool all_finite(const Field& field);
-/// Whether all of a solution is finite; comparisons with NaN are false, so that such a solution may
-/// appear to have converged.
+/// Whether all values of a solution are finite. Comparisons with NaN are false, so a solution with
+/// NaN may appear to have converged.
 bool is_finite(const Solution& solution);
 
 /// Mean of a field over the cells with pressure; 0 if there are none.
@@ -52,7 +53,7 @@ double contact_mean(const Field& pressure, const Field& field);
 double complementarity_error(const Field& pressure, const Field& displacement, const Field& gap,
                              double rounding = 0.0);
 
-/// Error with displacement and gap as functions of the cell.
+/// Complementarity error, with displacement and gap as functions of the cell.
 template <class Displacement, class Gap>
 double complementarity_error(const Field& pressure, const Displacement& displacement,
                              const Gap& gap) {
@@ -76,7 +77,7 @@ double complementarity_error(const Field& pressure, const Displacement& displace
 double scale_to_sum(Field& pressure, double sum);
 
 /// gap = initial gap + displacement - approach. Returns the approach: under load control the mean
-/// of initial gap + displacement over the contact, otherwise the given one.
+/// of initial gap + displacement over the contact, otherwise the given approach.
 double close_gap(const Field& initial_gap, const Field& displacement, const Field& pressure,
                  Given normal, Field& gap);
 

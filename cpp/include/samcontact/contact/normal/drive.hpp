@@ -34,7 +34,7 @@ struct Drive {
   static Drive approach(double metre) { return {Given::motion(metre)}; }
 };
 
-/// Drive in words, for messages.
+/// Text that describes the drive, for messages.
 std::string describe(const Drive& drive);
 
 /// Throws std::invalid_argument with the name of the argument if the drive is not possible with

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Newly contacting cells of an increment: the part of the slip that occurs after first contact.
+// Newly contacting cells of an increment: the fraction of the slip that occurs after first contact.
 #pragma once
 
 #include "samcontact/base/grid.hpp"
@@ -21,12 +21,12 @@ struct Growth {
   double slid, max_slid;
 };
 
-/// Symmetric matrices [xx, xy, yy][i][j]: the part of a rigid motion that cells slip while they
-/// touch, relative to the whole increment. Rigid bodies that approach at constant speed close a gap
+/// Symmetric matrices [xx, xy, yy][i][j]: the fraction of the rigid motion of an increment that
+/// occurs while a cell is in contact. Rigid bodies that approach at constant speed close a gap
 /// after the corresponding fraction of the increment. Elastic displacement changes the closed gap
-/// and the previous slip by one factor across the edge of the contact and by another along it:
-/// those of a growing round contact. Motions larger than the elastic displacement due to shear do
-/// not change these factors. Empty if no cell comes into contact.
+/// and the previous slip by one factor across the edge of the contact and by another factor along
+/// the edge; the factors of a growing round contact are used. Motions larger than the elastic
+/// displacement due to shear do not change these factors. Empty if no cell comes into contact.
 Field slip_after_contact(const Grid& grid, const Growth& growth, double crosswise);
 
 }  // namespace samcontact::contact

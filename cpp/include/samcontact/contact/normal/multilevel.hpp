@@ -13,8 +13,8 @@
 namespace samcontact::contact {
 
 /// Solves p >= 0, g >= 0, p g = 0 on one grid, for any number of gaps and drives. Keeps the exact
-/// operator of the grid and, once needed, those of coarser grids and the approximate ones.
-/// Thread-safe.
+/// operator of the grid and, after first use, the operators of coarser grids and the approximate
+/// operators. Thread-safe.
 class Multilevel {
  public:
   Multilevel(const Grid& grid, const operators::SurfaceInfluence& influence);

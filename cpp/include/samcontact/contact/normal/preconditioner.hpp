@@ -12,7 +12,7 @@ namespace samcontact::contact {
 /// touches opposite edges.
 class Preconditioner {
  public:
-  /// near: approximate operator of the box, whose spectrum is used if it is the required one.
+  /// near: approximate operator of the box; its spectrum is used if it is the required one.
   Preconditioner(const Grid& box, const operators::SurfaceInfluence& influence,
                  const operators::NearDisplacement& near);
 

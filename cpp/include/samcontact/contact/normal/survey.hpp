@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Data for a change of the working set, from two sweeps over all cells: on large grids the time of
-// a sweep is that of reading its fields from memory.
+// Data for a change of the working set, from two sweeps over all cells: on large grids a sweep
+// takes the time to read the fields from memory.
 #pragma once
 
 #include <cstddef>

@@ -41,12 +41,12 @@ struct ShearProblem {
   std::size_t carried = 0;
   Field bound;      // of the friction law, > 0 [Pa], may be infinite
   Field free_slip;  // b [m]
-  /// Whether nothing resists a uniform shear: bodies of infinite extent that touch everywhere. C
-  /// has no inverse there, and the mean slip is given.
+  /// Whether nothing resists a uniform shear, because infinite bodies touch everywhere. C then has
+  /// no inverse, and the mean slip is given.
   bool floats = false;
   std::vector<Mode> modes;
-  /// Part of the slip due to a rigid motion that occurs in contact, for each cell: a symmetric
-  /// matrix, [xx, xy, yy][cell]; empty: all of it.
+  /// Fraction of the slip due to a rigid motion that occurs in contact, as a symmetric matrix for
+  /// each cell, [xx, xy, yy][cell]; empty: 1.
   Field slip_part;
   /// Scale of shear per scale of slip of the contact [Pa/m].
   double stiffness = 0.0;

@@ -20,7 +20,7 @@ namespace samcontact::contact {
 using TangentialDrive = std::array<Given, 3>;
 inline constexpr TangentialDrive held{Given::motion(0), Given::motion(0), Given::motion(0)};
 
-/// Drive along x and y and about z: for each whether its value is a force, else a motion.
+/// Drive along x, along y and about z: a value for each, and whether it is a force or a motion.
 TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
                                  const std::array<double, 3>& values);
 
@@ -63,7 +63,7 @@ struct ShearSolution {
   double energy_gap = 0.0;              // [J]; NaN if friction prevents slip
   int steps = 0, iterations = 0, fallbacks = 0;
   int operator_applications = 0;  // of C on the box of the contact
-  /// Transforms of the whole solve, as a number of applications on the box of the contact.
+  /// Work of all transforms of the solve, in units of one application on the box of the contact.
   double work = 0.0;
   bool converged = true;
 };
@@ -78,9 +78,9 @@ class ShearSolver {
   ShearSolver(const ShearSolver&) = delete;
   ShearSolver& operator=(const ShearSolver&) = delete;
 
-  /// Starts from `shear` and, for prescribed forces, from `motion`; from coarser boxes if the shear
-  /// is empty. If the iteration ends above tol, converged is false. The forces must be below the
-  /// friction limit.
+  /// Starts from `shear` and, for prescribed forces, from `motion`; if the shear is empty, from a
+  /// solution on coarser boxes. If the iteration ends with an error above tol, converged is false.
+  /// The forces must be below the friction limit.
   ShearSolution solve(const ShearTask& task, const Field& shear,
                       const std::array<double, 3>& motion, double tol, int max_steps) const;
 

@@ -12,8 +12,8 @@ namespace samcontact::contact {
 
 /// A shear of at least this fraction of its bound is on the circle.
 constexpr double on_circle = 1 - 1e-9;
-/// Minimum fraction of a motion that the free cells must make up in a direction for it to be
-/// determined by them.
+/// Minimum part of the squared norm of a rigid motion that cells can follow freely; below it, they
+/// do not determine this motion.
 constexpr double decisive = 1e-10;
 
 class SlipIteration {
@@ -57,8 +57,7 @@ class SlipIteration {
   void change_sides(double rho);
   /// Restricts slipping cells to the tangent of their circle.
   void project_free(Field& v) const;
-  /// P (C + lambda) v approximately: the accuracy of a step is limited by that of the approximate
-  /// operator.
+  /// P (C + lambda) v with the approximate operator, which limits the accuracy of a step.
   void apply(const Field& v, Field& out);
 
   const ShearProblem& problem_;
@@ -79,7 +78,7 @@ class SlipIteration {
   virtual void choose_sets() = 0;
   /// Solves one linear system and updates the shear.
   virtual void step(double tol) = 0;
-  /// Replaces steps that gain nothing.
+  /// Fallback iteration that replaces steps without progress.
   virtual void fall_back(double tol) = 0;
   void finish();
 };

@@ -25,7 +25,7 @@ struct ParityKernel {
   Field quarter;
 };
 
-/// Kernel from one component of a field to one of another.
+/// Kernel from one component of the input field to one component of the output field.
 struct MatrixKernel {
   int out = 0, in = 0;
   ParityKernel kernel;
@@ -34,8 +34,8 @@ struct MatrixKernel {
 class SurfaceConvolution {
  public:
   explicit SurfaceConvolution(const Grid& grid);
-  /// Periodic on mx x my cells, even, not shorter than the grid: if shorter than full padding,
-  /// cells act through their nearest image.
+  /// Periodic on mx x my cells, even numbers not less than the grid. If they are less than full
+  /// padding, each cell acts through its nearest image.
   SurfaceConvolution(const Grid& grid, int mx, int my);
 
   int mx() const { return transform_.mx(); }
@@ -46,15 +46,16 @@ class SurfaceConvolution {
   /// Replaces the table of offsets() by its real quarter spectrum.
   void transform(ParityKernel& kernel) const;
 
-  /// out = convolution of `in` with the sum of transformed kernels, both [i][j]; may be the same
-  /// array. `work` is scratch that the caller keeps from call to call.
+  /// out = convolution of `in` with the sum of transformed kernels, both [i][j]; `out` and `in` may
+  /// be one array. `work` is scratch that the caller keeps from call to call.
   void apply(std::span<const ParityKernel> kernels, const double* in, double* out,
              ComplexField& work) const;
   /// Convolution of `inputs` consecutive fields to `outputs` fields.
   void apply(std::span<const MatrixKernel> kernels, int inputs, const double* in, int outputs,
              double* out, ComplexField& work) const;
 
-  /// Operations of one application from one field to one, in units of fft::filter_cost.
+  /// Operations of one application from one input to one output field, in units of
+  /// fft::filter_cost.
   double cost() const;
 
  private:

@@ -31,7 +31,8 @@ struct VolumeSpectrum {
   /// Layers that may be non-zero; transforms and products skip the others.
   std::vector<char> used;
 
-  /// Filled with zeros; in lent memory, with its content.
+  /// A new spectrum is filled with zeros; a spectrum in lent memory keeps the content of the
+  /// memory.
   VolumeSpectrum(const VolumeTransform& transform, int nz, Tensor tensor, Field memory = {});
 
   std::size_t row_size() const { return static_cast<std::size_t>(pitch) * parts; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plane transforms of a box: of whole planes, or of the half or quarter on one side of the mirror
-// planes. They determine the storage of a spectrum.
+// planes. The kind of transform determines the storage of a spectrum.
 #pragma once
 
 #include <memory>

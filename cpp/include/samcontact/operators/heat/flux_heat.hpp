@@ -11,8 +11,8 @@
 
 namespace samcontact::operators {
 
-/// Fields [i][j] over a grid due to a flux on it, times the factor of a heating. Keeps the kernels
-/// that were used. Thread-safe.
+/// Fields [i][j] over a grid due to a flux on it, times the factor of a heating. The kernels are
+/// kept after use. Thread-safe.
 class FluxHeat {
  public:
   FluxHeat(const Grid& grid, SharedHeatMedium body, const Heating& heating);

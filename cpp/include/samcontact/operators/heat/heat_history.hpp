@@ -17,10 +17,11 @@ namespace samcontact::operators {
 
 struct HeatHistorySettings {
   /// Shortest `ahead`, usually the shortest time step [s]; flux may be added over any time. Fields
-  /// at an earlier time take the newest flux from tables, and are correct if it was added over at
-  /// least this time.
+  /// at an earlier time contain the newest flux through tables, and are correct if this flux was
+  /// added over at least this time.
   double shortest = 0.0;
-  /// Time over which heat is followed [s]. Errors of displacement and stress grow slowly beyond.
+  /// Time for which heat is taken into account [s]. After it, errors of displacement and stress
+  /// grow slowly.
   double longest = 0.0;
   double tolerance = 1e-6;  // approximate, relative to the largest value
   bool in_depth = true;     // false: only the surface displacement and fields at z = 0

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Thermal coefficients of a body, where available: separate from the medium of elastic fields, so
-// that a body without thermal kernels has none of these functions.
+// Thermal coefficients of a body. They are separate from the medium of elastic fields, so that a
+// body without thermal kernels has none of these functions.
 #pragma once
 
 #include <array>

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wavenumbers that represent the history of a heated half-space (heat_history.hpp).
 //
-// A body heated through its surface is the half z > 0 of an infinite one with sources 2 q on z = 0:
-// modes exp(i w.x) cos(s z) decay by exp(-(w^2 + i w.V/kappa + s^2) kappa t) and nothing else. The
-// plane of w is divided among levels by smooth windows: rings that shrink by a factor of two from
-// level to level and, last, a disc around w = 0. The part of a kernel in a ring vanishes within the
-// period of the level, so that its sum over a lattice of wavenumbers has no images; the lattice of
-// each level is twice as fine as that of the previous one. Greengard & Lin (2000),
-// doi:10.1006/acha.2000.0310, treat the heat kernel likewise.
+// A body heated through its surface is the half z > 0 of an infinite body with sources 2 q on z =
+// 0. Its modes exp(i w.x) cos(s z) are independent of each other and decay by exp(-(w^2 + i
+// w.V/kappa + s^2) kappa t). The plane of w is divided among levels by smooth windows: rings that
+// shrink by a factor of two from level to level and, last, a disc around w = 0. The part of a
+// kernel in a ring vanishes within the period of the level, so that its sum over a lattice of
+// wavenumbers has no images; the lattice of each level is twice as fine as that of the previous
+// one. Greengard & Lin (2000), doi:10.1006/acha.2000.0310, treat the heat kernel likewise.
 //
 // A moving body carries its heat away; on a periodic lattice it would return. Each level therefore
 // stores its heat in a few generations by age, and drops the oldest once it is farther away than
 // the range of the kernels of the level.
 //
-// Wavenumbers far beyond those of the cells matter only for heat younger than the time to diffuse
-// across a cell. If a body at rest is followed in such short steps, they are left to NearHeat
-// (heat_near.hpp).
+// Wavenumbers far beyond the highest wavenumber of the grid matter only for heat younger than the
+// time to diffuse across a cell. For a body at rest and such short time steps, they are left to
+// NearHeat (heat_near.hpp).
 //
 // Lengths are in units of dx; times t stand for kappa t / dx^2.
 #pragma once
@@ -82,7 +82,8 @@ struct HeatScales {
   double split_reach() const;
   /// Part of a wavenumber that is represented by modes; 1 unless is_split.
   double split(double w) const;
-  /// Weight of depth z in the sums over s: cos(s z) with its unresolved end faded out.
+  /// Weight of depth z in the sums over s: cos(s z), faded out at the highest s, which are not
+  /// resolved.
   double fade(double sz) const;
 };
 

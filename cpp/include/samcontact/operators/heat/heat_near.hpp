@@ -21,7 +21,8 @@ struct NearTables {
 
 class NearHeat {
  public:
-  /// The part that `modes` leaves; nothing unless it is split. Keeps a reference.
+  /// Represents the part that `modes` leaves, which is zero unless modes.is_split. Keeps a
+  /// reference.
   explicit NearHeat(const HeatModes& modes);
 
   const std::vector<double>& rates() const { return rates_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stress influence of one heated cell, cached by depth for all grids of equal cells: the tables of
-// a moving source take longer than all other data of a box.
+// a moving source take longer to compute than all other data of a box.
 #pragma once
 
 #include <array>

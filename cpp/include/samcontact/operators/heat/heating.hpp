@@ -38,7 +38,8 @@ struct Heating {
     return heating;
   }
   bool is_moving() const { return speed_x != 0 || speed_y != 0; }
-  /// Only then does the displacement have no far-field limit.
+  /// Whether the source is steady and stationary: only then has the displacement no far-field
+  /// limit.
   bool is_steady_at_rest() const { return !is_moving() && age == infinity(); }
   /// A source that is transient or moving needs tables instead of closed forms.
   static constexpr double infinity() { return std::numeric_limits<double>::infinity(); }
@@ -49,9 +50,9 @@ struct Heating {
 /// Heat of both bodies, the upper one first.
 using HeatingPair = std::array<Heating, 2>;
 
-/// Parts of a kernel by parity, relative to the parities of the field due to pressure: equal; odd
-/// in x where that is even (and the reverse); likewise in y; likewise in both. Each is a quarter
-/// [j][i] of offsets i dx >= 0, j dy >= 0; empty parts are zero.
+/// Parts of a kernel by parity, compared with the parities of the field due to pressure: equal;
+/// opposite in x; opposite in y; opposite in both. Each is a quarter [j][i] of offsets i dx >= 0, j
+/// dy >= 0; empty parts are zero.
 using ParityParts = std::array<Field, 4>;
 
 /// One part of a kernel of stress, and its parity.

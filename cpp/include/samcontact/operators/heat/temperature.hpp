@@ -14,7 +14,7 @@
 
 namespace samcontact::operators {
 
-/// For any pressure on a grid; keeps the kernels of the depths used. Thread-safe.
+/// For any pressure on a grid; the kernels of all depths are kept after use. Thread-safe.
 class Temperature {
  public:
   Temperature(const Grid& grid, const Heating& heating);

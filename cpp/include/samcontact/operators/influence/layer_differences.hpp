@@ -14,8 +14,8 @@
 namespace samcontact::operators {
 
 /// For n = 0..count-1 calls use(n, values(level n+1) - values(level n)), where values(m) are N
-/// corner functions on the lattice at depth z(m). Threads take contiguous runs of layers, so that a
-/// level is evaluated once (twice where runs meet).
+/// corner functions on the lattice at depth z(m). Each thread takes a contiguous run of layers, so
+/// that a level is evaluated once, or twice where two runs meet.
 template <std::size_t N, class Depth, class Corner, class Use>
 void for_each_layer_difference(const CornerLattice& lattice, int count, const Depth& z,
                                const Corner& corner, const Use& use) {

@@ -34,7 +34,7 @@ constexpr Axis axis_along(Traction traction) {
   return traction == Traction::shear_x ? Axis::x : Axis::y;
 }
 
-/// Tractions on a surface [i][j] [Pa] in the body's own frame; empty arrays mean none.
+/// Tractions on the surface of a body [i][j] [Pa] in the frame of the body; empty arrays: zero.
 struct Tractions {
   Field pressure, shear_x, shear_y;
 

@@ -7,7 +7,7 @@
 
 namespace samcontact::operators {
 
-/// For E = infinity: a rigid body, whose compliance is 0 and which has no other fields.
+/// E = infinity gives a rigid body: its compliance is 0, and it has no other fields.
 SharedMedium half_space(const Elastic& elastic);
 
 }  // namespace samcontact::operators

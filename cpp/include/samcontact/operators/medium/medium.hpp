@@ -30,7 +30,7 @@ class Medium {
   virtual bool operator==(const Medium& other) const = 0;
 
   /// Surface displacement along `axis` at offsets from a cell of the grid due to a unit traction,
-  /// [j][i] [m/Pa]. Its parity is that of compliance_parity().
+  /// [j][i] [m/Pa]. Its parity is given by compliance_parity().
   virtual Field compliance(Traction traction, Axis axis, const Grid& grid,
                            const CellOffsets& offsets) const = 0;
   /// u_z over the pressure of a Fourier mode [m/Pa], wavenumber > 0 [1/m].
@@ -60,7 +60,7 @@ class Medium {
   virtual std::unique_ptr<ResidualStress> residual_stress(
       const Grid& grid, const VolumeTransform& transform,
       const ResidualSettings& settings) const = 0;
-  /// shallower: operator of fewer layers, whose kernels are taken over; null: none.
+  /// shallower: operator of fewer layers from which kernels are copied; null: no such operator.
   virtual std::unique_ptr<ResidualDisplacement> residual_displacement(
       Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,
       const ResidualDisplacement* shallower) const = 0;
@@ -68,8 +68,8 @@ class Medium {
   /// Thermal coefficients of the body; null: not available.
   virtual SharedHeatMedium heat() const { return nullptr; }
 
-  /// Ratio of u_z due to a traction to that of another medium, if it is equal at all offsets; one
-  /// table then serves both.
+  /// Ratio of u_z due to a traction to u_z of another medium, if this ratio is equal at all
+  /// offsets; one table then serves both media.
   virtual std::optional<double> normal_ratio(Traction traction, const Medium& other) const;
 
  protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Substitute of a medium that has coefficients of some volume operators only.
+// Medium that provides coefficients only for some volume operators.
 #pragma once
 
 #include <stdexcept>

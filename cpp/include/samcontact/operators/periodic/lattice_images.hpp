@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth part of a lattice sum: the images that are too many and too far away to be added one by
-// one, at any offsets.
+// Smooth part of a lattice sum: images that are too many and too far away to be added one by one.
+// Offsets may be arbitrary.
 #pragma once
 
 #include <Eigen/Core>

@@ -30,9 +30,10 @@ class PeriodicSums {
   /// Influence of one cell of a grid, on the axes of the grid or on exchanged axes.
   using Make = std::function<CellInfluence(const Grid& grid, bool exchanged)>;
 
-  /// Tables [component][j][i] on a periodic grid. order: of the components after an exchange. name:
-  /// of an influence that is needed again, not negative. step: factor by which the grid is coarser
-  /// than the cell; uniform loads are then those of a cell at each of its positions alone.
+  /// Tables [component][j][i] on a periodic grid. order: order of the components after an exchange.
+  /// name: number, not negative, of an influence that is needed again. step: factor by which the
+  /// grid is coarser than the cell; a uniform load is then a load on one cell at each position of
+  /// the coarser grid.
   Field sum(const Grid& grid, const CellOffsets& offsets, const Make& make,
             std::span<const int> order, int name = -1, int step = 1) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Influence coefficients of a cell that is repeated periodically along x, y or both: the lattice
-// sum of those of one cell (docs/theory/periodic.md).
+// sum of the coefficients of one cell (docs/theory/periodic.md).
 #pragma once
 
 #include <functional>
@@ -45,7 +45,8 @@ class PeriodicTable {
   int rows() const { return period_.y / 2 + 1; }
 
  private:
-  /// Sum over cells to the distance up to which y matters: images one by one, and the remainder.
+  /// Sum over cells up to the distance beyond which y has no influence: near images one by one, and
+  /// the remainder.
   Field near_sum(const CellInfluence& influence) const;
   /// Sum over rows along y: [component][i].
   Field strips(const CellInfluence& influence) const;

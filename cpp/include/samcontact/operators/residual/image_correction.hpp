@@ -31,14 +31,14 @@ class ImageCorrection : public Images {
   struct Axis {
     int fine = 0, coarse = 0;  // fine: the stored cells
     double cell = 0.0;         // size of a coarse cell
-    /// [coarse][fine]: coarse cells with the same moments as the fine ones, for components that are
-    /// even and odd in a mirror; without a mirror the two are equal.
+    /// [coarse][fine]: weights that give the coarse cells the moments of the fine cells, for
+    /// components that are even and odd in a mirror; without a mirror both are equal.
     Field moments[2];
     /// [coarse][fine], likewise: on the mirror plane odd components vanish.
     Field interpolants[2];
   };
-  /// means: polynomials through means over the coarse cells and their means over the fine ones,
-  /// else through values at centres.
+  /// means: polynomials have the given means over the coarse cells, and their means over the fine
+  /// cells are taken; otherwise values at the centres are used.
   static Axis make_axis(int fine, double d, double extent, int coarse, int order, bool mirrored,
                         bool means);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Influence of the images of coarse cells on coarse cells, for any body: from its Fourier modes,
-// those of the lattice of images less all others.
+// Influence of the images of coarse cells on coarse cells, for any body: from its Fourier modes, as
+// the sum over the modes of the lattice minus the integral over all modes.
 #pragma once
 
 #include "samcontact/base/aligned.hpp"

@@ -21,8 +21,8 @@
 
 namespace samcontact::operators {
 
-/// Stress of the images of a periodic operator that the surface does not have, due to `strain`
-/// [component][k][i][j] of the whole box.
+/// Stress due to the images that a periodic operator adds and the surface does not have, for a
+/// `strain` [component][k][i][j] of the whole box.
 class Images {
  public:
   virtual ~Images() = default;
@@ -36,7 +36,7 @@ class Images {
 
 class LayerResidualStress : public ResidualStress {
  public:
-  /// The layers of the grid start at the surface. settings: of the fast method. Throws
+  /// The layers of the grid start at the surface. settings: settings of the fast method. Throws
   /// std::invalid_argument if an interface of the body lies inside a layer of cells.
   LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Stack& body,
                       const ResidualSettings& settings);

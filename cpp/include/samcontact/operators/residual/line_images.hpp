@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Removal of the images of a periodic operator along one direction, for a surface that is periodic
-// along the other: beyond half a period of the latter their field is plane strain, due to the mean
-// along it.
+// along the other: farther away than half a period of the latter direction, the field of the images
+// is plane strain, due to the mean strain along this direction.
 #pragma once
 
 #include "samcontact/operators/residual/layer_residual_stress.hpp"
 
 namespace samcontact::operators {
 
-/// Plane strain with the period of the box less that with a period many times as long.
+/// Field in plane strain with the period of the box, minus the field with a period many times as
+/// long.
 class LineImages : public Images {
  public:
   /// transform: of the grid, periodic in one direction. tol: allowed error, relative to the largest

@@ -15,7 +15,8 @@ namespace samcontact::operators {
 class ResidualDisplacement {
  public:
   /// The layers of the grid start at the surface. The displacement does not depend on Young's
-  /// modulus. shallower: operator of fewer layers, whose kernels are taken over; null: none.
+  /// modulus. shallower: operator of fewer layers from which kernels are copied; null: no such
+  /// operator.
   ResidualDisplacement(const Grid& grid, const VolumeTransform& transform, double nu, Axis axis,
                        Tensor tensor, const ResidualDisplacement* shallower);
 

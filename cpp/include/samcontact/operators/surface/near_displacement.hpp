@@ -15,13 +15,14 @@
 namespace samcontact::operators {
 
 /// Periods for lines along x and rows along y of a box: longer than the box by at least an eighth,
-/// or that of the surface if that is not longer.
+/// or the period of the surface if it is not longer.
 int short_period_x(const Grid& box);
 int short_period_y(const Grid& box);
 
-/// Whether a box is so small that only full padding pays: its coarse grid would be as fine.
+/// Whether a box is so small that full padding is cheaper, because the coarse grid would be as fine
+/// as the box.
 bool padded_in_full(int nx, int ny);
-/// Whether a period of this number of points is that of the surface, or longer than any distance.
+/// Whether this number of points is the period of the surface, or is longer than any distance.
 bool is_exact_period(int size, int cells, int period);
 
 /// Real quarter spectrum [ky][kx] of the displacement due to pressure on a periodic grid, at the

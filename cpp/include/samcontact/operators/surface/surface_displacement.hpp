@@ -16,10 +16,10 @@ class NormalDisplacement {
  public:
   virtual ~NormalDisplacement() = default;
 
-  /// displacement [m] due to pressure [Pa], both [i][j]; may be the same array. `work` is scratch
+  /// displacement [m] due to pressure [Pa], both [i][j]; both may be one array. `work` is scratch
   /// that the caller keeps from call to call.
   virtual void apply(const double* pressure, double* displacement, ComplexField& work) const = 0;
-  /// u_z of a cell due to a unit pressure on it, without heat [m/Pa].
+  /// u_z of a cell due to a unit pressure on this cell, without heat [m/Pa].
   virtual double self_influence() const = 0;
   /// Operations of one application, in units of fft::filter_cost.
   virtual double cost() const = 0;

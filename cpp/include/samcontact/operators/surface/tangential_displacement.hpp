@@ -18,10 +18,10 @@ class TangentialInfluence {
  public:
   TangentialInfluence(SharedMedium body1, SharedMedium body2);
 
-  /// [j][i] [m/Pa]; its parity is that of compliance_parity().
+  /// Table [j][i] [m/Pa]; its parity is given by compliance_parity().
   Field table(Traction traction, Axis axis, const Grid& grid, const CellOffsets& offsets) const;
-  /// Displacement over the shear of a Fourier mode along its wavevector, the smallest over all
-  /// directions: that of pressure [m/Pa]; wavenumber > 0 [1/m].
+  /// Ratio of displacement to shear of a Fourier mode with shear along its wavevector, the smallest
+  /// ratio of all directions, which equals the ratio for pressure [m/Pa]; wavenumber > 0 [1/m].
   double wave_compliance(double wavenumber) const {
     return body1_->wave_compliance(wavenumber) + body2_->wave_compliance(wavenumber);
   }
@@ -36,7 +36,7 @@ class TangentialDisplacement {
   /// Exact on a grid, with full padding.
   TangentialDisplacement(const Grid& grid, const TangentialInfluence& influence);
 
-  /// displacement [m] due to shear [Pa], both [2][i][j]; may be the same array. `work` is scratch
+  /// displacement [m] due to shear [Pa], both [2][i][j]; both may be one array. `work` is scratch
   /// that the caller keeps from call to call.
   void apply(const double* shear, double* displacement, ComplexField& work) const;
   /// Displacement along x of a cell due to a unit shear on it [m/Pa].

@@ -25,9 +25,9 @@ class TractionStress {
                  std::shared_ptr<const HeatStress> heat, std::vector<double> depths, Tensor tensor);
 
   /// out += stress due to tractions [i][j], their shear multiplied by shear_sign, at the first
-  /// out.nz depths; in mirrors they are those of a vector (vector_parity()). All layers of `out`
-  /// are then marked as used. shallower: operator of the first depths, whose spectra are taken over
-  /// where they exist; null: none.
+  /// out.nz depths; their parities in mirrors are those of the components of a vector
+  /// (vector_parity()). All layers of `out` are then marked as used. shallower: operator of the
+  /// first depths from which existing spectra are copied; null: no such operator.
   void add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
            const TractionStress* shallower = nullptr) const;
   /// Adds the stress due to one traction, from its spectrum.
@@ -38,9 +38,8 @@ class TractionStress {
   std::size_t bytes() const;
 
  private:
-  /// Parts with spectra of their own. Heat at rest is included in those of the pressure; that of a
-  /// moving source has further parts, which are odd in x where those are even (and the reverse), in
-  /// y, in both.
+  /// Parts with spectra of their own. Heat at rest is included in those of the pressure; heat of a
+  /// moving source has further parts with the opposite parity in x, in y, or in both.
   enum class Part { pressure, heat_x, heat_y, heat_xy, shear_x, shear_y };
   static constexpr int part_count = 6;
   static kernels::Parity parity(Part part, int component);

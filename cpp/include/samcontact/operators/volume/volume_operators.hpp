@@ -21,7 +21,7 @@ struct VolumeOptions {
   ResidualMethod method = ResidualMethod::exact;
   /// Fast method: error due to periodic images, relative to the largest residual stress.
   double image_tol = 1e-3;
-  /// Heat proportional to the pressure; null: none.
+  /// Heat proportional to the pressure; null: no heat.
   std::shared_ptr<const HeatStress> heat = {};
 };
 
@@ -30,7 +30,7 @@ struct VolumeOptions {
 /// displacement likewise.
 class VolumeOperators {
  public:
-  /// shallower: operators of fewer layers, whose kernels are taken over; null: none.
+  /// shallower: operators of fewer layers from which kernels are copied; null: no such operators.
   VolumeOperators(const Grid& grid, SharedMedium medium, const VolumeOptions& options,
                   std::shared_ptr<const VolumeOperators> shallower = {});
 

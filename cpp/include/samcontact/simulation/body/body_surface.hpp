@@ -13,8 +13,8 @@ namespace samcontact::simulation {
 
 class BodySurface {
  public:
-  /// copies: 2 if the other body is the mirror image in the contact plane. offset: of the cells of
-  /// the body, see Placement.
+  /// copies: 2 if the other body is the mirror image in the contact plane, otherwise 1. offset:
+  /// offset of the cells of the body, see Placement.
   BodySurface(const Scene& scene, int body, int copies, fft::Symmetry symmetry, double offset)
       : scene_(scene),
         body_(body),
@@ -28,14 +28,15 @@ class BodySurface {
   /// PlasticBody. before: strain in them for which the tractions were found, if tangential axes are
   /// needed.
   void begin(ZoneVolume* volume, bool split, const Field& before);
-  /// Sets the displacement due to the history outside the zones; its stress is not used.
+  /// Sets the displacement due to the history outside the zones; the stress of `outside` is not
+  /// used.
   void take(OutsideStrain outside) { outside_ = std::move(outside); }
   /// Sets whether there is strain in the zones, which the volume has transformed.
   void set_strained(bool strained) { strained_ = strained; }
 
   /// Surface cells with known residual displacement, one layer.
   Box known() const { return volume_ != nullptr ? choice_.whole(volume_->surface()) : Box{}; }
-  /// Cells of the body of which the grid contains at least parts.
+  /// Cells of the body that lie in the grid, at least partly.
   Box seen() const;
   /// Adds the normal displacement due to plastic strain to the gap.
   void add_displacement_to(Field& gap);

@@ -24,7 +24,7 @@ class CellHistory {
   void take(const Zones& zones, Field equivalent, Field backstress, const Strength& strength);
   const Zones& zones() const { return zones_; }
 
-  /// Sets the factor of the yield stress in a box that contains the zones; null: 1.
+  /// Sets the factor on the yield stress in a box that contains the zones; null: 1.
   void soften(std::shared_ptr<const BoxField> factor);
   const std::shared_ptr<const BoxField>& softening() const { return softening_; }
   double weakest() const { return weakest_; }  // minimum factor of the yield stress
@@ -35,8 +35,8 @@ class CellHistory {
     double weakest;             // minimum over all cells
   };
   Limits first_limits() const;
-  /// Limit of a cell in the increment. second: of its stress; below it, the limit common to all
-  /// cells need not be exact.
+  /// Limit of the stress of a cell in the increment. second: squared stress of the cell; below it,
+  /// the common limit of all cells need not be exact.
   double limit(std::size_t cell, double second, const Limits& limits) const {
     const bool own = second > limits.weakest && (softening_ || equivalent_[cell] > 0);
     if (own) return yield_limit(static_cast<std::uint32_t>(cell));

@@ -19,15 +19,15 @@ namespace samcontact::simulation {
 
 class PlasticBody {
  public:
-  /// from: with the bodies at their positions after the increment. number: index among the
-  /// elastic-plastic bodies. copies: 2 if the other body is the mirror image in the contact plane.
-  /// heating: proportional to the pressure.
+  /// from: state before the increment, with the bodies at their positions after the increment.
+  /// number: index among the elastic-plastic bodies. copies: 2 if the other body is the mirror
+  /// image in the contact plane. heating: proportional to the pressure.
   PlasticBody(const State& from, int index, std::uint8_t number, int copies, fft::Symmetry symmetry,
               const operators::Heating& heating);
 
   int index() const { return index_; }  // of the body: 0 or 1
   operators::Tensor tensor() const { return tensor_; }
-  /// Before the increment; null: none.
+  /// History of the body before the increment; null: no history.
   const std::shared_ptr<const PlasticState>& history() const { return history_; }
   /// Stored zones: the part on one side of the mirror planes.
   const Zones& zones() const { return cells_.zones(); }
@@ -44,7 +44,7 @@ class PlasticBody {
   /// use the operators of zones, or those of one box around them, which must then contain all
   /// tractions. Throws MemoryError.
   void set_zones(const Zones& zones, bool split, const Sources& sources, ActiveCells& active);
-  /// Sets the factor of the yield stress in a box that contains the zones; null: 1.
+  /// Sets the factor on the yield stress in a box that contains the zones; null: 1.
   void soften(std::shared_ptr<const BoxField> factor);
 
   /// Sets the strain of a cell including its unknowns, to be transformed next.

@@ -8,8 +8,9 @@
 
 namespace samcontact::simulation {
 
-/// Whole boxes, except those called stored: the part on one side of the mirror planes. A box may
-/// extend beyond the grid, laterally and below, except along periodic directions.
+/// All boxes are whole boxes, except boxes called stored: these are the part on one side of the
+/// mirror planes. A box may extend beyond the grid, laterally and below, except along periodic
+/// directions.
 class BoxChoice {
  public:
   BoxChoice(const Grid& grid, fft::Symmetry symmetry) : grid_(grid), symmetry_(symmetry) {}

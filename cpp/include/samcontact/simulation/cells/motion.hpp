@@ -12,7 +12,7 @@ namespace samcontact::simulation {
 /// Travel of the surface of each body through the contact [cells], positive towards +x.
 using Travel = std::array<double, 2>;
 
-/// Sum of both; values that are whole numbers except for rounding are rounded.
+/// Sum of two travels; values that are whole numbers except for rounding errors are rounded.
 Travel advanced(const Travel& travel, const Travel& by);
 
 /// Position of the grid cells on the bodies. A body with a history has cells of its own. The grid
@@ -37,13 +37,14 @@ struct Relief {
   int rows = 0;
   int first = 0;          // row of the grid at which the first row of heights starts
   bool periodic = false;  // along x; otherwise flat beyond its ends
-  /// Worn depth [m], like the heights: depths in the body are counted from the original surface.
-  /// Empty: none.
+  /// Worn depth [m], on the cells of the heights; depths in the body are counted from the original
+  /// surface. Empty: no wear.
   Field worn = {};
 
   /// Height at a row of the body, counted from the initial first row of the grid.
   double at(int row, int j, int ny) const { return at(heights, row, j, ny); }
-  /// Worn depth there; cells laterally beyond the grid along y take the value of the nearest row.
+  /// Worn depth at a row of the body; cells beyond the grid along y take the value of the nearest
+  /// cell.
   double worn_at(int row, int j, int ny) const;
 
  private:

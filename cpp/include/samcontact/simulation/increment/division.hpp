@@ -13,7 +13,7 @@ namespace samcontact::simulation {
 
 class Division {
  public:
-  /// scans: with the heating of a sub-increment.
+  /// scans: yield scans with the heating of a sub-increment.
   using ScansOf = std::function<const Scans&(const operators::HeatingPair& heating)>;
 
   Division(const State& from, const Target& target, const Settings& settings, Counters& counters,
@@ -36,13 +36,14 @@ class Division {
   State moved_to(const State& from, double end) const;
   State increment(const State& from, const Target& part);
   State solve(const State& from, double start, double end);
-  /// State at the end of the next sub-increment; none if its error is too large. factor: factor of
-  /// its length for the next attempt.
+  /// State at the end of the next sub-increment; none if the error is too large. factor: factor on
+  /// the length of the sub-increment for the next attempt.
   std::optional<State> next_part(double end, double& factor);
-  /// Extrapolated state, from one solution in a single step and one in two.
+  /// Extrapolated state, from a solution in one step and a solution in two steps.
   std::optional<State> extrapolate(const State& once, double end, double& factor);
 
-  /// Throws std::invalid_argument: the tolerance would require such sub-increments.
+  /// Throws std::invalid_argument with the message that the tolerance would require smaller or more
+  /// sub-increments.
   [[noreturn]] void refuse(const std::string& parts) const;
 
   const State& from_;

@@ -11,7 +11,7 @@
 
 namespace samcontact::simulation {
 
-/// Factor of the yield stress of a body as a function of the temperature rise [K], both [k][i][j]
+/// Factor on the yield stress of a body as a function of the temperature rise [K], both [k][i][j]
 /// of a box.
 using Softening = std::function<Field(const Field& temperature, const Box& box)>;
 
@@ -38,7 +38,7 @@ struct Settings {
   /// Band decomposition of the operators of small zones.
   operators::BandSplit split = {};
   int max_halvings = 8;
-  /// By body; empty: none. Called once per increment or sub-increment.
+  /// Softening laws by body; empty: no softening. Called once per increment or sub-increment.
   std::array<Softening, 2> softening = {};
 };
 

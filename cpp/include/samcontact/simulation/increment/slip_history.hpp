@@ -30,7 +30,7 @@ class SlipHistory {
   contact::Solution solve(const Field& gap, const Field& start,
                           const contact::ContactSettings& settings);
   /// Stores slip, motion and work of the last solution in the state after the increment. tractions:
-  /// of the increment.
+  /// tractions of the increment.
   void remember(const operators::Tractions& tractions, State& state) const;
 
  private:

@@ -18,12 +18,12 @@ class ThermalSoftening {
   /// increment gives the temperature rise. Throws std::invalid_argument for a law that does not
   /// return a factor.
   void apply(PlasticBody& body, const Box& box);
-  /// Softens an already softened body in another box as well, from the same contact.
+  /// Also softens an already softened body in another box, for the temperature of the same contact.
   void extend(PlasticBody& body, const Box& box) const;
 
  private:
   void soften(PlasticBody& body, const Box& box) const;
-  /// Factor of the yield stress in a box; null: 1 everywhere.
+  /// Factor on the yield stress in a box; null: 1 everywhere.
   std::shared_ptr<const BoxField> factor(int body, const Box& box) const;
 
   IncrementTask task_;

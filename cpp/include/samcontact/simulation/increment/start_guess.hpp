@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Initial estimate of the plastic strain increment: that of the last increment, if the loading
+// Initial estimate of the plastic strain increment: the increment of the last step, if the loading
 // continues in the same way.
 #pragma once
 
@@ -17,7 +17,7 @@ class StartGuess {
   StartGuess(const IncrementTask& task, fft::Symmetry symmetry)
       : task_(task), symmetry_(symmetry) {}
 
-  /// Unknowns of the cells that it activates; empty: no estimate.
+  /// Estimated unknowns of the cells, which it activates; empty: no estimate.
   Field find(std::vector<PlasticBody>& bodies, ActiveCells& active) const;
   /// Whether the contact moves on without change.
   bool is_steady() const;
@@ -26,10 +26,11 @@ class StartGuess {
                 const Field& increment, State& state) const;
 
  private:
-  /// Fraction of the last increment of the same steady motion; 0: it was a different one.
+  /// Size of this increment relative to the last one of the same steady motion; 0 if the last
+  /// motion was different.
   double part_of_last_motion() const;
-  /// Fraction of the last increment of a stationary load or approach in the same direction; 0: it
-  /// was a different one.
+  /// Size of this increment relative to the last one with a stationary contact and a load or
+  /// approach in the same direction; 0 if the last increment was different.
   double part_of_last_load() const;
 
   IncrementTask task_;

@@ -22,8 +22,8 @@ struct Target {
   operators::Tractions tractions = {};
   Travel advance{};                     // travel in the increment [cells]
   operators::HeatingPair heating = {};  // proportional to the pressure
-  /// Duration of the increment [s] in transient heating, where it also is the age of the heat; and
-  /// with heat due to slip, whose power is the mean over the increment.
+  /// Duration of the increment [s]: for transient heating, where it is also the age of the heat,
+  /// and for heat due to slip, where the power is the mean over the increment.
   double duration = 0.0;
   PastHeat past = {};     // filled in by the simulation
   Field slip_power = {};  // likewise, power of heat due to slip
@@ -34,7 +34,7 @@ struct Target {
   bool is_approach() const { return !is_prescribed() && !drive.normal.is_force(); }
 };
 
-/// Target in words, for messages.
+/// Text that describes the target, for messages.
 std::string describe(const Target& target);
 
 }  // namespace samcontact::simulation

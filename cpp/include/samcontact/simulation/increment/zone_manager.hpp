@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plastic subdomains (zones) of the bodies in an increment: where plastic strain is solved for, and
-// how the zones grow.
+// Plastic subdomains (zones) of the bodies in an increment: the boxes in which plastic strain is
+// computed, and their growth.
 #pragma once
 
 #include <stdexcept>
@@ -27,7 +27,7 @@ class ZoneManager {
 
   /// Creates zones for bodies with a history.
   void begin();
-  /// Softens the bodies, once.
+  /// Applies thermal softening to the bodies, once per increment.
   void soften();
   /// Whether zones had to grow for the contact or, initially, for the elastic stress. gap: under
   /// load; empty for prescribed tractions.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cache of the operators of a contact problem: built on first use, the latest ones kept.
+// Cache of the operators of a contact problem: operators are built on first use, and the latest are
+// kept.
 #pragma once
 
 #include <array>
@@ -30,7 +31,8 @@ void require_volume(const Grid& grid, const Media& media, int body);
 /// Thread-safe.
 class OperatorCache {
  public:
-  /// image_tol: of volume operators and zones. split: band decomposition of zones.
+  /// image_tol: tolerance of volume operators and zones for periodic images. split: band
+  /// decomposition of zones.
   OperatorCache(const Grid& grid, Media media, const contact::FrictionLaw& friction,
                 contact::SharedContactLaw contact_law, double image_tol,
                 const operators::BandSplit& split)
@@ -48,7 +50,7 @@ class OperatorCache {
   std::shared_ptr<const operators::Temperature> temperature(const operators::Heating& heating,
                                                             const Box& box) const;
 
-  /// Tables of the heat of a body, null without heat; the last one of each body is kept.
+  /// Tables of the heat of a body, null without heat; the last tables of each body are kept.
   std::shared_ptr<const operators::HeatStress> heat_stress(int body,
                                                            const operators::Heating& heating) const;
 

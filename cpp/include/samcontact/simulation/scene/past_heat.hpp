@@ -12,12 +12,13 @@ namespace samcontact::simulation {
 
 /// Settings of transient heating with load history.
 struct TransientHeating {
-  /// Shortest time step, and longest time over which heat is followed [s]; 0: no transient heating.
+  /// Shortest time step, and time for which heat is taken into account [s]; 0: no transient
+  /// heating.
   double shortest = 0.0, longest = 0.0;
   bool is_on() const { return shortest > 0; }
 };
 
-/// Heat histories by body; null: none. Shared by states, immutable.
+/// Heat histories by body; null: no history. Shared by states, immutable.
 using PastHeat = std::array<std::shared_ptr<const operators::HeatHistory>, 2>;
 
 }  // namespace samcontact::simulation

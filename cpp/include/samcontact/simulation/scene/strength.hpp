@@ -36,7 +36,7 @@ class Strength {
 
   /// Whether the strength depends on depth.
   bool is_graded() const { return variation_.has_value(); }
-  /// Whether the strength somewhere is much lower than above.
+  /// Whether the strength at some depth is much lower than at smaller depths.
   bool weakens() const { return weakens_; }
   /// Number of layers below which the strength is constant.
   int layers() const { return layers_; }
@@ -49,14 +49,14 @@ class Strength {
 
   /// Index of the material at mid-depth of the cells of a box [k][i][j]; empty: a single material.
   std::vector<std::uint16_t> materials(const Box& box) const;
-  /// Factor of the yield stress at mid-depth of the cells of a box [k][i][j]; empty: 1.
+  /// Factor on the yield stress at mid-depth of the cells of a box [k][i][j]; empty: 1.
   Field factor(const Box& box) const;
   /// Adds the initial stress in a box [component][k][i][j]; an empty field stands for 0.
   void add_stress(const Box& box, operators::Tensor tensor, Field& sum) const;
 
   /// Lower bounds of the strength of the layers of each range, as a fraction `share` of their yield
   /// stress, or `weak_share` if they are much weaker than the layers above: a cell whose stress
-  /// is within the bound yields in no layer of the range. softening: factor of the yield stress.
+  /// is within the bound yields in no layer of the range. softening: factor on the yield stress.
   std::vector<LayerLimit> limits(const std::vector<LayerRange>& ranges, double softening,
                                  double share, double weak_share) const;
 

@@ -29,7 +29,7 @@ struct YieldLimit {
 
 class YieldScan {
  public:
-  /// heat: proportional to the pressure; null: none.
+  /// heat: heat proportional to the pressure; null: no heat.
   YieldScan(const Grid& grid, const Strength& strength, const operators::SharedMedium& medium,
             const std::shared_ptr<const operators::HeatStress>& heat);
 
@@ -83,7 +83,7 @@ class YieldScan {
   Levels levels_, below_;  // for the layers of the grid, and for those below
 };
 
-/// By body; null for an elastic body.
+/// Yield scans by body; null for an elastic body.
 using Scans = std::array<std::shared_ptr<const YieldScan>, 2>;
 
 /// Search by columns, from an upper bound of the stress, at a cost that is acceptable for large

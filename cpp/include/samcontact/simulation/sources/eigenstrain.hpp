@@ -14,7 +14,7 @@ namespace samcontact::simulation {
 /// Eigenstrains by body, without equivalent strain and backstress; null: none.
 using Eigenstrains = std::array<std::shared_ptr<const PlasticState>, 2>;
 
-/// Sum of an eigenstrain and of another one in a box of grid cells whose first layer is k0,
+/// Sum of an eigenstrain and of a second eigenstrain in a box of grid cells with first layer k0,
 /// [component][k][i][j] of all six components. Null if it is zero everywhere.
 std::shared_ptr<const PlasticState> sum_of(const std::shared_ptr<const PlasticState>& before,
                                            const Box& box, int k0, const Field& strain);

@@ -14,8 +14,8 @@ namespace samcontact::simulation {
 
 class GivenHeat {
  public:
-  /// past: null without any; evaluated `ahead` seconds after its end. heating: used only if it is
-  /// due to slip. slip_power: friction power per area [i][j] [W/m^2], empty: none.
+  /// past: heat history, evaluated `ahead` seconds after its end; null: no history. heating: used
+  /// only for heat due to slip. slip_power: friction power per area [i][j] [W/m^2]; empty: zero.
   GivenHeat(const Scene& scene, int body, const std::shared_ptr<const operators::HeatHistory>& past,
             double ahead, const operators::Heating& heating, const Field& slip_power);
 
@@ -36,7 +36,7 @@ class GivenHeat {
   const Field& slip_power_;
 };
 
-/// By body.
+/// Given heat by body.
 std::array<GivenHeat, 2> given_heat(const Scene& scene, const operators::HeatingPair& heating,
                                     const PastHeat& past, double ahead, const Field& slip_power);
 

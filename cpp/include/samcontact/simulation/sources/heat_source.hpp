@@ -14,7 +14,7 @@ namespace samcontact::simulation {
 
 class HeatSource : public Source {
  public:
-  /// offsets: of the cells of the bodies, see Placement.
+  /// offsets: offsets of the cells of the bodies, see Placement.
   HeatSource(const Grid& grid, const std::array<GivenHeat, 2>& heat,
              const std::array<double, 2>& offsets)
       : grid_(grid), heat_(heat), offsets_(offsets) {}

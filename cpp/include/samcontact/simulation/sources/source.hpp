@@ -14,15 +14,17 @@ namespace samcontact::simulation {
 class Source {
  public:
   virtual ~Source() = default;
-  /// Whether it causes displacement or stress in a body.
+  /// Whether the source causes displacement or stress in a body.
   virtual bool acts_on(int body) const = 0;
-  /// Whether it acts on bodies without load.
+  /// Whether the source acts on bodies without load.
   virtual bool remains() const = 0;
-  /// Whether the search for yield takes its stress into account; otherwise see box_beyond().
+  /// Whether the search for yield takes the stress of the source into account; otherwise see
+  /// box_beyond().
   virtual bool is_smooth() const { return true; }
-  /// Mirror planes that it permits, if they are not known from the setup and the increment.
+  /// Mirror planes that the source permits, if they are not known from the setup and the increment.
   virtual fft::Symmetry symmetry() const { return fft::Symmetry::xy; }
-  /// Adds its contribution to the separation of the undeformed surfaces [i][j] of the grid [m].
+  /// Adds the effect of the source on the separation of the undeformed surfaces [i][j] of the grid
+  /// [m].
   virtual void separate(Field& /*gap*/) const {}
   /// Adds the surface displacement u_z of a body [i][j] of the grid [m].
   virtual void displace(int /*body*/, Field& /*sum*/) const {}

@@ -24,14 +24,14 @@ Field initial_stress(const State& state, int body, const Box& region);
 Field eigenstress(const State& state, int body, Layers layers = {});
 Field eigenstress(const State& state, int body, const Box& region);
 
-/// Stress in the zones of a body, with or without that due to tractions,
+/// Stress in the zones of a body, with or without the stress due to tractions,
 /// [zone][component][k][i][j].
 Field stress_in_zones(const State& state, int body, bool with_tractions);
 
-/// Box in which the plastic strain was last solved for, down to the layers of the grid, if it is a
-/// single one that contains all tractions; else empty.
+/// Box in which the plastic strain was last solved for, down to the layers of the grid, if this is
+/// a single box that contains all tractions; otherwise empty.
 Box own_box(const State& state, int body);
-/// Deviator of the stress in that box, with or without the stress due to tractions,
+/// Deviator of the stress in this box, with or without the stress due to tractions,
 /// [component][k][i][j], by the operators of the increment.
 Field deviator_in_own_box(const State& state, int body, bool with_tractions);
 

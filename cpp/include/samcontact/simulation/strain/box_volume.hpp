@@ -9,7 +9,7 @@
 
 namespace samcontact::simulation {
 
-/// Tractions must lie in the box.
+/// All tractions must lie in the box around the zones.
 class BoxVolume : public ZoneVolume {
  public:
   BoxVolume(const Scene& scene, int body, const Zones& zones, operators::Tensor tensor,

@@ -86,7 +86,7 @@ class PlasticState {
 bool same(const std::shared_ptr<const PlasticState>& a,
           const std::shared_ptr<const PlasticState>& b);
 
-/// A history with fewer mirror planes, or itself.
+/// Copy of a history with fewer mirror planes, or the history itself if it has no others.
 std::shared_ptr<const PlasticState> unfolded(const std::shared_ptr<const PlasticState>& history,
                                              const Grid& grid, fft::Symmetry symmetry);
 

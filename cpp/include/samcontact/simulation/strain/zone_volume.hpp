@@ -19,7 +19,7 @@ class ZoneVolume {
   using Use = std::function<void(std::size_t zone, int layer, const double* stress)>;
 
   virtual ~ZoneVolume() = default;
-  /// Transforms the strain. axes: of the required displacement.
+  /// Transforms the strain. axes: axes of the required displacement.
   virtual void transform(const Field& strain,
                          std::span<const operators::Axis> axes = operators::normal_axis) = 0;
   /// Surface cells with known displacement, one layer; stored.
