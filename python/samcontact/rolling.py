@@ -92,9 +92,16 @@ def steady(
     ConvergenceError
         No convergence; the error has the attributes `iterations` and `residual`.
 
-    Notes ----- J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, The steps
-    are one cell long, so the error is proportional to the cell size. The page on rolling describes
-    the iteration.
+    Warns
+    -----
+    ConvergenceWarning
+        With on_stall="warn", instead of a ConvergenceError: `converged` is False.
+
+    Notes
+    -----
+    J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact. The steps are one cell
+    long, so the error is proportional to the cell size. The page on rolling describes the
+    iteration.
     """
     require_type("grid", grid, Grid)
     sticking_law(friction)

@@ -85,7 +85,8 @@ void PartialSlipContact::Sweeps::solve_jointly() {
     starts.push_back(joint_start(problem, s_.normal.tractions.pressure, s_.tangential.shear));
   }
   starts.push_back(joint_start(problem, before_.pressure, before_.shear));
-  const JointSolution found = contact_.joint_.solve(problem, starts, settings_.tol);
+  const JointSolution found =
+      contact_.joint_.solve(problem, starts, settings_.tol, settings_.max_iterations);
   s_.joint = found.work;
   s_.normal.iterations += found.work.iterations;
   s_.normal.operator_applications += found.work.applications;

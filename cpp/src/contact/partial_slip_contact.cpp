@@ -53,7 +53,7 @@ PartialSlipContact::PartialSlipContact(const Grid& grid, const operators::Shared
 
 namespace {
 
-/// Error of a solution and the forces it reached, in words.
+/// Text with the error of a solution and the forces reached.
 std::string describe_error(const PartialSlipSolution& solution, double tol) {
   const ShearSolution& shear = solution.tangential;
   std::string text;
@@ -72,8 +72,8 @@ std::string describe_error(const PartialSlipSolution& solution, double tol) {
          ") N, torque = " + to_short_text(shear.force[2], 6) + " N m";
 }
 
-/// Message about a solution that has not converged but is accepted; empty: it has converged. Throws
-/// StalledError if it is not accepted.
+/// Message about an accepted solution that has not converged; empty: converged. Throws StalledError
+/// for a solution that has not converged and is not accepted.
 std::string require_solved(const PartialSlipSolution& solution, Given normal,
                            const ContactSettings& settings) {
   const ShearSolution& shear = solution.tangential;
@@ -88,13 +88,14 @@ std::string require_solved(const PartialSlipSolution& solution, Given normal,
   const std::string text = describe_error(solution, settings.tol);
   const double error = std::max(shear.error, solution.normal.error);
   if (settings.after_stall == AfterStall::accept) {
-    return "partial slip has no solution to the tolerance at " + where + ": " + text +
-           ": this is the state with the smallest error; reduce the force or increment";
+    return "partial slip did not converge at " + where + ": " + text +
+           ": the result is the state with the smallest error; reduce the force or increment, or "
+           "increase tol";
   }
-  const std::string told = "partial slip did not converge at " + where + ": " + text +
-                           ": reduce the force or increment, increase tol, or set "
-                           "on_stall=\"warn\" for the state with the smallest error";
-  throw StalledError(told, iterations, error);
+  const std::string message = "partial slip did not converge at " + where + ": " + text +
+                              ": reduce the force or increment, increase tol, or set "
+                              "on_stall=\"warn\" for the state with the smallest error";
+  throw StalledError(message, iterations, error);
 }
 
 }  // namespace

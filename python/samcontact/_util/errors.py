@@ -9,7 +9,7 @@ class GridTooSmallWarning(UserWarning):
 
 
 class ConvergenceWarning(UserWarning):
-    """Warning that no solution was found: the result is the state with the smallest error."""
+    """Warning that pressure and shear did not converge: the result has the smallest error found."""
 
 
 class PlasticStrainWarning(UserWarning):

@@ -60,6 +60,8 @@ class ContactSolver(ContactFields):
         `ConvergenceError`, or issue `ConvergenceWarning` and return the state with the smallest
         error.
     max_iterations : int, optional
+        Maximum number of iterations for the pressure, and of Newton steps on pressure and shear
+        together.
     heat : Heat, optional
         Frictional heating; `history` is not supported. Default: none, `Heat(0.0)`.
     contact_law : ContactLaw, optional

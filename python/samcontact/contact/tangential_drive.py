@@ -28,8 +28,8 @@ _DIRECTIONS = ("x", "y")
 Pressing = tuple[FloatArray, bool, float]
 """Initial gap, whether the load is prescribed, and the load or approach."""
 Settings = tuple[float, int, bool, bool]
-"""Tolerance, maximum number of iterations, whether reaching the edge is an error, whether the state
-with the smallest error is accepted if there is no solution."""
+"""Tolerance, maximum number of iterations, whether reaching the edge is an error, and whether the
+state with the smallest error is accepted if it has not converged."""
 
 
 @dataclass(frozen=True)

@@ -256,7 +256,7 @@ class Simulation(Configured, HtmlTable):
         GridTooSmallWarning, ResolutionWarning, IncrementWarning
             Each is issued at most once per simulation; docs/conventions.md lists the conditions.
         ConvergenceWarning
-            With on_stall="warn", for each increment without a solution.
+            With on_stall="warn", for each increment whose pressure and shear did not converge.
         """
         given = {
             "load": load, "approach": approach, "pressure": pressure, "shear": shear,

@@ -116,12 +116,13 @@ class ShearedSolution(ContactSolution):
 
     @property
     def stall_text(self) -> str:
-        """Text of the warning of a solution that has not converged."""
+        """Message that the solution has not converged."""
         error = max(self.error, self.tangential_error)
+        steps = f" and {self.joint_steps} Newton steps on both" if self.joint_steps else ""
         return (
-            f"no pressure and shear to the tolerance were found, after {self.sweeps} sweeps and "
-            f"{self.joint_steps} Newton steps: this is the state with the smallest error, "
-            f"{error:.2g}; reduce the force or increment"
+            f"pressure and shear did not converge in {self.sweeps} sweeps{steps}: the result is "
+            f"the state with the smallest error, {error:.2g}; reduce the force or increment, or "
+            "increase tol"
         )
 
     def _rows(self) -> Rows:

@@ -188,13 +188,14 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
 
     @property
     def joint_steps(self) -> int:
-        """Newton steps on pressure and shear together in this increment; 0 if the sweeps between
-        them converged."""
+        """Number of Newton steps on pressure and shear together in this increment; 0 if the sweeps
+        converged."""
         return int(self._core.joint_steps)
 
     @property
     def stall_warning(self) -> str:
-        """Message that the increment has no solution; empty if it has converged."""
+        """Message that pressure and shear did not converge in this increment; empty if they
+        converged, and for a state from a checkpoint."""
         return str(self._core.stall_warning)
 
     @property

@@ -48,7 +48,7 @@ struct PartialSlipSolution {
   ShearSolution tangential;
   int sweeps = 1;        // alternations between pressure and shear
   JointWork joint = {};  // of the solution for both together; no steps: the sweeps converged
-  /// Message that no solution was found and this is the state with the smallest error; empty: none.
+  /// Message that this state with the smallest error has not converged; empty: converged.
   std::string stall_warning = {};
 };
 

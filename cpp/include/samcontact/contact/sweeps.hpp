@@ -46,11 +46,11 @@ class PartialSlipContact::Sweeps {
 
   // Pressure and shear together, in joint_increment.cpp.
 
-  /// Replaces the present solution by one for pressure and shear together; if there is none, by the
-  /// state with the smallest error.
+  /// Replaces the present solution by one for pressure and shear together; if it does not converge,
+  /// by the state with the smallest error.
   void solve_jointly();
-  /// Data of the increment. Cells count all their slip from its start: the part before they touch
-  /// jumps where the approach begins to grow, and would leave no solution between.
+  /// Data of the increment. The slip of a cell includes the part before it touches: that part is
+  /// discontinuous where the approach begins to increase, and there might be no solution.
   JointProblem joint_problem();
   /// Slip due to a unit motion in a direction.
   Field direction(int k) const;

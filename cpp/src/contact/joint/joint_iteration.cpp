@@ -72,7 +72,8 @@ JointIteration::Zero JointIteration::zero() const {
   return {part * pressure, part * length, part * std::max(shear, pressure)};
 }
 
-/// By the tractions that would close its gap and stop its slip, if it were alone.
+/// State of an overlapping cell, from the tractions that would close its gap and stop its slip in
+/// the absence of other changes.
 CellState JointIteration::after_opening(std::size_t i) {
   const auto& displacement = problem_.operators->displacement;
   const double pressure = -state_.gap[i] / displacement.normal_self_influence();
@@ -87,7 +88,7 @@ CellState JointIteration::after_opening(std::size_t i) {
   return pressure > cone.slope * cone.cap ? CellState::capped : CellState::slide;
 }
 
-/// A sticking cell beyond the bound of its shear.
+/// State of a sticking cell whose shear exceeds its bound.
 CellState JointIteration::after_sticking(std::size_t i) {
   const FrictionCone& cone = problem_.cone;
   const double pressure = state_.tractions[i];
@@ -126,7 +127,8 @@ CellState JointIteration::chosen(std::size_t i, const Zero& zero) {
   }
 }
 
-/// Direction of a cell that begins to slip: along its shear, or along its slip if it has none.
+/// Changes the state of a cell. A cell begins to slip along its shear, or along its slip if it has
+/// no shear.
 void JointIteration::enter(std::size_t i, CellState next) {
   const std::size_t n = problem_.size();
   const bool slipped = state_.states[i] >= CellState::slide;
@@ -153,7 +155,7 @@ void JointIteration::change_states() {
   }
   if (changed.empty()) return;
   cycles_ = !seen_.insert(hash_of(next)).second || cycles_;
-  // A cycle is left by changing a random half.
+  // A random half of the changes ends a cycle.
   const std::size_t kept = cycles_ && changed.size() > 1 ? random_() % changed.size() : n;
   for (std::size_t k = 0; k < changed.size(); ++k) {
     const bool skipped = kept < n && k != kept && (random_() & 1U) != 0;

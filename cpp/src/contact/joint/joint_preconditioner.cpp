@@ -10,7 +10,7 @@
 namespace samcontact::contact {
 namespace {
 
-/// Eigenvalues of kernels truncated by their period are raised to this fraction of the smallest of
+/// Eigenvalues of the periodic kernels are raised to this fraction of the smallest eigenvalue of
 /// the half-space, so that the inverse exists for any shape of the cells.
 constexpr double smallest_fraction = 0.1;
 

@@ -15,8 +15,8 @@ namespace {
 
 /// A shear of at least this fraction of its bound is on it.
 constexpr double on_bound = 1 - 1e-9;
-/// Fraction of the cells that stick at first if no tractions are known, and their least number.
-constexpr std::size_t first_share = 8, first_cells = 4;
+/// Cells that stick initially if no tractions are known: one in this many, and the minimum number.
+constexpr std::size_t initial_fraction = 8, min_initial_cells = 4;
 
 double force_error(const JointProblem& problem, const JointState& state, double scale) {
   const std::size_t n = problem.size();
@@ -51,7 +51,7 @@ double shear_residual(const JointProblem& problem, const JointState& state, std:
   const double pull = length_of(x, y), share = pull > radius ? radius / pull : 1.0;
   const double off =
       length_of(state.tractions[n + i] - share * x, state.tractions[2 * n + i] - share * y);
-  // Shear at the pressure 0 requires contact.
+  // Shear at zero pressure requires contact.
   const double apart = in_contact(p) ? 0.0 : std::min(shear, std::fabs(state.gap[i]) * gap_scale);
   return std::max(off, apart);
 }
@@ -114,7 +114,7 @@ JointState start_from(const JointProblem& problem, Field tractions) {
   }
   if (!touches) {
     Field sorted = problem.gap;
-    const std::size_t last = std::min(n - 1, std::max(first_cells, n / first_share));
+    const std::size_t last = std::min(n - 1, std::max(min_initial_cells, n / initial_fraction));
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(last),
                      sorted.end());
     for (std::size_t i = 0; i < n; ++i) {

@@ -12,32 +12,35 @@
 namespace samcontact::contact {
 namespace {
 
-/// Newton steps by the tractions of a cell alone, and with cells that slip when they return.
+/// Newton steps with trial tractions of the cells, and with cells that slip when they touch again.
 constexpr int plain_steps = 25, patient_steps = 50;
 constexpr int patience = 2;
 /// Continuation in the friction: first slope of the cone, its factor, the slope below which the
-/// last one follows, and the number of shorter steps that are tried.
+/// slope of the problem follows, and the maximum number of reductions of the factor.
 constexpr double first_slope = 1.0, slope_factor = 0.5, last_slope = 1e-4;
 constexpr int max_shortenings = 8;
 /// Spectra of operator and preconditioner, fields of the iteration, per cell of the grid; the
 /// vectors of GMRES come on top.
 constexpr double joint_bytes = 900;
 
-/// A solve that remembers the best state.
+/// Sequence of attempts, and the state with the smallest error.
 class Search {
  public:
-  Search(const JointProblem& problem, double tol) : problem_(problem), tol_(tol) {}
+  Search(const JointProblem& problem, double tol, int max_steps)
+      : problem_(problem), tol_(tol), max_steps_(max_steps) {}
 
-  /// Whether an iteration from a state converges; its last state replaces it.
+  /// Iterates from a state, which is replaced by the last one. Returns whether it converges.
   bool run(const JointProblem& problem, JointState& state, StateRule rule, int steps) {
+    const int left = max_steps_ - found_.work.steps;
+    if (left <= 0) return false;
     JointIteration iteration(problem, std::move(state), tol_, rule, found_.work);
-    const bool converged = iteration.run(steps);
+    const bool converged = iteration.run(std::min(steps, left));
     state = iteration.state();
     if (&problem == &problem_) keep(converged ? iteration.state() : iteration.best());
     return converged;
   }
 
-  /// Solutions for a slope that decreases to that of the problem, each from the last.
+  /// Solves for slopes that decrease to that of the problem, each from the previous solution.
   bool continue_to_slope(JointState state) {
     JointProblem easier = problem_;
     const double target = problem_.cone.slope;
@@ -81,10 +84,11 @@ class Search {
 
   const JointProblem& problem_;
   const double tol_;
+  const int max_steps_;
   JointSolution found_;
 };
 
-/// Removes tension, and shear beyond the bound, which are below the error.
+/// Removes tension, and shear beyond the bound, which are within the error.
 void make_admissible(const JointProblem& problem, JointState& state) {
   const std::size_t n = problem.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -111,8 +115,8 @@ const JointOperators& JointSolver::operators() const {
 }
 
 JointSolution JointSolver::solve(const JointProblem& problem, const std::vector<JointState>& starts,
-                                 double tol) const {
-  Search search(problem, tol);
+                                 double tol, int max_steps) const {
+  Search search(problem, tol, max_steps);
   const auto solved = [&] {
     for (const JointState& start : starts) {
       JointState plain = start;

@@ -13,14 +13,14 @@
 namespace samcontact::contact {
 namespace {
 
-/// Slope of the friction cone that the preconditioner assumes at least: for smaller ones the
-/// pressure says little about the shear.
-constexpr double least_slope = 0.3;
-/// A slipping cell has at least this fraction of the largest traction as shear.
-constexpr double least_shear = 1e-12;
-/// A step turns the shear of a slipping cell by at most this angle [rad], and as if its shear were
-/// at least this fraction of that before.
-constexpr double largest_turn = 0.7, least_length = 0.3;
+/// Minimum slope of the friction cone in the preconditioner: for smaller slopes the pressure of a
+/// cell is a poor measure of its shear.
+constexpr double min_slope = 0.3;
+/// Minimum shear of a slipping cell relative to the maximum traction.
+constexpr double min_shear = 1e-12;
+/// Maximum rotation of the shear of a slipping cell in a step [rad]; minimum ratio of the shears
+/// after and before the step that is assumed for the rotation.
+constexpr double max_turn = 0.7, min_length_ratio = 0.3;
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void JointStep::find_cells() {
     if (slips(i)) {
       const double along = state_.direction[i] * state_.tractions[n_ + i] +
                            state_.direction[n_ + i] * state_.tractions[2 * n_ + i];
-      length = std::max({along, least_shear * largest, 1e-300});
+      length = std::max({along, min_shear * largest, 1e-300});
       lambda = std::max(state_.outward(i), 0.0) / length;
     }
     length_.push_back(length);
@@ -172,8 +172,8 @@ void JointStep::apply(const Field& v, Field& out) {
   }
 }
 
-/// Sticking cells: inverse of each Fourier mode. Slipping cells: the pressure and the turn of that
-/// inverse, the turn less by its own stiffness.
+/// Sticking cells: inverse of each Fourier mode. Slipping cells: pressure and rotation of that
+/// inverse, the rotation reduced by its own stiffness.
 void JointStep::precondition_cells(const Field& v, Field& out) {
   const double *a = slot(v, 0), *b = slot(v, 1), *c = slot(v, 2);
   for_each_cell(3 * n_, [&](std::size_t i) { box_[i] = 0.0; });
@@ -191,7 +191,7 @@ void JointStep::precondition_cells(const Field& v, Field& out) {
   for_each_cell(std::ssize(cells_), [&](std::size_t k) {
     if (!slips(cells_[k])) return;
     if (state_.states[cells_[k]] == CellState::slide) {
-      p[k] /= std::max(problem_.cone.slope, least_slope) * line_;
+      p[k] /= std::max(problem_.cone.slope, min_slope) * line_;
     }
     t[k] *= softened(k);
   });
@@ -224,8 +224,8 @@ void JointStep::turn(std::size_t k, double along, double across) {
   const std::size_t i = cells_[k];
   const bool slides = state_.states[i] == CellState::slide;
   const double length = slides ? length_[k] + along : problem_.cone.cap;
-  const double angle = std::clamp(across / std::max(std::fabs(length), least_length * length_[k]),
-                                  -largest_turn, largest_turn);
+  const double angle = std::clamp(
+      across / std::max(std::fabs(length), min_length_ratio * length_[k]), -max_turn, max_turn);
   const double x = state_.direction[i], y = state_.direction[n_ + i];
   state_.direction[i] = std::cos(angle) * x - std::sin(angle) * y;
   state_.direction[n_ + i] = std::cos(angle) * y + std::sin(angle) * x;

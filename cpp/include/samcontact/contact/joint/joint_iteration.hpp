@@ -19,29 +19,30 @@ struct JointWork {
   double operations = 0.0;  // in units of fft::filter_cost
 };
 
-/// Choice of the new state of cells that neither stick nor stay open.
+/// Choice of the new state of cells that neither stick nor remain open.
 struct StateRule {
-  /// A cell that has left the contact this many times under tension slips when it comes back; 0:
-  /// never, its own trial tractions decide.
+  /// Number of releases under tension after which a cell slips when it touches again; 0: its trial
+  /// tractions decide.
   int patience = 0;
 };
 
 class JointIteration {
  public:
-  /// Iterates from a state; `work` is added to.
+  /// Iterates from a state; adds its work to `work`.
   JointIteration(const JointProblem& problem, JointState state, double tol, StateRule rule,
                  JointWork& work);
 
-  /// At most max_steps steps, until the error is below the tolerance. Returns whether it is.
+  /// Takes at most max_steps Newton steps, until the error is within the tolerance. Returns whether
+  /// it is.
   bool run(int max_steps);
 
-  /// Present state, and the one of the smallest error so far.
+  /// Present state, and state with the smallest error so far.
   const JointState& state() const { return state_; }
   const JointState& best() const { return best_; }
 
  private:
-  /// Largest traction, displacement and shear, times a fraction of the tolerance: smaller ones
-  /// count as zero.
+  /// Values below which pressure, length and shear count as zero: maxima of pressure, displacement
+  /// and shear, times a fraction of the tolerance.
   struct Zero {
     double pressure, length, shear;
   };
@@ -60,7 +61,7 @@ class JointIteration {
   const StateRule rule_;
   JointWork& work_;
   ComplexField scratch_;
-  std::vector<int> departures_;           // of each cell
+  std::vector<int> departures_;           // releases of each cell under tension
   std::unordered_set<std::size_t> seen_;  // hashes of sets of states
   bool cycles_ = false;
   std::mt19937 random_;

@@ -10,7 +10,7 @@
 
 namespace samcontact::contact {
 
-/// On a grid with little padding.
+/// Preconditioner on a grid with little padding.
 class JointPreconditioner {
  public:
   JointPreconditioner(const Grid& grid, const operators::TangentialInfluence& influence);

@@ -14,16 +14,16 @@
 
 namespace samcontact::contact {
 
-/// Boundary of the pressures and shears that a friction law allows: p = slope |s| up to |s| = cap,
-/// then |s| = cap. Slope 0: a cell may carry shear at the pressure 0, as without slip (cap
-/// infinite) and with a constant limit.
+/// Boundary of the admissible pressures and shears of a friction law: p = slope |s| up to |s| =
+/// cap, then |s| = cap. Slope 0 (no slip, with infinite cap; constant limit of the shear): a cell
+/// may carry shear at zero pressure.
 struct FrictionCone {
   double slope;  // [-]
   double cap;    // [Pa]
 
   explicit FrictionCone(const FrictionLaw& law)
       : slope(1 / law.ratio(0.0)), cap(law.bound(INFINITY)) {}
-  /// Largest shear at a pressure; at the pressure 0 and slope 0 any shear up to the cap is on the
+  /// Maximum shear at a pressure; at zero pressure and slope 0, any shear up to the cap is on the
   /// boundary.
   double radius(double pressure, double shear) const {
     if (slope > 0) return std::min(std::max(pressure, 0.0) / slope, cap);
@@ -59,10 +59,10 @@ struct JointProblem {
   };
 
   const JointOperators* operators = nullptr;
-  Field gap;       // without tractions; +inf: no body [m]
+  Field gap;       // without tractions [m]; +inf: no body
   Given normal{};  // approach [m], or sum of the pressures [Pa]
   FrictionCone cone;
-  Field free_slip;  // not due to the rigid motion or the tractions [m]
+  Field free_slip;  // slip due neither to rigid motion nor to tractions [m]
   Field motion;     // slip due to the prescribed rigid motion [m]
   std::vector<Mode> modes = {};
   /// Scale of shear per scale of slip of the contact [Pa/m].
@@ -72,7 +72,7 @@ struct JointProblem {
   std::size_t size() const { return gap.size(); }
 };
 
-/// Iterate, with the fields that follow from its tractions and motions.
+/// Iterate, and the fields due to its tractions and motions.
 struct JointState {
   Field tractions;                // [3][cell] [Pa]
   std::vector<CellState> states;  // [cell]
@@ -90,11 +90,11 @@ struct JointState {
   double error() const { return std::max(pressure_error, shear_error); }
 };
 
-/// State with these tractions, whose cells are chosen from them: on their bound, below it, open.
-/// Tractions without pressure: the cells of the smallest gaps stick.
+/// State with these tractions, which decide whether a cell slips, sticks or is open. Without
+/// pressure, the cells with the smallest gaps stick.
 JointState start_from(const JointProblem& problem, Field tractions);
 
-/// Puts the tractions of open and slipping cells onto their lines.
+/// Sets the tractions of open cells to zero, and those of slipping cells to the bound.
 void put_on_lines(const FrictionCone& cone, JointState& state);
 
 /// Updates displacement, gap, slip and errors.

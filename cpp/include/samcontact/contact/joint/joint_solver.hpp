@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solver for pressure and shear together: the operators of a grid, and the starts and rules that
-// are tried in turn.
+// Solver for pressure and shear together: the operators of a grid, and the initial states and rules
+// that are tried in turn.
 #pragma once
 
 #include <memory>
@@ -14,12 +14,12 @@
 namespace samcontact::contact {
 
 struct JointSolution {
-  JointState state;  // of the smallest error, with admissible tractions
+  JointState state;  // with the smallest error, and admissible tractions
   JointWork work;
   bool converged = false;
 };
 
-/// Keeps the operators of the grid once they are needed. Thread-safe.
+/// Creates the operators of the grid when they are first needed. Thread-safe.
 class JointSolver {
  public:
   JointSolver(const Grid& grid, operators::TangentialInfluence influence)
@@ -31,10 +31,11 @@ class JointSolver {
 
   /// Operators of the grid.
   const JointOperators& operators() const;
-  /// Solves from each of the starting tractions [3][i][j] in turn; then from the last of them with
-  /// friction that grows from 1. Returns converged = false if all fail.
+  /// Solves from each of the initial states in turn; then from the last one, with friction that
+  /// increases from 1. Takes at most max_steps Newton steps in total. Returns converged = false if
+  /// no attempt converges.
   JointSolution solve(const JointProblem& problem, const std::vector<JointState>& starts,
-                      double tol) const;
+                      double tol, int max_steps) const;
 
  private:
   Grid grid_;

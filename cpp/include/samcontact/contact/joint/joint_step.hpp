@@ -10,22 +10,23 @@
 
 namespace samcontact::contact {
 
-/// Upper limit of the vectors that a linear solve stores.
+/// Maximum number of vectors that a linear solve stores.
 constexpr int max_joint_vectors = 80;
 
-/// Unknowns of a touching cell: its three tractions if it sticks; if it slips, a change along its
-/// line and one across its direction. Prescribed forces add their motions. All are in Pa.
+/// Newton step. Unknowns of a sticking cell are its three tractions; those of a slipping cell a
+/// change along the bound and a change of shear normal to its direction. Motions with a prescribed
+/// force are unknowns too. All unknowns are in Pa.
 class JointStep {
  public:
   JointStep(const JointProblem& problem, JointState& state, ComplexField& work);
 
-  /// Changes tractions, directions and motions of the state so that the gap of its touching cells,
-  /// and the slip that their states exclude, vanish to first order, to a fraction `gain` of their
+  /// Changes tractions, directions and motions of the state so that the gap of touching cells and
+  /// the slip excluded by their states vanish to first order, up to the fraction `gain` of the
   /// residual. Returns the number of GMRES steps.
   int take(double gain);
 
  private:
-  /// Row of the prescribed force of a motion, and the residual due to the motion.
+  /// Force equation of a motion, and the residual due to a unit motion.
   struct Constraint {
     Field residual, force;
     double residual_length, force_length, missing;
@@ -44,7 +45,8 @@ class JointStep {
   void add_constraint(const Field& direction, double missing);
   Field right_side() const;
 
-  /// Tractions [3][i][j] of unknowns, and unknowns of a displacement [3][i][j].
+  /// Tractions [3][i][j] due to the unknowns, and residuals of the unknowns due to a displacement
+  /// [3][i][j].
   void expand(const Field& v, Field& tractions) const;
   void reduce(const Field& displacement, Field& v) const;
   /// Transpose of expand().
@@ -61,7 +63,7 @@ class JointStep {
   ComplexField& work_;
   const std::size_t n_;
   const double line_, normal_, tangential_;  // scale of slide cells; self influences
-  std::vector<std::size_t> cells_;           // that touch
+  std::vector<std::size_t> cells_;           // in contact
   Field length_, lambda_;  // of slipping cells: shear along the direction, stiffness of a turn
   std::vector<Constraint> constraints_;
   std::vector<Field> solved_;  // preconditioned residuals of the motions

@@ -11,8 +11,7 @@
 
 namespace samcontact::operators {
 
-/// The tables of [[K, B], [B', C]], untransformed, in the order of their rows; components are z, x
-/// and y.
+/// Tables of [[K, B], [B', C]], not transformed, row by row; components are z, x and y.
 std::vector<MatrixKernel> relative_kernels(const Grid& grid, const TangentialInfluence& influence,
                                            const KernelOffsets& offsets);
 
@@ -20,11 +19,11 @@ std::vector<MatrixKernel> relative_kernels(const Grid& grid, const TangentialInf
 /// tangential displacement. Surface fields are [3][i][j].
 class RelativeDisplacement {
  public:
-  /// Exact on a grid, with full padding.
+  /// Exact operator on a grid, with full padding.
   RelativeDisplacement(const Grid& grid, const TangentialInfluence& influence);
 
-  /// displacement (u_z, u_x, u_y) [m] due to tractions (p, s_x, s_y) [Pa]; may be the same array.
-  /// `work` is scratch that the caller keeps from call to call.
+  /// Displacement (u_z, u_x, u_y) [m] due to tractions (p, s_x, s_y) [Pa]; may be the same array.
+  /// `work` is scratch, which can be reused in further calls.
   void apply(const double* tractions, double* displacement, ComplexField& work) const {
     convolution_.apply(kernels_, 3, tractions, 3, displacement, work);
   }

@@ -19,11 +19,12 @@ class Division {
   Division(const State& from, const Target& target, const Settings& settings, Counters& counters,
            ScansOf scans);
 
-  /// State at the target. Where the sweeps between pressure and shear stall, sub-increments are
-  /// tried first; then, from the start, both are solved together, as they are at once if the
-  /// preceding increment required it; then, if the settings allow it, the state with the smallest
-  /// error is accepted. Throws ConvergenceError if the smallest sub-increment does not converge,
-  /// and std::invalid_argument if the tolerance requires smaller ones, or too many.
+  /// State at the target. If the sweeps between pressure and shear stall, sub-increments are tried
+  /// first, unless the previous increment has Newton steps; then the increment is repeated with
+  /// pressure and shear solved together where sweeps stall; then, if the settings allow it, the
+  /// state with the smallest error is accepted. Throws ConvergenceError if the smallest
+  /// sub-increment does not converge, and std::invalid_argument if the tolerance requires smaller
+  /// ones, or too many.
   State walk();
 
  private:
@@ -53,7 +54,7 @@ class Division {
   ScansOf scans_;
   State moment_;
   double done_ = 0.0;
-  bool stalled_ = false;  // whether sweeps have stalled in this walk
+  bool stalled_ = false;  // whether sweeps have stalled
   int iterations_ = 0, substeps_ = 0;
   int short_parts_ = 0;  // number of sub-increments whose length is limited by the tolerance
 };

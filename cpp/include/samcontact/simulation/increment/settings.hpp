@@ -23,10 +23,10 @@ struct Settings {
   double increment_tol{};
   int max_iterations{};
   contact::OnBorder on_border{};
-  /// Whether an increment without a solution ends in the state with the smallest error, with a
-  /// warning.
+  /// Whether the state with the smallest error is accepted, with a warning, if pressure and shear
+  /// do not converge.
   bool accepts_stall = false;
-  /// For the attempt in progress.
+  /// Action in the present attempt.
   contact::AfterStall after_stall = contact::AfterStall::fail;
   operators::ResidualMethod residual_stress{};
   /// Fast residual stress: error due to periodic images, relative to the largest stress.

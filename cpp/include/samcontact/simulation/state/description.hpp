@@ -111,6 +111,7 @@ void describe(S& s, Visitor& visit) {
   visit("contact_iterations", s.contact_iterations);
   visit("substeps", s.substeps);
   visit("joint_steps", s.joint_steps);
+  visit("converged", s.converged);
   visit("plastic_residual", s.plastic_residual);
   visit("yield_excess", s.yield_excess);
   visit("past_symmetry", s.past_symmetry);

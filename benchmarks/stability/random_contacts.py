@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random contacts of dissimilar bodies with friction, driven every way, and an independent check.
+"""Random contacts of dissimilar bodies with friction, and an independent check of their solutions.
 
-`python -m benchmarks.stability.scenes KIND FIRST LAST` solves the scenes FIRST to LAST - 1 of one
-kind of friction ("none": no slip, "coulomb", "tresca") and prints a line for each.
+`python -m benchmarks.stability.random_contacts LAW FIRST LAST [check]` solves the contacts number
+FIRST to LAST - 1 with one friction law ("none": no slip, "coulomb", "tresca"), prints a line for
+each and a summary. With `check`, the largest residual of the conditions of contact and friction is
+found with a dense matrix.
 """
 
 from __future__ import annotations
@@ -35,7 +37,7 @@ DRIVES = ("press", "pull", "shift", "load", "approach", "roll", "twist", "torque
 
 
 def rough(random: np.random.Generator, shape: tuple[int, int], rms: float) -> Array:
-    """Self-affine surface of Hurst exponent 0.8."""
+    """Return the heights of a self-affine surface of Hurst exponent 0.8 [m]."""
     n = 2 * max(shape)
     k = np.hypot(*np.meshgrid(np.fft.fftfreq(n), np.fft.fftfreq(n), indexing="ij"))
     k[0, 0] = np.inf
@@ -45,7 +47,7 @@ def rough(random: np.random.Generator, shape: tuple[int, int], rms: float) -> Ar
 
 
 @dataclass(frozen=True)
-class Scene:
+class RandomContact:
     """Two bodies, their gap, and the arguments of each increment."""
 
     name: str
@@ -56,25 +58,25 @@ class Scene:
     steps: list[dict[str, Any]]
 
     def simulation(self, **settings: Any) -> sc.Simulation:
-        """The scene before its first increment."""
+        """Return a simulation before the first increment."""
         return sc.Simulation(
             self.grid, *self.bodies, self.gap, self.friction, on_border="warn", **settings
         )
 
 
-def law_of(kind: str, random: np.random.Generator, pressure: float) -> tuple[Any, float]:
-    """A friction law, and the force over the load that is surely below its limit, at most 1."""
-    if kind == "none":
+def random_law(law: str, random: np.random.Generator, pressure: float) -> tuple[Any, float]:
+    """Return a friction law, and a ratio of force to load below its limit, at most 1."""
+    if law == "none":
         return sc.Coulomb(math.inf), 1.0
     mu = float(10 ** random.uniform(-1, math.log10(2)))
-    if kind == "coulomb":
+    if law == "coulomb":
         return sc.Coulomb(mu), min(mu, 1.0)
     return sc.Tresca(mu * pressure), 0.15 * min(mu, 1.0)
 
 
-def scene(kind: str, seed: int) -> Scene:
-    """Scene number `seed`, 9 to 25 cells a side."""
-    random = np.random.default_rng([seed, *kind.encode()])
+def random_contact(law: str, number: int) -> RandomContact:
+    """Return the contact with a number, on a grid of 9 to 25 cells along each side."""
+    random = np.random.default_rng([number, *law.encode()])
     first, second = random.permutation(len(BODIES))[:2]
     names = [list(BODIES)[first], list(BODIES)[second]]
     bodies = BODIES[names[0]], BODIES[names[1]]
@@ -90,20 +92,19 @@ def scene(kind: str, seed: int) -> Scene:
         gap = gap + random.uniform(0.01, 0.1) * depth * random.standard_normal(shape)
     if surface == "self-affine":
         gap = gap + rough(random, shape, 0.03 * depth)
-    friction, m = law_of(kind, random, load / (math.pi * a * a))
+    friction, ratio = random_law(law, random, load / (math.pi * a * a))
     drive = str(random.choice(DRIVES))
-    steps = steps_of(drive, load, a, depth, m)
+    steps = steps_of(drive, load, a, depth, ratio)
     name = f"{drive} {surface} {names[0]}/{names[1]} {shape[0]}x{shape[1]}"
-    return Scene(name, grid, bodies, gap, friction, steps)
+    return RandomContact(name, grid, bodies, gap, friction, steps)
 
 
-def steps_of(drive: str, load: float, a: float, depth: float, m: float) -> list[dict[str, Any]]:
-    """Increments of a drive; m: friction that can be relied on [-], depth = a^2/R."""
-    press, pull = (
-        {"load": load},
-        {"load": load, "tangential_load": (0.4 * m * load, 0.1 * m * load)},
-    )
-    slide = 0.3 * m * depth
+def steps_of(drive: str, load: float, a: float, depth: float, ratio: float) -> list[dict[str, Any]]:
+    """Return the increments of a drive; ratio: of force to load [-], depth = a^2/R."""
+    force = ratio * load
+    press = {"load": load}
+    pull = {"load": load, "tangential_load": (0.4 * force, 0.1 * force)}
+    slide = 0.3 * ratio * depth
     roll = {"load": load, "advance": (-CELL, -CELL * (1 + 1e-3))}
     return {
         "press": [press],
@@ -117,48 +118,48 @@ def steps_of(drive: str, load: float, a: float, depth: float, m: float) -> list[
         ],
         "roll": [press, *4 * [roll]],
         "twist": [press, {"load": load, "twist": 1e-3}],
-        "torque": [press, {"load": load, "torque": 0.15 * m * load * a}],
+        "torque": [press, {"load": load, "torque": 0.15 * force * a}],
         "unload": [press, pull, {"load": 0.5 * load}],
-        "turn": [press, pull, {"load": load, "tangential_load": (-0.2 * m * load, 0.3 * m * load)}],
+        "turn": [press, pull, {"load": load, "tangential_load": (-0.2 * force, 0.3 * force)}],
     }[drive]
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """States of the increments that were solved, the error that ended them, and the work."""
+    """States of the solved increments, the error that ended them, and counters of the work."""
 
     states: list[sc.State]
     error: str
     counters: dict[str, Any]
 
     def digest(self) -> str:
-        """Hash of all tractions."""
-        made = hashlib.sha256()
+        """Return a hash of all tractions."""
+        digest = hashlib.sha256()
         for state in self.states:
-            made.update(np.ascontiguousarray(state.pressure).tobytes())
-            made.update(np.ascontiguousarray(state.shear).tobytes())
-        return made.hexdigest()[:12]
+            digest.update(np.ascontiguousarray(state.pressure).tobytes())
+            digest.update(np.ascontiguousarray(state.shear).tobytes())
+        return digest.hexdigest()[:12]
 
 
-def outcome(given: Scene, **settings: Any) -> Outcome:
+def solve(contact: RandomContact, **settings: Any) -> Outcome:
     """Solve all increments, until one fails."""
-    simulation, states, error = given.simulation(**settings), [], ""
+    simulation, states, error = contact.simulation(**settings), [], ""
     try:
-        for step in given.steps:
+        for step in contact.steps:
             states.append(simulation.step(**step))
     except sc.ConvergenceError as failure:
         error = str(failure)
     return Outcome(states, error, dict(simulation.counters))
 
 
-def dense_matrix(given: Scene) -> Array:
-    """Displacement (u_z, u_x, u_y) due to (p, s_x, s_y) [m/Pa]: Love and Cerruti, cell by cell."""
-    softness = [0.0 if body.is_rigid else 2 * (1 + body.nu) / body.E for body in given.bodies]
-    ratios = [0.0 if body.is_rigid else body.nu for body in given.bodies]
+def dense_matrix(contact: RandomContact) -> Array:
+    """Return the displacement (u_z, u_x, u_y) due to (p, s_x, s_y) [m/Pa] (Love, Cerruti)."""
+    softness = [0.0 if body.is_rigid else 2 * (1 + body.nu) / body.E for body in contact.bodies]
+    ratios = [0.0 if body.is_rigid else body.nu for body in contact.bodies]
     total = sum(softness)
     crossed = sum(soft * nu for soft, nu in zip(softness, ratios, strict=True))
     beta = 0.5 * (softness[1] * (1 - 2 * ratios[1]) - softness[0] * (1 - 2 * ratios[0]))
-    x, y = (c.ravel() for c in np.meshgrid(given.grid.x, given.grid.y, indexing="ij"))
+    x, y = (c.ravel() for c in np.meshgrid(contact.grid.x, contact.grid.y, indexing="ij"))
     dx, dy = x[:, None] - x, y[:, None] - y
 
     def corners(function: Callable[[Array, Array], Array]) -> Array:
@@ -180,29 +181,29 @@ def dense_matrix(given: Scene) -> Array:
     return np.block([[zz, zx, zy], [-zx, xx, across], [-zy, across, yy]])
 
 
-def residuals(given: Scene, states: list[sc.State]) -> list[float]:
-    """Largest violation of the conditions of contact and friction in each increment, relative to
-    the largest pressure, displacement or shear, from the tractions and the rigid motion alone.
+def residuals(contact: RandomContact, states: list[sc.State]) -> list[float]:
+    """Return the largest residual of contact and friction in each increment.
 
-    Slip is checked in increments at rest that were not divided, where cells touched before: part
-    of the slip of a new cell occurs before it touches, unless pressure and shear were solved for
-    together.
+    It is relative to the maximum pressure, displacement or shear, and found from the tractions and
+    the rigid motion alone. Slip is checked in undivided increments without motion of the bodies,
+    and in cells that were in contact before: part of the slip of a new cell occurs before it
+    touches, unless pressure and shear were solved together.
     """
-    matrix, n = dense_matrix(given), given.gap.size
-    x, y = (c.ravel() for c in np.meshgrid(given.grid.x, given.grid.y, indexing="ij"))
-    before, moved = np.zeros((3, *given.gap.shape)), np.zeros(3)
+    matrix, n = dense_matrix(contact), contact.gap.size
+    x, y = (c.ravel() for c in np.meshgrid(contact.grid.x, contact.grid.y, indexing="ij"))
+    before, moved = np.zeros((3, *contact.gap.shape)), np.zeros(3)
     found = []
-    for step, state in zip(given.steps, states, strict=False):
+    for step, state in zip(contact.steps, states, strict=False):
         tractions = np.concatenate([state.pressure[None], state.shear])
         motion = np.array([*state.shift, state.twist])
         by, moved = motion - moved, motion
         u = (matrix @ tractions.ravel()).reshape(3, n)
-        gap = given.gap.ravel() + u[0] - state.approach
+        gap = contact.gap.ravel() + u[0] - state.approach
         slip = (matrix @ before.ravel()).reshape(3, n)[1:] - u[1:]
         slip += np.array([by[0] - by[2] * y, by[1] + by[2] * x])
         known = (before[0].ravel() > 0) | (state.joint_steps > 0)
         known &= state.substeps == 1 and "advance" not in step
-        found.append(residual(given.friction, tractions.reshape(3, n), gap, slip, u, known))
+        found.append(residual(contact.friction, tractions.reshape(3, n), gap, slip, u, known))
         before = tractions
     return found
 
@@ -210,7 +211,11 @@ def residuals(given: Scene, states: list[sc.State]) -> list[float]:
 def residual(
     law: Any, tractions: Array, gap: Array, slip: Array, displacement: Array, known: Array
 ) -> float:
-    """Largest violation of the conditions of contact and friction; known: cells of known slip."""
+    """Return the largest residual of the conditions of contact and friction.
+
+    known: cells of known slip. At zero pressure, a cell carries shear only if it slides in contact,
+    and only without slip or under a Tresca law.
+    """
     pressure, shear = tractions[0], tractions[1:]
     size, largest = np.hypot(*shear), max(float(np.hypot(*shear).max()), 1e-300)
     scale, lift = float(pressure.max()), float(np.abs(displacement[0]).max())
@@ -219,7 +224,6 @@ def residual(
     slope = 1 / law.coefficient if isinstance(law, sc.Coulomb) else 0.0
     bound = np.minimum(pressure / slope, cap) if slope else np.full(pressure.shape, cap)
     largest = max(largest, 1e-3 * min(float(bound.max()), scale))
-    # at the pressure 0 a cell carries shear only if it slides in contact, and only without slope
     bound = np.where(pressure > 0, bound, np.minimum(size, cap) if slope == 0 else 0.0)
     apart = np.where((pressure <= 0) & (size > 0), np.abs(gap) / lift, 0.0).max()
     stiffness = largest / max(float(np.hypot(*displacement[1:]).max()), 1e-300)
@@ -232,36 +236,26 @@ def residual(
 
 
 def main(arguments: list[str]) -> None:
-    """Print the outcome of each scene."""
-    kind, first, last, check = (
-        arguments[0],
-        int(arguments[1]),
-        int(arguments[2]),
-        len(arguments) > 3,
-    )
-    failed = 0
-    for seed in range(first, last):
-        given, start = scene(kind, seed), time.process_time()
+    """Print the result of each contact, and a summary."""
+    law, first, last = arguments[0], int(arguments[1]), int(arguments[2])
+    failed, joint, largest = 0, 0, 0.0
+    for number in range(first, last):
+        contact, start = random_contact(law, number), time.process_time()
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            found = outcome(given)
-        failed += bool(found.error)
-        work = {n: found.counters[n] for n in found.counters if n != "volume_bytes"}
+            found = solve(contact)
+        work = {name: count for name, count in found.counters.items() if name != "volume_bytes"}
         took = time.process_time() - start
-        worst = max(residuals(given, found.states), default=0.0) if check else 0.0
+        worst = max(residuals(contact, found.states), default=0.0) if "check" in arguments else 0.0
+        failed, joint = failed + bool(found.error), joint + (work["joint_steps"] > 0)
+        largest = max(largest, worst)
         end = f"FAILED in increment {len(found.states)}: {found.error}" if found.error else "solved"
-        print(
-            seed,
-            found.digest(),
-            f"{took:.2f}s",
-            given.name,
-            given.friction,
-            work,
-            f"{worst:.1e}",
-            end,
-            flush=True,
-        )
-    print(f"{failed} of {last - first} without an answer")
+        line = f"{number} {found.digest()} {took:.2f} s {contact.name} {contact.friction}"
+        print(line, work, f"{worst:.1e}", end, flush=True)
+    print(
+        f"{failed} of {last - first} without a solution; pressure and shear together in {joint}; "
+        f"largest residual {largest:.1e}"
+    )
 
 
 if __name__ == "__main__":
