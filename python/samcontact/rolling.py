@@ -164,7 +164,8 @@ class _Rolling:
             start, shear, *_ = before_on(self.previous, grid, "start")
             creepage = (*self.previous.creepage, self.previous.spin)
         drive = self.given.is_force, self.given.values
-        found = core.roll(*contact, *drive, start, shear, creepage, *settings)
+        tol, most, refuse, accept = settings
+        found = core.roll(*contact, *drive, start, shear, creepage, tol, most, refuse, accept)
         return self._solution(grid, found)
 
     def _solution(self, grid: Grid, found: dict[str, Any]) -> tuple[RollingSolution, str]:

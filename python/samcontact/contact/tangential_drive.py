@@ -126,7 +126,8 @@ class TangentialDrive:
         if not self.given.is_force[1]:
             y -= lead * turn
         drive = self.given.is_force, (x, y, turn)
-        found = core.solve(*contact, *drive, p, s, g, d, moves, start, *settings)
+        tol, most, refuse, accept = settings
+        found = core.solve(*contact, *drive, p, s, g, d, moves, start, tol, most, refuse, accept)
         dx, dy, turned = found.pop("motion")
         return self._total(grid, found, (dx, dy + lead * turned), turned)
 

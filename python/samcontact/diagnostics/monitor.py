@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .._util.display import quantity
-from .._util.errors import ConvergenceWarning, GridTooSmallWarning, PlasticStrainWarning
+from .._util.errors import GridTooSmallWarning, PlasticStrainWarning
 from ..heat import Heat
 from ..solutions.state import State
 from . import resolution, sharp_edges
@@ -70,13 +70,11 @@ class Monitor:
             resolution.warn_of_run(states, scene, stacklevel=stacklevel + 1)
 
     def warn(
-        self, state: State, scene: ContactSetup, complaints: list[str], *, stacklevel: int
+        self, state: State, scene: ContactSetup, found: Sequence[UserWarning], *, stacklevel: int
     ) -> None:
-        """Issue warnings after an increment; complaints: messages of the core on the grid edge."""
-        if state.stall_warning:
-            warnings.warn(state.stall_warning, ConvergenceWarning, stacklevel=stacklevel + 1)
-        for complaint in complaints:
-            warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
+        """Issue warnings after an increment; found: warnings of the core."""
+        for warning in found:
+            warnings.warn(warning, stacklevel=stacklevel + 1)
         if scene.plastic and not self.clipping_warned and (text := _cut_text(state)):
             self.clipping_warned = True
             warnings.warn(text, GridTooSmallWarning, stacklevel=stacklevel + 1)

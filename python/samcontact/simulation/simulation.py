@@ -66,9 +66,8 @@ class Simulation(Configured, HtmlTable):
     on_border : {"error", "warn"}, optional
         Action if the contact reaches the grid edge; with "warn" the grid is never enlarged.
     on_stall : {"error", "warn"}, optional
-        Action if pressure and shear of dissimilar bodies in partial slip do not converge: raise
-        `ConvergenceError`, or issue `ConvergenceWarning` and continue from the state with the
-        smallest error.
+        Action if pressure and shear of dissimilar bodies in partial slip do not converge; "warn"
+        continues from the state with the smallest error.
     max_iterations : int, optional
         Maximum number of fixed-point iterations before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
@@ -141,18 +140,11 @@ class Simulation(Configured, HtmlTable):
         layered = require_servable_flow(grid, residual_stress, body1, body2)
         self.body1, self.body2 = body1, body2
         settings = Settings(
-            friction=friction,
-            tol=tol,
-            increment_tol=increment_tol,
-            on_border=on_border,
-            on_stall=on_stall,
-            max_iterations=max_iterations,
-            residual_stress=residual_stress,
-            image_tol=image_tol,
-            zones="one" if layered else zones,
-            reach=grid.nx * grid.dx if reach is None else reach,
-            contact_law=contact_law,
-        )
+            friction=friction, tol=tol, increment_tol=increment_tol, on_border=on_border,
+            on_stall=on_stall, max_iterations=max_iterations, residual_stress=residual_stress,
+            image_tol=image_tol, zones="one" if layered else zones,
+            reach=grid.nx * grid.dx if reach is None else reach, contact_law=contact_law,
+        )  # fmt: skip
         self._configure(settings)
         require_fast("residual_stress", self.residual_stress, grid.periodic)
         heat = checked_heat(heat, (body1, body2), grid, settings.law)
@@ -255,16 +247,15 @@ class Simulation(Configured, HtmlTable):
         ElasticStrainWarning, SingularPressureWarning, UnitWarning, PlasticStrainWarning, \
         GridTooSmallWarning, ResolutionWarning, IncrementWarning
             Each is issued at most once per simulation; docs/conventions.md lists the conditions.
-        ConvergenceWarning
-            With on_stall="warn", for each increment whose pressure and shear did not converge.
+            With on_stall="warn", ConvergenceWarning is issued for each increment concerned.
         """
         given = {
             "load": load, "approach": approach, "pressure": pressure, "shear": shear,
             "advance": advance, "shift": shift, "tangential_load": tangential_load,
             "twist": twist, "torque": torque, "heat_factor": heat_factor, "duration": duration,
         }  # fmt: skip
-        state, complaints = self.engine.advance(given, self.monitor)
-        self.monitor.warn(state, self.engine.estimate, complaints, stacklevel=2)
+        state, found = self.engine.advance(given, self.monitor)
+        self.monitor.warn(state, self.engine.estimate, found, stacklevel=2)
         check_errors(self.engine, self.monitor, [state], 4, repeat_with(type(self)), stacklevel=2)
         return state
 
@@ -325,8 +316,7 @@ class Simulation(Configured, HtmlTable):
     @property
     def counters(self) -> dict[str, int]:
         """Counts of contact_solves, contact_iterations, yield_checks, plastic_solves,
-        plastic_iterations, halvings and joint_steps; volume_bytes: memory of plastic state and
-        kernels."""
+        plastic_iterations, halvings, joint_steps; volume_bytes: plastic state and kernels."""
         return dict(self.engine.core.counters)
 
     def set_plastic_strain(

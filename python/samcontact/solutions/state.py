@@ -187,18 +187,6 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         return int(self._core.contact_iterations)
 
     @property
-    def joint_steps(self) -> int:
-        """Number of Newton steps on pressure and shear together in this increment; 0 if the sweeps
-        converged."""
-        return int(self._core.joint_steps)
-
-    @property
-    def stall_warning(self) -> str:
-        """Message that pressure and shear did not converge in this increment; empty if they
-        converged, and for a state from a checkpoint."""
-        return str(self._core.stall_warning)
-
-    @property
     def substeps(self) -> int:
         """Number of sub-increments of this increment; 1 if it was not subdivided."""
         return int(self._core.substeps)

@@ -92,7 +92,7 @@ def test_the_solution_has_the_symmetry_of_the_contact():
 
 
 def test_state_with_the_smallest_error_is_returned_under_a_warning():
-    """So few iterations suffice for each pressure, but not for pressure and shear together."""
+    """60 iterations suffice for each pressure, but not for pressure and shear together."""
     few = {"max_iterations": 60}
     with pytest.raises(sc.ConvergenceError) as failure:
         ball_on_half_space(**few)

@@ -130,7 +130,7 @@ def test_flat_dissimilar_periodic_bodies_are_pressed_and_pulled_with_friction(pe
 
 
 def test_elastic_plastic_body_without_slip():
-    """With an unreachable yield stress the solution is elastic. A soft body yields."""
+    """An unreachable yield stress gives the elastic solution, a small one plastic strain."""
     contact = random_contacts.random_contact("none", 44)
     grid = sc.Grid(contact.grid.nx, contact.grid.ny, CELL, CELL, 6, CELL)
     press, pull = contact.steps[:2]

@@ -44,7 +44,7 @@ class PartialSlipContact::Sweeps {
   /// the shear in excess of raised_.
   Field update_gap();
 
-  // Pressure and shear together, in joint_increment.cpp.
+  // Pressure and shear together, in sweeps_joint.cpp.
 
   /// Replaces the present solution by one for pressure and shear together; if it does not converge,
   /// by the state with the smallest error.

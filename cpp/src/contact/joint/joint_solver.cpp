@@ -19,9 +19,16 @@ constexpr int patience = 2;
 /// slope of the problem follows, and the maximum number of reductions of the factor.
 constexpr double first_slope = 1.0, slope_factor = 0.5, last_slope = 1e-4;
 constexpr int max_shortenings = 8;
-/// Spectra of operator and preconditioner, fields of the iteration, per cell of the grid; the
-/// vectors of GMRES come on top.
+/// Memory per cell of the grid: spectra of operator and preconditioner, and states.
 constexpr double joint_bytes = 900;
+/// Memory per cell in contact: vectors of GMRES.
+constexpr double vector_bytes = 3.0 * sizeof(double) * (max_joint_vectors + 2);
+constexpr const char* memory_use = "pressure and shear together";
+
+double touching_cells(const JointState& state) {
+  return static_cast<double>(std::count_if(state.states.begin(), state.states.end(),
+                                           [](auto cell) { return cell != CellState::open; }));
+}
 
 /// Sequence of attempts, and the state with the smallest error.
 class Search {
@@ -106,9 +113,7 @@ void make_admissible(const JointProblem& problem, JointState& state) {
 const JointOperators& JointSolver::operators() const {
   const std::lock_guard lock(mutex_);
   if (!operators_) {
-    const double vectors = 3.0 * sizeof(double) * (max_joint_vectors + 2);
-    require_memory(static_cast<double>(grid_.surface_size()) * (joint_bytes + vectors),
-                   "pressure and shear together");
+    require_memory(static_cast<double>(grid_.surface_size()) * joint_bytes, memory_use);
     operators_ = std::make_unique<const JointOperators>(grid_, influence_);
   }
   return *operators_;
@@ -116,6 +121,9 @@ const JointOperators& JointSolver::operators() const {
 
 JointSolution JointSolver::solve(const JointProblem& problem, const std::vector<JointState>& starts,
                                  double tol, int max_steps) const {
+  double touching = 0.0;
+  for (const JointState& start : starts) touching = std::max(touching, touching_cells(start));
+  require_memory(touching * vector_bytes, memory_use);
   Search search(problem, tol, max_steps);
   const auto solved = [&] {
     for (const JointState& start : starts) {

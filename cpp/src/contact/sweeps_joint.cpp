@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pressure and shear together, for an increment whose sweeps have stalled.
+// Pressure and shear of an increment together, if the sweeps have stalled.
+#include "samcontact/contact/sweeps.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +9,6 @@
 #include <vector>
 
 #include "samcontact/base/reduce.hpp"
-#include "samcontact/contact/sweeps.hpp"
 
 namespace samcontact::contact {
 namespace {
