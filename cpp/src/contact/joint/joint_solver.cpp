@@ -19,8 +19,8 @@ constexpr int patience = 2;
 /// slope of the problem follows, and the maximum number of reductions of the factor.
 constexpr double first_slope = 1.0, slope_factor = 0.5, last_slope = 1e-4;
 constexpr int max_shortenings = 8;
-/// Memory per cell of the grid: spectra of operator and preconditioner, and states; 590 to 730 bytes
-/// were measured on 301 x 301 cells, to which the continuation adds 220 bytes of states.
+/// Memory per cell of the grid: spectra of operator and preconditioner, and states; 590 to 730
+/// bytes were measured on 301 x 301 cells, to which the continuation adds 220 bytes of states.
 constexpr double joint_bytes = 950;
 /// Memory per cell in contact: vectors of GMRES.
 constexpr double vector_bytes = 3.0 * sizeof(double) * (max_joint_vectors + 2);
