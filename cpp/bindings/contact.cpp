@@ -72,7 +72,8 @@ py::array_t<bool> flags_array(const std::vector<unsigned char>& flags, const Gri
 /// Fields of a PartialSlipSolution, without the totals of earlier increments.
 Content to_python(contact::PartialSlipSolution solution,
                   const contact::PartialSlipContact& contact) {
-  auto& [normal, tangential, sweeps] = solution;
+  auto& normal = solution.normal;
+  auto& tangential = solution.tangential;
   const Grid& grid = contact.grid();
   Content result = to_python(std::move(normal), grid, contact.law());
   result["shear"] = vector_array(std::move(tangential.shear), grid);
@@ -87,8 +88,15 @@ Content to_python(contact::PartialSlipSolution solution,
   result["tangential_applications"] = tangential.operator_applications;
   result["tangential_work"] = tangential.work;
   result["fallbacks"] = tangential.fallbacks;
-  result["sweeps"] = sweeps;
+  result["sweeps"] = solution.sweeps;
+  result["joint_steps"] = solution.joint.steps;
   return result;
+}
+
+contact::ContactSettings slip_settings(double tol, int max_iterations, bool error_on_border,
+                                       bool accept_stall) {
+  return {tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn,
+          accept_stall ? contact::AfterStall::accept : contact::AfterStall::join};
 }
 
 Content stick_and_slip(const contact::PartialSlipContact& contact, const Array& gap,
@@ -96,13 +104,12 @@ Content stick_and_slip(const contact::PartialSlipContact& contact, const Array& 
                        const std::array<double, 3>& tangential, const MaybeArray& pressure,
                        const MaybeArray& shear, const MaybeArray& gap_before,
                        double approach_before, bool has_moved, const MaybeArray& initial_pressure,
-                       double tol, int max_iterations, bool error_on_border) {
+                       double tol, int max_iterations, bool error_on_border, bool accept_stall) {
   const Field h = to_field(gap);
   const contact::PartialSlipStart start{.pressure = to_field_or_empty(initial_pressure)};
   const contact::ContactHistory before{to_field_or_empty(pressure), to_field_or_empty(shear),
                                        to_field_or_empty(gap_before), approach_before, has_moved};
-  const contact::ContactSettings settings{
-      tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
+  const auto settings = slip_settings(tol, max_iterations, error_on_border, accept_stall);
   const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
   contact::PartialSlipSolution solution;
   {
@@ -117,12 +124,11 @@ Content roll(const contact::PartialSlipContact& contact, const Array& gap, bool 
              double value, const std::array<bool, 3>& is_force,
              const std::array<double, 3>& tangential, const MaybeArray& pressure,
              const MaybeArray& shear, const std::array<double, 3>& creepage, double tol,
-             int max_iterations, bool error_on_border) {
+             int max_iterations, bool error_on_border, bool accept_stall) {
   const Field h = to_field(gap);
   const contact::PartialSlipStart start{
       to_field_or_empty(pressure), to_field_or_empty(shear), {}, creepage};
-  const contact::ContactSettings settings{
-      tol, max_iterations, error_on_border ? contact::OnBorder::error : contact::OnBorder::warn};
+  const auto settings = slip_settings(tol, max_iterations, error_on_border, accept_stall);
   const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
   contact::PartialSlipSolution solution;
   {
@@ -219,11 +225,11 @@ void bind_contact(py::module_& m) {
            py::arg("is_force"), py::arg("tangential"), py::arg("previous_pressure"),
            py::arg("previous_shear"), py::arg("previous_gap"), py::arg("previous_approach"),
            py::arg("has_moved"), py::arg("initial_pressure"), py::arg("tol"),
-           py::arg("max_iterations"), py::arg("error_on_border"))
+           py::arg("max_iterations"), py::arg("error_on_border"), py::arg("accept_stall"))
       .def("roll", &roll, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
            py::arg("is_force"), py::arg("tangential"), py::arg("initial_pressure"),
            py::arg("initial_shear"), py::arg("initial_creepage"), py::arg("tol"),
-           py::arg("max_iterations"), py::arg("error_on_border"));
+           py::arg("max_iterations"), py::arg("error_on_border"), py::arg("accept_stall"));
 }
 
 }  // namespace samcontact::bindings

@@ -85,14 +85,16 @@ void restore(Simulation& simulation, const Content& content, const Content& coun
 void bind_settings(py::module_& m) {
   py::class_<Settings>(m, "Settings")
       .def(py::init([](double tol, double increment_tol, int max_iterations,
-                       const std::string& on_border, const std::string& residual_stress,
-                       double image_tol, bool one_zone, int reach) {
+                       const std::string& on_border, const std::string& on_stall,
+                       const std::string& residual_stress, double image_tol, bool one_zone,
+                       int reach) {
              using operators::ResidualMethod;
              return Settings{.tol = tol,
                              .increment_tol = increment_tol,
                              .max_iterations = max_iterations,
                              .on_border = on_border == "error" ? contact::OnBorder::error
                                                                : contact::OnBorder::warn,
+                             .accepts_stall = on_stall == "warn",
                              .residual_stress = residual_stress == "exact" ? ResidualMethod::exact
                                                                            : ResidualMethod::fast,
                              .image_tol = image_tol,
@@ -100,8 +102,8 @@ void bind_settings(py::module_& m) {
                              .one_zone = one_zone};
            }),
            py::kw_only(), py::arg("tol"), py::arg("increment_tol"), py::arg("max_iterations"),
-           py::arg("on_border"), py::arg("residual_stress"), py::arg("image_tol"),
-           py::arg("one_zone"), py::arg("reach"));
+           py::arg("on_border"), py::arg("on_stall"), py::arg("residual_stress"),
+           py::arg("image_tol"), py::arg("one_zone"), py::arg("reach"));
 }
 
 }  // namespace

@@ -283,8 +283,8 @@ void bind_state(py::module_& m) {
           [](const State& state, int body) { return state.eigenstrain[body] != nullptr; },
           py::arg("body"))
       .def("plastic_cells", &simulation::plastic_cells, py::arg("body"))
-      .def_readonly("converged", &State::converged)
       .def_readonly("warnings", &State::warnings)
+      .def_readonly("stall_warning", &State::stall_warning)
       .def("layers", &State::layers)
       .def(
           "strain_beyond",

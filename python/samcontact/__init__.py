@@ -36,6 +36,7 @@ from . import (
 from ._core import ConvergenceError, GridTooSmallError
 from ._core import version as __version__
 from ._util.errors import (
+    ConvergenceWarning,
     ElasticStrainWarning,
     GridTooSmallWarning,
     IncrementWarning,
@@ -72,6 +73,7 @@ __all__ = [
     "ContactSolution",
     "ContactSolver",
     "ConvergenceError",
+    "ConvergenceWarning",
     "ElasticStrainWarning",
     "FoundLoad",
     "Grid",

@@ -163,8 +163,10 @@ def residual_displacement(
         Axis of the displacement; u_z is positive into the body. On periodic grids, the displacement
         is relative to the body far below the surface.
 
-    Notes ----- u_z follows from Boucly (2008), eqs (2.62)-(2.71), corrected and completed by a term
-    for the trace; u_x and u_y follow by reciprocity from the stress due to surface shear, see
+    Notes
+    -----
+    u_z follows from Boucly (2008), eqs (2.62)-(2.71), corrected and completed by a term for the
+    trace; u_x and u_y follow by reciprocity from the stress due to surface shear, see
     docs/theory/half_space.md.
     """
     number_of_axis = axis_number(axis)

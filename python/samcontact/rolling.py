@@ -39,6 +39,7 @@ def steady(
     start: RollingSolution | None = None,
     tol: float = ContactSettings.tol,
     on_border: str = ContactSettings.on_border,
+    on_stall: str = ContactSettings.on_stall,
     max_iterations: int = ContactSettings.max_iterations,
 ) -> RollingSolution:
     """Solve the contact in steady rolling towards +x.
@@ -76,7 +77,7 @@ def steady(
         torque has zero creepage.
     start : RollingSolution, optional
         Solution for similar creepages or forces, used as initial guess of the iteration.
-    tol, on_border, max_iterations
+    tol, on_border, on_stall, max_iterations
         As in `ContactSolver`; `tol` is also a bound of the error of the shear traction, and of the
         error of prescribed forces relative to their maximum possible values.
 
@@ -91,9 +92,16 @@ def steady(
     ConvergenceError
         No convergence; the error has the attributes `iterations` and `residual`.
 
-    Notes ----- J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, The steps
-    are one cell long, so the error is proportional to the cell size. The page on rolling describes
-    the iteration.
+    Warns
+    -----
+    ConvergenceWarning
+        With on_stall="warn", instead of a ConvergenceError: `converged` is False.
+
+    Notes
+    -----
+    J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact. The steps are one cell
+    long, so the error is proportional to the cell size. The page on rolling describes the
+    iteration.
     """
     require_type("grid", grid, Grid)
     sticking_law(friction)
@@ -111,6 +119,7 @@ def steady(
         friction,
         tol=tol,
         on_border=on_border,
+        on_stall=on_stall,
         max_iterations=max_iterations,
     )
     solution = solve_driven(solver, gap, load, approach, _Rolling(given, friction, start))
@@ -155,8 +164,8 @@ class _Rolling:
             start, shear, *_ = before_on(self.previous, grid, "start")
             creepage = (*self.previous.creepage, self.previous.spin)
         drive = self.given.is_force, self.given.values
-        tol, most, refuse = settings
-        found = core.roll(*contact, *drive, start, shear, creepage, tol, most, refuse)
+        tol, most, refuse, accept = settings
+        found = core.roll(*contact, *drive, start, shear, creepage, tol, most, refuse, accept)
         return self._solution(grid, found)
 
     def _solution(self, grid: Grid, found: dict[str, Any]) -> tuple[RollingSolution, str]:

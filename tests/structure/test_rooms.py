@@ -55,7 +55,8 @@ DIVIDED = {
         "iteration": set(),
         "normal": {"laws"},
         "tangential": {"laws", "iteration", "normal"},
-        "": {"laws", "iteration", "normal", "tangential"},
+        "joint": {"laws", "iteration", "normal", "tangential"},
+        "": {"laws", "iteration", "normal", "tangential", "joint"},
     },
     "simulation": {
         "cells": set(),

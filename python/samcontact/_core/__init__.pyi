@@ -265,6 +265,7 @@ class PartialSlipContact:
         tol: float,
         max_iterations: int,
         error_on_border: bool,
+        accept_stall: bool,
     ) -> dict[str, typing.Any]: ...
     def solve(
         self,
@@ -282,6 +283,7 @@ class PartialSlipContact:
         tol: float,
         max_iterations: int,
         error_on_border: bool,
+        accept_stall: bool,
     ) -> dict[str, typing.Any]: ...
     @property
     def is_coupled(self) -> bool: ...
@@ -423,6 +425,10 @@ class State:
     @property
     def softening2(self) -> dict[str, typing.Any] | None: ...
     @property
+    def joint_steps(self) -> int: ...
+    @property
+    def stall_warning(self) -> str: ...
+    @property
     def substeps(self) -> int: ...
     @property
     def time(self) -> float: ...
@@ -441,6 +447,7 @@ class Settings:
         increment_tol: float,
         max_iterations: int,
         on_border: str,
+        on_stall: str,
         residual_stress: str,
         image_tol: float,
         one_zone: bool,

@@ -8,6 +8,10 @@ class GridTooSmallWarning(UserWarning):
     """Warning that the contact reaches the grid edge, or that output fields omit plastic strain."""
 
 
+class ConvergenceWarning(UserWarning):
+    """Warning that pressure and shear did not converge: the result has the smallest error found."""
+
+
 class PlasticStrainWarning(UserWarning):
     """Warning that the plastic strain exceeds the small-strain limit of 5 %.
 

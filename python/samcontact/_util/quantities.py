@@ -9,15 +9,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _DISPLAY_FACTORS = {
-    "µm": 1e6,
-    "µm²": 1e12,
-    "mm²": 1e6,
-    "µm³": 1e18,
-    "MPa": 1e-6,
-    "GPa": 1e-9,
-    "%": 1e2,
-    "µJ": 1e6,
-}
+    "µm": 1e6, "µm²": 1e12, "mm²": 1e6, "µm³": 1e18, "MPa": 1e-6, "GPa": 1e-9, "%": 1e2, "µJ": 1e6,
+}  # fmt: skip
 """Factors from SI units to the units shown."""
 _MAX_AREA_IN_SQUARE_MICRONS = 1e-8  # area [m^2] below which µm² are shown
 _COLOURS = {
@@ -202,6 +195,8 @@ CONTACT = {
         "1", "conjugate-gradient iterations of the contact solver", "", "contact iterations"
     ),
     "substeps": Q("1", "number of sub-increments", "", "sub-increments"),
+    "joint_steps": Q("1", "Newton steps on pressure and shear together", "", "Newton steps"),
+    "converged": Q("1", "whether the increment converged (1) or not (0)", "", "converged"),
     "contact_edge_distance": Q(
         "1", "minimum distance between contact and grid edge, in cells", "cells",
         "distance of contact from grid edge",

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from .. import _core
 from .._util import memory
 from .._util.checks import FloatArray, exactly_one, finite_array, number, require_type
-from .._util.errors import GridTooSmallWarning
+from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..bodies.layered import Body, require_bodies
 from ..diagnostics import hertz_estimate, resolution, sharp_edges, yield_check
 from ..heat import Heat
@@ -55,7 +55,13 @@ class ContactSolver(ContactFields):
     on_border : {"error", "warn"}, optional
         Action if the contact reaches the edge of a grid that cannot be enlarged: raise
         `GridTooSmallError` or issue `GridTooSmallWarning`.
+    on_stall : {"error", "warn"}, optional
+        Action if pressure and shear of dissimilar bodies in partial slip do not converge: raise
+        `ConvergenceError`, or issue `ConvergenceWarning` and return the state with the smallest
+        error.
     max_iterations : int, optional
+        Maximum number of iterations for the pressure, and of Newton steps on pressure and shear
+        together.
     heat : Heat, optional
         Frictional heating; `history` is not supported. Default: none, `Heat(0.0)`.
     contact_law : ContactLaw, optional
@@ -81,6 +87,7 @@ class ContactSolver(ContactFields):
         *,
         tol: float = ContactSettings.tol,
         on_border: str = ContactSettings.on_border,
+        on_stall: str = ContactSettings.on_stall,
         max_iterations: int = ContactSettings.max_iterations,
         heat: Heat | None = None,
         contact_law: ContactLaw = ContactSettings.contact_law,
@@ -90,7 +97,7 @@ class ContactSolver(ContactFields):
         self.grid = grid
         self.body1 = body1
         self.body2 = body2
-        settings = ContactSettings(friction, tol, on_border, max_iterations, contact_law)
+        settings = ContactSettings(friction, tol, on_border, on_stall, max_iterations, contact_law)
         self._configure(settings)
         self._law = settings.law
         self.heat = NO_HEAT if heat is None else heat
@@ -210,6 +217,8 @@ class ContactSolver(ContactFields):
             unit.
         GridTooSmallWarning
             With on_border="warn", instead of a GridTooSmallError.
+        ConvergenceWarning
+            With on_stall="warn", instead of a ConvergenceError: `converged` is False.
         """
         self.contact_law.require_possible(self.heat, {"advance": advance})
         drive = tangential_drive(
@@ -244,7 +253,8 @@ class ContactSolver(ContactFields):
     ) -> tuple[ContactSolution, str]:
         settings = self.tol, self.max_iterations, self.on_border == "error"
         if self._law.sticks:
-            return drive.solved(self._core, self.grid, contact, start, settings)
+            accepts = self.on_stall == "warn"
+            return drive.solved(self._core, self.grid, contact, start, (*settings, accepts))
         found = self._core.solve(*contact, start, *settings)
         complaint, bodies = found.pop("border_complaint"), (self.body1, self.body2)
         solution = ContactSolution(grid=self.grid, **found)
@@ -306,6 +316,8 @@ def solve_driven(  # warnings name the caller's caller
                 require_consistent_overlap(window, before)
             setup = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
             start = None
+    if isinstance(solution, ShearedSolution) and not solution.converged:
+        warnings.warn(solution.stall_text, ConvergenceWarning, stacklevel=3)
     if complaint:
         text = complaint if callable(gap) else advised(complaint, setup)
         warnings.warn(text, GridTooSmallWarning, stacklevel=3)

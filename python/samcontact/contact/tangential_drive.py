@@ -27,8 +27,9 @@ _DIRECTIONS = ("x", "y")
 
 Pressing = tuple[FloatArray, bool, float]
 """Initial gap, whether the load is prescribed, and the load or approach."""
-Settings = tuple[float, int, bool]
-"""Tolerance, maximum number of iterations, whether reaching the edge is an error."""
+Settings = tuple[float, int, bool, bool]
+"""Tolerance, maximum number of iterations, whether reaching the edge is an error, and whether the
+state with the smallest error is accepted if it has not converged."""
 
 
 @dataclass(frozen=True)
@@ -126,8 +127,8 @@ class TangentialDrive:
         if not self.given.is_force[1]:
             y -= lead * turn
         drive = self.given.is_force, (x, y, turn)
-        tol, most, refuse = settings
-        found = core.solve(*contact, *drive, p, s, g, d, moves, start, tol, most, refuse)
+        tol, most, refuse, accept = settings
+        found = core.solve(*contact, *drive, p, s, g, d, moves, start, tol, most, refuse, accept)
         dx, dy, turned = found.pop("motion")
         return self._total(grid, found, (dx, dy + lead * turned), turned)
 

@@ -70,11 +70,11 @@ class Monitor:
             resolution.warn_of_run(states, setup, stacklevel=stacklevel + 1)
 
     def warn(
-        self, state: State, setup: ContactSetup, complaints: list[str], *, stacklevel: int
+        self, state: State, setup: ContactSetup, found: Sequence[UserWarning], *, stacklevel: int
     ) -> None:
-        """Issue warnings after an increment; complaints: messages of the core on the grid edge."""
-        for complaint in complaints:
-            warnings.warn(complaint, GridTooSmallWarning, stacklevel=stacklevel + 1)
+        """Issue warnings after an increment; found: warnings of the core."""
+        for warning in found:
+            warnings.warn(warning, stacklevel=stacklevel + 1)
         if setup.plastic and not self.clipping_warned and (text := _cut_text(state)):
             self.clipping_warned = True
             warnings.warn(text, GridTooSmallWarning, stacklevel=stacklevel + 1)

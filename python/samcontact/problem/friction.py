@@ -117,7 +117,8 @@ class Coulomb(FrictionLaw):
     Attributes
     ----------
     coefficient : float
-        Coefficient of friction mu [-], >= 0. `math.inf` prevents slip.
+        Coefficient of friction mu [-], >= 0. `math.inf` prevents slip of cells under pressure; a
+        cell that touches without pressure may carry shear and slip.
 
     Raises
     ------

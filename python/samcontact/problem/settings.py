@@ -114,6 +114,7 @@ class ContactSettings:
     friction: float | FrictionLaw = _setting(0.0, FrictionSetting(ge=0.0))  # noqa: RUF009 (a field)
     tol: float = _setting(1e-8, RangeSetting(ge=1e-13, lt=1.0))
     on_border: str = _setting("error", ChoiceSetting(("error", "warn")))
+    on_stall: str = _setting("error", ChoiceSetting(("error", "warn")))
     max_iterations: int = _setting(5000, CountSetting())
     contact_law: ContactLaw = _setting(HardContact(), ContactLawSetting())  # noqa: RUF009 (a field)
 
@@ -181,6 +182,7 @@ class Configured(FixedAttributes):
     friction: Any  # float, or a law
     tol: float
     on_border: str
+    on_stall: str
     max_iterations: int
     contact_law: ContactLaw
     _settings: ContactSettings

@@ -50,6 +50,10 @@ def add_slipping(
     add(dataset, "stick_fraction", "increment", [_share(state) for state in states])
     add(dataset, "sticking", _SURFACE, np.stack([s.sticking for s in states]).astype(np.int8))
     dataset["sticking"].attrs |= _FLAGS
+    if any(state.joint_steps for state in states):
+        add(dataset, "joint_steps", "increment", [state.joint_steps for state in states])
+    if not all(state.converged for state in states):
+        add(dataset, "converged", "increment", [int(state.converged) for state in states])
     inelastic = simulation.body1.is_plastic or simulation.body2.is_plastic
     if (volume or not inelastic) and not energy.no_balance(simulation, states):
         _add_balance(dataset, energy.balance(simulation, states))

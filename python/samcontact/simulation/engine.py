@@ -12,6 +12,7 @@ from typing import Any
 from .. import _core
 from .._core import ConvergenceError, GridTooSmallError
 from .._util import memory
+from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..contact.border_advice import ENLARGEMENT_HINT, add_border_remedies, advised
 from ..contact.enlargement import counts_for, enlarged_evenly, explain_failed_enlargement
 from ..contact.interpenetration import may_overlap, require_apart
@@ -137,8 +138,10 @@ class Engine:
                     explain_size(error, self.estimate.hertz(**target))
                     self._enlarge(error, **target)
 
-    def advance(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[State, list[str]]:
-        """Advance by one increment; return the new state, and warnings about the grid edge."""
+    def advance(
+        self, given: Mapping[str, Any], monitor: Monitor
+    ) -> tuple[State, list[UserWarning]]:
+        """Advance by one increment; return the new state, and the warnings of the core."""
         setup = self.setup
         step, before, core = self.solve(given, monitor)
         state = self.state_of(core, step.heat)
@@ -155,7 +158,10 @@ class Engine:
         complaints: list[str] = core.warnings
         if complaints and not callable(setup.surfaces.gap):
             complaints = [advised(text, self.estimate) for text in complaints]
-        return state, complaints
+        found: list[UserWarning] = [GridTooSmallWarning(text) for text in complaints]
+        if core.stall_warning:
+            found.insert(0, ConvergenceWarning(core.stall_warning))
+        return state, found
 
     def make_room(self, load: float | None = None, approach: float | None = None) -> None:
         """Enlarge the domain to contain the expected Hertz contact, if the gap is a paraboloid.

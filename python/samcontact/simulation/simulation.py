@@ -65,6 +65,9 @@ class Simulation(Configured, HtmlTable):
         gives a tolerance for which 64 suffice. Default: no subdivision, first order.
     on_border : {"error", "warn"}, optional
         Action if the contact reaches the grid edge; with "warn" the grid is never enlarged.
+    on_stall : {"error", "warn"}, optional
+        Action if pressure and shear of dissimilar bodies in partial slip do not converge; "warn"
+        continues from the state with the smallest error.
     max_iterations : int, optional
         Maximum number of fixed-point iterations before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
@@ -121,6 +124,7 @@ class Simulation(Configured, HtmlTable):
         tol: float = Settings.tol,
         increment_tol: float | None = Settings.increment_tol,
         on_border: str = Settings.on_border,
+        on_stall: str = Settings.on_stall,
         max_iterations: int = Settings.max_iterations,
         residual_stress: str = Settings.residual_stress,
         image_tol: float = Settings.image_tol,
@@ -136,17 +140,11 @@ class Simulation(Configured, HtmlTable):
         layered = require_servable_flow(grid, residual_stress, body1, body2)
         self.body1, self.body2 = body1, body2
         settings = Settings(
-            friction=friction,
-            tol=tol,
-            increment_tol=increment_tol,
-            on_border=on_border,
-            max_iterations=max_iterations,
-            residual_stress=residual_stress,
-            image_tol=image_tol,
-            zones="one" if layered else zones,
-            reach=grid.nx * grid.dx if reach is None else reach,
-            contact_law=contact_law,
-        )
+            friction=friction, tol=tol, increment_tol=increment_tol, on_border=on_border,
+            on_stall=on_stall, max_iterations=max_iterations, residual_stress=residual_stress,
+            image_tol=image_tol, zones="one" if layered else zones,
+            reach=grid.nx * grid.dx if reach is None else reach, contact_law=contact_law,
+        )  # fmt: skip
         self._configure(settings)
         require_fast("residual_stress", self.residual_stress, grid.periodic)
         heat = checked_heat(heat, (body1, body2), grid, settings.law)
@@ -249,14 +247,15 @@ class Simulation(Configured, HtmlTable):
         ElasticStrainWarning, SingularPressureWarning, UnitWarning, PlasticStrainWarning, \
         GridTooSmallWarning, ResolutionWarning, IncrementWarning
             Each is issued at most once per simulation; docs/conventions.md lists the conditions.
+            With on_stall="warn", ConvergenceWarning is issued for each increment concerned.
         """
         given = {
             "load": load, "approach": approach, "pressure": pressure, "shear": shear,
             "advance": advance, "shift": shift, "tangential_load": tangential_load,
             "twist": twist, "torque": torque, "heat_factor": heat_factor, "duration": duration,
         }  # fmt: skip
-        state, complaints = self.engine.advance(given, self.monitor)
-        self.monitor.warn(state, self.engine.estimate, complaints, stacklevel=2)
+        state, found = self.engine.advance(given, self.monitor)
+        self.monitor.warn(state, self.engine.estimate, found, stacklevel=2)
         check_errors(self.engine, self.monitor, [state], 4, repeat_with(type(self)), stacklevel=2)
         return state
 
@@ -317,7 +316,7 @@ class Simulation(Configured, HtmlTable):
     @property
     def counters(self) -> dict[str, int]:
         """Counts of contact_solves, contact_iterations, yield_checks, plastic_solves,
-        plastic_iterations and halvings; volume_bytes: memory of plastic state and kernels."""
+        plastic_iterations, halvings, joint_steps; volume_bytes: plastic state and kernels."""
         return dict(self.engine.core.counters)
 
     def set_plastic_strain(

@@ -109,9 +109,21 @@ class ShearedSolution(ContactSolution):
     torque: float
     tangential_error: float
     sweeps: int
+    joint_steps: int
     tangential_iterations: int
     tangential_applications: int
     tangential_work: float
+
+    @property
+    def stall_text(self) -> str:
+        """Message that the solution has not converged."""
+        error = max(self.error, self.tangential_error)
+        steps = f" and {self.joint_steps} Newton steps on both" if self.joint_steps else ""
+        return (
+            f"pressure and shear did not converge in {self.sweeps} sweeps{steps}: the result is "
+            f"the state with the smallest error, {error:.2g}; reduce the force or increment, or "
+            "increase tol"
+        )
 
     def _rows(self) -> Rows:
         return [
@@ -163,6 +175,8 @@ class PartialSlipSolution(ShearedSolution):
         large. NaN for infinite friction.
     sweeps : int
         Number of iterations between pressure and shear; 1 if pressure and shear are uncoupled.
+    joint_steps : int
+        Number of Newton steps on pressure and shear together; 0 if the sweeps converged.
     tangential_iterations : int
         Iterations of the linear solves for the shear on the finest grid.
     tangential_applications : int

@@ -118,6 +118,12 @@ class SurfaceState:
         _require_sticking("friction_work", self.setup)
         return float(self._core.friction_work)
 
+    @property
+    def joint_steps(self) -> int:
+        """Number of Newton steps on pressure and shear together in this increment; 0 if the sweeps
+        converged."""
+        return int(self._core.joint_steps)
+
     def _surface(self, name: str) -> FloatArray:
         """Return a surface field of the core; 0 if the core does not have this field."""
         shape = self.grid.nx, self.grid.ny

@@ -29,6 +29,24 @@ fret = {{tangential_load_x = 120.0}}
 pytestmark = pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 
 
+def test_cells_that_touch_without_pressure_may_carry_shear_up_to_a_constant_limit():
+    """The check of the friction law fails for the same shear in a cell with a gap."""
+    grid, body = sc.Grid(9, 9, 90e-6, 90e-6), sc.Material.elastic(210e9, 0.3)
+    law = sc.Tresca(200e6)
+    simulation = sc.Simulation(grid, body, body, sc.surfaces.paraboloid(grid, 7.5e-3), law)
+    step = {"load": 600.0, "tangential_load": (30.0, 0.0)}
+    data = results.to_dataset(simulation, [simulation.step(**step)])
+    data["shear_x"][0, 0, 0] = law.limit
+
+    def excess():
+        (check,) = [one for one in report.checks(data) if "friction law" in one.name]
+        return check
+
+    assert not excess().passed
+    data["gap"][0, 0, 0] = 0.0
+    assert excess().passed
+
+
 @pytest.fixture(scope="module")
 def data():
     case = parse_case(CASE)

@@ -20,6 +20,12 @@ class ConvergenceError : public std::runtime_error {
   double residual_;
 };
 
+/// Error if an iteration stalls whose increment may be solved by another method.
+class StalledError : public ConvergenceError {
+ public:
+  using ConvergenceError::ConvergenceError;
+};
+
 /// Error if a contact does not fit into the grid.
 class GridTooSmallError : public std::invalid_argument {
  public:

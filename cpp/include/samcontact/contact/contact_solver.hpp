@@ -26,10 +26,16 @@ GridTooSmallError too_small(const Grid& grid, const Field& repulsion, const std:
 /// Throws std::invalid_argument for an approach at which periodic surfaces touch everywhere.
 void require_below_mean(const Grid& grid, const Field& gap, Given normal);
 
+/// Action if the sweeps between pressure and shear of dissimilar materials stall: an error (fail);
+/// a solution for both together, and an error if it does not converge (join), or instead of this
+/// error the state with the smallest error and a warning (accept).
+enum class AfterStall { fail, join, accept };
+
 struct ContactSettings {
   double tol = 1e-8;
-  int max_iterations = 5000;
+  int max_iterations = 5000;  // of the pressure, and Newton steps on pressure and shear together
   OnBorder on_border = OnBorder::error;
+  AfterStall after_stall = AfterStall::join;
 };
 
 class ContactSolver {

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/contact/joint/joint_solver.hpp"
 #include "samcontact/contact/laws/friction_law.hpp"
 #include "samcontact/contact/normal/attraction.hpp"
 #include "samcontact/contact/tangential/shear_solver.hpp"
@@ -36,12 +38,18 @@ struct PartialSlipStart {
   /// Cells that stick [i][j]; empty: all cells with a shear below the bound.
   std::vector<unsigned char> sticking = {};
   std::array<double, 3> motion = {};  // of directions with a prescribed force [m, m, rad]
+  /// Whether pressure and shear are solved together from the start, without sweeps: for a contact
+  /// close to one whose sweeps stalled.
+  bool jointly = false;
 };
 
 struct PartialSlipSolution {
   Solution normal;  // its tractions contain the pressure only; its work includes that of the shear
   ShearSolution tangential;
-  int sweeps = 1;  // alternations between pressure and shear
+  int sweeps = 1;        // alternations between pressure and shear
+  JointWork joint = {};  // of the solution for both together; no steps: the sweeps converged
+  /// Message that this state with the smallest error has not converged; empty: converged.
+  std::string stall_warning = {};
 };
 
 class PartialSlipContact {
@@ -55,8 +63,9 @@ class PartialSlipContact {
   /// Solves one increment. Identical materials: the pressure, then the shear. Dissimilar materials:
   /// pressure and shear in turn (Panagiotopoulos), each for the displacement due to the other, with
   /// acceleration; if all cells stick, a sweep reduces the error by the square of Dundurs' second
-  /// constant. Throws std::invalid_argument (invalid input, a force above the friction limit),
-  /// GridTooSmallError and ConvergenceError.
+  /// constant. If the sweeps stall, settings.after_stall states what follows. Throws
+  /// std::invalid_argument (invalid input, a force above the friction limit), GridTooSmallError and
+  /// ConvergenceError.
   PartialSlipSolution solve(const Field& gap, Given normal, const TangentialDrive& tangential,
                             const ContactHistory& before, const PartialSlipStart& start,
                             const ContactSettings& settings) const;
@@ -87,6 +96,7 @@ class PartialSlipContact {
   Multilevel normal_;
   ShearSolver shear_;
   operators::NormalTangentialCoupling coupling_;
+  JointSolver joint_;
 };
 
 }  // namespace samcontact::contact

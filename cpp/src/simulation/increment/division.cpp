@@ -122,6 +122,9 @@ Target between(const State& from, const Target& target, double fraction) {
 /// Adds plastic flow and slip of an earlier sub-increment.
 void add_part(const State& earlier, State& state) {
   for (int b = 0; b < 2; ++b) state.flowed[b] |= earlier.flowed[b];
+  state.joint_steps += earlier.joint_steps;
+  if (state.stall_warning.empty()) state.stall_warning = earlier.stall_warning;
+  state.converged = state.stall_warning.empty();
   if (!earlier.slip_work.empty()) {
     state.slip_work.resize(earlier.slip_work.size(), 0.0);
     contact::add_scaled(1.0, earlier.slip_work, state.slip_work);
@@ -145,9 +148,19 @@ Division::Division(const State& from, const Target& target, const Settings& sett
       counters_(counters),
       scans_(std::move(scans)),
       moment_(from) {
+  restart();
+}
+
+void Division::restart() {
+  moment_ = from_;
   moment_.flowed = {};
   moment_.slip.clear();
   moment_.slip_work.clear();
+  moment_.joint_steps = 0;
+  moment_.stall_warning.clear();
+  done_ = 0.0;
+  stalled_ = false;
+  iterations_ = substeps_ = short_parts_ = 0;
 }
 
 Target Division::part_of(const State& from, double start, double end) const {
@@ -223,6 +236,23 @@ void Division::refuse(const std::string& parts) const {
 }
 
 State Division::walk() {
+  using contact::AfterStall;
+  settings_.after_stall = from_.joint_steps > 0 ? AfterStall::join : AfterStall::fail;
+  const AfterStall last = settings_.accepts_stall ? AfterStall::accept : AfterStall::join;
+  while (settings_.after_stall != last) {
+    try {
+      return walk_parts();
+    } catch (const ConvergenceError&) {
+      if (!stalled_) throw;
+    }
+    restart();
+    settings_.after_stall =
+        settings_.after_stall == AfterStall::fail ? AfterStall::join : AfterStall::accept;
+  }
+  return walk_parts();
+}
+
+State Division::walk_parts() {
   const double least = std::ldexp(1.0, -settings_.max_halvings);
   double length = 1.0, factor = 2.0;
   while (done_ < 1.0) {
@@ -242,7 +272,8 @@ State Division::walk() {
       if (factor < 2.0) ++short_parts_;  // limited by the tolerance, not by convergence
       if (short_parts_ >= max_parts && done_ < 1.0)
         refuse("more than " + std::to_string(max_parts) + " sub-increments");
-    } catch (const ConvergenceError&) {
+    } catch (const ConvergenceError& error) {
+      stalled_ = stalled_ || dynamic_cast<const StalledError*>(&error) != nullptr;
       length = 0.5 * (goal - done_);
       ++counters_.halvings;
       const bool no_start = target_.is_approach() && !std::isfinite(moment_.approach);

@@ -67,6 +67,7 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
     // The contact of an iterate may be larger than that of the solution: the edge of the grid is
     // checked once, at the end.
     settings.on_border = contact::OnBorder::warn;
+    settings.after_stall = task_.settings.after_stall;
     if (slip_.is_on()) {
       solution = slip_.solve(gap, tractions_.pressure, settings);
     } else {
@@ -172,6 +173,9 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
 State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   State state = task_.from;
   state.warnings.clear();
+  state.joint_steps = 0;
+  state.stall_warning.clear();
+  state.converged = true;
   state.tractions = tractions_;
   state.heating = task_.target.heating;
   state.past = task_.target.past;

@@ -178,10 +178,15 @@ Field& SlipHistory::begin_slip() {
 
 contact::Solution SlipHistory::solve(const Field& gap, const Field& start,
                                      const contact::ContactSettings& settings) {
-  const contact::PartialSlipStart first{start, shear_.shear, shear_.sticking, shear_.motion};
+  const contact::PartialSlipStart first{start, shear_.shear, shear_.sticking, shear_.motion,
+                                        jointly_};
   contact::PartialSlipSolution found = task_.setup().partial_slip->solve(
       gap, task_.target.drive.normal, tangential_drive(task_), before_, first, settings);
   shear_ = std::move(found.tangential);
+  stall_warning_ = std::move(found.stall_warning);
+  jointly_ = found.joint.steps > 0;
+  joint_steps_ += found.joint.steps;
+  task_.counters.joint_steps += found.joint.steps;
   contact::Solution solution = std::move(found.normal);
   solution.iterations += shear_.iterations;
   const auto middle = shear_.shear.begin() + static_cast<std::ptrdiff_t>(gap.size());
@@ -199,6 +204,9 @@ void SlipHistory::remember(const operators::Tractions& tractions, State& state) 
     return;
   }
   state.slip = shear_.slip;
+  state.joint_steps = joint_steps_;
+  state.stall_warning = stall_warning_;
+  state.converged = stall_warning_.empty();
   if (!task_.target.slip_power.empty()) {
     const std::size_t n = task_.setup().grid.surface_size();
     const Field &s = shear_.shear, &w = shear_.slip;

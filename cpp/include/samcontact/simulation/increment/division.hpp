@@ -19,11 +19,18 @@ class Division {
   Division(const State& from, const Target& target, const Settings& settings, Counters& counters,
            ScansOf scans);
 
-  /// State at the target. Throws ConvergenceError if the smallest sub-increment does not converge,
-  /// and std::invalid_argument if the tolerance requires smaller ones, or too many.
+  /// State at the target. If the sweeps between pressure and shear stall, sub-increments are tried
+  /// first, unless the previous increment has Newton steps; then the increment is repeated with
+  /// pressure and shear solved together where sweeps stall; then, if the settings allow it, the
+  /// state with the smallest error is accepted. Throws ConvergenceError if the smallest
+  /// sub-increment does not converge, and std::invalid_argument if the tolerance requires smaller
+  /// ones, or too many.
   State walk();
 
  private:
+  /// Walks with the present settings.
+  State walk_parts();
+  void restart();
   // Positions along the increment: 0 at its start, 1 at the target.
 
   Target part_of(const State& from, double start, double end) const;
@@ -42,11 +49,12 @@ class Division {
 
   const State& from_;
   const Target& target_;
-  const Settings& settings_;
+  Settings settings_;
   Counters& counters_;
   ScansOf scans_;
   State moment_;
   double done_ = 0.0;
+  bool stalled_ = false;  // whether sweeps have stalled
   int iterations_ = 0, substeps_ = 0;
   int short_parts_ = 0;  // number of sub-increments whose length is limited by the tolerance
 };

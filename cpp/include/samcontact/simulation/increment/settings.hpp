@@ -23,6 +23,11 @@ struct Settings {
   double increment_tol{};
   int max_iterations{};
   contact::OnBorder on_border{};
+  /// Whether the state with the smallest error is accepted, with a warning, if pressure and shear
+  /// do not converge.
+  bool accepts_stall = false;
+  /// Action in the present attempt.
+  contact::AfterStall after_stall = contact::AfterStall::fail;
   operators::ResidualMethod residual_stress{};
   /// Fast residual stress: error due to periodic images, relative to the largest stress.
   double image_tol{};

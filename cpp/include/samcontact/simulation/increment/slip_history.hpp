@@ -3,6 +3,8 @@
 // tangential displacement due to plastic strain enters the stick condition.
 #pragma once
 
+#include <string>
+
 #include "samcontact/simulation/increment/increment_task.hpp"
 
 namespace samcontact::simulation {
@@ -37,6 +39,9 @@ class SlipHistory {
   contact::ContactHistory before_;
   Field travel_slip_;             // slip due to different travel of the bodies
   contact::ShearSolution shear_;  // of the last solution
+  std::string stall_warning_;     // likewise
+  int joint_steps_ = 0;           // of all solutions
+  bool jointly_ = false;          // whether the last solution was for pressure and shear together
 };
 
 }  // namespace samcontact::simulation

@@ -11,6 +11,7 @@ struct Counters {
   long plastic_solves = 0;      // (sub-)increments with plastic flow
   long plastic_iterations = 0;  // evaluations of the plastic fixed-point map
   long halvings = 0;
+  long joint_steps = 0;  // Newton steps on pressure and shear together
 };
 
 }  // namespace samcontact::simulation

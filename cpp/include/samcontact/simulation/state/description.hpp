@@ -52,6 +52,7 @@ void describe(C& c, Visitor& visit) {
   visit("plastic_solves", c.plastic_solves);
   visit("plastic_iterations", c.plastic_iterations);
   visit("halvings", c.halvings);
+  visit("joint_steps", c.joint_steps);
 }
 
 template <Is<PlasticRecord> R, class Visitor>
@@ -109,6 +110,8 @@ void describe(S& s, Visitor& visit) {
   visit("iterations", s.plastic_iterations);
   visit("contact_iterations", s.contact_iterations);
   visit("substeps", s.substeps);
+  visit("joint_steps", s.joint_steps);
+  visit("converged", s.converged);
   visit("plastic_residual", s.plastic_residual);
   visit("yield_excess", s.yield_excess);
   visit("past_symmetry", s.past_symmetry);

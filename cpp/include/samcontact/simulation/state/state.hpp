@@ -77,6 +77,11 @@ class State {
   double yield_excess = 0.0;  // max (von Mises stress - yield stress)/yield stress at convergence
   std::array<bool, 2> flowed{};  // whether a body had plastic flow in this increment
   std::vector<std::string> warnings;
+  /// Newton steps on pressure and shear together in the last increment; 0: the sweeps converged.
+  int joint_steps = 0;
+  /// Message that pressure and shear did not converge in this increment, and that this is the state
+  /// with the smallest error; empty: converged, or read from a checkpoint.
+  std::string stall_warning;
 
   const Setup& setup() const { return *setup_; }
   const std::shared_ptr<const Setup>& shared_setup() const { return setup_; }

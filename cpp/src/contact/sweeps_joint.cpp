@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pressure and shear of an increment together, if the sweeps have stalled.
+#include "samcontact/contact/sweeps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "samcontact/base/reduce.hpp"
+
+namespace samcontact::contact {
+namespace {
+
+/// (p, s_x, s_y) of a pressure and a shear, either of which may be empty.
+Field joined(const Field& pressure, const Field& shear, std::size_t n) {
+  Field tractions = pressure;
+  tractions.resize(n, 0.0);
+  tractions.insert(tractions.end(), shear.begin(), shear.end());
+  tractions.resize(3 * n, 0.0);
+  return tractions;
+}
+
+}  // namespace
+
+Field PartialSlipContact::Sweeps::direction(int k) const {
+  const Grid& grid = contact_.grid_;
+  const std::vector<double> x = grid.x(), y = grid.y();
+  Field slip(2 * n_, 0.0);
+  for (std::size_t i = 0; i < n_; ++i) {
+    if (k != 1) slip[i] = k == 0 ? 1.0 : -y[i % grid.ny];
+    if (k != 0) slip[n_ + i] = k == 1 ? 1.0 : x[i / grid.ny];
+  }
+  return slip;
+}
+
+JointProblem PartialSlipContact::Sweeps::joint_problem() {
+  const double cell = contact_.grid_.cell_area();
+  JointProblem problem{.operators = &contact_.joint_.operators(),
+                       .gap = gap_,
+                       .normal = normal_.is_force() ? Given::force(normal_.value / cell) : normal_,
+                       .cone = FrictionCone(contact_.friction_),
+                       .free_slip = before_.free_slip,
+                       .motion = Field(2 * n_, 0.0),
+                       .rounding = s_.normal.rounding};
+  problem.free_slip.resize(2 * n_, 0.0);
+  const auto& displacement = problem.operators->displacement;
+  Field u = joined(before_.pressure, before_.shear, n_);
+  displacement.apply(u.data(), u.data(), work_);
+  for (std::size_t i = 0; i < 2 * n_; ++i) problem.free_slip[i] += u[n_ + i];
+  for (int k = 0; k < 3; ++k) {
+    if (tangential_[k].is_force()) {
+      problem.modes.push_back({direction(k), tangential_[k].value / cell});
+    } else if (tangential_[k].value != 0) {
+      add_scaled(tangential_[k].value, direction(k), problem.motion);
+    }
+  }
+  const Field& p = s_.normal.tractions.pressure;
+  const double largest = largest_of(n_, [&](std::size_t i) { return p[i]; });
+  // Shear proportional to the pressure.
+  u.assign(3 * n_, 0.0);
+  for (std::size_t i = 0; i < n_; ++i) u[n_ + i] = largest > 0 ? p[i] / largest : 0.0;
+  displacement.apply(u.data(), u.data(), work_);
+  const double slid = longest(Field(u.begin() + static_cast<std::ptrdiff_t>(n_), u.end()));
+  problem.stiffness = 1 / (slid > 0 ? slid : displacement.tangential_self_influence());
+  return problem;
+}
+
+JointState PartialSlipContact::Sweeps::joint_start(const JointProblem& problem,
+                                                   const Field& pressure,
+                                                   const Field& shear) const {
+  JointState state = start_from(problem, joined(pressure, shear, n_));
+  state.approach = normal_.is_force() ? s_.normal.motion.approach : normal_.value;
+  std::size_t mode = 0;
+  for (int k = 0; k < 3; ++k) {
+    if (tangential_[k].is_force()) state.motion[mode++] = s_.tangential.motion[k];
+  }
+  return state;
+}
+
+void PartialSlipContact::Sweeps::solve_jointly() {
+  const JointProblem problem = joint_problem();
+  std::vector<JointState> starts;
+  if (is_finite(s_.normal) && all_finite(s_.tangential.shear)) {
+    starts.push_back(joint_start(problem, s_.normal.tractions.pressure, s_.tangential.shear));
+  }
+  starts.push_back(joint_start(problem, before_.pressure, before_.shear));
+  const JointSolution found =
+      contact_.joint_.solve(problem, starts, settings_.tol, settings_.max_iterations);
+  s_.joint = found.work;
+  s_.normal.iterations += found.work.iterations;
+  s_.normal.operator_applications += found.work.applications;
+  s_.normal.work += found.work.operations / contact_.normal_.displacement().cost();
+  const double present = std::max(s_.normal.error, s_.tangential.error);
+  if (found.converged || !(present <= found.state.error())) take(problem, found);
+}
+
+void PartialSlipContact::Sweeps::take(const JointProblem& problem, const JointSolution& found) {
+  const JointState& state = found.state;
+  const auto end = state.tractions.begin() + static_cast<std::ptrdiff_t>(n_);
+  Solution& normal = s_.normal;
+  normal.tractions.pressure.assign(state.tractions.begin(), end);
+  normal.gap = state.gap;
+  normal.motion.approach = state.approach;
+  normal.load = contact_.grid_.cell_area() *
+                ordered_sum(n_, [&](std::size_t i) { return state.tractions[i]; });
+  if (normal_.is_force() && found.converged) normal.load = normal_.value;
+  normal.error = state.pressure_error;
+  normal.converged = found.converged;
+  take_shear(problem, state);
+  s_.tangential.converged = found.converged;
+}
+
+void PartialSlipContact::Sweeps::take_shear(const JointProblem& problem, const JointState& state) {
+  ShearSolution& shear = s_.tangential;
+  const auto end = state.tractions.begin() + static_cast<std::ptrdiff_t>(n_);
+  shear.shear.assign(end, state.tractions.end());
+  shear.slip.assign(2 * n_, 0.0);
+  shear.sticking.assign(n_, 0);
+  for (std::size_t i = 0; i < n_; ++i) {
+    const bool sticks = state.states[i] == CellState::stick;
+    shear.sticking[i] = sticks && in_contact(state.tractions[i]);
+    if (sticks || state.states[i] == CellState::open) continue;
+    shear.slip[i] = state.slip[i];
+    shear.slip[n_ + i] = state.slip[n_ + i];
+  }
+  const double cell = contact_.grid_.cell_area();
+  std::size_t mode = 0;
+  for (int k = 0; k < 3; ++k) {
+    shear.motion[k] = tangential_[k].is_force() ? state.motion[mode++] : tangential_[k].value;
+  }
+  shear.force = forces(contact_.grid_, shear.shear);
+  shear.friction_work = cell * dot(shear.shear, shear.slip);
+  shear.error = state.shear_error;
+  const double power = ordered_sum(n_, [&](std::size_t i) {
+    const double w = length_of(shear.slip[i], shear.slip[n_ + i]);
+    return w > 0 ? problem.cone.radius(state.tractions[i], state.shear(i)) * w : 0.0;
+  });
+  shear.energy_gap = contact_.friction_.prevents_slip() ? std::numeric_limits<double>::quiet_NaN()
+                                                        : cell * power - shear.friction_work;
+}
+
+}  // namespace samcontact::contact
