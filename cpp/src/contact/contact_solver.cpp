@@ -24,10 +24,6 @@ constexpr int coupling_depth = 12;
 /// Fraction of the grid in contact above which no larger grid would contain the contact.
 constexpr double covered = 0.9;
 
-bool is_zero(const Field& field) {
-  return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
-}
-
 /// Largest repulsion in the outermost cells of the grid, at the edges normal to x and to y.
 std::array<double, 2> edge_repulsion(const Grid& grid, const Field& repulsion) {
   std::array<double, 2> largest{};

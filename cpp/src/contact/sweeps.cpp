@@ -9,6 +9,7 @@
 #include "samcontact/contact/iteration/anderson.hpp"
 #include "samcontact/contact/normal/first_contact.hpp"
 #include "samcontact/contact/tangential/held_forces.hpp"
+#include "samcontact/contact/tangential/slip_iteration.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -25,8 +26,6 @@ constexpr double inner_safety = 0.5;
 /// up to 25 times as much: tolerances below `fine`, except those near rounding, are multiplied by
 /// this factor.
 constexpr double shear_tol_ratio = 0.5, fine = 1e-6, rounding = 1e-12;
-/// A shear of at least this fraction of its bound is on it.
-constexpr double on_circle = 1 - 1e-9;
 
 }  // namespace
 

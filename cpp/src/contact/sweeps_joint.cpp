@@ -119,9 +119,9 @@ void PartialSlipContact::Sweeps::take_shear(const JointProblem& problem, const J
   shear.slip.assign(2 * n_, 0.0);
   shear.sticking.assign(n_, 0);
   for (std::size_t i = 0; i < n_; ++i) {
-    const bool sticks = state.states[i] == CellState::stick;
+    const bool sticks = state.states[i] == JointCellState::stick;
     shear.sticking[i] = sticks && in_contact(state.tractions[i]);
-    if (sticks || state.states[i] == CellState::open) continue;
+    if (sticks || state.states[i] == JointCellState::open) continue;
     shear.slip[i] = state.slip[i];
     shear.slip[n_ + i] = state.slip[n_ + i];
   }

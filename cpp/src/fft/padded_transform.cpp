@@ -25,7 +25,7 @@ void fetch(const Complex* line, int count) {
 
 /// Distance between columns of n numbers that are written in blocks of rows: an odd number of
 /// blocks, so that successive columns do not compete for one cache set.
-std::size_t pitch_of(int n) {
+std::size_t column_pitch(int n) {
   const std::size_t blocks = (n + 7) / 8;
   return 8 * (blocks + 1 - blocks % 2);
 }
@@ -59,7 +59,7 @@ void PaddedTransform::forward(const double* plane, Complex* spectrum, std::size_
 
 void PaddedTransform::filter(const double* planes, int inputs, const Product& product, int outputs,
                              double* out, ComplexField& work) const {
-  const std::size_t pitch = pitch_of(nx_), size = mh() * pitch,
+  const std::size_t pitch = column_pitch(nx_), size = mh() * pitch,
                     plane = static_cast<std::size_t>(nx_) * ny_;
   work.resize(std::max(inputs, outputs) * size);
 #pragma omp parallel if (spectrum_size() >= min_parallel_cells)

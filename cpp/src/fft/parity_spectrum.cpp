@@ -8,7 +8,7 @@
 namespace samcontact::fft {
 namespace {
 
-constexpr int block = 8;  // columns at a time: one cache line of each row
+constexpr int columns_at_once = 8;  // columns at a time: one cache line of each row
 
 /// Half spectra of sequences that are even or odd in m points, two at a time as real and imaginary
 /// part: each has a real spectrum, or an imaginary one.
@@ -44,7 +44,7 @@ class Lines {
 /// copy.
 void transform_columns(double* first, int count, int width, Lines& columns, double scale,
                        Field& rotated) {
-  const std::size_t h = rotated.size() / block;
+  const std::size_t h = rotated.size() / columns_at_once;
   for (std::size_t j = 0; j < h; ++j) {
     for (int c = 0; c < count; ++c) rotated[c * h + j] = first[j * width + c];
   }
@@ -78,10 +78,11 @@ void ParitySpectrum::transform(double* quarter, bool odd_x, bool odd_y) const {
       rows.transform(row, j + 1 < h ? row + width : rest.data(), 1.0);
     }
     Lines columns(line_y_, my_, odd_y);
-    Field rotated(static_cast<std::size_t>(block) * h, 0.0);
+    Field rotated(static_cast<std::size_t>(columns_at_once) * h, 0.0);
 #pragma omp for schedule(static)
-    for (int i0 = 0; i0 < width; i0 += block) {
-      transform_columns(quarter + i0, std::min(block, width - i0), width, columns, scale, rotated);
+    for (int i0 = 0; i0 < width; i0 += columns_at_once) {
+      transform_columns(quarter + i0, std::min(columns_at_once, width - i0), width, columns, scale,
+                        rotated);
     }
   }
 }

@@ -149,7 +149,7 @@ void to_lines(const double* side_by_side, std::ptrdiff_t count, double* lines,
 
 /// Distance between following rows: equal positions of eight rows must not compete for one cache
 /// set.
-std::ptrdiff_t pitch_of(int h) { return (h + 3) / 4 * 4 + 4; }
+std::ptrdiff_t row_pitch(int h) { return (h + 3) / 4 * 4 + 4; }
 
 double* parts(Complex* z) { return reinterpret_cast<double*>(z); }
 const double* parts(const Complex* z) { return reinterpret_cast<const double*>(z); }
@@ -198,7 +198,7 @@ Rows::Room& Rows::room_for(std::ptrdiff_t rest) const {
   };
   const int h = m_ / 2;
   at_least(room.samples, static_cast<std::size_t>(side_by_side_ ? block : 1) * h);
-  at_least(room.halves, static_cast<std::size_t>(block) * (side_by_side_ ? h : pitch_of(h)));
+  at_least(room.halves, static_cast<std::size_t>(block) * (side_by_side_ ? h : row_pitch(h)));
   if (rest > 0) at_least(room.rows, static_cast<std::size_t>(block) * n_);
   if (rest > 0) at_least(room.columns, static_cast<std::size_t>(block) * (h + 1));
   return room;
@@ -230,7 +230,7 @@ void Rows::inverse_side_by_side(const double* columns, std::ptrdiff_t step, Room
 void Rows::forward_lines(const double* plane, std::ptrdiff_t rows, Room& room, double* columns,
                          std::ptrdiff_t step) const {
   const std::ptrdiff_t h = m_ / 2;
-  const std::ptrdiff_t pitch = 2 * pitch_of(h), last = 2 * block * (chunk - 1);
+  const std::ptrdiff_t pitch = 2 * row_pitch(h), last = 2 * block * (chunk - 1);
   double* lines = parts(room.halves.data());
   for (std::ptrdiff_t r = 0; r < rows; ++r) {
     std::copy_n(plane + r * n_, n_, parts(room.samples.data()));
@@ -252,7 +252,7 @@ void Rows::forward_lines(const double* plane, std::ptrdiff_t rows, Room& room, d
 void Rows::inverse_lines(const double* columns, std::ptrdiff_t step, std::ptrdiff_t rows,
                          Room& room, double* plane) const {
   const std::ptrdiff_t h = m_ / 2;
-  const std::ptrdiff_t pitch = 2 * pitch_of(h), last = 2 * block * (chunk - 1);
+  const std::ptrdiff_t pitch = 2 * row_pitch(h), last = 2 * block * (chunk - 1);
   double* lines = parts(room.halves.data());
   alignas(64) double low[2 * block * chunk], high[2 * block * chunk];
   fold_ends(columns, columns + h * step, low);

@@ -95,7 +95,7 @@ PlasticRecord record_of(const GivenHistory& given, const Box& box, operators::Te
 
 /// Maximum number of solves of an increment with heat due to slip, and number of iterates used by
 /// their acceleration.
-constexpr int max_heat_solves = 20, anderson_depth = 4;
+constexpr int max_heat_solves = 20, heat_anderson_depth = 4;
 /// Allowed relative difference between the heat and that of the slip, in units of the tolerance;
 /// and power that counts as zero [W/m^2].
 constexpr double power_tol_ratio = 10.0, smallest_power = 1e-200;
@@ -186,7 +186,7 @@ State Simulation::heated_by_slip(Target target) {
   Field& power = target.slip_power;
   power = state_.slip_power;
   power.resize(grid.surface_size(), 0.0);
-  contact::Anderson anderson(anderson_depth);
+  contact::Anderson anderson(heat_anderson_depth);
   double error = 1.0;
   for (int n = 0; n < max_heat_solves; ++n) {
     target.past_symmetry = common(moving, symmetry_of(power, grid));

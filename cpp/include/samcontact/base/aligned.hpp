@@ -3,6 +3,7 @@
 // loads.
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <new>
@@ -37,6 +38,11 @@ struct AlignedAllocator {
 
 /// A field of doubles; its index order is stated where it is declared.
 using Field = std::vector<double, AlignedAllocator<double>>;
+
+/// Whether all values are zero.
+inline bool is_zero(const Field& field) {
+  return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
+}
 
 /// Adds a field to another one, which may be shorter.
 inline void add(const Field& from, Field& to) {

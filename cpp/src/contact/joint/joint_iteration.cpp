@@ -16,11 +16,11 @@ namespace samcontact::contact {
 namespace {
 
 /// Reduction of the residual by a linear solve.
-constexpr double linear_gain = 1e-2;
+constexpr double joint_gain = 1e-2;
 /// Tractions and displacements below this fraction of the tolerance count as zero.
 constexpr double negligible = 1e-2;
 
-std::size_t hash_of(const std::vector<CellState>& states) {
+std::size_t hash_of(const std::vector<JointCellState>& states) {
   return std::hash<std::string_view>{}(
       {reinterpret_cast<const char*>(states.data()), states.size()});
 }
@@ -48,7 +48,7 @@ bool JointIteration::run(int max_steps) {
   for (int step = 0; step < max_steps; ++step) {
     check_interrupt();
     ++work_.steps;
-    const int iterations = JointStep(problem_, state_, scratch_).take(linear_gain);
+    const int iterations = JointStep(problem_, state_, scratch_).take(joint_gain);
     work_.iterations += iterations;
     work_.applications += iterations;
     work_.operations += iterations * (problem_.operators->displacement.cost() +
@@ -74,53 +74,53 @@ JointIteration::Zero JointIteration::zero() const {
 
 /// State of an overlapping cell, from the tractions that would close its gap and stop its slip in
 /// the absence of other changes.
-CellState JointIteration::after_opening(std::size_t i) {
+JointCellState JointIteration::after_opening(std::size_t i) {
   const auto& displacement = problem_.operators->displacement;
   const double pressure = -state_.gap[i] / displacement.normal_self_influence();
   const double slip = length_of(state_.slip[i], state_.slip[problem_.size() + i]);
   if (rule_.patience > 0) {
     const bool returns = departures_[i] >= rule_.patience && slip > 0;
-    return returns ? CellState::slide : CellState::stick;
+    return returns ? JointCellState::slide : JointCellState::stick;
   }
   const double shear = slip / displacement.tangential_self_influence();
   const FrictionCone& cone = problem_.cone;
-  if (shear * cone.slope <= pressure && shear <= cone.cap) return CellState::stick;
-  return pressure > cone.slope * cone.cap ? CellState::capped : CellState::slide;
+  if (shear * cone.slope <= pressure && shear <= cone.cap) return JointCellState::stick;
+  return pressure > cone.slope * cone.cap ? JointCellState::capped : JointCellState::slide;
 }
 
 /// State of a sticking cell whose shear exceeds its bound.
-CellState JointIteration::after_sticking(std::size_t i) {
+JointCellState JointIteration::after_sticking(std::size_t i) {
   const FrictionCone& cone = problem_.cone;
   const double pressure = state_.tractions[i];
   const bool returns = rule_.patience > 0 && departures_[i] >= rule_.patience;
   ++departures_[i];
-  if (pressure > 0 && pressure >= cone.slope * cone.cap) return CellState::capped;
-  return pressure > 0 || returns ? CellState::slide : CellState::open;
+  if (pressure > 0 && pressure >= cone.slope * cone.cap) return JointCellState::capped;
+  return pressure > 0 || returns ? JointCellState::slide : JointCellState::open;
 }
 
-CellState JointIteration::after_slipping(std::size_t i, const Zero& zero) const {
+JointCellState JointIteration::after_slipping(std::size_t i, const Zero& zero) const {
   const FrictionCone& cone = problem_.cone;
   const std::size_t n = problem_.size();
-  const bool slides = state_.states[i] == CellState::slide;
+  const bool slides = state_.states[i] == JointCellState::slide;
   const double along = state_.direction[i] * state_.tractions[n + i] +
                        state_.direction[n + i] * state_.tractions[2 * n + i];
-  if (slides && along < -zero.shear) return CellState::open;
-  if (state_.outward(i) < -zero.length) return CellState::stick;
-  if (slides) return along > cone.cap + zero.shear ? CellState::capped : CellState::slide;
+  if (slides && along < -zero.shear) return JointCellState::open;
+  if (state_.outward(i) < -zero.length) return JointCellState::stick;
+  if (slides) return along > cone.cap + zero.shear ? JointCellState::capped : JointCellState::slide;
   const bool leaves = state_.tractions[i] < cone.slope * cone.cap - zero.pressure;
-  return leaves ? CellState::slide : CellState::capped;
+  return leaves ? JointCellState::slide : JointCellState::capped;
 }
 
-CellState JointIteration::chosen(std::size_t i, const Zero& zero) {
+JointCellState JointIteration::chosen(std::size_t i, const Zero& zero) {
   const FrictionCone& cone = problem_.cone;
   switch (state_.states[i]) {
-    case CellState::open:
-      return state_.gap[i] < -zero.length ? after_opening(i) : CellState::open;
-    case CellState::stick: {
+    case JointCellState::open:
+      return state_.gap[i] < -zero.length ? after_opening(i) : JointCellState::open;
+    case JointCellState::stick: {
       const double shear = state_.shear(i);
       const bool beyond =
           state_.tractions[i] < cone.slope * shear - zero.pressure || shear > cone.cap + zero.shear;
-      return beyond ? after_sticking(i) : CellState::stick;
+      return beyond ? after_sticking(i) : JointCellState::stick;
     }
     default:
       return after_slipping(i, zero);
@@ -129,11 +129,11 @@ CellState JointIteration::chosen(std::size_t i, const Zero& zero) {
 
 /// Changes the state of a cell. A cell begins to slip along its shear, or along its slip if it has
 /// no shear.
-void JointIteration::enter(std::size_t i, CellState next) {
+void JointIteration::enter(std::size_t i, JointCellState next) {
   const std::size_t n = problem_.size();
-  const bool slipped = state_.states[i] >= CellState::slide;
+  const bool slipped = state_.states[i] >= JointCellState::slide;
   state_.states[i] = next;
-  if (next < CellState::slide || slipped) return;
+  if (next < JointCellState::slide || slipped) return;
   const double shear = state_.shear(i), slip = length_of(state_.slip[i], state_.slip[n + i]);
   if (shear > 0) {
     state_.direction[i] = state_.tractions[n + i] / shear;
@@ -147,7 +147,7 @@ void JointIteration::enter(std::size_t i, CellState next) {
 void JointIteration::change_states() {
   const std::size_t n = problem_.size();
   const Zero small = zero();
-  std::vector<CellState> next(n);
+  std::vector<JointCellState> next(n);
   std::vector<std::size_t> changed;
   for (std::size_t i = 0; i < n; ++i) {
     next[i] = chosen(i, small);
@@ -162,10 +162,10 @@ void JointIteration::change_states() {
     if (!skipped) enter(changed[k], next[changed[k]]);
   }
   put_on_lines(problem_.cone, state_);
-  const auto touches = [](CellState state) { return state != CellState::open; };
+  const auto touches = [](JointCellState state) { return state != JointCellState::open; };
   if (std::none_of(state_.states.begin(), state_.states.end(), touches)) {
     const auto nearest = std::min_element(state_.gap.begin(), state_.gap.end());
-    state_.states[nearest - state_.gap.begin()] = CellState::stick;
+    state_.states[nearest - state_.gap.begin()] = JointCellState::stick;
   }
   update();
 }

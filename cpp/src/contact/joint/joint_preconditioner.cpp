@@ -12,7 +12,7 @@ namespace {
 
 /// Eigenvalues of the periodic kernels are raised to this fraction of the smallest eigenvalue of
 /// the half-space, so that the inverse exists for any shape of the cells.
-constexpr double smallest_fraction = 0.1;
+constexpr double smallest_joint_fraction = 0.1;
 
 /// Inverse of a symmetric matrix with its eigenvalues raised to at least `least`.
 Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& matrix, double least) {
@@ -29,7 +29,7 @@ JointPreconditioner::JointPreconditioner(const Grid& grid,
       inverse_(operators::relative_kernels(grid, influence, convolution_.offsets())) {
   for (auto& entry : inverse_) convolution_.transform(entry.kernel);
   const double shortest = std::numbers::pi * std::hypot(1 / grid.dx, 1 / grid.dy);
-  const double least = smallest_fraction * influence.wave_compliance(shortest);
+  const double least = smallest_joint_fraction * influence.wave_compliance(shortest);
   // Spectra contain 1/(mx my) of two transforms. A factor i on the tangential components makes the
   // matrix real and symmetric; that of a doubly odd kernel leaves a sign.
   const double points = static_cast<double>(convolution_.mx()) * convolution_.my();

@@ -30,7 +30,7 @@ double force_error(const JointProblem& problem, const JointState& state, double 
     const double sum = ordered_dot(mode.direction.data(), shear, 2 * n);
     const double possible = ordered_sum(2 * n, [&](std::size_t i) {
       const std::size_t cell = i < n ? i : i - n;
-      if (state.states[cell] == CellState::open) return 0.0;
+      if (state.states[cell] == JointCellState::open) return 0.0;
       const double bound = problem.cone.radius(state.tractions[cell], state.shear(cell));
       return std::fabs(mode.direction[i]) * std::min(bound, scale);
     });
@@ -63,7 +63,8 @@ void update_errors(const JointProblem& problem, JointState& state) {
       complementarity_error(pressure, state.displacement, state.gap, problem.rounding);
   const double largest = largest_of(n, [&](std::size_t i) { return state.shear(i); });
   const double slip = largest_of(n, [&](std::size_t i) {
-    return state.states[i] == CellState::open ? 0.0 : length_of(state.slip[i], state.slip[n + i]);
+    return state.states[i] == JointCellState::open ? 0.0
+                                                   : length_of(state.slip[i], state.slip[n + i]);
   });
   const double pressed = largest_of(n, [&](std::size_t i) { return pressure[i]; });
   const double present = std::max(largest, problem.stiffness * slip);
@@ -95,7 +96,7 @@ double JointState::outward(std::size_t i) const {
 
 JointState start_from(const JointProblem& problem, Field tractions) {
   const std::size_t n = problem.size();
-  JointState state{std::move(tractions), std::vector<CellState>(n, CellState::open),
+  JointState state{std::move(tractions), std::vector<JointCellState>(n, JointCellState::open),
                    Field(2 * n, 0.0), 0.0, std::vector<double>(problem.modes.size(), 0.0)};
   std::fill_n(state.direction.begin(), n, 1.0);
   const FrictionCone& cone = problem.cone;
@@ -105,9 +106,9 @@ JointState start_from(const JointProblem& problem, Field tractions) {
     if (!in_contact(p) && !(cone.slope == 0 && shear > 0)) continue;
     touches = touches || in_contact(p);
     const bool bounded = shear > 0 && shear >= cone.radius(p, shear) * on_bound;
-    state.states[i] = !bounded                       ? CellState::stick
-                      : shear >= cone.cap * on_bound ? CellState::capped
-                                                     : CellState::slide;
+    state.states[i] = !bounded                       ? JointCellState::stick
+                      : shear >= cone.cap * on_bound ? JointCellState::capped
+                                                     : JointCellState::slide;
     if (!(shear > 0)) continue;
     state.direction[i] = state.tractions[n + i] / shear;
     state.direction[n + i] = state.tractions[2 * n + i] / shear;
@@ -119,7 +120,7 @@ JointState start_from(const JointProblem& problem, Field tractions) {
                      sorted.end());
     for (std::size_t i = 0; i < n; ++i) {
       const bool near = problem.gap[i] <= sorted[last] && std::isfinite(problem.gap[i]);
-      state.states[i] = near ? CellState::stick : CellState::open;
+      state.states[i] = near ? JointCellState::stick : JointCellState::open;
     }
   }
   put_on_lines(cone, state);
@@ -131,9 +132,9 @@ void put_on_lines(const FrictionCone& cone, JointState& state) {
   for_each_cell(n, [&](std::size_t i) {
     double& p = state.tractions[i];
     double &x = state.tractions[n + i], &y = state.tractions[2 * n + i];
-    if (state.states[i] == CellState::open) p = x = y = 0.0;
-    if (state.states[i] == CellState::slide) p = cone.slope * state.shear(i);
-    if (state.states[i] == CellState::capped) {
+    if (state.states[i] == JointCellState::open) p = x = y = 0.0;
+    if (state.states[i] == JointCellState::slide) p = cone.slope * state.shear(i);
+    if (state.states[i] == JointCellState::capped) {
       p = std::max(p, cone.slope * cone.cap);
       x = cone.cap * state.direction[i];
       y = cone.cap * state.direction[n + i];

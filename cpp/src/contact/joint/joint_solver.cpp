@@ -28,7 +28,7 @@ constexpr const char* memory_use = "pressure and shear together";
 
 double touching_cells(const JointState& state) {
   return static_cast<double>(std::count_if(state.states.begin(), state.states.end(),
-                                           [](auto cell) { return cell != CellState::open; }));
+                                           [](auto cell) { return cell != JointCellState::open; }));
 }
 
 /// Sequence of attempts, and the state with the smallest error.
@@ -103,7 +103,7 @@ void make_admissible(const JointProblem& problem, JointState& state) {
     double& p = state.tractions[i];
     p = in_contact(p) ? p : 0.0;
     const double shear = state.shear(i), radius = problem.cone.radius(p, shear);
-    if (state.states[i] == CellState::open || !(shear > radius)) continue;
+    if (state.states[i] == JointCellState::open || !(shear > radius)) continue;
     state.tractions[n + i] *= radius / shear;
     state.tractions[2 * n + i] *= radius / shear;
   }

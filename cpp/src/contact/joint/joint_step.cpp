@@ -41,7 +41,7 @@ void JointStep::find_cells() {
   const double largest =
       largest_of(3 * n_, [&](std::size_t i) { return std::fabs(state_.tractions[i]); });
   for (std::size_t i = 0; i < n_; ++i) {
-    if (state_.states[i] == CellState::open) continue;
+    if (state_.states[i] == JointCellState::open) continue;
     cells_.push_back(i);
     double length = 0.0, lambda = 0.0;
     if (slips(i)) {
@@ -190,7 +190,7 @@ void JointStep::precondition_cells(const Field& v, Field& out) {
   double *p = slot(out, 0), *t = slot(out, 1);
   for_each_cell(std::ssize(cells_), [&](std::size_t k) {
     if (!slips(cells_[k])) return;
-    if (state_.states[cells_[k]] == CellState::slide) {
+    if (state_.states[cells_[k]] == JointCellState::slide) {
       p[k] /= std::max(problem_.cone.slope, min_slope) * line_;
     }
     t[k] *= softened(k);
@@ -222,7 +222,7 @@ int JointStep::take(double gain) {
 
 void JointStep::turn(std::size_t k, double along, double across) {
   const std::size_t i = cells_[k];
-  const bool slides = state_.states[i] == CellState::slide;
+  const bool slides = state_.states[i] == JointCellState::slide;
   const double length = slides ? length_[k] + along : problem_.cone.cap;
   const double angle = std::clamp(
       across / std::max(std::fabs(length), min_length_ratio * length_[k]), -max_turn, max_turn);
@@ -240,7 +240,7 @@ void JointStep::update(const Field& change) {
   for_each_cell(std::ssize(cells_), [&](std::size_t k) {
     const std::size_t i = cells_[k];
     if (slips(i)) {
-      if (state_.states[i] == CellState::capped) state_.tractions[i] += a[k];
+      if (state_.states[i] == JointCellState::capped) state_.tractions[i] += a[k];
       turn(k, sheared(i) * a[k], b[k]);
     } else {
       state_.tractions[i] += a[k];

@@ -47,10 +47,6 @@ constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
 constexpr double far_off = 4, further_off = 64;
 constexpr int max_attempts = 4;
 
-bool is_zero(const Field& field) {
-  return std::all_of(field.begin(), field.end(), [](double v) { return v == 0; });
-}
-
 }  // namespace
 
 class Multilevel::Level {

@@ -19,9 +19,9 @@ namespace samcontact::contact {
 namespace {
 
 /// Boxes are halved while their shorter side keeps this number of cells.
-constexpr int coarsest_side = 16;
+constexpr int coarsest_shear_side = 16;
 /// Finer cells change the set of slipping cells: the change of shear decreases with the cell size.
-double coarse_tol(const Grid& box) { return std::min(1e-3, 0.06 / std::max(box.nx, box.ny)); }
+double coarse_shear_tol(const Grid& box) { return std::min(1e-3, 0.06 / std::max(box.nx, box.ny)); }
 constexpr int coarse_steps = 30;
 constexpr double partial_slip_bytes = 700, rolling_bytes = 1100;  // per cell of the box, measured
 
@@ -58,7 +58,7 @@ class ShearSolver::Level {
  public:
   Level(const Grid& box, int margin, const operators::TangentialInfluence& influence)
       : box_(box), margin_(margin), operators_(with_margin(box, margin), influence) {
-    if (std::min(box.nx, box.ny) >= 2 * coarsest_side && box.can_be_coarsened()) {
+    if (std::min(box.nx, box.ny) >= 2 * coarsest_shear_side && box.can_be_coarsened()) {
       coarser_ = std::make_unique<Level>(coarsened(box), margin, influence);
     }
     floats_ = margin == 0 && gives_way_to_uniform_shear(box, operators_.displacement);
@@ -185,7 +185,7 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, const FrictionLaw
                        task.y0 + 0.5 * box_.dy,
                        task.rolls};
   Answer answer = coarser_->solve(coarse, friction, drive, {},
-                                  std::max(coarse_tol(coarser_->box()), tol), coarse_steps);
+                                  std::max(coarse_shear_tol(coarser_->box()), tol), coarse_steps);
   operations += answer.operations;
   // The ratio of shear to pressure is smooth, and indicates slip at the edge.
   const Grid& grid = coarser_->box();

@@ -14,7 +14,7 @@ namespace {
 
 /// Number of outer steps without this relative reduction of the error before a fallback is used.
 constexpr double progress = 0.7;
-constexpr int max_stalled_steps = 7;
+constexpr int max_stalled_slip_steps = 7;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ ShearResult SlipIteration::run(double tol, int max_steps) {
     }
     stalled_steps = r_.error < progress * best ? 0 : stalled_steps + 1;
     best = stalled_steps == 0 ? r_.error : best;
-    if (stalled_steps > max_stalled_steps) {
+    if (stalled_steps > max_stalled_slip_steps) {
       if (best_shear.empty()) break;  // no error was finite
       ++r_.fallbacks;
       // Continue from the best shear, not from the last one.

@@ -17,7 +17,7 @@ namespace samcontact::contact {
 namespace {
 
 /// Error reduction of a linear solve, and the maximum number of vectors it stores.
-constexpr double linear_gain = 1e-2;
+constexpr double rolling_gain = 1e-2;
 constexpr int max_linear_steps = 60;
 /// Distance rolled, in contact lengths, with steps of 4, 2 and 1 cells.
 constexpr double rolled_lengths = 1.0;
@@ -102,7 +102,7 @@ Field SteadyRolling::solved(Field right) {
   project_free(right);
   r_.iterations += gmres([&](const Field& v, Field& out) { apply(v, out); },
                          [&](const Field& v, Field& out) { precondition(v, out); }, right,
-                         linear_gain, max_linear_steps, change);
+                         rolling_gain, max_linear_steps, change);
   return change;
 }
 

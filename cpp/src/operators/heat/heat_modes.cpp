@@ -16,9 +16,9 @@ namespace samcontact::operators {
 namespace {
 
 using std::numbers::pi;
-using Matrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using ComplexMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using RealMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using View = Eigen::Map<const Matrix>;
+using ComplexView = Eigen::Map<const ComplexMatrix>;
 using RealView = Eigen::Map<const RealMatrix>;
 
 /// 1 inside, 0 outside a ring, as a function of the wavenumber times 1/(2 pi) of a distance beyond
@@ -286,10 +286,10 @@ void HeatModes::project(const double* flux, ComplexField& amplitudes) const {
   const RealView q(flux, nx(), ny());
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     const HeatLevel& level = levels_[l];
-    const View ex(level.cells_x.data(), 2 * level.reach_a + 1, nx());
-    const View ey(level.cells_y.data(), level.reach_b + 1, ny());
-    const Matrix along_y = q.cast<Complex>() * ey.adjoint();  // [i][b]
-    const Matrix both = ex.conjugate() * along_y;             // [a][b]
+    const ComplexView ex(level.cells_x.data(), 2 * level.reach_a + 1, nx());
+    const ComplexView ey(level.cells_y.data(), level.reach_b + 1, ny());
+    const ComplexMatrix along_y = q.cast<Complex>() * ey.adjoint();  // [i][b]
+    const ComplexMatrix both = ex.conjugate() * along_y;             // [a][b]
     for (const HeatMode& mode : level.modes) {
       *out++ = mode.source * both(mode.a + level.reach_a, mode.b);
     }
@@ -326,13 +326,13 @@ void HeatModes::evaluate(const Complex* amplitudes, double* plane) const {
     const int width = 2 * level.reach_a + 1, height = level.reach_b + 1;
     const int px = level.points > 0 ? level.points : nx();
     const int py = level.points > 0 ? level.points : ny();
-    Matrix dense = Matrix::Zero(width, height);
+    ComplexMatrix dense = ComplexMatrix::Zero(width, height);
     const Complex* from = starts[l - 1];
     for (const HeatMode& mode : level.modes) {
       dense(mode.a + level.reach_a, mode.b) = (mode.b > 0 ? 2.0 : 1.0) * *from++;
     }
-    const View ex(level.points_x.data(), width, px), ey(level.points_y.data(), height, py);
-    const Matrix along_x = ex.transpose() * dense;  // [point][b]
+    const ComplexView ex(level.points_x.data(), width, px), ey(level.points_y.data(), height, py);
+    const ComplexMatrix along_x = ex.transpose() * dense;  // [point][b]
     const RealMatrix here = along_x.real() * ey.real() - along_x.imag() * ey.imag();
     if (l + 1 == levels_.size()) {
       sum = here;

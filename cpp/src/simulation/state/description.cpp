@@ -14,7 +14,7 @@ namespace samcontact::simulation {
 namespace {
 
 /// Maximum distance from the origin of a body [cells].
-constexpr int farthest = 1 << 30;
+constexpr int largest_index = 1 << 30;
 constexpr auto in_range = "less than 2^30 cells in magnitude";
 constexpr auto no_fit = "the arrays of a plastic history do not match its zones";
 
@@ -29,11 +29,12 @@ bool is_one_of(fft::Symmetry symmetry) {
 /// Whether it is a valid box, within the range of cell indices.
 bool is_box(const Box& box, const Grid& grid) {
   const auto counted = [](int first, int count) {
-    return std::abs(static_cast<long>(first)) < farthest && count >= 0 && count < farthest;
+    return std::abs(static_cast<long>(first)) < largest_index && count >= 0 &&
+           count < largest_index;
   };
   const double cells = 1.0 * box.nx * box.ny * box.nz;
   return counted(box.i0, box.nx) && counted(box.j0, box.ny) && counted(0, box.nz) &&
-         cells < farthest * 8.0 && (box.nz == 0 || grid.has_volume()) &&
+         cells < largest_index * 8.0 && (box.nz == 0 || grid.has_volume()) &&
          (grid.period.x == 0 || (box.i0 >= 0 && box.i0 + box.nx <= grid.nx)) &&
          (grid.period.y == 0 || (box.j0 >= 0 && box.j0 + box.ny <= grid.ny));
 }
@@ -48,8 +49,8 @@ void require_consistent(const PlasticIncrementGuess& flow) {
     const std::size_t n = body.cells.size();
     fits = fits && (body.strain.size() == 5 * n || body.strain.size() == 6 * n) &&
            std::all_of(body.cells.begin(), body.cells.end(), [&](const Cell& cell) {
-             return std::abs(static_cast<long>(cell.i)) < farthest &&
-                    std::abs(static_cast<long>(cell.j)) < farthest && cell.k >= 0;
+             return std::abs(static_cast<long>(cell.i)) < largest_index &&
+                    std::abs(static_cast<long>(cell.j)) < largest_index && cell.k >= 0;
            });
   }
   require_that(fits, "the plastic strain increment of the last increment is invalid");
@@ -76,7 +77,7 @@ std::shared_ptr<const PlasticState> from_record(const PlasticRecord& record, con
   require(tensor == operators::Tensor::full || tensor == operators::Tensor::deviator, "tensor",
           "0 or 1", static_cast<int>(tensor));
   for (const int cell : origin) {
-    require(std::abs(static_cast<long>(cell)) < farthest, "origin", in_range, cell);
+    require(std::abs(static_cast<long>(cell)) < largest_index, "origin", in_range, cell);
   }
   const Box part = stored_part(grid, symmetry);
   require_that(is_box(box, grid) && !box.empty() && box.nz > 0 &&
@@ -112,7 +113,7 @@ void require_consistent(const State& state) {
                  "shear, gap or slip power does not match the grid");
   }
   for (const double travel : state.travel) {
-    require(std::fabs(travel) < farthest, "travel", in_range, travel);
+    require(std::fabs(travel) < largest_index, "travel", in_range, travel);
   }
   require(state.method == ResidualMethod::exact || state.method == ResidualMethod::fast,
           "residual_method", "0 or 1", static_cast<int>(state.method));

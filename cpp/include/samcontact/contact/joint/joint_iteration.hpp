@@ -48,12 +48,12 @@ class JointIteration {
   };
   void update();
   Zero zero() const;
-  CellState chosen(std::size_t i, const Zero& zero);
-  CellState after_opening(std::size_t i);
-  CellState after_sticking(std::size_t i);
-  CellState after_slipping(std::size_t i, const Zero& zero) const;
+  JointCellState chosen(std::size_t i, const Zero& zero);
+  JointCellState after_opening(std::size_t i);
+  JointCellState after_sticking(std::size_t i);
+  JointCellState after_slipping(std::size_t i, const Zero& zero) const;
   void change_states();
-  void enter(std::size_t i, CellState next);
+  void enter(std::size_t i, JointCellState next);
 
   const JointProblem& problem_;
   JointState state_, best_;

@@ -33,7 +33,7 @@ struct FrictionCone {
 };
 
 /// State of a cell.
-enum class CellState : unsigned char {
+enum class JointCellState : unsigned char {
   open,    // no tractions
   stick,   // gap 0, slip 0
   slide,   // gap 0, p = slope |s|, slip along the shear
@@ -74,11 +74,11 @@ struct JointProblem {
 
 /// Iterate, and the fields due to its tractions and motions.
 struct JointState {
-  Field tractions;                // [3][cell] [Pa]
-  std::vector<CellState> states;  // [cell]
-  Field direction;                // [2][cell] unit vectors of the shear of slipping cells
-  double approach = 0.0;          // [m]
-  std::vector<double> motion;     // of the modes [m, rad]
+  Field tractions;                     // [3][cell] [Pa]
+  std::vector<JointCellState> states;  // [cell]
+  Field direction;                     // [2][cell] unit vectors of the shear of slipping cells
+  double approach = 0.0;               // [m]
+  std::vector<double> motion;          // of the modes [m, rad]
 
   Field displacement = {};  // [3][cell] (u_z, u_x, u_y) [m]
   Field gap = {}, slip = {};

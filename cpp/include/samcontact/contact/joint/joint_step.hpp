@@ -34,12 +34,14 @@ class JointStep {
 
   double* slot(Field& v, int k) const { return v.data() + k * cells_.size(); }
   const double* slot(const Field& v, int k) const { return v.data() + k * cells_.size(); }
-  bool slips(std::size_t i) const { return state_.states[i] >= CellState::slide; }
+  bool slips(std::size_t i) const { return state_.states[i] >= JointCellState::slide; }
   /// Change of pressure, and of shear along the direction, per unit change along the line.
   double pressed(std::size_t i) const {
-    return state_.states[i] == CellState::slide ? problem_.cone.slope * line_ : 1.0;
+    return state_.states[i] == JointCellState::slide ? problem_.cone.slope * line_ : 1.0;
   }
-  double sheared(std::size_t i) const { return state_.states[i] == CellState::slide ? line_ : 0.0; }
+  double sheared(std::size_t i) const {
+    return state_.states[i] == JointCellState::slide ? line_ : 0.0;
+  }
   void find_cells();
   void add_constraints();
   void add_constraint(const Field& direction, double missing);
