@@ -62,7 +62,7 @@ def steady(
     approach : float
         Rigid-body approach [m]. Exactly one of load and approach must be given.
     friction : Coulomb
-        Friction law; `Coulomb(math.inf)`: no slip, Kalker's linear theory.
+        Friction law; `Coulomb(math.inf)` prevents slip, as in Kalker's linear theory.
     creepage : pair of float, optional
         xi, eta: rigid slip of body 1 relative to body 2 along x and y, per distance rolled [-].
         `None` for a component, or for both, leaves that direction to `tangential_load`.
@@ -119,7 +119,7 @@ def steady(
 
 
 def _require_rolling(grid: Grid, spin: float | None, torque: float | None) -> None:
-    """Raise ValueError if the grid does not allow steady rolling along x, or the rotation."""
+    """Raise ValueError if the grid does not allow steady rolling along x, or rotation about z."""
     if grid.along_x:
         raise ValueError(
             f"grid.periodic must be '' or 'y' (plane strain), got {grid.periodic!r}: steady "

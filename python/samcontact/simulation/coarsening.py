@@ -94,7 +94,7 @@ def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
 def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int]]:
     """Convert a path to cells twice as long; return it and the new number of each increment.
 
-    Two successive increments with an equal odd number of cells of motion are merged into one.
+    Two successive increments that move the surfaces by an equal odd number of cells are merged.
     """
     steps: list[dict[str, Any]] = []
     which: list[int] = []

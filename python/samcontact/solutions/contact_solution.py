@@ -158,9 +158,9 @@ class PartialSlipSolution(ShearedSolution):
         final pressure, and `error` is the complementarity error of the pressure for the final
         shear.
     energy_gap : float
-        Accuracy of the shear as an energy [J]: friction with these slips could dissipate at most
-        this much more, and twice the elastic energy of the error of the shear is at most this
-        large. NaN for infinite friction.
+        Error bound of the shear, as an energy [J]: friction with these slips could dissipate at
+        most this much more, and the elastic energy of the error of the shear is at most half of
+        this value. NaN for infinite friction.
     sweeps : int
         Number of iterations between pressure and shear; 1 if pressure and shear are uncoupled.
     tangential_iterations : int
@@ -203,7 +203,7 @@ class RollingSolution(ShearedSolution):
     friction_work_per_distance : float
         Frictional dissipation per distance rolled [J/m].
     shear, sticking, tangential_load, torque
-        As in `PartialSlipSolution`; errors and iteration counts too.
+        As in `PartialSlipSolution`, which also describes the errors and iteration counts.
     """
 
     creepage: FloatArray

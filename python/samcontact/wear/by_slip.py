@@ -88,7 +88,7 @@ def fretting(
     checkpoint, progress
         As for `run`.
     **settings
-        Other arguments of `Simulation`.
+        Further arguments of `Simulation`.
 
     Returns
     -------
@@ -98,9 +98,9 @@ def fretting(
     ------
     ValueError, TypeError
         An argument is outside its range (before the first cycle); a cycle requires more than 10 000
-        parts, or does not become periodic; a contact reaches the edge of the grid; a checkpoint
-        belongs to other arguments. The exception of a later cycle holds the result of the completed
-        cycles in its attribute `result`.
+        contact solutions, or does not become periodic; a contact reaches the edge of the grid; a
+        checkpoint was written by a run with different arguments. The exception of a later cycle
+        holds the result of the completed cycles in its attribute `result`.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -180,7 +180,7 @@ def _closed(simulation: Simulation, setup: FrettingSetup) -> tuple[State, ...]:
 def _advance(
     setup: FrettingSetup, standing: WearProgress
 ) -> tuple[tuple[State, ...], WearProgress]:
-    """Advance by one cycle, in as many parts as stability requires."""
+    """Advance by one cycle, divided into as many contact solutions as stability requires."""
     heights = {body: [*before, before[-1]] for body, before in standing.heights.items()}
     left, parts, work, removed = float(setup.repeats), 0, 0.0, np.zeros(setup.grid.surface_shape)
     first = _solve_repeat(setup, heights)
