@@ -44,7 +44,7 @@ class Results:
     """Results by interference over the critical interference."""
     elastic: CollisionResult
     again: CollisionResult
-    """Three passes."""
+    """Result of three passes."""
     energies: dict[int, float]
     """Net energy over the critical energy at 9 critical interferences, by number of increments."""
     mesh: str
@@ -90,7 +90,7 @@ def curve(result: CollisionResult, name: str) -> tuple[np.ndarray, np.ndarray]:
 
 
 def asymmetry(result: CollisionResult, name: str, sign: float) -> float:
-    """Return the maximum deviation of a curve from (anti)symmetry, relative to the maximum."""
+    """Return the maximum deviation from symmetry (sign 1) or antisymmetry (-1), over the peak."""
     x, f = curve(result, name)
     return float(np.abs(f - sign * np.interp(-x, x, f)).max() / np.abs(f).max())
 
@@ -138,7 +138,7 @@ def forces(results: Results) -> list[Number | Statement]:
 
 
 def at_exit(result: CollisionResult) -> float:
-    """Extrapolate the load ratio to the end of contact by a parabola fitted to four increments."""
+    """Return the load ratio at the end of contact, extrapolated by a parabola of 4 increments."""
     series = result.series.isel({"pass": 0})
     touching = np.flatnonzero(series["normal_force"].values > 0)[-4:]
     end = result.collision.half_distance

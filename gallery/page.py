@@ -63,7 +63,7 @@ def digits(value: float) -> str:
 
 
 def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
-    """Return the Markdown table of stated and computed values and their sensitivity to the mesh."""
+    """Return the Markdown table of values from the thesis, computed values and sensitivities."""
     largest = moves.column(moved)
     heads = ["quantity", "thesis", "samcontact", "difference", "mesh"]
     heads += ["sensitivity"] * bool(moved)
@@ -95,7 +95,7 @@ def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
 
 
 def write(name: str, part: Part, results: Any, folder: Path) -> list[Number | Statement]:
-    """Write the page and the figures of a part, and return its stated values."""
+    """Write page and figures of a part; return the values of the thesis with computed values."""
     folder.mkdir(parents=True, exist_ok=True)
     entries = part.stated(results)
     text = [

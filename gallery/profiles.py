@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stresses, profiles and lists of numbers used by several parts."""
+"""Functions for stresses, profiles and lists of numbers that several parts use."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ ALLOWANCE = re.compile(
 
 
 class Skip(Exception):
-    """No comparison is possible."""
+    """Exception if no comparison is possible."""
 
 
 def allowances(messages: str) -> dict[str, float]:
@@ -109,7 +109,7 @@ def find_base(revision: str) -> str:
 
 
 class BuildError(Exception):
-    """A build failed; the message is its output."""
+    """Error for a failed build; the message is the output of the build."""
 
 
 def build(source: Path) -> Path:

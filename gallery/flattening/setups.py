@@ -51,7 +51,7 @@ class Surface:
     friction: float
     cells: int
     layers: tuple[float, float]
-    """Interference ratio at which the first and the second layer yield."""
+    """Interference ratios at which the first and the second layer of cells yield."""
 
     @property
     def ratio(self) -> float:
@@ -99,7 +99,7 @@ def simulation(
 
 
 def flatten(above: float, top: float, cells: int, parts: int) -> list[Point]:
-    """Solve one range of interferences, with `cells` cells per contact radius at its top.
+    """Solve one range of interferences, with `cells` cells per contact radius at the largest one.
 
     Each step between `RATIOS` is divided into `parts` increments.
     """
@@ -142,7 +142,7 @@ def point(ratio: float, state: sc.State) -> Point:
 
 
 def reach_surface(friction: float, cells: int, limit: float = 6.0) -> Surface:
-    """Return the interferences at which the first and the second layer of cells yield.
+    """Return the interference ratios at which the first and the second layer of cells yield.
 
     cells: number of cells per critical contact radius.
     """

@@ -91,9 +91,11 @@ def steady(
     ConvergenceError
         No convergence; the error has the attributes `iterations` and `residual`.
 
-    Notes ----- J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, The steps
-    are one cell long, so the error is proportional to the cell size. The page on rolling describes
-    the iteration.
+    Notes
+    -----
+    J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact. The steps are one cell
+    long, so the error is proportional to the cell size. The page on rolling describes the
+    iteration.
     """
     require_type("grid", grid, Grid)
     sticking_law(friction)

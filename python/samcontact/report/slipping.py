@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from ..plotting.contact_results import ContactResults
 
 MAX_MISSING_ENERGY = 0.05
-"""Limit of the unaccounted work, relative to the work input; it depends on the increments."""
+"""Limit of the unaccounted work, relative to the work input; this work depends on the
+increments."""
 
 
 def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check]:

@@ -14,7 +14,7 @@ from .lock import LOCK_FILES
 CASE_FILE = "case.txt"
 """Name of the file that identifies the case of the checkpoints."""
 CASE_MARK = "samcontact run "
-"""First words of this file."""
+"""First words of the file `CASE_FILE`."""
 
 
 def foreign(folder: Path) -> Path | None:

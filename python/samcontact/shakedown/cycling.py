@@ -32,7 +32,7 @@ from .results import (
 )
 
 _MAX_FLOW_CHANGE = 0.02
-"""Maximum difference between the plastic flows of successive cycles, relative to the last."""
+"""Maximum difference between the plastic flows of successive cycles, relative to the last cycle."""
 _MAX_RATE_CHANGE = 0.1
 """Maximum relative change of the ratcheting rate over `_RATE_CYCLES` cycles."""
 _RATE_CYCLES = 20

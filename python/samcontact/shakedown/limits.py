@@ -161,8 +161,10 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> S
     ValueError
         An argument is outside its range.
 
-    Notes ----- Johnson (1985), section 9.2; Melan (1938); Johnson and Jefferis (1963). The shear
-    traction is friction times pressure (full sliding).
+    Notes
+    -----
+    Johnson (1985), section 9.2; Melan (1938); Johnson and Jefferis (1963). The shear traction is
+    friction times pressure (full sliding).
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     if choice("criterion", criterion, ("tresca", "von_mises")) == "tresca":
@@ -228,9 +230,11 @@ def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     ValueError
         An argument is outside its range.
 
-    Notes ----- Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the
-    surface any residual shear stress is admitted, even if it is not in equilibrium. With friction
-    the true limit may therefore be lower.
+    Notes
+    -----
+    Ponter, Hearle and Johnson (1985), J. Mech. Phys. Solids 33, 339-362. Below the surface any
+    residual shear stress is admitted, even if it is not in equilibrium. With friction the true
+    limit may therefore be lower.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 Step = Mapping[str, Any]
 Ends = list[tuple[int, int]]
-"""Pairs of increments of two paths that end at equal targets, by their positions (from 0)."""
+"""Pairs of increments of two paths that end at equal targets, by their indices (from 0)."""
 _TARGETS = ("load", "approach", "torque")
 _MOTIONS = ("twist", "duration")
 _MAX_SIZE_RATIO = 3.0

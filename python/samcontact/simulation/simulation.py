@@ -221,7 +221,7 @@ class Simulation(Configured, HtmlTable):
             With `Coulomb`: rotation of body 1 relative to body 2 about z at the origin, in this
             increment [rad]; for rolling bodies, spin times mean distance. Not with `torque`.
         torque : float, optional
-            Moment on body 2 at the end of the increment [N m]. Default: no rotation.
+            Final moment on body 2 [N m]. Without twist and torque, the bodies do not rotate.
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 switches it off.
         duration : float, optional
@@ -238,7 +238,7 @@ class Simulation(Configured, HtmlTable):
         ValueError
             Invalid arguments, or GridTooSmallError.
         ConvergenceError
-            With `iterations` and `residual`. After any error the previous state remains.
+            Its attributes are `iterations`, `residual`. After any error the previous state remains.
         MemoryError
             The plastic zone requires more memory than is available.
         RuntimeError
@@ -276,7 +276,7 @@ class Simulation(Configured, HtmlTable):
         progress : bool, optional
             Show a progress bar, or at most ten lines if there is no terminal.
         checkpoint : path, optional
-            Folder for checkpoints of all increments. A call with an earlier folder resumes its run.
+            Folder for checkpoints of increments. A repeated call with this folder resumes the run.
 
         Returns
         -------

@@ -14,13 +14,13 @@ from .._util.checks import FloatArray
 from ..problem.contact_law import in_contact
 
 MIN_EDGE_PRESSURE_RATIO = 1.05
-"""Minimum ratio of the pressure of a cell at a sharp edge to that of its inner neighbour."""
+"""Minimum ratio of the pressures in a cell at a sharp edge and in the next inner cell."""
 MIN_STEP_RATIO = 8.0
 """Minimum ratio of the height of a step to the bends of the gap next to it."""
 
 Ints = NDArray[np.intp]
 _BLOCK_CELLS = 1 << 18
-"""Number of cells that are processed together; it limits the memory."""
+"""Number of cells that are processed together, which limits the memory."""
 _MARGIN_CELLS = 5
 """Margin around a contact within which cells determine whether its edge is sharp."""
 

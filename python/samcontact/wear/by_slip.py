@@ -28,8 +28,9 @@ from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
-"""Maximum pressure drop of the shortest wave due to the wear in one part, relative to the pressure.
-If it were 2 or more, the shortest waves would grow from part to part.
+"""Maximum pressure drop of the shortest wave due to the wear between two contact solutions,
+relative to the pressure. If it were 2 or more, the shortest waves would grow from one solution to
+the next.
 """
 _MAX_PARTS = 10_000
 _MAX_SHEAR_MISMATCH = 1e-2
