@@ -110,7 +110,7 @@ def make_reference(meter: Meter, across: int, method: str, file: str) -> dict[st
 
 
 def cycle(meter: Meter, across: int, method: str, file: str) -> dict[str, Any]:
-    """Return the maximum differences from the run with the smallest increments, relative."""
+    """Return the maximum relative differences from the run with the smallest increments."""
     fields, work = there_and_back(meter, across, method)
     with np.load(file) as fine:
         errors = {name: largest_error(field, fine[name]) for name, field in fields.items()}

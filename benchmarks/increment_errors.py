@@ -54,8 +54,7 @@ def pressed(load: float, count: int) -> Path:
 
 
 def shaken(load: float, force: float, count: int) -> Path:
-    """Return a path: loading, then a tangential force that is applied, reversed and applied
-    again."""
+    """Return a path: loading, then a tangential force that is applied, reversed and reapplied."""
     shares = np.arange(1, count + 1) / count
     forces = np.concatenate([shares, 1 - 2 * shares, -1 + 2 * shares]) * force
     return pressed(load, count) + [

@@ -41,7 +41,7 @@ CRITICAL = sc.critical.green(0.5, sc.hertz.effective_modulus(STEEL, STEEL), 0.32
 @dataclass
 class Results:
     runs: dict[float, CollisionResult]
-    """Results by interference over the critical interference."""
+    """Results by ratio of the interference to the critical interference."""
     elastic: CollisionResult
     again: CollisionResult
     """Result of three passes."""

@@ -70,7 +70,7 @@ class Results:
     cases: dict[str, Case]
     peak: sc.hertz.PointContact
     beyond: tuple[np.ndarray, np.ndarray]
-    """Hertz pressure and plastic strain of E_EP around 2 %."""
+    """Hertz pressure and plastic strain of E_EP, around a plastic strain of 2 %."""
     mesh: str
     low_mesh: str
 

@@ -62,8 +62,8 @@ class Hierarchical(Contact):
 
 
 class Slip:
-    """`FrictionSolver` with ASPHER's own preconditioner. The tolerance bounds one residual, of
-    stick and slip; a run reported as not converged has no result."""
+    """`FrictionSolver` with the default preconditioner. The tolerance applies to the residuals of
+    the friction conditions; a run reported as not converged has no result."""
 
     tolerances = (1e-1, 1e-2, 1e-3, 1e-4)
 

@@ -37,7 +37,7 @@ class Point:
     """Number of cells per contact radius."""
     substeps: int
     core: float
-    """Area in the plane y = 0, x >= 0, over a_c^2, that is elastic between surface and zone."""
+    """Elastic area between surface and plastic zone in the plane y = 0, x >= 0, over a_c^2."""
     top: tuple[float, float]
     """Depths over a_c of the upper and lower end of the plastic zone on the axis."""
     outline: tuple[np.ndarray, np.ndarray, np.ndarray]

@@ -50,8 +50,8 @@ def steady(
     Parameters
     ----------
     grid : Grid
-        Grid that is not periodic along x. `periodic="y"` models rollers in plane strain; without
-        it, a single row of cells is a strip of width dy.
+        Grid that is not periodic along x. `periodic="y"` models rollers in plane strain; otherwise
+        a single row of cells is a strip of width dy.
     body1, body2 : Material
         Upper and lower body; at most one is rigid. Plastic materials are treated as elastic.
     gap : array_like, shape (nx, ny), or callable

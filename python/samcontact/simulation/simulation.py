@@ -96,10 +96,10 @@ class Simulation(Configured, HtmlTable):
     Notes
     -----
     A grid is enlarged on both sides by cells of unchanged size: for a paraboloid, to 1.25 times the
-    Hertz contact (in `run`, at maximum load); otherwise by half along each axis at whose edge there
-    is contact. `grid` and surface fields then refer to the larger grid. A state keeps its grid;
-    `run` returns all states on the last grid. GridTooSmallError is raised above 64 times the cells.
-    Grids that are periodic, or with heat.history, softening or attraction, are not enlarged.
+    Hertz contact (in `run`, at maximum load); otherwise by half along each axis on which contact
+    reaches the edge. `grid` and surface fields then refer to the larger grid. A state keeps its
+    grid; `run` returns all states on the last grid. GridTooSmallError is raised above 64 times the
+    cells. Grids that are periodic, or with heat.history, softening or attraction, are not enlarged.
     """
 
     _last = "engine"

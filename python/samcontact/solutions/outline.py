@@ -173,8 +173,8 @@ def _bends_suddenly(heights: FloatArray) -> bool:
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
     """Whether a cell has a pressure above `MIN_EDGE_PRESSURE_RATIO` times both neighbours.
 
-    This is so at every contact edge towards which the pressure rises, and nowhere in a smooth
-    contact.
+    Every contact edge towards which the pressure rises has such a cell, and a smooth contact has
+    none.
     """
     for axis, name in enumerate("xy"):
         p = pressure if axis == 0 else pressure.T

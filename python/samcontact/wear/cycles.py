@@ -76,7 +76,7 @@ def run(
         must be given.
     window : int or pair of int, optional
         Window of Boucly's filter in cells, see `smooth`; not larger than the contact. The results
-        with this filter depend on the cell size. 1: no smoothing.
+        with this filter depend on the cell size. 1 for no smoothing.
     order : int, optional
         Order of Boucly's filter. Default: 2.
     strain_depth : {"exact", "smoothed"}, optional
