@@ -161,7 +161,7 @@ def errors(setup: Setup, counts: Sequence[int], many: int) -> dict[str, list[tup
 def stated_errors(names: Sequence[str] = tuple(SETUPS), runs: int | None = None) -> str:
     """Return true increment errors, and their ratio to the estimated errors.
 
-    runs: number of increment counts to run for each case; None: all.
+    runs: number of increment counts to run for each case; None for all counts.
     """
     rows = []
     for name in names:

@@ -90,7 +90,7 @@ def curve(result: CollisionResult, name: str) -> tuple[np.ndarray, np.ndarray]:
 
 
 def asymmetry(result: CollisionResult, name: str, sign: float) -> float:
-    """Return the maximum deviation from symmetry (sign 1) or antisymmetry (-1), over the peak."""
+    """Return the maximum asymmetry (sign 1: of an even curve; -1: odd), relative to the peak."""
     x, f = curve(result, name)
     return float(np.abs(f - sign * np.interp(-x, x, f)).max() / np.abs(f).max())
 

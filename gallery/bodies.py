@@ -24,7 +24,7 @@ def square(
     per_cell: int = 1,
     layer: float | None = None,
 ) -> sc.Grid:
-    """Return a square grid; `width` and `depth` are its half-width and depth over the length a.
+    """Return a square grid; `width` and `depth` are its half-width and depth in multiples of a.
 
     The centre of one cell lies at the origin. With depth 0 the grid has no layers. cells: number of
     cells per length a [m]; per_cell: number of layers per cell size, unless `layer` gives the layer

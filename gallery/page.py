@@ -29,7 +29,7 @@ UNSTATED = ("not stated", "not compared")
 
 @dataclass(frozen=True)
 class Picture:
-    """Figure with file name and caption, which starts with the figure number in the thesis."""
+    """Figure with file name and caption; the caption starts with the thesis's figure number."""
 
     name: str
     caption: str
@@ -58,7 +58,7 @@ class Part(Protocol):
 
 
 def digits(value: float) -> str:
-    """Return a number with four digits, or with all digits before the decimal point if more."""
+    """Return a number with four digits, or rounded to an integer if it has more integer digits."""
     return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
 
 

@@ -94,8 +94,7 @@ class Stated:
         return Stated(self.part, **self.fields, mesh=mesh, **fields)
 
     def values(self, name: str) -> dict[Any, Any]:
-        """Return the thesis's values in a row as a dictionary with conditions, e.g. loads, as
-        keys."""
+        """Return the thesis's values in a row, as a dictionary by condition, e.g. by load."""
         found: dict[str, Any] = table()[self.part][name]["thesis"]
         return {_key(key): value for key, value in found.items()}
 

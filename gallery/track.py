@@ -250,7 +250,7 @@ def both_cycles(
     name: str,
     points: Callable[[Run, int], tuple[np.ndarray, np.ndarray]],
 ) -> None:
-    """Draw curves of each run after one (dashed) and two cycles; `name`: format of the legend."""
+    """Draw a curve of each run after one (dashed) and two cycles; `name`: format of labels."""
     for n, (key, run) in enumerate(runs.items()):
         for cycle, style in zip(range(len(run.cycles)), ("--", "-"), strict=False):
             label = name.format(key) if cycle == len(run.cycles) - 1 else None

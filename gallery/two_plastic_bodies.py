@@ -130,7 +130,7 @@ def compute(quick: bool) -> Results:
 
 
 def difference(results: Results, other: str) -> tuple[np.ndarray, np.ndarray]:
-    """Return loads, and the difference of p_max between E_EP and a pair [%], equation (2.168)."""
+    """Return loads, and the difference of p_max between pair E_EP and another [%], eq. (2.168)."""
     one, two = results.cases["E_EP"], results.cases[other]
     return one.load, 100 * np.abs(one.p_max / two.p_max - 1)
 

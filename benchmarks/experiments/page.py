@@ -166,7 +166,7 @@ def meyer(rows: Prints) -> dict[float, float]:
 
 
 def spread(rows: Prints) -> float:
-    """Return the maximum relative difference of mean pressures from those on the finest grid."""
+    """Return the maximum relative difference of mean pressures from results on the finest grid."""
     last = dict(rows)
     return max(abs(one.constraint / last[prescribed].constraint - 1) for prescribed, one in rows)
 

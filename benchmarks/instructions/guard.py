@@ -115,7 +115,7 @@ class BuildError(Exception):
 def build(source: Path) -> Path:
     """Build the driver of a source tree; returns the program.
 
-    Flags and folder depth are those of the package build, so that ccache finds the objects.
+    Flags and folder depth are as in the package build, so that ccache finds the objects.
     """
     folder = source / "build" / "instructions"
     options = [

@@ -27,7 +27,7 @@ FRICTION = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5)
 
 @dataclass(frozen=True)
 class Point:
-    """Results at one interference, relative to the critical values; strain relative to Y/E."""
+    """Results at one interference, divided by the critical values; strain divided by Y/E."""
 
     ratio: float
     load: float
@@ -55,7 +55,7 @@ class Surface:
 
     @property
     def ratio(self) -> float:
-        """Interference ratio at which the surface yields (extrapolated linearly)."""
+        """Interference ratio at which the surface begins to yield (linear extrapolation)."""
         return 1.5 * self.layers[0] - 0.5 * self.layers[1]
 
 

@@ -74,7 +74,7 @@ def strain_limit(results: Results, mesh: str) -> Statement:
 
 
 def against(name: str, results: Results, mesh: str) -> Statement:
-    """Compare the load with a model; it may differ by 7 % up to 30 critical interferences."""
+    """Compare the load with a model: at most 7 % apart up to 30 times the critical interference."""
     model = getattr(sc.flattening, name.lower().replace("-", "_"))
     differences: dict[str, list[float]] = {"load": [], "area": [], "pressure": []}
     for ratio in COMPARED:

@@ -33,7 +33,7 @@ def contact_radius(x: np.ndarray, pressure: np.ndarray) -> float:
 
 
 def crossing(mu: list[float], difference: list[float]) -> float:
-    """Interpolate the first µ at which a difference changes from negative to positive."""
+    """Return the first µ at which a difference changes from negative to positive, interpolated."""
     for k in range(1, len(mu)):
         if difference[k - 1] < 0 <= difference[k]:
             share = difference[k - 1] / (difference[k - 1] - difference[k])

@@ -118,8 +118,8 @@ def _used(
 ) -> Iterator[tuple[str, Any]]:
     """Iterate over the parts of a scope that a function uses, as pairs of name and value.
 
-    In place of a user module, those parts of the module are listed whose names occur in the
-    function. Some of these parts may be unused, which does no harm.
+    For a user module, only parts with names that occur in the function are listed. Some of these
+    parts may be unused, which does no harm.
     """
     for name in sorted(names & set(scope)):
         value = scope[name]

@@ -116,7 +116,7 @@ def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int
 
 
 def _sum_of_two(step: Mapping[str, Any]) -> dict[str, Any]:
-    """Combine two equal increments: add their motions; forces are those of the second increment."""
+    """Combine two equal increments: add their motions, and use the forces of the second one."""
     moved: dict[str, Any] = {"advance": tuple(2 * s for s in step["advance"])}
     if step.get("shift") is not None:
         moved["shift"] = tuple(None if s is None else 2 * s for s in step["shift"])

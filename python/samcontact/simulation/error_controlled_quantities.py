@@ -61,8 +61,8 @@ def parts(state: State, name: str) -> tuple[float, ...]:
     """Return local maxima, the largest of which is the quantity; each converges separately.
 
     For a volume field they are the maximum below the surface and the maximum at the surface; for a
-    layer, the maximum inside the layer and those at its two faces. Which of them is the largest may
-    depend on the grid.
+    layer, the maximum inside the layer and the maxima at both faces. Which maximum is the largest
+    may depend on the grid.
     """
     if name in ("load", "approach"):
         return (float(getattr(state, name)),)

@@ -170,7 +170,7 @@ class PartialSlipSolution(ShearedSolution):
         transforms.
     tangential_work : float
         Computing work of all transforms for the shear, including transforms for the preconditioner
-        and on coarser grids, in units of one such evaluation [-].
+        and on coarser grids, in units of one evaluation of the shear displacement [-].
     """
 
     shift: FloatArray

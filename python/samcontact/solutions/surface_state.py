@@ -150,7 +150,7 @@ class SurfaceState:
         """Elastic stress due to pressure and shear at arbitrary points [Pa], shape (6, ...).
 
         Stress due to plastic strain and initial stress are not included; see `residual_stress`.
-        Arguments, errors and method are those of `ContactSolver.stress_at`.
+        Arguments, errors and method are described in `ContactSolver.stress_at`.
         """
         number = choice("body", body, (1, 2))
         heated = (self._core.heat_factor1, self._core.heat_factor2)[number - 1] > 0

@@ -137,7 +137,7 @@ def make_filter(
     if (smoothing_length is None) == (window is None):
         given = "none" if window is None else f"{smoothing_length!r} and {window!r}"
         raise ValueError(
-            "exactly one of smoothing_length (metres) and window (cells, Boucly's filter; 1: no "
+            "exactly one of smoothing_length (metres) and window (cells, Boucly's filter; 1 for no "
             f"smoothing) must be given, got {given}"
         )
     if smoothing_length is None:
