@@ -13,6 +13,7 @@ from samcontact import asperities
 from samcontact.asperities import Collision, CollisionResult
 from samcontact.plotting import asperities as asperity_figures
 
+from .bodies import tolerance
 from .limits import first_order
 from .page import Picture
 from .profiles import each, grows
@@ -52,23 +53,30 @@ class Results:
 
 def compute(quick: bool) -> Results:
     relative = (1.0, 1.15, 3.0, 9.0) if quick else (1.0, 1.15, 3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 15.0)
-    increments = 20 if quick else 36
+    increments, counts = (20, (10, 14, 20)) if quick else (36, (24, 36, 48))
 
     def run(
         ratio: float, material: sc.Material, passes: int = 1, count: int = increments
     ) -> CollisionResult:
         which = Collision(1.0, 1.0, ratio * CRITICAL.interference)
         grid = which.grid(count, depth=1.7)
-        return asperities.collide(which, material, material, grid, passes=passes, progress=False)
+        # the net energy of elastic spheres is an error of the solution
+        tol = tolerance(quick and material.is_plastic)
+        return asperities.collide(
+            which, material, material, grid, passes=passes, progress=False, tol=tol
+        )
 
     runs = {ratio: run(ratio, STEEL) for ratio in relative}
+    again = run(relative[-1], STEEL, 3, counts[1])
+    known = {increments: runs[9.0]} | ({counts[1]: again} if quick else {})
     grid = runs[9.0].simulation.grid
     mesh = f"{grid.nx} x {grid.ny} x {grid.nz}, {increments} increments"
-    energies = {
-        count: float(run(9.0, STEEL, count=count).series.net_energy[0]) / CRITICAL.energy
-        for count in ((10, 14, 20) if quick else (24, 36, 48))
-    }
-    return Results(runs, run(relative[-1], ELASTIC), run(relative[-1], STEEL, 3), energies, mesh)
+    energies = {}
+    for count in counts:
+        found = known[count] if count in known else run(9.0, STEEL, count=count)
+        energies[count] = float(found.series.net_energy[0]) / CRITICAL.energy
+    elastic = run(relative[-1], ELASTIC, count=counts[1])
+    return Results(runs, elastic, again, energies, mesh)
 
 
 def stated(results: Results) -> list[Number | Statement]:

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 from matplotlib.axes import Axes
 
-from .bodies import CERAMIC, STEEL_52100
+from .bodies import CERAMIC, STEEL_52100, tolerance
 from .drawing import axes, finish, hertz_curve
 from .page import Picture
 from .profiles import falls, grows, succession, top
@@ -50,8 +50,9 @@ class Results:
 
 
 def compute(quick: bool) -> Results:
-    table = Mesh(5, 6, 2.5, 1.45, 3.8, 5) if quick else Mesh(10, 10, 2.5, 1.8, 3.6)
-    exact = Mesh(5, 6, 2.5, 1.45, 4.5, 5) if quick else Mesh(8, 8, 2.5, 1.8, 4.5)
+    tol = tolerance(quick)
+    table = Mesh(5, 6, 2.5, 1.45, 3.8, 5, tol) if quick else Mesh(10, 10, 2.5, 1.8, 3.6)
+    exact = Mesh(5, 6, 2.5, 1.45, 4.5, 5, tol) if quick else Mesh(8, 8, 2.5, 1.8, 4.5)
     distance = 1.8e-3 if quick else 4e-3
     kept = (1, 2, 8, 16) if quick else (1, *RATIOS)
     runs = {k: roll(BODIES, table_ellipse(k, k * LOAD), table, distance, 2) for k in kept}

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 
 import samcontact as sc
 
-from .bodies import CERAMIC, ELASTIC, STEEL_52100
+from .bodies import CERAMIC, ELASTIC, STEEL_52100, tolerance
 from .drawing import axes, finish
 from .page import Picture
 from .profiles import grows
@@ -55,10 +55,12 @@ def compute(quick: bool) -> Results:
         cells = 10 if not quick else 7 if pressure == 5.7 else 5
         layers = max(cells, 6)
         depth = 2.6 if pressure < 5 else 4.3 if pressure < 7 else 4.6
-        mesh = Mesh(cells, layers, 2.5, 1.45 if quick else 1.8, depth, 5 if quick else 10)
-        # the second cycle changes little but the tension below, which is stated for 8 GPa
-        cycles = 1 if quick and pressure < 8 else 2
-        runs[pressure] = roll(BODIES, table_ellipse(K, load), mesh, 4e-3, cycles)
+        width, loading = (1.45, 5) if quick else (1.8, 10)
+        mesh = Mesh(cells, layers, 2.5, width, depth, loading, tolerance(quick))
+        # the depth of the steady imprint and the tension below, which need a long track and two
+        # cycles, are stated for 8 GPa
+        distance, cycles = (2.4e-3, 1) if quick and pressure < 8 else (4e-3, 2)
+        runs[pressure] = roll(BODIES, table_ellipse(K, load), mesh, distance, cycles)
     contact = runs[8.0].contact
     grid = mesh.grid(contact)
     flat = sc.Simulation(

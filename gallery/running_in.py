@@ -10,7 +10,7 @@ import numpy as np
 import samcontact as sc
 from samcontact.plotting import wear
 
-from .bodies import ELASTIC
+from .bodies import ELASTIC, tolerance
 from .drawing import axes, finish
 from .page import Picture
 from .stated import Number, Stated, Statement
@@ -45,8 +45,8 @@ class Results:
 
 
 def compute(quick: bool) -> Results:
-    dz, depth = (1e-6, 20e-6) if quick else (0.5e-6, 25e-6)
-    grid = sc.Grid(135, 135, 2.5e-6, 2.5e-6, round(depth / dz), dz)
+    cells, dz, depth = (117, 1e-6, 15e-6) if quick else (135, 0.5e-6, 25e-6)
+    grid = sc.Grid(cells, cells, 2.5e-6, 2.5e-6, round(depth / dz), dz)
     found = sc.wear.run(
         grid,
         ELASTIC,
@@ -59,6 +59,7 @@ def compute(quick: bool) -> Results:
         friction=FRICTION,
         relief2=sc.Relief(sc.surfaces.sinusoidal(grid, AMPLITUDE, WAVELENGTH, WAVELENGTH)),
         progress=False,
+        tol=tolerance(quick),
     )
     return Results(found, f"cells 2.5 µm, layers {dz * 1e6:g} µm")
 

@@ -43,7 +43,7 @@ def table_ellipse(k: float, load: float) -> sc.hertz.EllipticContact:
 
 @dataclass(frozen=True)
 class Mesh:
-    """Mesh of a rolling contact: cells, grid size in semi-axes, numbers of steps."""
+    """Mesh of a rolling contact: cells, grid size in semi-axes, number of steps, tolerance."""
 
     cells: float
     layers: float
@@ -53,6 +53,7 @@ class Mesh:
     """Half-width of the grid, along x in units of a_x and along y in units of a_y."""
     depth: float = 2.6
     loading: int = 10
+    tol: float = 1e-6
 
     def grid(self, contact: sc.hertz.EllipticContact) -> sc.Grid:
         dx, dy, dz = contact.a_x / self.cells, contact.a_y / self.cells, contact.a_x / self.layers
@@ -203,13 +204,13 @@ def roll(
     cycles: int = 1,
     steady: float = 0.6,
 ) -> Run:
-    """Load, roll a distance `way` [m] towards +x over both bodies, and unload, `cycles` times.
+    """Load, roll by `distance` [m] towards +x over both bodies, and unload, `cycles` times.
 
-    steady: position of the section across the track, as a fraction of `way`.
+    steady: position of the section across the track, as a fraction of `distance`.
     """
     grid = mesh.grid(contact)
     gap = sc.surfaces.paraboloid(grid, contact.Rx, contact.Ry)
-    run = sc.Simulation(grid, *bodies, gap, residual_stress="fast")
+    run = sc.Simulation(grid, *bodies, gap, tol=mesh.tol, residual_stress="fast")
     middle, centre = grid.ny // 2, grid.nx // 2
     steps = round(distance / grid.dx)
     loading = []

@@ -10,7 +10,7 @@ import numpy as np
 
 import samcontact as sc
 
-from ..bodies import RIGID
+from ..bodies import RIGID, tolerance
 
 E, NU, RADIUS = 210e9, 0.3, 10e-3
 YIELD = 1e-4 * E
@@ -21,8 +21,10 @@ RATIOS = np.array(
     [1.2, 1.35, 1.5, 1.75, 2, 2.3, 2.6, 3, 3.5, 4, 4.5, 5, 5.5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 18,
      20, 23, 26, 28, 30, 34, 40, 46, 52, 60, 70, 80, 95, 110]
 )  # fmt: skip
+RATIOS_QUICK = np.array([1.5, 2, 3, 4, 6, 8, 10, 14, 20, 28, 30, 40, 60, 80, 110])
 RANGES = (1.0, 4.0, 14.0, 40.0, 110.0)
 FRICTION = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5)
+FRICTION_QUICK = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
 
 
 @dataclass(frozen=True)
@@ -75,19 +77,26 @@ class Results:
 def compute(quick: bool) -> Results:
     """Solve all cases of the page, on coarse grids if quick."""
     cells, per_critical, study = (14, 6, ()) if quick else (28, 12, (6, 9, 16))
+
+    def path(friction: float) -> tuple[int, float]:
+        return (36, 4.0) if quick and friction > 0 else (80, 6.0)
+
     points = []
     for above, top in pairwise(RANGES):
-        points += flatten(above, top, cells, parts=1 if quick else 3)
+        points += flatten(above, top, cells, 1 if quick else 3, tolerance(quick))
     return Results(
         points,
-        [reach_surface(friction, per_critical) for friction in FRICTION],
-        [reach_surface(0.0, count) for count in study],
+        [
+            reach_surface(mu, per_critical, *path(mu))
+            for mu in (FRICTION_QUICK if quick else FRICTION)
+        ],
+        [reach_surface(0.0, count, 80, 6.0) for count in study],
         cells,
     )
 
 
 def simulation(
-    spacing: float, half_width: float, depth: float, friction: float = 0.0
+    spacing: float, half_width: float, depth: float, tol: float, friction: float = 0.0
 ) -> sc.Simulation:
     """Return a simulation on cubic cells; lengths are relative to the critical contact radius."""
     n, nz = 2 * round(half_width / spacing) + 1, round(depth / spacing)
@@ -95,10 +104,10 @@ def simulation(
     grid = sc.Grid(n, n, d, d, nz, d)
     body = sc.Material.perfect_plastic(E, NU, YIELD)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    return sc.Simulation(grid, RIGID, body, gap, friction)
+    return sc.Simulation(grid, RIGID, body, gap, friction, tol=tol)
 
 
-def flatten(above: float, top: float, cells: int, parts: int) -> list[Point]:
+def flatten(above: float, top: float, cells: int, parts: int, tol: float) -> list[Point]:
     """Solve one range of interferences, with `cells` cells per contact radius at the largest one.
 
     Each step between `RATIOS` is divided into `parts` increments.
@@ -107,9 +116,9 @@ def flatten(above: float, top: float, cells: int, parts: int) -> list[Point]:
     radius = float(np.sqrt(model.area_ratio))
     wide = np.interp(np.log(top), np.log([12, 110]), [1.35, 1.75])
     deep = np.interp(np.log(top), np.log([12, 110]), [1.9, 2.6])
-    solver = simulation(radius / cells, wide * radius, deep * radius)
+    solver = simulation(radius / cells, wide * radius, deep * radius, tol)
     points, before = [], 1.0
-    for ratio in RATIOS[top >= RATIOS]:
+    for ratio in RATIOS[top >= RATIOS] if parts > 1 else RATIOS_QUICK[top >= RATIOS_QUICK]:
         for part in np.geomspace(before, ratio, parts + 1)[1:]:
             state = solver.step(approach=part * CRITICAL.interference)
         before = ratio
@@ -141,15 +150,17 @@ def point(ratio: float, state: sc.State) -> Point:
     )
 
 
-def reach_surface(friction: float, cells: int, limit: float = 6.0) -> Surface:
+def reach_surface(friction: float, cells: int, increments: int, limit: float) -> Surface:
     """Return the interference ratios at which the first and the second layer of cells yield.
 
-    cells: number of cells per critical contact radius.
+    cells: number of cells per critical contact radius. increments, limit: number of increments and
+    largest interference ratio of the path.
     """
-    solver = simulation(1.0 / cells, 1.15 * limit**0.5 + 0.4, 1.9 * limit**0.5, friction)
+    half_width, depth = 1.15 * limit**0.5 + 0.4, 1.9 * limit**0.5
+    solver = simulation(1.0 / cells, half_width, depth, 1e-6, friction)
     reached: dict[int, float] = {}
     before: list[tuple[float, np.ndarray]] = []
-    for ratio in np.geomspace(0.3, limit, 80):
+    for ratio in np.geomspace(0.3, limit, increments):
         state = solver.step(approach=ratio * CRITICAL.interference)
         # maximum of von Mises over yield stress in each layer; 1 is reached by extrapolation
         mises = state.von_mises()[:, :, :2].max(axis=(0, 1)) / YIELD

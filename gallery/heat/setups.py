@@ -9,7 +9,7 @@ import numpy as np
 
 import samcontact as sc
 
-from ..bodies import ELASTIC, MICRO_STRAIN, STEEL_52100, square
+from ..bodies import ELASTIC, MICRO_STRAIN, STEEL_52100, square, tolerance
 from ..profiles import largest, von_mises
 
 RADIUS = 7.5e-3
@@ -124,11 +124,12 @@ def plastic_case(
     layer: float,
     depth: float,
     increments: int,
+    tol: float,
 ) -> Plastic:
     """Solve the elastic-plastic contact; width, depth: half-width and depth of the grid in a."""
     grid = square(hertz(load).a, cells, width, depth, layer=layer)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, heat=sc.Heat(factor))
+    simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, tol=tol, heat=sc.Heat(factor))
     for value in load * np.arange(1, increments + 1) / increments:
         state = simulation.step(load=float(value))
     unloaded = simulation.step(load=0.0)
@@ -153,7 +154,7 @@ def plastic_case(
     )
 
 
-def onset(cells: int, factors: np.ndarray) -> Onset:
+def onset(cells: int, depths: int, factors: np.ndarray) -> Onset:
     """Return the onset of yield, derived by similarity from contacts at 1500 N.
 
     With lengths relative to a and stresses relative to p0, a thermo-elastic contact depends on
@@ -163,7 +164,7 @@ def onset(cells: int, factors: np.ndarray) -> Onset:
     """
     grid = square(HERTZ.a, cells, 1.15)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    z = np.linspace(0.0, 0.6, 97) * HERTZ.a
+    z = np.linspace(0.0, 0.6, depths) * HERTZ.a
     stress, place = [], []
     pressure = None
     for factor in factors:
@@ -179,7 +180,11 @@ def onset(cells: int, factors: np.ndarray) -> Onset:
 
 
 def pressure_curves(
-    plastic: dict[float, list[Plastic]], cells: int, plastic_cells: int, increments: int
+    plastic: dict[float, list[Plastic]],
+    cells: int,
+    plastic_cells: int,
+    increments: int,
+    tol: float,
 ) -> dict[str, tuple[float, list[tuple[str, np.ndarray, np.ndarray]]]]:
     """Return the pressure curves of figure 2.21: the cases of 1500 N and additional cases."""
     depths = np.linspace(0.0, 1.6, 65) * HERTZ.a
@@ -194,18 +199,20 @@ def pressure_curves(
                 plastic_ = plastic[factor][0]
             else:
                 deep = 2.6 if load > LOAD else depth
-                plastic_ = plastic_case(load, heat, plastic_cells, width, a / 20, deep, increments)
+                plastic_ = plastic_case(
+                    load, heat, plastic_cells, width, a / 20, deep, increments, tol
+                )
             found.append((f"{name}elastic-plastic", plastic_.x, plastic_.pressure))
         curves[f"{load:.0f} N, Q_f = {factor:g} m/s"] = (load, found)
     return curves
 
 
-def strain_curve(cells: int, count: int) -> tuple[np.ndarray, np.ndarray]:
+def strain_curve(cells: int, count: int, tol: float) -> tuple[np.ndarray, np.ndarray]:
     """Return the points of figure 2.22: `count` Hertz pressures, and maximum plastic strains."""
     p0, gamma = [], []
     largest = sc.hertz.point(R=RADIUS, E_star=E_STAR, p0=8.12e9)
     grid = square(largest.a, cells, 1.9, 2.6, layer=largest.a / 20)
-    simulation = sc.Simulation(grid, ELASTIC, STEEL, sc.surfaces.paraboloid(grid, RADIUS))
+    simulation = sc.Simulation(grid, ELASTIC, STEEL, sc.surfaces.paraboloid(grid, RADIUS), tol=tol)
     for value in np.linspace(1.6e9, 8.12e9, count):
         load = sc.hertz.point(R=RADIUS, E_star=E_STAR, p0=float(value)).load
         state = simulation.step(load=load)
@@ -219,30 +226,30 @@ def compute(quick: bool) -> Results:
     cells = 16 if quick else 32
     elastic = {factor: elastic_case(LOAD, factor, cells, fine_depths) for factor in FACTORS}
 
-    increments = 5 if quick else 10
+    increments, tol = 5 if quick else 10, tolerance(quick)
     small_cells = 12 if quick else 24
     plastic = {
-        factor: [plastic_case(LOAD, factor, small_cells, 1.6, 10e-6, 1.7, increments)]
+        factor: [plastic_case(LOAD, factor, small_cells, 1.6, 10e-6, 1.7, increments, tol)]
         for factor in (0.0, 0.05)
     }
     # heat alone causes plastic flow far outside the contact
     large_cells = 6 if quick else 12
-    layers = (10e-6, 5e-6) if quick else (20e-6, 10e-6, 5e-6, 2.5e-6)
+    layers = (5e-6,) if quick else (20e-6, 10e-6, 5e-6, 2.5e-6)
     for factor, width, depth in ((0.12, 2.6, 1.25), (0.20, 4.0, 1.6)):
         plastic[factor] = [
-            plastic_case(LOAD, factor, large_cells, width, layer, depth, increments)
+            plastic_case(LOAD, factor, large_cells, width, layer, depth, increments, tol)
             for layer in layers
         ]
 
-    steps = np.linspace(0.0, 0.14, 29 if quick else 57)
-    near = [np.arange(0.057, 0.061, 0.0005), np.arange(0.0915, 0.0965, 0.0005)]
-    fine_cells = 24 if quick else 48
-    curve = onset(fine_cells, np.unique(np.concatenate([steps, *near]).round(6)))
+    steps, step = np.linspace(0.0, 0.14, 29 if quick else 57), 0.001 if quick else 0.0005
+    near = [np.arange(0.057, 0.061, step), np.arange(0.0915, 0.0965, step)]
+    fine_cells, depths = (24, 49) if quick else (48, 97)
+    curve = onset(fine_cells, depths, np.unique(np.concatenate([steps, *near]).round(6)))
 
     small_layer = hertz(SMALL_LOAD).a / 20
     small = {
         factor: plastic_case(
-            SMALL_LOAD, factor, 8 if quick else 16, 3.0, small_layer, 1.7, increments
+            SMALL_LOAD, factor, 8 if quick else 16, 3.0, small_layer, 1.7, increments, tol
         )
         for factor in SMALL_LOAD_FACTORS
     }
@@ -250,8 +257,8 @@ def compute(quick: bool) -> Results:
         elastic,
         plastic,
         curve,
-        pressure_curves(plastic, cells, large_cells, increments),
-        strain_curve(small_cells, 9 if quick else 25),
+        pressure_curves(plastic, cells, large_cells, increments, tol),
+        strain_curve(small_cells, 9 if quick else 25, tol),
         small,
         {
             "elastic": f"a/{cells}",

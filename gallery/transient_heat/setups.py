@@ -9,7 +9,7 @@ import numpy as np
 
 import samcontact as sc
 
-from ..bodies import ELASTIC, square
+from ..bodies import ELASTIC, square, tolerance
 from ..heat.setups import E_STAR, STEEL, UNYIELDING, at_surface
 from ..profiles import largest, von_mises
 
@@ -94,11 +94,11 @@ def elastic_case(cells: int, depths: int, heat: sc.Heat) -> Elastic:
     return Elastic(x, z, pressure[:, m], rise[:, 0], rise, stress, largest(stress, x, z))
 
 
-def plastic_case(kind: str, cells: int, per_cell: int) -> Plastic:
+def plastic_case(kind: str, cells: int, per_cell: int, tol: float) -> Plastic:
     width, depth = EXTENT[kind]
     grid = square(HERTZ.a, cells, width, depth, per_cell)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
-    simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, heat=KINDS[kind])
+    simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, tol=tol, heat=KINDS[kind])
     for load in np.linspace(0.0, LOAD, 11)[1:]:
         state = simulation.step(load=float(load))
     unloaded = simulation.step(load=0.0)
@@ -116,7 +116,9 @@ def compute(quick: bool) -> Results:
     elastic = {kind: elastic_case(cells, depths, heat) for kind, heat in KINDS.items()}
     steady = elastic_case(cells, 2, sc.Heat(FACTOR, velocity=(-SPEED, 0.0)))
     plastic_cells, per_cell = (6, 2) if quick else (10, 2)
-    plastic = {kind: plastic_case(kind, plastic_cells, per_cell) for kind in KINDS}
+    plastic = {
+        kind: plastic_case(kind, plastic_cells, per_cell, tolerance(quick)) for kind in KINDS
+    }
     times = np.geomspace(1e-4, 1e4, 9 if quick else 25)
     rises, pressures = [], []
     for time in times:

@@ -12,12 +12,12 @@ import pytest
 
 # Trials: in every run of the tests, and with the marker `slow`.
 TRIALS = {
-    "kill: run": (3, 50),
-    "kill: wear": (3, 50),
-    "kill: asperities": (2, 50),
-    "kill: sweep": (2, 50),
+    "kill: run": (2, 50),
+    "kill: wear": (1, 50),
+    "kill: asperities": (1, 50),
+    "kill: sweep": (1, 50),
     "kill: kinds of runs": (1, 50),
-    "full disk": (8, 200),
+    "full disk": (5, 200),
     "interrupt: step": (5, 80),
     "interrupt: run": (3, 50),
     "stop: command": (1, 25),

@@ -10,7 +10,7 @@ import pytest
 SETUP = """
 import hashlib, multiprocessing, os, sys, threading
 import samcontact as sc
-grid = sc.Grid(64, 64, 15e-6, 15e-6, 12, 15e-6)
+grid = sc.Grid(32, 32, 30e-6, 30e-6, 8, 30e-6)
 steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 gap = sc.surfaces.paraboloid(grid, 7.5e-3)
 
@@ -52,7 +52,7 @@ def solve():
             sc.surfaces.paraboloid(own, 7.5e-3), load=1.0)
 thread = threading.Thread(target=solve)
 thread.start()
-for _ in range(10):
+for _ in range(5):
     pid = os.fork()
     if pid == 0:
         digest(made())

@@ -18,7 +18,7 @@ report.contact.contact_figures = lambda *_: []  # they take a second
 folder, kind, count = sys.argv[1], sys.argv[2], int(sys.argv[3])
 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
-grid = sc.Grid(15, 15, 60e-6, 60e-6, 12, 60e-6)
+grid = sc.Grid(11, 11, 80e-6, 80e-6, 8, 80e-6)
 sim = sc.Simulation(grid, sc.Material.elastic(210e9, 0.3), steel,
                     sc.surfaces.paraboloid(grid, 7.5e-3))
 first = sim.step(load=500.0)

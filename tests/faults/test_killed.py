@@ -7,7 +7,7 @@ import shutil
 import signal
 
 import pytest
-from faulting import Nursery, start, with_trials
+from faulting import Nursery, with_trials
 
 BEGIN = """
 import hashlib, sys, warnings
@@ -27,9 +27,9 @@ RUN = (
     BEGIN
     + """
 def computed(folder):
-    grid = sc.Grid(21, 21, 60e-6, 60e-6, 14, 60e-6)
+    grid = sc.Grid(15, 15, 60e-6, 60e-6, 10, 60e-6)
     sim = sc.Simulation(grid, elastic, steel, sc.surfaces.paraboloid(grid, 7.5e-3))
-    path = sc.paths.rolling(load=900.0, distance=600e-6, step=60e-6, increments=3)
+    path = sc.paths.rolling(load=600.0, distance=300e-6, step=60e-6, increments=3)
     states = sim.run(path, progress=False, checkpoint=folder)
     fields = [[s.load, s.approach] for s in states]
     fields += [field for s in states for field in (s.pressure, s.gap, s.plastic_strain())]
@@ -125,7 +125,7 @@ def test_sweep(count, tmp_path):
 
 # The process kills itself at a system call of a write, which a random time rarely hits.
 WRITING = """
-import os, signal, sys
+import os, signal
 from samcontact.files import atomic as _atomic
 
 def deadly(module, name, number):
@@ -137,9 +137,21 @@ def deadly(module, name, number):
         return call(*arguments, **named)
     setattr(module, name, counted)
 
-folder, module, name, number = sys.argv[1:]
-deadly({"os": os, "file": _atomic._ErrorHoldingFile, "atomic": _atomic}[module], name, int(number))
+run = computed
+def computed(argument):
+    folder, *place = argument.split("|")
+    if place:
+        owners = {"os": os, "file": _atomic._ErrorHoldingFile, "atomic": _atomic}
+        deadly(owners[place[0]], place[1], int(place[2]))
+    return run(folder)
 """
+
+
+@pytest.fixture(scope="module")
+def writer(tmp_path_factory):
+    """Return a nursery, and the digest of its undisturbed run."""
+    with contextlib.closing(Nursery(RUN + WRITING)) as nursery:
+        yield nursery, nursery.run(tmp_path_factory.mktemp("writer") / "whole")[0]
 
 
 @pytest.mark.parametrize(
@@ -150,10 +162,11 @@ deadly({"os": os, "file": _atomic._ErrorHoldingFile, "atomic": _atomic}[module],
         ("os", "replace", 4),
     ],
 )
-def test_while_writing(tmp_path, module, name, number):
-    dying = WRITING + RUN + "computed(folder)"
-    with start(dying, tmp_path / "run", module, name, number) as process:
-        process.communicate()
-        assert process.returncode == -signal.SIGKILL
-    with contextlib.closing(Nursery(RUN)) as nursery:
-        assert nursery.run(tmp_path / "run")[0] == nursery.run(tmp_path / "whole")[0]
+def test_while_writing(writer, tmp_path, module, name, number):
+    nursery, whole = writer
+    folder = tmp_path / "run"
+    assert len(whole) == 64
+    assert nursery.run(f"{folder}|{module}|{name}|{number}")[0] is None
+    assert folder.is_dir()
+    assert nursery.message() == ""  # of an error; it was killed
+    assert nursery.run(folder)[0] == whole

@@ -18,7 +18,14 @@ def nursery():
         yield made
 
 
-@pytest.fixture(scope="module", params=BODIES)
+LONG_RUNS = {"periodic zones", "found load"}
+"""Kinds that take seconds. Zones, periodic surfaces and stopped searches have other tests."""
+
+
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(kind, marks=[pytest.mark.slow] * (kind in LONG_RUNS)) for kind in BODIES],
+)
 def whole(request, nursery, tmp_path_factory):
     """Return a kind of run, its digest, its duration, its largest file and its maximum memory."""
     folder = tmp_path_factory.mktemp("whole")

@@ -140,7 +140,9 @@ class Stopped:
 
 
 @with_trials("stop: command")
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(
+    "kind", [pytest.param(kind, marks=[pytest.mark.slow] * (kind == "wear")) for kind in KINDS]
+)
 def test_a_stopped_command_resumes_with_identical_bits(kind, nursery, tmp_path, count):
     whole = Stopped(nursery, kind, tmp_path / "whole")
     code, output, errors, steps, ends = whole.run()

@@ -50,7 +50,9 @@ def test_hertz_contact_is_closer_than_the_stated_error(ratio):
     assert cells[-1] < 10_000
 
 
-@pytest.mark.parametrize("name", ["4_1", "0.25_0.1", "thin_stiff"])
+@pytest.mark.parametrize(
+    "name", ["4_1", pytest.param("0.25_0.1", marks=pytest.mark.slow), "thin_stiff"]
+)
 def test_coated_bodies_are_closer_than_the_stated_error(name):
     """Against solutions of the integral equation of a ball on a layer."""
     case = json.loads((REFERENCE / "layers" / "coated.json").read_text())[name]

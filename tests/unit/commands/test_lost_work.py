@@ -23,7 +23,7 @@ OPTIONS = ("--no-figures", "--quiet")
 @pytest.fixture(scope="module")
 def case_file(tmp_path_factory):
     path = tmp_path_factory.mktemp("case") / "case.toml"
-    path.write_text(MINIMAL)
+    path.write_text(f"estimate_error = false\n{MINIMAL}")
     return path
 
 
@@ -66,9 +66,20 @@ PLACES = {
 }
 
 
+LIKE_OTHERS = {"before the dataset", "after saving", "in the table"}
+
+
 @pytest.mark.parametrize(
     ("place", "journal"),
-    [*((place, "while" in place) for place in PLACES), ("before saving", True)],
+    [
+        *(
+            pytest.param(
+                *(place, "while" in place), marks=[pytest.mark.slow] * (place in LIKE_OTHERS)
+            )
+            for place in PLACES
+        ),
+        ("before saving", True),
+    ],
 )
 def test_ctrl_c_after_the_last_increment(case_file, expected, tmp_path, place, journal):
     owner, name, action = PLACES[place]
@@ -195,7 +206,9 @@ STUDIES = {
 class TestStudies:
     """Passes of asperity collisions and cycles of wear."""
 
-    @pytest.fixture(params=STUDIES)
+    @pytest.fixture(
+        params=["asperities", "wear", pytest.param("wear by slip", marks=pytest.mark.slow)]
+    )
     def study(self, request, tmp_path):
         text, *rest = STUDIES[request.param]
         file = tmp_path / "study.toml"

@@ -33,9 +33,10 @@ OPTIONS = ("--no-figures", "--quiet")
 
 
 # Case and signal for each kind of run.
+WITHOUT_ERROR_ESTIMATE = f"estimate_error = false\n{MINIMAL}"
 TEXTS = {
-    "run": (MINIMAL, signal.SIGHUP),
-    "sweep": (MINIMAL, signal.SIGTERM),
+    "run": (WITHOUT_ERROR_ESTIMATE, signal.SIGHUP),
+    "sweep": (WITHOUT_ERROR_ESTIMATE, signal.SIGTERM),
     "asperities": (ASPERITIES.replace("passes = 2", "passes = 1"), signal.SIGTERM),
     "wear": (WEAR.replace("cycles = 1", "cycles = 2"), signal.SIGTERM),
 }
@@ -50,7 +51,10 @@ def start(script, *arguments):
     )
 
 
-@pytest.mark.parametrize("kind", TEXTS)
+@pytest.mark.parametrize(
+    "kind",
+    ["run", "sweep", *(pytest.param(kind, marks=pytest.mark.slow) for kind in list(TEXTS)[2:])],
+)
 def test_signals_of_a_batch_system_or_a_closed_terminal(tmp_path, kind):
     case, out = tmp_path / "case.toml", tmp_path / "out"
     text, number = TEXTS[kind]
@@ -98,7 +102,7 @@ TWICE = AGAIN + COMMAND.replace(
 
 def test_repeated_ctrl_c(tmp_path):
     case, out = tmp_path / "case.toml", tmp_path / "out"
-    case.write_text(MINIMAL)
+    case.write_text(WITHOUT_ERROR_ESTIMATE)
     with start(TWICE, 3, int(signal.SIGTERM), "run", case, "--output", out, *OPTIONS) as process:
         _, errors = process.communicate()
     assert process.returncode in (130, 143)
@@ -150,7 +154,7 @@ IGNORED = "import signal, sys; signal.signal(signal.SIGHUP, signal.SIG_IGN)\n" +
 
 def test_nohup(tmp_path):
     case, out = tmp_path / "case.toml", tmp_path / "out"
-    case.write_text(MINIMAL)
+    case.write_text(WITHOUT_ERROR_ESTIMATE)
     command = (IGNORED, 2, int(signal.SIGHUP), "run", case, "--output", out, *OPTIONS)
     with start(*command) as process:
         _, errors = process.communicate()

@@ -9,18 +9,25 @@ import sys
 import click
 import pytest
 
-from case_texts import MINIMAL
+from case_texts import MINIMAL, SWIFT
 from command import invoke
 from samcontact.commands.main import main
 from samcontact.commands.streams import guarded_output
 
+# Without a volume, for few figures.
+SURFACES = MINIMAL.replace(SWIFT, 'law = "elastic"\nE = 210e9\nnu = 0.3').replace(
+    "nz = 12\ndz = 60e-6", ""
+)
 COMMAND = [sys.executable, "-m", "samcontact"]
 
 
 @pytest.fixture
 def case(tmp_path):
     path = tmp_path / "case.toml"
-    path.write_text(MINIMAL.replace("two balls", "zwei Köpfe ≤ 3 µm"), encoding="utf-8")
+    path.write_text(
+        "estimate_error = false\n" + SURFACES.replace("two balls", "zwei Köpfe ≤ 3 µm"),
+        encoding="utf-8",
+    )
     return path
 
 
@@ -32,13 +39,12 @@ def run(case, *arguments, **options):
 
 
 FILES = {
-    ".samcontact-files", "results.nc", "pressure.png", "load_approach.png", "axis_stress.png",
-    "sections.png", "pressure_map.png", "gap_map.png", "imprint.png", "imprint_map.png",
-    "residual.png",
+    ".samcontact-files", "results.nc", "pressure.png", "load_approach.png", "pressure_map.png",
+    "gap_map.png",
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
+@pytest.mark.parametrize("encoding", ["ascii", pytest.param("latin-1", marks=pytest.mark.slow)])
 def test_a_terminal_without_some_characters(case, encoding):
     environment = os.environ | {"PYTHONIOENCODING": encoding, "PYTHONUTF8": "0"}
     ended, files = run(case, "--no-figures", env=environment, stdout=subprocess.PIPE)

@@ -33,7 +33,7 @@ def test_nothing_is_dissipated_without_yielding():
 
 
 def problem(material, increments, **settings):
-    grid = sc.Grid(21, 21, 60e-6, 60e-6, 18, 60e-6)
+    grid = sc.Grid(15, 15, 84e-6, 84e-6, 12, 90e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
     simulation = sc.Simulation(grid, ELASTIC, material, gap, **settings)
     path = sc.paths.load_unload(load=1500.0, increments=increments)

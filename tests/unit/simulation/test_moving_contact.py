@@ -39,7 +39,7 @@ def fixed_frame(cells, shape, body1, body2, **settings):
         (CERAMIC, STEEL, (RADIUS, RADIUS), {}),
         (CERAMIC, STEEL, (0.7 * RADIUS, 1.6 * RADIUS), {"friction": 0.2}),
         (CERAMIC, KINEMATIC, (RADIUS, RADIUS), {}),
-        (CERAMIC, SOFT, (RADIUS, RADIUS), {}),
+        pytest.param(CERAMIC, SOFT, (RADIUS, RADIUS), {}, marks=pytest.mark.slow),
     ],
     ids=["swift", "elliptic with friction", "kinematic", "linear hardening"],
 )
@@ -47,8 +47,8 @@ def test_moving_the_frame_equals_moving_the_contact(body1, body2, shape, setting
     settings = {"tol": 1e-10, "residual_stress": "exact", **settings}
     cells = grid()
     load = 0.7 * LOAD
-    there, back = roll(5, 0.0, -CELL, load), roll(5, 0.0, CELL, load)
-    moved_there, moved_back = roll(5, CELL, 0.0, load), roll(5, -CELL, 0.0, load)
+    there, back = roll(3, 0.0, -CELL, load), roll(3, 0.0, CELL, load)
+    moved_there, moved_back = roll(3, CELL, 0.0, load), roll(3, -CELL, 0.0, load)
     start = [{"load": 0.5 * load}, {"load": load}]
     moving = ball(body1, body2, cells, shape, **settings)
     fixed = fixed_frame(cells, shape, body1, body2, **settings)
@@ -68,8 +68,8 @@ def test_moving_the_frame_equals_moving_the_contact(body1, body2, shape, setting
 
 def test_the_fast_operator_agrees_with_the_exact_one():
     # Smooth on the scale of the cells, which the fast one takes the strain to be.
-    cells = sc.Grid(49, 33, 40e-6, 40e-6, 18, 40e-6)
-    path = [{"load": 575.0}, {"load": LOAD}, *roll(12, -40e-6, -40e-6), {"load": 0.0}]
+    cells = sc.Grid(37, 29, 40e-6, 40e-6, 16, 40e-6)
+    path = [{"load": 575.0}, {"load": LOAD}, *roll(6, -40e-6, -40e-6), {"load": 0.0}]
     exact, fast = (
         ball(cells=cells, residual_stress=method, reach=0.5e-3).run(path, progress=False)[-1]
         for method in ("exact", "fast")
@@ -92,11 +92,11 @@ def test_the_fast_operator_agrees_with_the_exact_one():
 def test_an_increment_that_moves_is_a_step_over_shifted_strain(settings, body2):
     settings = {"tol": 1e-10, "residual_stress": "exact", **settings}
     load = 0.7 * LOAD
-    moving = ball(SOFT, body2, **settings)
+    moving = ball(SOFT, body2, grid(25), **settings)
     before = moving.run([{"load": 0.5 * load}, {"load": load}], progress=False)[-1]
     after = moving.step(load=load, advance=(2 * CELL, -3 * CELL))
 
-    again = ball(SOFT, body2, **settings)
+    again = ball(SOFT, body2, grid(25), **settings)
     for body, cells in ((1, 2), (2, -3)):
         shifted = [
             np.roll(f, cells, axis=axis)
@@ -118,7 +118,7 @@ def test_an_increment_that_moves_is_a_step_over_shifted_strain(settings, body2):
 
 @pytest.mark.parametrize("method", ["exact", "fast"])
 def test_identical_rolling_bodies_stay_identical(method):
-    path = [*RAMP, *roll(12), {"load": 0.0}]
+    path = [*RAMP, *roll(5), {"load": 0.0}]
     settings = {"residual_stress": method, "tol": 1e-9}
     short = ball(STEEL, STEEL, **settings).run(path, progress=False)[-1]
     general = ball(STEEL, STEEL_AGAIN, **settings).run(path, progress=False)[-1]
@@ -140,12 +140,13 @@ def test_sliding_bodies_have_separate_histories():
     assert long[1] == pytest.approx(long[0] + 8 * CELL, abs=1.5 * CELL)
 
 
-def test_a_symmetric_scene_stays_symmetric():
+@pytest.mark.parametrize("increments", [100, pytest.param(500, marks=pytest.mark.slow)])
+def test_a_symmetric_scene_stays_symmetric(increments):
     # The exact operator knows no mirror planes.
     cells = sc.Grid(15, 11, 1.2e-4, 1.2e-4, 8, 1e-4)
     simulation = ball(cells=cells, residual_stress="exact", reach=3e-4)
     simulation.step(load=LOAD)
-    for _ in range(500):
+    for _ in range(increments):
         state = simulation.step(load=LOAD, advance=(-1.2e-4, -1.2e-4))
     for field in (state.pressure, state.residual_displacement(), state.von_mises()[..., 0]):
         scale = np.abs(field).max()
@@ -177,21 +178,22 @@ def test_steady_rolling_is_steady():
     assert states[-1].iterations < 0.7 * states[len(RAMP)].iterations
 
 
-@pytest.mark.parametrize("reach", [0.5, 1.0])
-def test_strain_beyond_the_reach(reach):
+def test_strain_beyond_the_reach():
     cells = grid(31)
     path = [*RAMP, *roll(40)]
-    long = ball(cells=cells, residual_stress="fast", reach=1.0).run(path, progress=False)[-1]
-    short = ball(cells=cells, residual_stress="fast", reach=reach * 31 * CELL)
-    state = short.run(path, progress=False)[-1]
-    error = np.abs(state.pressure - long.pressure).max() / long.pressure.max()
-    assert error < {0.5: 3e-4, 1.0: 3e-5}[reach]
+    long, half, whole = (
+        ball(cells=cells, residual_stress="fast", reach=reach).run(path, progress=False)[-1]
+        for reach in (1.0, 0.5 * 31 * CELL, 31 * CELL)
+    )
+    for state, limit in ((half, 3e-4), (whole, 3e-5)):
+        error = np.abs(state.pressure - long.pressure).max() / long.pressure.max()
+        assert error < limit
 
 
 def test_motion_by_fractions_of_a_cell():
     # The same way in whole cells, and from a start half a cell off: exact but for the mesh.
     errors = []
-    for cells_per_radius in (4, 8):
+    for cells_per_radius in (3, 6):
         cell = 310e-6 / cells_per_radius
         cells = grid(8 * cells_per_radius + 1, 4 * cells_per_radius + 1, 3 * cells_per_radius, cell)
         ends = []
@@ -210,7 +212,7 @@ def test_motion_by_fractions_of_a_cell():
             for max_of in (lambda s: s.pressure.max(), lambda s: s.residual_displacement().max())
         )
         errors.append([abs(peak[1] / peak[0] - 1), abs(print_2[1] / print_2[0] - 1)])
-    assert np.all(np.array(errors[0]) < [1e-2, 6e-2])
+    assert np.all(np.array(errors[0]) < [1.5e-2, 8e-2])
     assert np.all(np.array(errors[1]) < 0.4 * np.array(errors[0]))
 
 
@@ -242,12 +244,12 @@ def test_automatic_increments():
     def print_of(steps, **settings):
         simulation = ball(residual_stress="fast", **settings)
         simulation.run(RAMP, progress=False)
-        advance = -8 * CELL / steps
+        advance = -4 * CELL / steps
         return simulation.run(roll(steps, advance, advance), progress=False)[-1]
 
-    reference = print_of(64)
+    reference = print_of(16)
     errors, parts = [], []
-    for state in (print_of(2), print_of(2, increment_tol=1e-2)):
+    for state in (print_of(1), print_of(1, increment_tol=1e-2)):
         u, v = state.residual_displacement(), reference.residual_displacement()
         errors.append(np.abs(u - v).max() / v.max())
         parts.append(state.substeps)

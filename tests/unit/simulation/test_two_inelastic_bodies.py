@@ -41,7 +41,9 @@ FIELDS = (
         ("exact", KINEMATIC, KINEMATIC_AGAIN, {}),
         ("fast", STEEL, STEEL_AGAIN, {}),
         ("exact", STEEL, STEEL_AGAIN, {"increment_tol": 2e-3}),
-        ("fast", KINEMATIC, KINEMATIC_AGAIN, {"increment_tol": 2e-3}),
+        pytest.param(
+            *("fast", KINEMATIC, KINEMATIC_AGAIN, {"increment_tol": 2e-3}), marks=pytest.mark.slow
+        ),
     ],
     ids=["given-kin-exact", "given-52100-fast", "automatic-52100-exact", "automatic-kin-fast"],
 )
